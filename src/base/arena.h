@@ -1,0 +1,44 @@
+/* base/arena.h - memory that is given back all at once. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_BASE_ARENA_H
+#define LENSCALC_BASE_ARENA_H
+
+#include <stddef.h>
+
+struct arena_block;
+
+/* Start with { 0 }; one a command. */
+struct arena {
+    struct arena_block *block;
+};
+
+struct arena_mark {
+    struct arena_block *block;
+    size_t used;
+};
+
+/*
+ * Memory for `count` objects of `size` bytes, zeroed, aligned for any type.
+ *
+ * Result    never null: when memory is used up, or count * size overflows, the program cannot go
+ *           on and aborts with a message from the C library
+ */
+void *arena_array(struct arena *arena, size_t count, size_t size);
+
+/* A copy of `length` characters with a NUL behind. */
+char *arena_string(struct arena *arena, const char *start, size_t length);
+
+/* A string made as by printf. */
+char *arena_printf(struct arena *arena, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Where the arena stands now, and back to it: what was taken since is given up. */
+struct arena_mark arena_mark(const struct arena *arena);
+void arena_reset(struct arena *arena, struct arena_mark mark);
+
+void arena_free(struct arena *arena);
+
+#define ARENA_NEW(arena, type)          ((type *)arena_array((arena), 1, sizeof(type)))
+#define ARENA_ARRAY(arena, count, type) ((type *)arena_array((arena), (count), sizeof(type)))
+
+#endif

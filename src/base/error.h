@@ -1,0 +1,61 @@
+/* base/error.h - one error, carried up by return value. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_BASE_ERROR_H
+#define LENSCALC_BASE_ERROR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* What went wrong; the values are the exit statuses of the program. */
+enum error_code {
+    ERROR_NONE = 0,
+    ERROR_DOMAIN = 1, /* no answer: outside the domain, nothing found */
+    ERROR_USAGE = 2,  /* the command line is wrong */
+    ERROR_ROWS = 3,   /* some rows of a batch failed */
+    ERROR_DATA = 4,   /* a data file is bad */
+    ERROR_IO = 5      /* reading or writing failed */
+};
+
+struct error {
+    enum error_code code;
+    long line;         /* in `source`, 1-based; 0 = none */
+    int column;        /* character in that line, 1-based; 0 = none */
+    int caret;         /* character of `text` that is wrong, 1-based; 0 = none */
+    char source[256];  /* file name; "" = the command line */
+    char message[512]; /* lower case, one line, no full stop */
+    char text[128];    /* the offending text, shown above the caret */
+    char hint[160];    /* "did you mean '50mm'?" */
+};
+
+/*
+ * Record an error and return false, so that a function ends with `return fail(e, ...)`.
+ *
+ * Given     error   where to record; every field is overwritten
+ *           code    what kind it is
+ *           format  printf format of the message
+ */
+bool fail(struct error *error, enum error_code code, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/*
+ * The same, pointing at one character of a text that is shown with a caret under it. A long text
+ * is cut to a window around the caret; control characters are shown as '?'.
+ *
+ * Given     text, length  the offending text (need not end in NUL)
+ *           caret         the wrong character, 1-based
+ */
+bool fail_at(struct error *error, enum error_code code, const char *text, size_t length,
+             size_t caret, const char *format, ...) __attribute__((format(printf, 6, 7)));
+
+/* Say where in a file the error lies (line and column 1-based, 0 = unknown). Returns false. */
+bool error_locate(struct error *error, const char *source, long line, size_t column);
+
+/* Add the line "did you mean '...'?" or any other advice. Returns false. */
+bool error_hint(struct error *error, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Put words before the message, to say whose text was wrong. Returns false. */
+bool error_prefix(struct error *error, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+#endif

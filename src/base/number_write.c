@@ -1,0 +1,328 @@
+/* base/number_write.c - double to decimal text, to a given or to the least number of digits. */
+/* SPDX-License-Identifier: MIT */
+#include "base/number.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/number_powers.h"
+
+enum {
+    MOST_DIGITS = 17,
+    SHORT_DIGITS = 8, /* one word of characters */
+    FIELD_MASK = 0x7ff,
+};
+
+/* clang-format off */
+static const uint64_t tens[] = {
+    1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000, 10000000000,
+    100000000000, 1000000000000, 10000000000000, 100000000000000, 1000000000000000,
+    10000000000000000, 100000000000000000
+};
+/* clang-format on */
+
+/* The parts of a finite double other than 0: significand x 2^exponent. */
+struct parts {
+    uint64_t significand;
+    int exponent;
+    bool narrow_below; /* a power of two whose lower neighbour is nearer than the upper one */
+};
+
+/* A decimal number: its integer x 10^(exponent - length + 1), so that exponent is that of %e. */
+struct decimal {
+    uint64_t integer; /* below 10^17 */
+    int length;       /* of the integer, in digits */
+    int exponent;
+};
+
+/* The characters of MOST_DIGITS digits, or of SHORT_DIGITS; the first in the low byte of a word. */
+struct characters {
+    uint64_t first;  /* digits 0 to 7 */
+    uint64_t second; /* digits 8 to 15, if not short */
+    char last;       /* digit 16, if not short */
+    bool is_short;
+    int count; /* of digits up to the last that is not 0 */
+};
+
+static inline struct parts parts_of(uint64_t bits)
+{
+    const uint64_t fraction = bits & (((uint64_t)1 << 52) - 1);
+    const int field = (int)(bits >> 52) & FIELD_MASK;
+    if (field == 0)
+        return (struct parts){fraction, -1074, false};
+    return (struct parts){fraction | (uint64_t)1 << 52, field - 1075, fraction == 0 && field > 1};
+}
+
+/*
+ * The eight digits of n < 10^8 as eight bytes, the first digit in the low one: split n by 10^4,
+ * both halves by 10^2 and all quarters by 10 at once, in lanes of one word. The multipliers are
+ * 2^20 / 100 and 2^10 / 10 rounded up, exact for four and for two digits.
+ * Source: Khuong, How to print integers really fast (pvk.ca, 2017).
+ */
+static inline uint64_t eight_digits(uint32_t n)
+{
+    const uint64_t fours = n / 10000 | (uint64_t)(n % 10000) << 32;
+    const uint64_t hundreds = ((fours * 10486) >> 20) & 0x0000007f0000007f;
+    const uint64_t twos = hundreds | (fours - hundreds * 100) << 16;
+    const uint64_t tenths = ((twos * 103) >> 10) & 0x000f000f000f000f;
+    return tenths | (twos - tenths * 10) << 8;
+}
+
+/* How many of the eight digits are left without the zeros at the end; at least one is not 0. */
+static inline int significant_digits(uint64_t eight)
+{
+    return 8 - __builtin_clzll(eight) / 8;
+}
+
+/* No more than `precision` digits will be wanted. */
+static inline struct characters characters_of(struct decimal decimal, int precision)
+{
+    const uint64_t zeros = 0x3030303030303030; /* eight times '0' */
+    struct characters digits = {.is_short = precision <= SHORT_DIGITS};
+    if (digits.is_short) {
+        digits.first = eight_digits((uint32_t)(decimal.integer * tens[8 - decimal.length]));
+        digits.count = significant_digits(digits.first);
+        digits.first |= zeros;
+        return digits;
+    }
+    const uint64_t all = decimal.integer * tens[MOST_DIGITS - decimal.length];
+    const uint32_t behind = (uint32_t)(all % 1000000000);
+    digits.first = eight_digits((uint32_t)(all / 1000000000));
+    digits.second = eight_digits(behind / 10);
+    digits.last = (char)('0' + behind % 10);
+    if (behind % 10 != 0)
+        digits.count = MOST_DIGITS;
+    else if (digits.second != 0)
+        digits.count = 8 + significant_digits(digits.second);
+    else
+        digits.count = significant_digits(digits.first);
+    digits.first |= zeros;
+    digits.second |= zeros;
+    return digits;
+}
+
+/* Byte by byte for any byte order; compilers make one store of it. */
+static inline void store_eight(char *to, uint64_t eight)
+{
+    to[0] = (char)eight;
+    to[1] = (char)(eight >> 8);
+    to[2] = (char)(eight >> 16);
+    to[3] = (char)(eight >> 24);
+    to[4] = (char)(eight >> 32);
+    to[5] = (char)(eight >> 40);
+    to[6] = (char)(eight >> 48);
+    to[7] = (char)(eight >> 56);
+}
+
+/* All digits; `to` has room for MOST_DIGITS. */
+static inline void store_digits(char *to, const struct characters *digits)
+{
+    store_eight(to, digits->first);
+    if (!digits->is_short) {
+        store_eight(to + 8, digits->second);
+        to[16] = digits->last;
+    }
+}
+
+/*
+ * All digits with a point behind the first `whole` ones, 1 or more and fewer than digits->count;
+ * `to` has room for MOST_DIGITS + 1.
+ */
+static inline void store_with_point(char *to, const struct characters *digits, int whole)
+{
+    if (digits->is_short) {
+        store_eight(to, digits->first);
+        store_eight(to + whole + 1, digits->first >> 8 * whole);
+    } else {
+        const uint128 head = (uint128)digits->second << 64 | digits->first;
+        const uint128 ahead = head & ~(uint128)0 >> (128 - 8 * whole);
+        const uint128 shifted = ahead | (head ^ ahead) << 8;
+        store_eight(to, (uint64_t)shifted);
+        store_eight(to + 8, (uint64_t)(shifted >> 64));
+        to[16] = (char)(digits->second >> 56); /* pushed out of the 16 by the point */
+        to[17] = digits->last;
+    }
+    to[whole] = '.';
+}
+
+static char *write_exponent(char *to, int exponent)
+{
+    *to++ = 'e';
+    *to++ = exponent < 0 ? '-' : '+';
+    const unsigned size = (unsigned)(exponent < 0 ? -exponent : exponent);
+    if (size >= 100)
+        *to++ = (char)('0' + size / 100);
+    *to++ = (char)('0' + size / 10 % 10);
+    *to++ = (char)('0' + size % 10);
+    return to;
+}
+
+/* As %g does: fixed from 1e-4 to below 10^precision, no zeros at the end. */
+static inline char *lay_out(char *to, struct decimal decimal, int precision)
+{
+    const struct characters digits = characters_of(decimal, precision);
+    const int exponent = decimal.exponent;
+    if (exponent >= 0 && exponent < precision) {
+        if (digits.count > exponent + 1) {
+            store_with_point(to, &digits, exponent + 1);
+            return to + digits.count + 1;
+        }
+        store_digits(to, &digits);
+        return to + exponent + 1;
+    }
+    if (exponent < 0 && exponent >= -4) {
+        memcpy(to, "0.000000", 8);
+        to += 1 - exponent;
+        store_digits(to, &digits);
+        return to + digits.count;
+    }
+    store_with_point(to, &digits, 1);
+    return write_exponent(to + digits.count + (digits.count > 1), exponent);
+}
+
+/*
+ * Round to `digits` digits: scale by the power of ten that leaves so many before the point. False
+ * if 128 bits do not tell a tie from its neighbourhood, as for 1234565 to 6 digits, since 10^-1 is
+ * not exact in binary.
+ */
+static inline bool round_to_digits(struct parts parts, int digits, struct decimal *decimal)
+{
+    const int shift = __builtin_clzll(parts.significand);
+    const uint64_t factor = parts.significand << shift;
+    const int exponent = parts.exponent - shift;
+
+    /* the power of two at or below x has the decimal exponent of x or one less */
+    decimal->length = digits;
+    decimal->exponent = number_log10_of_power2(exponent + 63);
+    int power = digits - 1 - decimal->exponent;
+    int drop = -1 - number_log2_of_power10(power) - exponent;
+    uint64_t high = number_multiply_high(factor, power);
+    if (high >> drop >= tens[digits]) {
+        decimal->exponent++;
+        power--;
+        drop = -1 - number_log2_of_power10(power) - exponent;
+        high = number_multiply_high(factor, power);
+    }
+    if (!number_round_high(high, 2, drop, &decimal->integer) &&
+        !number_round(number_multiply(factor, power), drop + 64, &decimal->integer))
+        return false;
+    if (decimal->integer == tens[digits]) {
+        decimal->integer /= 10;
+        decimal->exponent++;
+    }
+    return true;
+}
+
+/* factor x ten / 2^128, where the last bit also says whether anything is behind it. */
+static inline uint64_t multiply_to_odd(uint64_t factor, struct number_power ten)
+{
+    const uint128 low = (uint128)factor * ten.low;
+    const uint128 all = (uint128)factor * ten.high + (uint64_t)(low >> 64);
+    /* `ten` is rounded up: one unit in the word behind is that error, not a digit */
+    return (uint64_t)(all >> 64) | ((uint64_t)all > 1);
+}
+
+/*
+ * The shortest decimal inside the interval that rounds to x, the nearest to x of these.
+ * With 10^k <= the width of the interval < 10^(k+1), it holds a multiple of 10^k and at most one of
+ * 10^(k+1): try the two neighbours of x among the latter, then those among the former.
+ * Everything is scaled by 4 / 10^k so that the halves of the unit in the last place are integers.
+ * Source: Giulietti, The Schubfach way to render doubles, 2020.
+ */
+static struct decimal find_shortest(struct parts x)
+{
+    const int narrow = x.narrow_below;
+    /* floor(log10(2^exponent)), of 3/4 of it if narrow: log10(4/3) x 2^22 = 524031 */
+    const int k = (x.exponent * 1262611 - (narrow ? 524031 : 0)) >> 22;
+    const int shift = x.exponent + number_log2_of_power10(-k) + 1;
+    struct number_power ten = number_powers[-k - NUMBER_POWER_MIN];
+    if (!number_power_is_exact(-k)) {
+        ten.low++;
+        ten.high += ten.low == 0;
+    }
+    const uint64_t four = 4 * x.significand;
+    const uint64_t value = multiply_to_odd(four << shift, ten);
+    uint64_t lower = multiply_to_odd((four - 2 + (uint64_t)narrow) << shift, ten);
+    uint64_t upper = multiply_to_odd((four + 2) << shift, ten);
+    /* the ends of the interval round to the even neighbour */
+    lower += x.significand & 1;
+    upper -= x.significand & 1;
+
+    const uint64_t floor = value / 4;
+    const uint64_t floor_tens = floor / 10 * 10;
+    const bool tens_below = lower <= 4 * floor_tens;
+    const bool tens_above = 4 * floor_tens + 40 <= upper;
+    if (floor >= 10 && tens_below != tens_above)
+        return (struct decimal){floor_tens + (tens_above ? 10 : 0), 0, k};
+
+    const bool below = lower <= 4 * floor;
+    const bool above = 4 * floor + 4 <= upper;
+    bool up = above;
+    if (below == above) /* the nearer one, of two equally near ones the even */
+        up = value > 4 * floor + 2 || (value == 4 * floor + 2 && (floor & 1) != 0);
+    return (struct decimal){floor + up, 0, k};
+}
+
+/* Give the decimal its length; its exponent was that of the last digit. */
+static inline struct decimal with_length(struct decimal decimal)
+{
+    int bits = 63 - __builtin_clzll(decimal.integer);
+    decimal.length = number_log10_of_power2(bits) + 1;
+    decimal.length += decimal.integer >= tens[decimal.length];
+    decimal.exponent += decimal.length - 1;
+    return decimal;
+}
+
+/* The sign, and all of a number that has no digits to compute; `*done` if that is all. */
+static inline char *write_special(char *to, uint64_t bits, bool *done)
+{
+    const uint64_t magnitude = bits & ~((uint64_t)1 << 63);
+    const uint64_t infinity = (uint64_t)FIELD_MASK << 52;
+    *done = magnitude == 0 || magnitude >= infinity;
+    if (magnitude > infinity)
+        return to;
+    if (bits != magnitude)
+        *to++ = '-';
+    if (magnitude == infinity) {
+        memcpy(to, "inf", 3);
+        return to + 3;
+    }
+    *to = '0';
+    return to + *done;
+}
+
+/* The C library's own for the ties that 128 bits do not settle. */
+static char *write_slowly(char *to, double x, int digits)
+{
+    char text[NUMBER_LENGTH];
+    int length = snprintf(text, sizeof text, "%.*g", digits, x);
+    memcpy(to, text, (size_t)length);
+    return to + length;
+}
+
+char *number_write_digits(char *to, double x, int digits)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bool done;
+    char *at = write_special(to, bits, &done);
+    if (done)
+        return at;
+    struct decimal decimal;
+    if (!round_to_digits(parts_of(bits), digits, &decimal))
+        return write_slowly(to, x, digits);
+    return lay_out(at, decimal, digits);
+}
+
+char *number_write_shortest(char *to, double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bool done;
+    char *at = write_special(to, bits, &done);
+    if (done)
+        return at;
+    return lay_out(at, with_length(find_shortest(parts_of(bits))), MOST_DIGITS);
+}

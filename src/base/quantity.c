@@ -1,0 +1,439 @@
+/* base/quantity.c - dimensions, units, and the reading of a quantity as people write it. */
+/* SPDX-License-Identifier: MIT */
+#include "base/quantity.h"
+
+#include <math.h>
+#include <string.h>
+
+#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
+#define RADIANS_PER_DEGREE 0.017453292519943295769
+
+static const struct unit number_units[] = {
+    {"", "", {1, 0}, 1, NULL, "plain number"},
+};
+
+static const struct unit length_units[] = {
+    {"mm", "mm", {1, 0}, 1, NULL, "millimetre"},
+    {"nm", "nm", {1, -6}, 1, NULL, "nanometre"},
+    {"um", "um", {1, -3}, 1, "\xc2\xb5m \xce\xbcm", "micrometre"},
+    {"cm", "cm", {1, 1}, 1, NULL, "centimetre"},
+    {"m", "m", {1, 3}, 1, NULL, "metre"},
+    {"km", "km", {1, 6}, 1, NULL, "kilometre"},
+    {"in", "in", {254, -1}, 1, "\" \xe2\x80\xb3 inch", "inch, 25.4 mm"},
+    {"ft", "ft", {3048, -1}, 1, "' \xe2\x80\xb2 feet foot", "foot, 304.8 mm"},
+    {"yd", "yd", {9144, -1}, 1, NULL, "yard, 914.4 mm"},
+    {"mi", "mi", {1609344, 0}, 1, "mile miles", "mile, 1609.344 m"},
+};
+
+static const struct unit angle_units[] = {
+    {"rad", "rad", {1, 0}, 1, NULL, "radian"},
+    {"mrad", "mrad", {1, -3}, 1, NULL, "milliradian"},
+    {"deg", "deg", {1, 0}, RADIANS_PER_DEGREE, "\xc2\xb0 degree degrees", "degree"},
+    {"arcmin", "arcmin", {1, 0}, RADIANS_PER_DEGREE / 60, NULL, "minute of arc"},
+    {"arcsec", "arcsec", {1, 0}, RADIANS_PER_DEGREE / 3600, NULL, "second of arc"},
+};
+
+static const struct unit time_units[] = {
+    {"s", "s", {1, 0}, 1, "sec", "second"},
+    {"ns", "ns", {1, -9}, 1, NULL, "nanosecond"},
+    {"us", "us", {1, -6}, 1, "\xc2\xb5s \xce\xbcs", "microsecond"},
+    {"ms", "ms", {1, -3}, 1, NULL, "millisecond"},
+    {"min", "min", {60, 0}, 1, NULL, "minute, 60 s"},
+    {"h", "h", {3600, 0}, 1, NULL, "hour, 3600 s"},
+};
+
+static const struct unit ratio_units[] = {
+    {"", "", {1, 0}, 1, "x X", "times"},
+    {"percent", "%", {1, -2}, 1, "%", "hundredth"},
+};
+
+static const struct unit vergence_units[] = {
+    {"per_mm", "1/mm", {1, 0}, 1, "/mm", "per millimetre"},
+    {"diopter", "dpt", {1, -3}, 1, "dpt D dioptre dioptres diopters", "dioptre, 1/m"},
+};
+
+#define UNITS(array) .units = (array), .unit_count = COUNT(array)
+
+const struct dimension dimension_number = {.name = "number", UNITS(number_units)};
+const struct dimension dimension_length = {.name = "length", .fraction = true,
+                                           UNITS(length_units)};
+const struct dimension dimension_angle = {.name = "angle", UNITS(angle_units)};
+const struct dimension dimension_time = {
+    .name = "time", .fraction = true, .series = "shutters.tsv", UNITS(time_units)};
+const struct dimension dimension_fnumber = {
+    .name = "f-number", .prefixes = "f/ f t/ t", .series = "fstops.tsv", UNITS(number_units)};
+const struct dimension dimension_ratio = {
+    .name = "ratio", .fraction = true, .ratio = true, UNITS(ratio_units)};
+const struct dimension dimension_vergence = {.name = "vergence", UNITS(vergence_units)};
+
+const struct dimension *const dimensions[] = {
+    &dimension_length,  &dimension_angle, &dimension_time,   &dimension_fnumber,
+    &dimension_ratio,   &dimension_vergence, &dimension_number, NULL,
+};
+
+/* Is `name` one of the blank-separated words? Case counts: mm is not MM, D is not d. */
+static bool is_spelling(const char *words, struct text name)
+{
+    struct text rest = text_of(words != NULL ? words : "");
+    while (rest.start != NULL) {
+        struct text word = text_cut(&rest, ' ');
+        if (word.length == name.length && memcmp(word.start, name.start, name.length) == 0) {
+            return word.length > 0;
+        }
+    }
+    return false;
+}
+
+const struct unit *unit_find(const struct dimension *dimension, struct text name)
+{
+    for (size_t i = 0; i < dimension->unit_count; i++) {
+        const struct unit *unit = &dimension->units[i];
+        if (text_equal(name, unit->name) || is_spelling(unit->spellings, name)) {
+            return unit;
+        }
+    }
+    return NULL;
+}
+
+/* 10^n for 0 <= n <= 9, exact. */
+static double power_of_ten(int n)
+{
+    static const double powers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+    return powers[n];
+}
+
+double unit_to_own(const struct unit *unit, double value)
+{
+    int power = unit->scale.power;
+    double scaled = value * unit->scale.multiplier;
+    scaled = power >= 0 ? scaled * power_of_ten(power) : scaled / power_of_ten(-power);
+    return scaled * unit->factor;
+}
+
+double unit_from_own(const struct unit *unit, double value)
+{
+    int power = unit->scale.power;
+    double scaled = value / unit->factor;
+    if (power < 0) {
+        scaled *= power_of_ten(-power);
+        return scaled / unit->scale.multiplier;
+    }
+    return scaled / (unit->scale.multiplier * power_of_ten(power));
+}
+
+/* The reading of one quantity: where it stands, and what to say of it. */
+struct reading {
+    struct text text; /* trimmed */
+    const char *at, *end;
+    const struct dimension *dimension;
+    const struct unit *unit;  /* for bare numbers */
+    const struct unit *typed; /* the unit that was read, or null */
+    struct error *error;
+};
+
+static bool wrong(struct reading *reading, const char *at, const char *what)
+{
+    size_t caret = (size_t)(at - reading->text.start) + 1;
+    return fail_at(reading->error, ERROR_USAGE, reading->text.start, reading->text.length, caret,
+                   "%s", what);
+}
+
+static void skip_blanks(struct reading *reading)
+{
+    while (reading->at < reading->end && (*reading->at == ' ' || *reading->at == '\t')) {
+        reading->at++;
+    }
+}
+
+/* Step over the longest of the prefixes that stands here ("f/" before "f"). */
+static void skip_prefix(struct reading *reading)
+{
+    const char *prefixes = reading->dimension->prefixes;
+    struct text rest = text_of(prefixes != NULL ? prefixes : "");
+    while (rest.start != NULL) {
+        struct text word = text_cut(&rest, ' ');
+        struct text here = {reading->at, word.length};
+        if (word.length > 0 && (size_t)(reading->end - reading->at) > word.length) {
+            char name[8] = {0};
+            memcpy(name, word.start, word.length < sizeof name ? word.length : sizeof name - 1);
+            if (text_same(here, name)) {
+                reading->at += word.length;
+                return;
+            }
+        }
+    }
+}
+
+/* Not a number: say what it is instead. */
+static bool no_number(struct reading *reading)
+{
+    if (reading->at >= reading->end) {
+        return wrong(reading, reading->at, "a number is missing");
+    }
+    struct text rest = text_between(reading->at, reading->end);
+    if (text_same(rest, "nan") || text_same(rest, "-nan")) {
+        return wrong(reading, reading->at, "nan is no value");
+    }
+    return wrong(reading, reading->at, "no number here");
+}
+
+static bool has_nonzero_digit(const char *at, const char *end)
+{
+    for (; at < end && *at != 'e' && *at != 'E'; at++) {
+        if (*at >= '1' && *at <= '9') {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Refuse what a double cannot hold: the text names a number that is neither infinite nor zero. */
+static bool check_magnitude(struct reading *reading, const char *from, const char *to, double value)
+{
+    if (isinf(value)) {
+        const char *first = *from == '-' || *from == '+' ? from + 1 : from;
+        if (*first != 'i' && *first != 'I') {
+            return wrong(reading, from, "the number is too large");
+        }
+    }
+    if (value == 0 && has_nonzero_digit(from, to)) {
+        return wrong(reading, from, "the number is too small");
+    }
+    return true;
+}
+
+/* Read a number at the present place, times `scale`. */
+static bool read_scaled(struct reading *reading, struct number_scale scale, double *value)
+{
+    const char *after = number_read(reading->at, reading->end, scale, value);
+    if (after == NULL) {
+        return no_number(reading);
+    }
+    if (!check_magnitude(reading, reading->at, after, *value)) {
+        return false;
+    }
+    reading->at = after;
+    return true;
+}
+
+static bool is_unit_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (unsigned char)c >= 0x80 ||
+           c == '_' || c == '%' || c == '\'' || c == '"' || c == '/';
+}
+
+/* The dimension that has this unit, if it is not the wanted one. */
+static const struct dimension *dimension_of(struct text unit)
+{
+    for (size_t i = 0; dimensions[i] != NULL; i++) {
+        if (unit_find(dimensions[i], unit) != NULL) {
+            return dimensions[i];
+        }
+    }
+    return NULL;
+}
+
+static const char *article(const char *noun)
+{
+    return strchr("aef", noun[0]) != NULL ? "an" : "a";
+}
+
+static bool unknown_unit(struct reading *reading, struct text name, int shown)
+{
+    struct text whole = reading->text;
+    size_t before = (size_t)(name.start - whole.start);
+    struct nearest nearest = {.typed = name};
+    for (size_t i = 0; i < reading->dimension->unit_count; i++) {
+        nearest_offer(&nearest, text_of(reading->dimension->units[i].name));
+    }
+    fail_at(reading->error, ERROR_USAGE, whole.start, whole.length, before + 1,
+            "unknown unit '%.*s'", shown, name.start);
+    if (nearest.best.start != NULL && before < 60) {
+        error_hint(reading->error, "did you mean '%.*s%.*s'?", (int)before, whole.start,
+                   (int)nearest.best.length, nearest.best.start);
+    }
+    return false;
+}
+
+static bool wrong_unit(struct reading *reading, struct text name)
+{
+    const char *wanted = reading->dimension->name;
+    size_t caret = (size_t)(name.start - reading->text.start) + 1;
+    int shown = name.length < 40 ? (int)name.length : 40;
+    const struct dimension *other = dimension_of(name);
+    if (other != NULL) {
+        return fail_at(reading->error, ERROR_USAGE, reading->text.start, reading->text.length,
+                       caret, "unit '%.*s' measures %s %s, wanted is %s %s", shown, name.start,
+                       article(other->name), other->name, article(wanted), wanted);
+    }
+    if (reading->dimension->units[0].name[0] == '\0' && reading->dimension->unit_count == 1) {
+        return fail_at(reading->error, ERROR_USAGE, reading->text.start, reading->text.length,
+                       caret, "'%.*s' does not belong to %s %s", shown, name.start, article(wanted),
+                       wanted);
+    }
+    return unknown_unit(reading, name, shown);
+}
+
+/* Read the unit here, if one stands here; null in *unit if none does. */
+static bool read_unit(struct reading *reading, const struct unit **unit)
+{
+    *unit = NULL;
+    skip_blanks(reading);
+    const char *from = reading->at, *at = from;
+    while (at < reading->end && is_unit_letter(*at)) {
+        at++;
+        /* a quote is a whole unit: 5'6" */
+        if (at[-1] == '\'' || at[-1] == '"') {
+            break;
+        }
+    }
+    if (at == from) {
+        return true;
+    }
+    *unit = unit_find(reading->dimension, text_between(from, at));
+    if (*unit == NULL) {
+        return wrong_unit(reading, text_between(from, at));
+    }
+    reading->at = at;
+    return true;
+}
+
+/* A denominator after '/' or ':' divides what was read. */
+static bool read_denominator(struct reading *reading, double *value)
+{
+    bool divides = reading->at + 1 < reading->end &&
+                   ((*reading->at == '/' && reading->dimension->fraction) ||
+                    (*reading->at == ':' && reading->dimension->ratio)) &&
+                   ((reading->at[1] >= '0' && reading->at[1] <= '9') || reading->at[1] == '.');
+    if (!divides) {
+        return true;
+    }
+    const char *slash = reading->at++;
+    double denominator;
+    if (!read_scaled(reading, (struct number_scale){1, 0}, &denominator)) {
+        return false;
+    }
+    if (!(denominator > 0) || isinf(denominator)) {
+        return wrong(reading, slash + 1, "a fraction cannot have this denominator");
+    }
+    *value /= denominator;
+    return true;
+}
+
+/* Inches behind feet: 5ft6in, 5'6". */
+static bool read_inches(struct reading *reading, double *value)
+{
+    skip_blanks(reading);
+    if (reading->at == reading->end) {
+        return true;
+    }
+    const char *from = reading->at;
+    const struct unit *feet = unit_find(&dimension_length, text_of("ft"));
+    const struct unit *inch = unit_find(&dimension_length, text_of("in"));
+    double inches;
+    const struct unit *unit;
+    if (reading->typed != feet || !read_scaled(reading, inch->scale, &inches) ||
+        !read_unit(reading, &unit) || (unit != inch && unit != NULL)) {
+        return wrong(reading, from, "this does not belong to the quantity");
+    }
+    if (!(inches >= 0) || !(inches < 304.8) || !(*value >= 0)) {
+        return wrong(reading, from, "inches behind feet must be 0 to less than 12");
+    }
+    *value += inches;
+    return true;
+}
+
+/* What is left over: name the usual causes. */
+static bool left_over(struct reading *reading)
+{
+    if (*reading->at != ',') {
+        return wrong(reading, reading->at, "this does not belong to the quantity");
+    }
+    wrong(reading, reading->at, "a decimal comma: the decimal point is '.'");
+    if (reading->text.length < 40) {
+        char fixed[48] = {0};
+        memcpy(fixed, reading->text.start, reading->text.length);
+        fixed[reading->at - reading->text.start] = '.';
+        error_hint(reading->error, "use \"%s\"", fixed);
+    }
+    return false;
+}
+
+/* The number once more, now that its unit is known: one rounding for the whole conversion. */
+static bool read_with_unit(struct reading *reading, const char *from, double plain, bool fraction,
+                           double *value)
+{
+    const struct unit *unit = reading->typed != NULL ? reading->typed : reading->unit;
+    if (fraction || isinf(plain)) {
+        *value = unit_to_own(unit, plain);
+    } else {
+        number_read(from, reading->end, unit->scale, value);
+        *value *= unit->factor;
+    }
+    if (isinf(*value) && !isinf(plain)) {
+        return wrong(reading, from, "the number is too large");
+    }
+    if (*value == 0 && plain != 0) {
+        return wrong(reading, from, "the number is too small");
+    }
+    *value += 0.0; /* -0 is 0 */
+    return true;
+}
+
+bool quantity_read(struct text text, const struct dimension *dimension, const struct unit *unit,
+                   double *value, const struct unit **typed, struct error *error)
+{
+    struct reading reading = {.text = text_trim(text),
+                              .dimension = dimension,
+                              .unit = unit != NULL ? unit : &dimension->units[0],
+                              .error = error};
+    reading.at = reading.text.start;
+    reading.end = reading.at + reading.text.length;
+    skip_prefix(&reading);
+    const char *from = reading.at;
+    double plain;
+    if (!read_scaled(&reading, (struct number_scale){1, 0}, &plain)) {
+        return false;
+    }
+    const char *behind = reading.at;
+    if (!read_denominator(&reading, &plain)) {
+        return false;
+    }
+    bool fraction = reading.at != behind;
+    if (!read_unit(&reading, &reading.typed) ||
+        !read_with_unit(&reading, from, plain, fraction, value)) {
+        return false;
+    }
+    if (reading.typed != NULL && dimension == &dimension_length && !read_inches(&reading, value)) {
+        return false;
+    }
+    skip_blanks(&reading);
+    if (reading.at != reading.end) {
+        return left_over(&reading);
+    }
+    if (typed != NULL) {
+        *typed = reading.typed;
+    }
+    return true;
+}
+
+/* Does the text, read in this unit, give the value back? */
+static bool reads_back(const char *at, const char *end, const struct unit *unit, double value)
+{
+    double again;
+    return number_read(at, end, unit->scale, &again) == end && again * unit->factor == value;
+}
+
+char *quantity_write(char *to, double value, const struct unit *unit)
+{
+    if (unit == NULL || (unit->scale.multiplier == 1 && unit->scale.power == 0 &&
+                         unit->factor == 1)) {
+        return number_write_shortest(to, value);
+    }
+    double converted = unit_from_own(unit, value);
+    char *end = number_write_digits(to, converted, 15);
+    if (reads_back(to, end, unit, value)) {
+        return end;
+    }
+    return number_write_shortest(to, converted);
+}

@@ -1,0 +1,167 @@
+/* base/text.c - spans of characters: compare, trim, split, find the nearest word. */
+/* SPDX-License-Identifier: MIT */
+#include "base/text.h"
+
+#include <string.h>
+
+enum { LONGEST_WORD = 63 };
+
+struct text text_of(const char *string)
+{
+    return (struct text){string, strlen(string)};
+}
+
+struct text text_between(const char *start, const char *end)
+{
+    return (struct text){start, (size_t)(end - start)};
+}
+
+static char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+bool text_equal(struct text a, const char *b)
+{
+    size_t length = strlen(b);
+    return a.length == length && memcmp(a.start, b, length) == 0;
+}
+
+bool text_same(struct text a, const char *b)
+{
+    size_t i = 0;
+    while (i < a.length && b[i] != '\0' && lower(a.start[i]) == lower(b[i])) {
+        i++;
+    }
+    return i == a.length && b[i] == '\0';
+}
+
+static bool is_filler(char c)
+{
+    return c == ' ' || c == '-' || c == '_';
+}
+
+/* The next character that counts in a name, in lower case; 0 at the end. */
+static char next_letter(struct text *rest)
+{
+    while (rest->length > 0 && is_filler(rest->start[0])) {
+        rest->start++;
+        rest->length--;
+    }
+    if (rest->length == 0) {
+        return '\0';
+    }
+    rest->length--;
+    return lower(*rest->start++);
+}
+
+bool text_same_name(struct text a, struct text b)
+{
+    char c, d;
+    do {
+        c = next_letter(&a);
+        d = next_letter(&b);
+    } while (c == d && c != '\0');
+    return c == d;
+}
+
+/* Does `whole` begin with the letters of `part`? */
+static bool begins_with_name(struct text whole, struct text part)
+{
+    for (;;) {
+        char wanted = next_letter(&part);
+        if (wanted == '\0') {
+            return true;
+        }
+        if (next_letter(&whole) != wanted) {
+            return false;
+        }
+    }
+}
+
+bool text_contains_name(struct text whole, struct text part)
+{
+    for (size_t i = 0; i <= whole.length; i++) {
+        if (begins_with_name((struct text){whole.start + i, whole.length - i}, part)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
+struct text text_trim(struct text text)
+{
+    while (text.length > 0 && is_blank(text.start[0])) {
+        text.start++;
+        text.length--;
+    }
+    while (text.length > 0 && is_blank(text.start[text.length - 1])) {
+        text.length--;
+    }
+    return text;
+}
+
+struct text text_cut(struct text *rest, char separator)
+{
+    struct text all = *rest;
+    const char *at = all.length > 0 ? memchr(all.start, separator, all.length) : NULL;
+    if (at == NULL) {
+        *rest = (struct text){NULL, 0};
+        return all;
+    }
+    *rest = text_between(at + 1, all.start + all.length);
+    return text_between(all.start, at);
+}
+
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+int text_distance(struct text a, struct text b, int limit)
+{
+    if (a.length > LONGEST_WORD || b.length > LONGEST_WORD) {
+        return limit + 1;
+    }
+    /* three rows of the dynamic programme: two above, above, this one */
+    int rows[3][LONGEST_WORD + 1];
+    for (size_t j = 0; j <= b.length; j++) {
+        rows[0][j] = (int)j;
+    }
+    for (size_t i = 1; i <= a.length; i++) {
+        int *here = rows[i % 3], *above = rows[(i + 2) % 3], *two_above = rows[(i + 1) % 3];
+        here[0] = (int)i;
+        for (size_t j = 1; j <= b.length; j++) {
+            char c = lower(a.start[i - 1]), d = lower(b.start[j - 1]);
+            int best = smaller(above[j], here[j - 1]) + 1;
+            best = smaller(best, above[j - 1] + (c != d));
+            if (i > 1 && j > 1 && c == lower(b.start[j - 2]) && d == lower(a.start[i - 2])) {
+                best = smaller(best, two_above[j - 2] + 1);
+            }
+            here[j] = best;
+        }
+    }
+    return smaller(rows[a.length % 3][b.length], limit + 1);
+}
+
+void nearest_offer(struct nearest *nearest, struct text candidate)
+{
+    int limit = (int)(nearest->typed.length < 30 ? nearest->typed.length : 30) / 3;
+    if (limit == 0) {
+        limit = 1;
+    }
+    int distance = text_distance(nearest->typed, candidate, limit);
+    /* a word that merely shares a letter count with a very short one is no suggestion */
+    if (distance > limit || (size_t)distance >= candidate.length) {
+        return;
+    }
+    if (nearest->best.start == NULL || distance < nearest->distance) {
+        nearest->best = candidate;
+        nearest->distance = distance;
+    }
+}

@@ -1,0 +1,63 @@
+/* base/text.h - spans of characters: compare, trim, split, find the nearest word. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_BASE_TEXT_H
+#define LENSCALC_BASE_TEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A stretch of characters that somebody else owns; it need not end in NUL. */
+struct text {
+    const char *start;
+    size_t length;
+};
+
+/* One of the words that a choice accepts; lists end with a null word. */
+struct word {
+    const char *word, *help;
+};
+
+struct text text_of(const char *string);
+struct text text_between(const char *start, const char *end);
+
+bool text_equal(struct text a, const char *b);
+
+/* Equal without regard to ASCII case. */
+bool text_same(struct text a, const char *b);
+
+/* Equal as names are typed: case, spaces, '-' and '_' do not count ("nikon-d1" is "Nikon D1"). */
+bool text_same_name(struct text a, struct text b);
+
+/* Does `part` occur in `whole`, by the rules of text_same_name? */
+bool text_contains_name(struct text whole, struct text part);
+
+/* Without blanks and tabs at both ends. */
+struct text text_trim(struct text text);
+
+/*
+ * Cut off what stands before the first `separator` and step behind it.
+ *
+ * Given     rest  the text; afterwards what follows the separator (start is null at the end)
+ * Result    the part before the separator; the whole rest where there is none
+ */
+struct text text_cut(struct text *rest, char separator);
+
+/*
+ * Edit distance with transpositions (optimal string alignment), without regard to case.
+ *
+ * Result    number of edits; `limit` + 1 as soon as it must exceed `limit`. Words longer than
+ *           63 characters are never near anything.
+ */
+int text_distance(struct text a, struct text b, int limit);
+
+/* The nearest word found so far; start with { .typed = ... } and offer all candidates. */
+struct nearest {
+    struct text typed;
+    struct text best; /* start is null while nothing is near enough */
+    int distance;
+};
+
+/* Keep `candidate` if it is nearer than the best so far and at most a third of the word away. */
+void nearest_offer(struct nearest *nearest, struct text candidate);
+
+#endif

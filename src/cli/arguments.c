@@ -1,0 +1,196 @@
+/* cli/arguments.c - argv into the texts of options. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/arguments.h"
+
+#include <string.h>
+
+static void list_options(struct arguments *arguments, struct arena *arena)
+{
+    const struct command *command = arguments->command;
+    arguments->count = command->option_count + common_option_count;
+    arguments->all = ARENA_ARRAY(arena, arguments->count, struct argument);
+    for (size_t i = 0; i < arguments->count; i++) {
+        bool own = i < command->option_count;
+        arguments->all[i].option =
+            own ? &command->options[i] : &common_options[i - command->option_count];
+        arguments->all[i].is_common = !own;
+    }
+}
+
+/* A word as people write option names: '_' may stand for '-'. */
+struct argument *arguments_find(const struct arguments *arguments, struct text name)
+{
+    for (size_t i = 0; i < arguments->count; i++) {
+        const char *known = arguments->all[i].option->name;
+        size_t at = 0;
+        while (at < name.length && known[at] != '\0' &&
+               (name.start[at] == known[at] || (name.start[at] == '_' && known[at] == '-'))) {
+            at++;
+        }
+        if (at == name.length && known[at] == '\0') {
+            return &arguments->all[i];
+        }
+    }
+    return NULL;
+}
+
+bool arguments_given(const struct arguments *arguments, const char *name)
+{
+    const struct argument *argument = arguments_find(arguments, text_of(name));
+    return argument != NULL && argument->is_given;
+}
+
+static struct argument *find_letter(const struct arguments *arguments, char letter)
+{
+    for (size_t i = 0; i < arguments->count; i++) {
+        if (arguments->all[i].option->letter == letter && letter != '\0') {
+            return &arguments->all[i];
+        }
+    }
+    return NULL;
+}
+
+static bool unknown(const struct arguments *arguments, struct text name, const char *dashes,
+                    struct error *error)
+{
+    struct nearest nearest = {.typed = name};
+    for (size_t i = 0; i < arguments->count; i++) {
+        nearest_offer(&nearest, text_of(arguments->all[i].option->name));
+    }
+    fail(error, ERROR_USAGE, "unknown option '%s%.*s'", dashes,
+         (int)(name.length < 60 ? name.length : 60), name.start);
+    if (nearest.best.start != NULL) {
+        return error_hint(error, "did you mean '--%.*s'?", (int)nearest.best.length,
+                          nearest.best.start);
+    }
+    return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
+}
+
+/* The words that are left, while they are read. */
+struct words {
+    int count, at;
+    char **all;
+};
+
+static bool is_flag(const struct argument *argument)
+{
+    return argument->option->kind == &kind_flag;
+}
+
+/* Store the text of an option; `text.start` is null where none was attached to its name. */
+static bool take(struct argument *argument, struct text text, struct words *words,
+                 struct error *error)
+{
+    const char *name = argument->option->name;
+    if (argument->is_given) {
+        return fail(error, ERROR_USAGE, "--%s is given twice", name);
+    }
+    if (is_flag(argument) && text.start != NULL) {
+        return fail(error, ERROR_USAGE, "--%s takes no value", name);
+    }
+    if (!is_flag(argument) && text.start == NULL) {
+        if (words->at == words->count) {
+            return fail(error, ERROR_USAGE, "--%s wants a value: %s", name,
+                        argument->option->value != NULL ? argument->option->value : "VALUE");
+        }
+        text = text_of(words->all[words->at++]);
+    }
+    argument->is_given = true;
+    argument->text = text;
+    return true;
+}
+
+/* --name, --name=value, --name value */
+static bool parse_long(struct arguments *arguments, struct text word, struct words *words,
+                       struct error *error)
+{
+    struct text value = word;
+    struct text name = text_cut(&value, '=');
+    struct argument *argument = arguments_find(arguments, name);
+    if (argument == NULL) {
+        return unknown(arguments, name, "--", error);
+    }
+    return take(argument, value, words, error);
+}
+
+/* -f50mm, -f 50mm, -f=50mm; several flags may share one dash */
+static bool parse_short(struct arguments *arguments, struct text word, struct words *words,
+                        struct error *error)
+{
+    while (word.length > 0) {
+        struct argument *argument = find_letter(arguments, word.start[0]);
+        if (argument == NULL) {
+            return unknown(arguments, word, "-", error);
+        }
+        struct text rest = {word.start + 1, word.length - 1};
+        if (!is_flag(argument)) {
+            if (rest.length > 0 && rest.start[0] == '=') {
+                rest = (struct text){rest.start + 1, rest.length - 1};
+            }
+            return take(argument, rest.length > 0 ? rest : (struct text){NULL, 0}, words, error);
+        }
+        if (!take(argument, (struct text){NULL, 0}, words, error)) {
+            return false;
+        }
+        word = rest;
+    }
+    return true;
+}
+
+/* A word that is no option goes to the next operand that is still free. */
+static bool parse_operand(struct arguments *arguments, struct text word, struct arena *arena,
+                          struct error *error)
+{
+    for (size_t i = 0; i < arguments->count; i++) {
+        struct argument *argument = &arguments->all[i];
+        unsigned flags = argument->option->flags;
+        if ((flags & OPTION_OPERAND) == 0) {
+            continue;
+        }
+        if (!argument->is_given) {
+            argument->is_given = true;
+            argument->text = word;
+            return true;
+        }
+        if ((flags & OPTION_REST) != 0) {
+            char *joined = arena_printf(arena, "%.*s %.*s", (int)argument->text.length,
+                                        argument->text.start, (int)word.length, word.start);
+            argument->text = text_of(joined);
+            return true;
+        }
+    }
+    fail(error, ERROR_USAGE, "'%.*s' belongs to no option",
+         (int)(word.length < 60 ? word.length : 60), word.start);
+    return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
+}
+
+bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
+                     char **all, struct arena *arena, struct error *error)
+{
+    struct words words = {.count = count, .all = all};
+    bool options_end = false;
+    arguments->command = command;
+    list_options(arguments, arena);
+    while (words.at < words.count) {
+        struct text word = text_of(words.all[words.at++]);
+        bool dashed = !options_end && word.length > 1 && word.start[0] == '-';
+        bool done;
+        if (dashed && word.start[1] == '-' && word.length == 2) {
+            options_end = true;
+            continue;
+        }
+        if (dashed && word.start[1] == '-') {
+            done = parse_long(arguments, (struct text){word.start + 2, word.length - 2}, &words,
+                              error);
+        } else if (dashed) {
+            done = parse_short(arguments, (struct text){word.start + 1, word.length - 1}, &words,
+                               error);
+        } else {
+            done = parse_operand(arguments, word, arena, error);
+        }
+        if (!done) {
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,37 @@
+/* cli/arguments.h - argv into the texts of options. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_ARGUMENTS_H
+#define LENSCALC_CLI_ARGUMENTS_H
+
+#include "cli/command.h"
+
+/* An option and what was typed for it. */
+struct argument {
+    const struct option *option;
+    bool is_common;
+    bool is_given;
+    struct text text; /* empty for a flag */
+};
+
+/* All options of a command: its own first, then the common ones. */
+struct arguments {
+    const struct command *command;
+    struct argument *all;
+    size_t count;
+};
+
+/*
+ * Find the options in the words behind the command's name.
+ *
+ * Errors    ERROR_USAGE: unknown option (with a suggestion), a value that is missing or too much,
+ *           an option given twice, a word that belongs to nothing
+ */
+bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
+                     char **words, struct arena *arena, struct error *error);
+
+/* The option of this name; null if the command has none. */
+struct argument *arguments_find(const struct arguments *arguments, struct text name);
+
+bool arguments_given(const struct arguments *arguments, const char *name);
+
+#endif

@@ -1,0 +1,405 @@
+/* cli/batch.c - inputs from the rows of a file or pipe. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/batch.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { BLOCK = 128 * 1024, LONGEST_LINE = 256 * 1024 * 1024 };
+
+/* Make room behind the unread characters, then read on. False at the end of the file or on failure. */
+static bool refill(struct batch *batch, struct error *error)
+{
+    size_t kept = (size_t)(batch->end - batch->at);
+    error->code = ERROR_NONE;
+    if (kept > 0) {
+        memmove(batch->buffer, batch->at, kept);
+    }
+    if (batch->capacity - kept < BLOCK / 2) {
+        if (batch->capacity >= LONGEST_LINE) {
+            fail(error, ERROR_DATA, "a line is longer than 256 MiB");
+            return error_locate(error, batch->source, batch->next_line, 0);
+        }
+        char *buffer = realloc(batch->buffer, 2 * batch->capacity);
+        if (buffer == NULL) {
+            return fail(error, ERROR_IO, "out of memory reading %s", batch->source);
+        }
+        batch->buffer = buffer;
+        batch->capacity *= 2;
+    }
+    batch->at = batch->buffer;
+    batch->end = batch->buffer + kept;
+    ssize_t got;
+    do {
+        got = read(batch->descriptor, batch->buffer + kept, batch->capacity - kept);
+    } while (got < 0 && errno == EINTR);
+    if (got < 0) {
+        return fail(error, ERROR_IO, "cannot read %s: %s", batch->source, strerror(errno));
+    }
+    batch->at_end = got == 0;
+    batch->end += got;
+    return got > 0;
+}
+
+/*
+ * Take the next line, without its end. A line break between quotes belongs to the line. False at
+ * the end of the file (ERROR_NONE) or on failure.
+ */
+static bool next_line(struct batch *batch, struct text *line, struct error *error)
+{
+    size_t from = 0;
+    error->code = ERROR_NONE;
+    for (;;) {
+        size_t room = (size_t)(batch->end - batch->at) - from;
+        const char *stop = room > 0 ? memchr(batch->at + from, '\n', room) : NULL;
+        if (stop == NULL && !batch->at_end) {
+            if (!refill(batch, error) && error->code != ERROR_NONE) {
+                return false;
+            }
+            continue;
+        }
+        if (stop == NULL && batch->at == batch->end) {
+            return false;
+        }
+        const char *end = stop != NULL ? stop : batch->end;
+        size_t quotes = 0;
+        if (batch->format != BATCH_JSONL) {
+            for (const char *at = batch->at; at < end && (at = memchr(at, '"', (size_t)(end - at)));
+                 at++) {
+                quotes++;
+            }
+        }
+        if (quotes % 2 == 1 && stop != NULL) {
+            from = (size_t)(stop - batch->at) + 1;
+            continue;
+        }
+        *line = text_between(batch->at, end);
+        batch->at = stop != NULL ? stop + 1 : end;
+        return true;
+    }
+}
+
+/* Count the lines that a text spans beyond its first. */
+static long breaks_in(struct text text)
+{
+    long breaks = 0;
+    for (size_t i = 0; i < text.length; i++) {
+        breaks += text.start[i] == '\n';
+    }
+    return breaks;
+}
+
+/* The next line that is neither blank nor a comment, without CR. */
+static bool next_row(struct batch *batch, struct text *line, struct error *error)
+{
+    while (next_line(batch, line, error)) {
+        batch->line = batch->next_line;
+        batch->next_line++;
+        if (line->length > 0 && line->start[line->length - 1] == '\r') {
+            line->length--;
+        }
+        if (line->length > 0 && line->start[0] != '#' && text_trim(*line).length > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool batch_read_cell(const struct batch *batch, const struct batch_column *column,
+                     struct text cell, void *input, struct error *error)
+{
+    char *member = (char *)input + column->option->offset;
+    if (column->is_infinite) {
+        if (text_equal(cell, "true")) {
+            *(double *)(void *)member = INFINITY;
+        }
+        return true;
+    }
+    return option_read(batch->reader, &column->as_read, cell, member, error);
+}
+
+/* An empty cell is what the option is without the row. */
+static void reset_member(const struct batch *batch, const struct option *option, void *input)
+{
+    memcpy((char *)input + option->offset, (const char *)batch->constants + option->offset,
+           option->kind->size);
+}
+
+/* One cell of a separated row: its content without quotes, and where it starts in the line. */
+struct cell {
+    struct text text;
+    size_t column;
+};
+
+/* Cut the next cell off the row. False if a quote is not closed or text follows it. */
+static bool cut_cell(struct batch *batch, struct text *rest, struct cell *cell)
+{
+    if (rest->length == 0 || rest->start[0] != '"') {
+        cell->text = text_cut(rest, batch->separator);
+        return true;
+    }
+    char *content = arena_array(batch->reader->arena, rest->length, 1);
+    size_t used = 0, at = 1;
+    while (at < rest->length) {
+        if (rest->start[at] == '"') {
+            if (at + 1 >= rest->length || rest->start[at + 1] != '"') {
+                break;
+            }
+            at++;
+        }
+        content[used++] = rest->start[at++];
+    }
+    bool closed = at < rest->length;
+    at++;
+    cell->text = (struct text){content, used};
+    if (closed && at < rest->length && rest->start[at] == batch->separator) {
+        *rest = (struct text){rest->start + at + 1, rest->length - at - 1};
+        return true;
+    }
+    bool last = at == rest->length;
+    *rest = (struct text){NULL, 0};
+    return closed && last;
+}
+
+static bool row_fail(struct batch *batch, struct error *error, size_t column)
+{
+    /* a wrong cell is the file's fault, not the command line's */
+    if (error->code == ERROR_USAGE) {
+        error->code = ERROR_DATA;
+    }
+    error_locate(error, batch->source, batch->line, column);
+    return false;
+}
+
+static bool wrong_count(struct batch *batch, size_t cells, struct error *error)
+{
+    fail(error, ERROR_DATA, "the row has %zu cells where the header has %zu", cells,
+         batch->column_count);
+    return row_fail(batch, error, 0);
+}
+
+static bool set_cell(struct batch *batch, const struct batch_column *column, struct text cell,
+                     size_t at, void *input, struct error *error)
+{
+    if (column->is_ignored) {
+        return true;
+    }
+    if (column->option == NULL) {
+        batch->passed[column->passed] = cell;
+        return true;
+    }
+    struct text trimmed = text_trim(cell);
+    if (trimmed.length == 0) {
+        reset_member(batch, column->option, input);
+        return true;
+    }
+    if (!batch_read_cell(batch, column, trimmed, input, error)) {
+        return row_fail(batch, error, at + (error->caret > 0 ? (size_t)error->caret - 1 : 0));
+    }
+    return true;
+}
+
+/* Any row: quotes, blanks, units, names. */
+static bool read_row(struct batch *batch, struct text line, void *input, struct error *error)
+{
+    struct text rest = line;
+    size_t cells = 0;
+    while (rest.start != NULL) {
+        size_t at = (size_t)(rest.start - line.start) + 1;
+        struct cell cell;
+        if (!cut_cell(batch, &rest, &cell)) {
+            fail(error, ERROR_DATA, "a quoted cell is not closed, or text follows it");
+            return row_fail(batch, error, at);
+        }
+        if (cells < batch->column_count &&
+            !set_cell(batch, &batch->columns[cells], cell.text, at, input, error)) {
+            return false;
+        }
+        cells++;
+    }
+    return cells == batch->column_count || wrong_count(batch, cells, error);
+}
+
+static bool in_range(const struct option *option, double value)
+{
+    return (option->lowest == 0 && option->highest == 0) ||
+           (value > option->lowest && value <= option->highest);
+}
+
+/*
+ * A row of bare numbers, as most are: no cell is looked at twice. Anything else (a blank, a unit,
+ * a zero, a value at the edge of its range) is left to read_row.
+ */
+static bool read_plain_row(const struct batch *batch, struct text line, void *input)
+{
+    const char *at = line.start, *end = line.start + line.length;
+    for (size_t i = 0; i < batch->column_count; i++) {
+        const struct batch_column *column = &batch->columns[i];
+        double value;
+        if (!column->is_plain) {
+            return false;
+        }
+        at = number_read(at, end, column->scale, &value);
+        value *= column->factor;
+        if (at == NULL || !in_range(column->option, value) || value == 0 || isinf(value)) {
+            return false;
+        }
+        if (i + 1 < batch->column_count ? at == end || *at != batch->separator : at != end) {
+            return false;
+        }
+        at++;
+        void *member = (char *)input + column->option->offset;
+        if (column->option->kind == &kind_coc) {
+            *(struct coc_value *)member = (struct coc_value){{.kind = COC_LENGTH, .value = value}, COC_GIVEN};
+        } else {
+            *(double *)member = value;
+        }
+    }
+    return true;
+}
+
+enum batch_result batch_next(struct batch *batch, void *input, struct error *error)
+{
+    struct text line;
+    if (!next_row(batch, &line, error)) {
+        return error->code == ERROR_NONE ? BATCH_END : BATCH_FAILED;
+    }
+    bool read;
+    if (batch->format == BATCH_JSONL) {
+        read = batch_json_row(batch, line, input, error) ||
+               row_fail(batch, error, (size_t)error->column);
+    } else {
+        read = read_plain_row(batch, line, input) || read_row(batch, line, input, error);
+        if (memchr(line.start, '"', line.length) != NULL) {
+            batch->next_line += breaks_in(line);
+        }
+    }
+    return read ? BATCH_ROW : BATCH_BAD_ROW;
+}
+
+bool batch_is_drained(const struct batch *batch)
+{
+    return batch->at == batch->end ||
+           memchr(batch->at, '\n', (size_t)(batch->end - batch->at)) == NULL;
+}
+
+bool batch_has(const struct batch *batch, const char *option)
+{
+    for (size_t i = 0; i < batch->column_count; i++) {
+        const struct batch_column *column = &batch->columns[i];
+        if (column->option != NULL && strcmp(column->option->name, option) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool set_format(struct batch *batch, const char *name, struct text first,
+                       struct error *error)
+{
+    if (name == NULL) {
+        struct text trimmed = text_trim(first);
+        bool json = trimmed.length > 0 && trimmed.start[0] == '{';
+        bool tabs = first.length > 0 && memchr(first.start, '\t', first.length) != NULL;
+        batch->format = json ? BATCH_JSONL : tabs ? BATCH_TSV : BATCH_CSV;
+    } else if (strcmp(name, "csv") == 0) {
+        batch->format = BATCH_CSV;
+    } else if (strcmp(name, "tsv") == 0) {
+        batch->format = BATCH_TSV;
+    } else if (strcmp(name, "jsonl") == 0) {
+        batch->format = BATCH_JSONL;
+    } else {
+        return fail(error, ERROR_USAGE, "--batch-format '%s' is none of csv, tsv, jsonl", name);
+    }
+    batch->separator = batch->format == BATCH_TSV ? '\t' : ',';
+    return true;
+}
+
+/* Names of the columns from the header line. */
+static bool read_header(struct batch *batch, struct text line, struct error *error)
+{
+    struct text rest = line;
+    if (memchr(line.start, '\0', line.length) != NULL) {
+        fail(error, ERROR_DATA, "NUL bytes in the header: this is no UTF-8 text (UTF-16?)");
+        return error_locate(error, batch->source, batch->line, 0);
+    }
+    while (rest.start != NULL) {
+        size_t at = (size_t)(rest.start - line.start) + 1;
+        struct cell cell;
+        if (!cut_cell(batch, &rest, &cell)) {
+            fail(error, ERROR_DATA, "a quoted column name is not closed");
+            return error_locate(error, batch->source, batch->line, at);
+        }
+        struct text name = text_trim(cell.text);
+        name.start = arena_string(batch->reader->arena, name.start, name.length);
+        if (!batch_add_column(batch, name, at, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool begin(struct batch *batch, const char *format, struct error *error)
+{
+    struct text line;
+    if (!next_row(batch, &line, error)) {
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+        fail(error, ERROR_DATA, "the file is empty: a line of column names is wanted");
+        return error_locate(error, batch->source, 0, 0);
+    }
+    if (line.length >= 3 && memcmp(line.start, "\xef\xbb\xbf", 3) == 0) {
+        line = (struct text){line.start + 3, line.length - 3};
+    }
+    if (!set_format(batch, format, line, error)) {
+        return false;
+    }
+    if (batch->format != BATCH_JSONL) {
+        return read_header(batch, line, error) && batch_settle_columns(batch, error);
+    }
+    if (!batch_json_header(batch, line, error) || !batch_settle_columns(batch, error)) {
+        return false;
+    }
+    /* the first object is a row too */
+    batch->at = line.start;
+    batch->next_line = batch->line;
+    return true;
+}
+
+bool batch_open(struct batch *batch, const char *path, const char *format,
+                const struct arguments *arguments, const struct reader *reader,
+                const void *constants, struct error *error)
+{
+    *batch = (struct batch){.source = strcmp(path, "-") == 0 ? "standard input" : path,
+                            .descriptor = STDIN_FILENO,
+                            .reader = reader,
+                            .arguments = arguments,
+                            .constants = constants,
+                            .capacity = BLOCK,
+                            .next_line = 1};
+    if (strcmp(path, "-") != 0) {
+        batch->descriptor = open(path, O_RDONLY | O_CLOEXEC);
+        if (batch->descriptor < 0) {
+            return fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
+        }
+    }
+    batch->buffer = malloc(BLOCK);
+    if (batch->buffer == NULL) {
+        return fail(error, ERROR_IO, "out of memory reading %s", path);
+    }
+    batch->at = batch->end = batch->buffer;
+    return begin(batch, format, error);
+}
+
+void batch_close(struct batch *batch)
+{
+    free(batch->buffer);
+    if (batch->descriptor > STDIN_FILENO) {
+        close(batch->descriptor);
+    }
+}

@@ -1,0 +1,85 @@
+/* cli/batch.h - inputs from the rows of a file or pipe. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_BATCH_H
+#define LENSCALC_CLI_BATCH_H
+
+#include "cli/arguments.h"
+
+/* What to do with a column of the file. */
+struct batch_column {
+    const struct option *option; /* null: handed through, or passed over */
+    struct option as_read;       /* the option with the unit of the header */
+    struct number_scale scale;   /* of a bare number */
+    double factor;
+    bool is_plain;     /* a number that needs no lensdb, no prefix */
+    bool is_ignored;   /* neither input nor handed through */
+    bool is_infinite;  /* a JSON companion: true makes the option infinite */
+    struct text name;  /* as in the file */
+    size_t passed;     /* index among the columns handed through */
+};
+
+enum batch_format { BATCH_CSV, BATCH_TSV, BATCH_JSONL };
+
+/* The file while it is read. */
+struct batch {
+    const char *source; /* for messages */
+    int descriptor;
+    enum batch_format format;
+    char separator;
+    const struct reader *reader;
+    const struct arguments *arguments;
+    const void *constants; /* the input as options set it */
+    size_t input_size;
+    struct batch_column *columns;
+    size_t column_count, column_capacity;
+    struct text *passed_names, *passed; /* columns handed through */
+    size_t passed_count;
+    char *buffer;
+    size_t capacity;
+    const char *at, *end; /* what is still to read */
+    bool at_end;          /* the file has no more */
+    long line;            /* of the present row */
+    long next_line;
+};
+
+enum batch_result { BATCH_ROW, BATCH_BAD_ROW, BATCH_END, BATCH_FAILED };
+
+/*
+ * Open the file and read its header.
+ *
+ * Given     path      "-" for standard input
+ *           format    "csv", "tsv", "jsonl", or null to see from the first line
+ *           constants the input struct as the command line left it: the value of empty cells
+ * Errors    ERROR_IO; ERROR_DATA with line and column: no header, a column twice, a unit that
+ *           does not fit; ERROR_USAGE: a column that is also given as an option
+ */
+bool batch_open(struct batch *batch, const char *path, const char *format,
+                const struct arguments *arguments, const struct reader *reader,
+                const void *constants, struct error *error);
+
+/*
+ * Read the next row into the input.
+ *
+ * Result    BATCH_BAD_ROW: this row cannot be read, the next may; `error` says line and column
+ */
+enum batch_result batch_next(struct batch *batch, void *input, struct error *error);
+
+/* Is all that has arrived used up, so that the next row waits for the writer? */
+bool batch_is_drained(const struct batch *batch);
+
+void batch_close(struct batch *batch);
+
+/* Does a column of the file set this option? */
+bool batch_has(const struct batch *batch, const char *option);
+
+/* Internal to batch.c, batch_header.c and batch_json.c. */
+bool batch_column_find(const struct batch *batch, struct text name, struct batch_column *column,
+                       struct error *error);
+bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error);
+bool batch_settle_columns(struct batch *batch, struct error *error);
+bool batch_read_cell(const struct batch *batch, const struct batch_column *column,
+                     struct text cell, void *input, struct error *error);
+bool batch_json_header(struct batch *batch, struct text line, struct error *error);
+bool batch_json_row(struct batch *batch, struct text line, void *input, struct error *error);
+
+#endif

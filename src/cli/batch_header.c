@@ -1,0 +1,204 @@
+/* cli/batch_header.c - what the columns of a batch mean. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/batch.h"
+
+#include <string.h>
+
+/* The option that a name without unit stands for: "f", "focal_length" or "focal". */
+static const struct option *option_of(const struct batch *batch, struct text name)
+{
+    const struct command *command = batch->arguments->command;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        if ((name.length == 1 && name.start[0] == option->letter) ||
+            (option->column != NULL && text_equal(name, option->column))) {
+            return option;
+        }
+    }
+    const struct argument *argument = arguments_find(batch->arguments, name);
+    return argument != NULL && !argument->is_common ? argument->option : NULL;
+}
+
+/* "far_is_infinite" beside "far_m" in the rows of another lenscalc. */
+static bool find_companion(const struct batch *batch, struct text name,
+                           struct batch_column *column)
+{
+    static const char suffix[] = "_is_infinite";
+    size_t length = sizeof suffix - 1;
+    if (name.length <= length ||
+        memcmp(name.start + name.length - length, suffix, length) != 0) {
+        return false;
+    }
+    column->option = option_of(batch, (struct text){name.start, name.length - length});
+    column->is_infinite = column->option != NULL && column->option->kind == &kind_quantity;
+    return column->is_infinite;
+}
+
+/* Split "focal_length_mm" into the option and its unit. */
+static const struct option *find_with_unit(const struct batch *batch, struct text name,
+                                           const char **unit, struct text *typed)
+{
+    size_t at = name.length;
+    while (at > 0 && name.start[at - 1] != '_') {
+        at--;
+    }
+    if (at < 2) {
+        return NULL;
+    }
+    *typed = (struct text){name.start + at, name.length - at};
+    const struct option *option = option_of(batch, (struct text){name.start, at - 1});
+    if (option == NULL || option->dimension == NULL) {
+        return NULL;
+    }
+    const struct unit *found = unit_find(option->dimension, *typed);
+    *unit = found != NULL ? found->name : NULL;
+    return option;
+}
+
+static void set_scale(struct batch_column *column, const struct reader *reader)
+{
+    const struct unit *unit = option_unit(&column->as_read);
+    const struct dimension *dimension = column->option->dimension;
+    column->scale = unit != NULL ? unit->scale : (struct number_scale){1, 0};
+    column->factor = unit != NULL ? unit->factor : 1;
+    bool labels = reader->nominal && dimension != NULL && dimension->series != NULL;
+    column->is_plain = (column->option->kind == &kind_quantity && !labels) ||
+                       column->option->kind == &kind_coc;
+}
+
+bool batch_column_find(const struct batch *batch, struct text name, struct batch_column *column,
+                       struct error *error)
+{
+    const char *unit = NULL;
+    struct text typed;
+    *column = (struct batch_column){.name = name};
+    if (find_companion(batch, name, column)) {
+        column->as_read = *column->option;
+        return true;
+    }
+    column->option = option_of(batch, name);
+    if (column->option == NULL) {
+        column->option = find_with_unit(batch, name, &unit, &typed);
+        if (column->option != NULL && unit == NULL) {
+            return fail(error, ERROR_DATA,
+                        "column '%.*s': '%.*s' is no unit of --%s (a %s)",
+                        (int)(name.length < 60 ? name.length : 60), name.start,
+                        (int)(typed.length < 20 ? typed.length : 20), typed.start,
+                        column->option->name, column->option->dimension->name);
+        }
+    }
+    if (column->option != NULL) {
+        column->as_read = *column->option;
+        column->as_read.unit = unit != NULL ? unit : column->option->unit;
+        set_scale(column, batch->reader);
+    }
+    return true;
+}
+
+static bool check_new(const struct batch *batch, const struct batch_column *column,
+                      struct error *error)
+{
+    for (size_t i = 0; i < batch->column_count; i++) {
+        const struct batch_column *other = &batch->columns[i];
+        bool same_name = other->name.length == column->name.length &&
+                         memcmp(other->name.start, column->name.start, column->name.length) == 0;
+        bool same_option = column->option != NULL && column->option == other->option &&
+                           !column->is_infinite && !other->is_infinite;
+        if (same_name || same_option) {
+            return fail(error, ERROR_DATA, "columns '%.*s' and '%.*s' mean the same",
+                        (int)(other->name.length < 60 ? other->name.length : 60),
+                        other->name.start,
+                        (int)(column->name.length < 60 ? column->name.length : 60),
+                        column->name.start);
+        }
+    }
+    return true;
+}
+
+bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error)
+{
+    struct batch_column column;
+    if (!batch_column_find(batch, name, &column, error) || !check_new(batch, &column, error)) {
+        return error_locate(error, batch->source, batch->line, at);
+    }
+    if (batch->column_count == batch->column_capacity) {
+        size_t capacity = batch->column_capacity == 0 ? 16 : 2 * batch->column_capacity;
+        struct batch_column *columns =
+            ARENA_ARRAY(batch->reader->arena, capacity, struct batch_column);
+        if (batch->column_count > 0) {
+            memcpy(columns, batch->columns, batch->column_count * sizeof *columns);
+        }
+        batch->columns = columns;
+        batch->column_capacity = capacity;
+    }
+    batch->columns[batch->column_count++] = column;
+    return true;
+}
+
+/* Is every option that a goal would solve for already there? */
+static bool has_all_settings(const struct batch *batch)
+{
+    const struct command *command = batch->arguments->command;
+    bool any = false;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        if ((option->flags & OPTION_SETTING) == 0) {
+            continue;
+        }
+        any = true;
+        if (!batch_has(batch, option->name) && !arguments_given(batch->arguments, option->name)) {
+            return false;
+        }
+    }
+    return any;
+}
+
+/* Will the command print a column of this name itself? */
+static bool is_computed(const struct batch *batch, struct text name)
+{
+    const struct sheet *sheet = &batch->arguments->command->sheet;
+    if (text_equal(name, "error")) {
+        return true;
+    }
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        const struct column *column = &sheet->columns[i];
+        size_t length = strlen(column->name);
+        bool begins = name.length >= length && memcmp(name.start, column->name, length) == 0;
+        struct text rest = {name.start + length, begins ? name.length - length : 0};
+        if (begins && (rest.length == 0 || text_equal(rest, "_is_infinite") ||
+                       (column->unit != NULL && rest.start[0] == '_' &&
+                        text_equal((struct text){rest.start + 1, rest.length - 1},
+                                   column->unit)))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/*
+ * Decide what is handed through. Results of an earlier run in the same file are computed anew, and
+ * do not count as goals where the row has all the settings.
+ */
+bool batch_settle_columns(struct batch *batch, struct error *error)
+{
+    bool settled = has_all_settings(batch);
+    batch->passed_names = ARENA_ARRAY(batch->reader->arena, batch->column_count, struct text);
+    batch->passed = ARENA_ARRAY(batch->reader->arena, batch->column_count, struct text);
+    for (size_t i = 0; i < batch->column_count; i++) {
+        struct batch_column *column = &batch->columns[i];
+        bool goal = column->option != NULL && (column->option->flags & OPTION_GOAL) != 0;
+        if (goal && settled) {
+            column->is_ignored = true;
+            column->is_plain = false;
+        } else if (column->option == NULL && is_computed(batch, column->name)) {
+            column->is_ignored = true;
+        } else if (column->option == NULL) {
+            column->passed = batch->passed_count;
+            batch->passed_names[batch->passed_count++] = column->name;
+        } else if (arguments_given(batch->arguments, column->option->name)) {
+            return fail(error, ERROR_USAGE, "--%s is given, and a column of the batch too ('%.*s')",
+                        column->option->name, (int)column->name.length, column->name.start);
+        }
+    }
+    return true;
+}

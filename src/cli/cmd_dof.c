@@ -1,0 +1,352 @@
+/* cli/cmd_dof.c - lenscalc dof: depth of field. */
+/* SPDX-License-Identifier: MIT */
+#include "base/arena.h"
+#include "cli/command.h"
+#include "cli/sharpness.h"
+#include "photo/distance_from.h"
+#include "photo/dof.h"
+#include "photo/dof_plan.h"
+#include "report/barrel.h"
+
+#include <math.h>
+
+struct input {
+    double focal, fnumber, distance, pupil;
+    struct sharpness sharp;
+    int model, from;
+    struct dof_targets targets;
+    bool stack;
+    double overlap;
+    struct sensor_value other;
+    const char *scale;
+};
+
+#define GOAL(member_name)                                                                          \
+    OPTION(struct input, targets.member_name), .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,         \
+                                               OPTION_POSITIVE
+#define GOAL_LENGTH(member_name)                                                                   \
+    GOAL(member_name), .dimension = &dimension_length, .unit = "m", .value = "LENGTH"
+
+static const struct option options[] = {
+    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    OPTION_APERTURE(struct input, fnumber, OPTION_SETTING),
+    OPTION_DISTANCE(struct input, distance, OPTION_SETTING, "distance of the subject; inf for stars"),
+    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
+    OPTION_PUPIL(struct input, pupil),
+    OPTION_FROM(struct input, from, distances_from),
+    {OPTION(struct input, model), .name = "model", .column = "model", .words = dof_models,
+     .fallback = "exact", .value = "MODEL",
+     .help = "exact formulas, or a short cut that other programs use"},
+    {GOAL_LENGTH(near), .name = "near", .column = "near",
+     .help = "wanted near limit: solves for what is not given"},
+    {GOAL_LENGTH(far), .name = "far", .column = "far", .help = "wanted far limit; may be inf"},
+    {GOAL_LENGTH(total), .name = "dof", .column = "dof", .help = "wanted depth of field"},
+    {GOAL_LENGTH(hyperfocal), .name = "hyperfocal", .column = "hyperfocal",
+     .help = "wanted hyperfocal distance"},
+    {OPTION(struct input, targets.magnification), .name = "magnification", .letter = 'm',
+     .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
+     .flags = OPTION_NO_INFINITY | OPTION_GOAL, .value = "RATIO",
+     .help = "wanted magnification: 1:2 or 0.5"},
+    {OPTION(struct input, stack), .name = "stack",
+     .help = "plan a focus stack from --near to --far, one row a shot"},
+    {OPTION(struct input, overlap), .name = "overlap", .dimension = &dimension_ratio,
+     .lowest = 0, .highest = 0.95, .fallback = "0.2", .value = "FRACTION",
+     .help = "part of each shot's depth that the next one covers again, for --stack"},
+    {OPTION(struct input, other), .name = "equal-on", .value = "NAME|WxH",
+     .help = "focal length and f-number for the same picture on another format"},
+    {OPTION(struct input, scale), .name = "scale", .value = "FILE.svg", .flags = OPTION_FILE,
+     .help = "draw the depth-of-field scale of the lens barrel"},
+};
+
+struct row {
+    struct dof_setting setting;
+    struct dof dof;
+    double distance;
+    const char *sensor, *criterion, *model, *from;
+    long shot, shots;
+    const char *other_sensor;
+    double other_focal, other_fnumber, other_coc;
+};
+
+#define COLUMN_LENGTH(member_name, in_unit)                                                        \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+
+static const struct column columns[] = {
+    {COLUMN(struct row, shot), .name = "shot", .flags = COLUMN_EXTRA, .with = "stack",
+     .label = "shot", .help = "number of the shot in a focus stack, nearest first"},
+    {COLUMN(struct row, shots), .name = "shots", .flags = COLUMN_EXTRA, .label = "shots",
+     .help = "number of shots in the focus stack"},
+    {COLUMN_LENGTH(setting.f, "mm"), .name = "focal", .flags = COLUMN_ECHO, .with = "focal-length",
+     .symbol = "f", .label = "focal length", .help = "focal length"},
+    {COLUMN(struct row, setting.N), .name = "fnumber", .flags = COLUMN_ECHO, .with = "aperture",
+     .symbol = "N", .label = "f-number", .help = "f-number"},
+    {COLUMN_LENGTH(distance, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
+     .with = "distance", .label = "distance", .help = "distance of the subject"},
+    {COLUMN_LENGTH(setting.c, "mm"), .name = "coc", .flags = COLUMN_ASSUMED, .symbol = "c",
+     .depends = "coc sensor pitch print viewing acuity wavelength", .label = "circle of confusion",
+     .help = "circle of confusion, diameter on the sensor"},
+    {COLUMN_LENGTH(dof.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE,
+     .symbol = "H", .label = "hyperfocal distance",
+     .help = "nearest focus that keeps infinity sharp, from the front principal plane"},
+    {COLUMN_LENGTH(dof.near, "m"), .name = "near", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "n", .label = "near limit", .help = "nearest sharp distance",
+     .condition = offsetof(struct row, dof.near_condition)},
+    {COLUMN_LENGTH(dof.far, "m"), .name = "far", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "r", .label = "far limit", .help = "farthest sharp distance",
+     .condition = offsetof(struct row, dof.far_condition)},
+    {COLUMN_LENGTH(dof.front, "m"), .name = "front", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "front", .label = "in front of the subject",
+     .help = "depth of field before the subject"},
+    {COLUMN_LENGTH(dof.behind, "m"), .name = "behind", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "behind", .label = "behind the subject", .help = "depth of field behind the subject",
+     .condition = offsetof(struct row, dof.far_condition)},
+    {COLUMN_LENGTH(dof.total, "m"), .name = "dof", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "T", .label = "depth of field", .help = "front and behind together",
+     .condition = offsetof(struct row, dof.far_condition)},
+    {COLUMN(struct row, dof.magnification), .name = "magnification", .symbol = "m",
+     .label = "magnification", .help = "size on the sensor over size of the subject"},
+    {COLUMN_LENGTH(dof.depth_of_focus, "mm"), .name = "depth_of_focus", .symbol = "t",
+     .label = "depth of focus", .help = "tolerance of the sensor's place, both sides together"},
+    {COLUMN_LENGTH(dof.blur_at_infinity, "mm"), .name = "blur_at_infinity", .symbol = "b",
+     .label = "blur of the background", .help = "blur disc of a point at infinity, on the sensor"},
+    {COLUMN(struct row, dof.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
+     .label = "working f-number", .help = "f-number that exposes, N (1 + m/P)"},
+    {COLUMN_LENGTH(dof.image, "mm"), .name = "image", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+     .symbol = "v", .label = "image distance",
+     .help = "image of the subject, from the rear principal plane"},
+    {COLUMN_LENGTH(dof.image_near, "mm"), .name = "image_near",
+     .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "image of the near limit",
+     .help = "image of the near limit, from the rear principal plane"},
+    {COLUMN_LENGTH(dof.image_far, "mm"), .name = "image_far",
+     .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "image of the far limit",
+     .help = "image of the far limit, from the rear principal plane"},
+    {COLUMN(struct row, dof.near_vergence), .dimension = &dimension_vergence, .unit = "diopter",
+     .name = "near", .flags = COLUMN_HIDDEN, .label = "near limit, reciprocal",
+     .help = "1 / near limit"},
+    {COLUMN(struct row, dof.far_vergence), .dimension = &dimension_vergence, .unit = "diopter",
+     .name = "far", .flags = COLUMN_HIDDEN, .label = "far limit, reciprocal",
+     .help = "1 / far limit; 0 at infinity"},
+    {COLUMN(struct row, other_sensor), .name = "equal_sensor", .flags = COLUMN_EXTRA,
+     .with = "equal-on", .label = "other format", .help = "the format of the equal picture"},
+    {COLUMN_LENGTH(other_focal, "mm"), .name = "equal_focal", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
+     .with = "equal-on", .label = "focal length there",
+     .help = "focal length with the same framing on the other format"},
+    {COLUMN(struct row, other_fnumber), .name = "equal_fnumber",
+     .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "equal-on", .label = "f-number there",
+     .help = "f-number with the same depth of field on the other format"},
+    {COLUMN_LENGTH(other_coc, "mm"), .name = "equal_coc", .flags = COLUMN_EXTRA,
+     .with = "equal-on", .label = "circle of confusion there",
+     .help = "circle of confusion in proportion to the other format"},
+    {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "sensor", .label = "sensor", .help = "format or camera"},
+    {COLUMN(struct row, criterion), .name = "coc_criterion",
+     .symbol = "criterion", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "coc", .label = "criterion",
+     .help = "where the circle of confusion comes from"},
+    {COLUMN(struct row, setting.P), .name = "pupil_magnification",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .symbol = "P", .depends = "pupil",
+     .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
+    {COLUMN(struct row, model), .name = "model", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "model", .label = "model", .help = "the formulas that were used"},
+    {COLUMN(struct row, from), .name = "distance_from", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "from", .label = "distances from", .help = "where distances are measured from"},
+    {COLUMN_LENGTH(setting.s, "m"), .name = "principal_distance",
+     .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "s",
+     .label = "distance from the principal plane",
+     .help = "distance of the subject from the front principal plane"},
+};
+
+static void fill_row(const struct input *input, const struct dof_setting *setting, struct row *row)
+{
+    double offset = distance_offset(setting, (enum distance_from)input->from);
+    row->setting = *setting;
+    row->distance = setting->s + offset;
+    row->dof.near += offset;
+    row->dof.far += offset;
+    row->dof.near_vergence = input->from == FROM_PRINCIPAL ? row->dof.near_vergence
+                                                           : 1 / row->dof.near;
+    row->dof.far_vergence = input->from == FROM_PRINCIPAL ? row->dof.far_vergence
+                                                          : 1 / row->dof.far;
+    row->sensor = input->sharp.sensor.name;
+    row->criterion = input->sharp.coc.criterion;
+    row->model = dof_models[input->model].word;
+    row->from = distances_from[input->from].word;
+}
+
+/* The same picture on another format, if that is asked for. */
+static bool fill_other(const struct input *input, struct row *row, struct error *error)
+{
+    struct dof_setting other;
+    row->other_sensor = input->other.name;
+    row->other_focal = row->other_fnumber = row->other_coc = NAN;
+    if (input->other.name == NULL) {
+        return true;
+    }
+    double k = sensor_diagonal(&input->other.size) / sensor_diagonal(&input->sharp.sensor.size);
+    if (!dof_equal(&row->setting, k, &other, error)) {
+        return false;
+    }
+    row->other_focal = other.f;
+    row->other_fnumber = other.N;
+    row->other_coc = other.c;
+    return true;
+}
+
+static bool run_stack(const struct input *input, const struct dof_setting *setting,
+                      struct run *run, struct error *error)
+{
+    struct dof_plan plan;
+    struct row row;
+    if (isnan(input->targets.near) || isnan(input->targets.far) || !isnan(input->distance)) {
+        return fail(error, ERROR_USAGE,
+                    "--stack wants --near and --far, and no --distance of its own");
+    }
+    if (input->from == FROM_SENSOR || input->model != DOF_EXACT) {
+        return fail(error, ERROR_USAGE, "--stack goes with exact formulas and distances from the "
+                                        "principal plane");
+    }
+    if (!dof_plan_make(setting, input->targets.near, input->targets.far, input->overlap, &plan,
+                       error)) {
+        return false;
+    }
+    for (long i = 0; i < plan.count; i++) {
+        struct dof_setting shot;
+        if (!dof_plan_shot(&plan, i, &shot, &row.dof, error)) {
+            return false;
+        }
+        fill_row(input, &shot, &row);
+        row.shot = i + 1;
+        row.shots = plan.count;
+        if (!fill_other(input, &row, error) || !run_emit(run, &row)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct dof_setting setting = {.f = input->focal,
+                                  .N = input->fnumber,
+                                  .s = input->distance,
+                                  .P = input->pupil};
+    struct row row;
+    if (!sharpness_resolve(&input->sharp, setting.N, &setting.c, error)) {
+        return false;
+    }
+    if (input->stack) {
+        return run_stack(input, &setting, run, error);
+    }
+    if (!distance_solve(&setting, &input->targets, (enum distance_from)input->from, error) ||
+        !dof_compute(&setting, (enum dof_model)input->model, &row.dof, error)) {
+        return false;
+    }
+    fill_row(input, &setting, &row);
+    row.shot = row.shots = NO_INTEGER;
+    return fill_other(input, &row, error) && (run_emit(run, &row), true);
+}
+
+/* The f-numbers of a lens barrel and the one in use among them, ascending. */
+static size_t barrel_fnumbers(double chosen, double *fnumbers, size_t *at)
+{
+    static const double usual[] = {1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32, 45, 64};
+    size_t count = 0;
+    bool placed = false;
+    for (size_t i = 0; i < sizeof usual / sizeof usual[0]; i++) {
+        if (!placed && chosen <= usual[i] * 1.03) {
+            *at = count;
+            fnumbers[count++] = chosen;
+            placed = true;
+            if (chosen > usual[i] / 1.03) {
+                continue;
+            }
+        }
+        /* far from the one in use the marks would lie on the index or off the scale */
+        if (usual[i] > chosen / 9 && usual[i] < chosen * 9) {
+            fnumbers[count++] = usual[i];
+        }
+    }
+    if (!placed) {
+        *at = count;
+        fnumbers[count++] = chosen;
+    }
+    return count;
+}
+
+static bool draw_scale(const void *data, struct svg *svg, struct error *error)
+{
+    const struct input *input = data;
+    struct dof_setting setting = {input->focal, input->fnumber, 0, input->distance, input->pupil};
+    struct barrel_mark marks[16];
+    struct barrel barrel = {.marks = marks};
+    double fnumbers[16];
+    if (input->stack) {
+        return fail(error, ERROR_USAGE, "--scale draws one answer, not a stack");
+    }
+    if (!sharpness_resolve(&input->sharp, setting.N, &setting.c, error) ||
+        !distance_solve(&setting, &input->targets, (enum distance_from)input->from, error)) {
+        return false;
+    }
+    barrel.mark_count = barrel_fnumbers(setting.N, fnumbers, &barrel.chosen);
+    for (size_t i = 0; i < barrel.mark_count; i++) {
+        double near, far;
+        dof_vergences(&setting, fnumbers[i], &near, &far);
+        marks[i] = (struct barrel_mark){fnumbers[i], 1000 * near, 1000 * far};
+    }
+    barrel.focus_diopter = 1000 / setting.s;
+    barrel.title = arena_printf(svg->arena, "Depth of field of a %.4g mm lens", setting.f);
+    barrel.subtitle = arena_printf(
+        svg->arena, "focused at %.4g m, f/%.4g, circle of confusion %.4g mm, distances from the "
+                    "front principal plane",
+        setting.s / 1000, setting.N, setting.c);
+    return barrel_draw(&barrel, svg, error);
+}
+
+static const struct explanation explanations[] = {
+    {"coc", "c = {criterion}", "criterion of sharpness, see --coc",
+     "what counts as sharp is a convention"},
+    {"hyperfocal", "H = {f}^2/({N} {c}) + {f}", "[Ray02] ch. 22; thin lens, exact",
+     "without + f it is low by exactly f"},
+    {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
+    {"near", "n = {f} (1 - 1/{P}) + {f} (1 + {m}/{P})/({m} + {N} {c}/{f})",
+     "[Ray02] ch. 22, with pupil magnification; from the front principal plane", NULL},
+    {"far", "r = {f} (1 - 1/{P}) + {f} (1 + {m}/{P})/({m} - {N} {c}/{f})",
+     "[Ray02] ch. 22, with pupil magnification; infinite where the denominator is not positive",
+     "ill-conditioned near the hyperfocal distance"},
+    {"dof", "T = {front} + {behind}", "front = X e/(1 + e), behind = X e/(1 - e), X = f (1/m + 1/P), "
+                                      "e = N c/(m f)", NULL},
+    {"depth_of_focus", "t = 2 {N} {c} (1 + {m}/{P})", "[Ray02] ch. 22", NULL},
+    {"blur_at_infinity", "b = {f} {m}/{N}", "similar triangles at the exit pupil", NULL},
+    {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Ray02] ch. 22", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct drawing drawings[] = {
+    {"scale", offsetof(struct input, scale), draw_scale},
+    {NULL, 0, NULL},
+};
+
+static const struct example examples[] = {
+    {"dof -f 50mm -N 2.8 -s 3m", "a portrait on 35 mm film"},
+    {"dof -f 85 -N 1.8 -s 2m --sensor \"Nikon D1\"", "on a camera from the list"},
+    {"dof -f 50 -N 2.8..16 -s 1,2,5,10 --table s,N", "a table to print"},
+    {"dof -f 35mm --near 2m --far 10m", "which distance and f-number make 2 m to 10 m sharp"},
+    {"dof -f 100mm -N 8 --near 30cm --far 33cm --stack", "a focus stack"},
+    {NULL, NULL},
+};
+
+const struct command command_dof = {
+    .name = "dof",
+    .group = "photography",
+    .summary = "depth of field, and the settings for a wanted one",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .run = run,
+    .explanations = explanations,
+    .drawings = drawings,
+    .plot = "near_m,far_m",
+    .cell = "near_m+far_m",
+};

@@ -1,0 +1,170 @@
+/* cli/cmd_fov.c - lenscalc fov: field of view. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/photo_options.h"
+#include "photo/fov.h"
+
+#include <math.h>
+
+struct input {
+    double focal, distance, pupil, squeeze;
+    struct sensor_value sensor;
+    int projection;
+    double horizontal, vertical, diagonal;             /* wanted angles, rad */
+    double field_width, field_height, field_diagonal; /* wanted fields, mm */
+};
+
+#define ANGLE_GOAL(member_name)                                                                    \
+    OPTION(struct input, member_name), .name = #member_name, .column = #member_name,               \
+                                       .dimension = &dimension_angle, .unit = "deg", .lowest = 0,  \
+                                       .highest = 6.283185307179586, .value = "ANGLE",             \
+                                       .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL
+#define FIELD_GOAL(member_name)                                                                    \
+    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "m",                \
+                                       OPTION_POSITIVE, .value = "LENGTH",                         \
+                                       .flags =                                                    \
+                                           OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL
+
+static const struct option options[] = {
+    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    OPTION_SENSOR(struct input, sensor),
+    {OPTION(struct input, distance), .name = "distance", .letter = 's', .column = "distance",
+     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
+     .fallback = "inf", .value = "LENGTH",
+     .help = "distance the lens is focused at; the field there is reported"},
+    {OPTION(struct input, projection), .name = "projection", .column = "projection",
+     .words = projections, .fallback = "rectilinear", .value = "KIND",
+     .help = "how the lens maps angles"},
+    OPTION_PUPIL(struct input, pupil),
+    {OPTION(struct input, squeeze), .name = "squeeze", .column = "squeeze",
+     .dimension = &dimension_ratio, OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1", .value = "FACTOR",
+     .help = "anamorphic squeeze: 2 doubles the width that is seen"},
+    {ANGLE_GOAL(horizontal), .help = "wanted horizontal angle: solves for the focal length"},
+    {ANGLE_GOAL(vertical), .help = "wanted vertical angle"},
+    {ANGLE_GOAL(diagonal), .help = "wanted diagonal angle"},
+    {FIELD_GOAL(field_width), .name = "field-width", .column = "field_width",
+     .help = "wanted width of the field at --distance: solves for the focal length"},
+    {FIELD_GOAL(field_height), .name = "field-height", .column = "field_height",
+     .help = "wanted height of the field"},
+    {FIELD_GOAL(field_diagonal), .name = "field-diagonal", .column = "field_diagonal",
+     .help = "wanted diagonal of the field"},
+};
+
+struct row {
+    struct fov_setting setting;
+    struct fov fov;
+    double magnification, width, height, crop;
+    const char *sensor, *projection;
+};
+
+#define LENGTH(member_name, in_unit)                                                               \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+#define ANGLE(member_name)                                                                         \
+    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg"
+
+static const struct column columns[] = {
+    {LENGTH(setting.f, "mm"), .name = "focal", .flags = COLUMN_ECHO | COLUMN_BRIEF,
+     .with = "focal-length", .symbol = "f", .label = "focal length", .help = "focal length"},
+    {LENGTH(setting.s, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
+     .with = "distance", .symbol = "s", .label = "focused at",
+     .help = "distance the lens is focused at, from the front principal plane"},
+    {ANGLE(fov.horizontal), .name = "horizontal", .flags = COLUMN_BRIEF, .symbol = "hfov",
+     .label = "horizontal angle", .help = "full horizontal angle of view"},
+    {ANGLE(fov.vertical), .name = "vertical", .flags = COLUMN_BRIEF, .symbol = "vfov",
+     .label = "vertical angle", .help = "full vertical angle of view"},
+    {ANGLE(fov.diagonal), .name = "diagonal", .flags = COLUMN_BRIEF, .symbol = "dfov",
+     .label = "diagonal angle", .help = "full diagonal angle of view"},
+    {LENGTH(fov.width_at_s, "m"), .name = "field_width", .flags = COLUMN_INFINITE, .with = "distance",
+     .symbol = "W", .label = "field width", .help = "width seen in the plane of focus"},
+    {LENGTH(fov.height_at_s, "m"), .name = "field_height", .flags = COLUMN_INFINITE, .with = "distance",
+     .label = "field height", .help = "height seen in the plane of focus"},
+    {LENGTH(fov.diagonal_at_s, "m"), .name = "field_diagonal", .flags = COLUMN_INFINITE,
+     .label = "field diagonal", .help = "diagonal seen in the plane of focus"},
+    {COLUMN(struct row, magnification), .name = "magnification", .symbol = "m",
+     .label = "magnification", .help = "size on the sensor over size of the subject"},
+    {COLUMN(struct row, fov.kind), .name = "class", .flags = COLUMN_BRIEF, .label = "kind of lens",
+     .help = "narrow, medium, normal, wide or ultra-wide, by the diagonal angle"},
+    {LENGTH(width, "mm"), .name = "sensor_width", .flags = COLUMN_HIDDEN, .symbol = "w",
+     .label = "sensor width", .help = "width of the sensor"},
+    {LENGTH(height, "mm"), .name = "sensor_height", .flags = COLUMN_HIDDEN, .symbol = "h",
+     .label = "sensor height", .help = "height of the sensor"},
+    {COLUMN(struct row, crop), .name = "crop_factor", .label = "crop factor",
+     .help = "43.27 mm over the sensor's diagonal"},
+    {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "sensor", .label = "sensor", .help = "format or camera"},
+    {COLUMN(struct row, projection), .name = "projection", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "projection", .label = "projection", .help = "how the lens maps angles"},
+    {COLUMN(struct row, setting.P), .name = "pupil_magnification", .symbol = "P",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "pupil", .label = "pupil magnification",
+     .help = "diameter of the exit over the entrance pupil"},
+    {COLUMN(struct row, setting.squeeze), .name = "squeeze", .symbol = "q",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "squeeze", .label = "squeeze",
+     .help = "anamorphic squeeze"},
+};
+
+/* The focal length from the one goal that is given. */
+static bool solve(const struct input *input, double *f, struct error *error)
+{
+    const struct fov_goals goals = {input->horizontal,  input->vertical,     input->diagonal,
+                                    input->field_width, input->field_height, input->field_diagonal};
+    const struct fov_setting setting = {(enum projection)input->projection, input->focal,
+                                        input->distance, input->pupil, input->squeeze};
+    return fov_solve(&setting, &input->sensor.size, &goals, f, error);
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct row row = {
+        .setting = {(enum projection)input->projection, input->focal, input->distance,
+                    input->pupil, input->squeeze},
+        .width = input->sensor.size.width,
+        .height = input->sensor.size.height,
+        .sensor = input->sensor.name,
+        .projection = projections[input->projection].word,
+    };
+    if (!solve(input, &row.setting.f, error) ||
+        !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
+        return false;
+    }
+    row.magnification = row.setting.f / (row.setting.s - row.setting.f);
+    row.crop = sensor_crop(&input->sensor.size);
+    run_emit(run, &row);
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"horizontal", "hfov = 2 atan({q} {w}/(2 {f} (1 + {m}/{P})))",
+     "[Ray02] ch. 24; rectilinear, breathing included",
+     "the other projections: f t, 2 f sin(t/2), 2 f tan(t/2), f sin t in place of f tan t"},
+    {"vertical", "vfov = 2 atan({h}/(2 {f} (1 + {m}/{P})))", "[Ray02] ch. 24; rectilinear", NULL},
+    {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
+    {"field_width", "W = {q} {w}/{m}", "similar triangles", "rectilinear only"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"fov -f 24mm --sensor aps-c", "a lens on a crop sensor"},
+    {"fov -f 14,20,24,28,35,50,85,135,200", "the classes of lenses on 35 mm film"},
+    {"fov -f 100mm -s 40cm", "how much is in the picture close up"},
+    {"fov --horizontal 90deg", "the focal length for an angle"},
+    {"fov -f 8mm --projection equisolid", "a fisheye"},
+    {"fov -f 50mm --squeeze 2 --sensor scope", "anamorphic cinema"},
+    {NULL, NULL},
+};
+
+const struct command command_fov = {
+    .name = "fov",
+    .group = "photography",
+    .summary = "field of view, and the focal length for a wanted one",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .run = run,
+    .explanations = explanations,
+    .plot = "horizontal_deg,vertical_deg,diagonal_deg",
+    .cell = "horizontal_deg",
+};

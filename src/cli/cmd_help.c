@@ -1,0 +1,61 @@
+/* cli/cmd_help.c - lenscalc help: commands and topics. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/help.h"
+
+#include <string.h>
+
+struct input {
+    const char *topic;
+};
+
+static const struct option options[] = {
+    {OPTION(struct input, topic), .name = "topic", .value = "COMMAND", .flags = OPTION_OPERAND,
+     .help = "the command to explain; without it all commands are listed"},
+};
+
+static bool unknown(const char *topic, struct error *error)
+{
+    struct nearest nearest = {.typed = text_of(topic)};
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        nearest_offer(&nearest, text_of(commands[i]->name));
+    }
+    fail(error, ERROR_USAGE, "there is no command '%.60s' to explain", topic);
+    if (nearest.best.start != NULL) {
+        error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+    }
+    return false;
+}
+
+static bool print(const void *data, struct output *output, struct error *error)
+{
+    const struct input *input = data;
+    struct arena arena = {0};
+    if (input->topic == NULL) {
+        help_write_overview(output);
+        return true;
+    }
+    const struct command *command = command_find(text_of(input->topic));
+    if (command == NULL) {
+        return unknown(input->topic, error);
+    }
+    help_write(command, output, &arena);
+    arena_free(&arena);
+    return true;
+}
+
+static const struct example examples[] = {
+    {"help", "all commands"},
+    {"help dof", "one command"},
+    {NULL, NULL},
+};
+
+const struct command command_help = {
+    .name = "help",
+    .group = "tool",
+    .summary = "explain a command",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .print = print,
+};

@@ -1,0 +1,98 @@
+/* cli/collect.c - all rows of a sweep kept, for cross-tables and plots. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/collect.h"
+
+#include <string.h>
+
+bool collection_open(struct collection *collection, size_t most, const char *option,
+                     struct error *error)
+{
+    if (collection->sweep->total > most) {
+        return fail(error, ERROR_USAGE, "--%s takes at most %zu rows, the sweep has %zu", option,
+                    most, collection->sweep->total);
+    }
+    collection->rows =
+        arena_array(collection->arena, collection->sweep->total, collection->sheet->row_size);
+    collection->is_there = ARENA_ARRAY(collection->arena, collection->sweep->total, bool);
+    return true;
+}
+
+void collection_keep(struct collection *collection, size_t index, const void *row)
+{
+    if (!collection->is_there[index]) {
+        memcpy(collection->rows + index * collection->sheet->row_size, row,
+               collection->sheet->row_size);
+        collection->is_there[index] = true;
+    }
+}
+
+const void *collection_row(const struct collection *collection, size_t index)
+{
+    return collection->is_there[index] ? collection->rows + index * collection->sheet->row_size
+                                       : NULL;
+}
+
+const char *axis_label(const struct collection *collection, const struct axis *axis)
+{
+    for (size_t i = 0; i < collection->sheet->column_count; i++) {
+        const struct column *column = &collection->sheet->columns[i];
+        if (axis->option->column != NULL && strcmp(column->name, axis->option->column) == 0) {
+            return column->label;
+        }
+    }
+    return axis->option->name;
+}
+
+const char *axis_value(const struct collection *collection, const struct axis *axis, size_t i,
+                       bool with_unit)
+{
+    const struct option *option = axis->option;
+    const char *member = axis->values + i * option->kind->size;
+    if (option->kind == &kind_choice) {
+        return option->words[*(const int *)(const void *)member].word;
+    }
+    if (option->kind == &kind_sensor) {
+        return ((const struct sensor_value *)(const void *)member)->name;
+    }
+    if (option->kind == &kind_count) {
+        return arena_printf(collection->arena, "%ld", *(const long *)(const void *)member);
+    }
+    if (option->kind != &kind_quantity) {
+        return arena_printf(collection->arena, "%zu", i + 1);
+    }
+    double value = axis->unit != NULL ? unit_from_own(axis->unit, axis_number(axis, i))
+                                      : axis_number(axis, i);
+    bool unit = with_unit && axis->unit != NULL && axis->unit->label[0] != '\0';
+    return arena_printf(collection->arena, "%.6g%s%s", value, unit ? " " : "",
+                        unit ? axis->unit->label : "");
+}
+
+/* Distances in feet where the user reads feet; other units stay. */
+static struct shown in_system(const struct collection *collection, struct shown shown)
+{
+    if (collection->units == UNITS_IMPERIAL && shown.unit != NULL &&
+        shown.column->dimension == &dimension_length && strcmp(shown.unit->name, "m") == 0) {
+        shown.unit = unit_find(&dimension_length, text_of("ft"));
+        shown.name = arena_printf(collection->arena, "%s_ft", shown.column->name);
+        shown.converts = true;
+    }
+    return shown;
+}
+
+bool collection_columns(const struct collection *collection, const char *names, char separator,
+                        struct shown **shown, size_t *count, struct error *error)
+{
+    struct text rest = text_of(names);
+    size_t most = strlen(names) + 1;
+    *shown = ARENA_ARRAY(collection->arena, most, struct shown);
+    *count = 0;
+    while (rest.start != NULL) {
+        struct text name = text_trim(text_cut(&rest, separator));
+        struct shown found;
+        if (!report_find_column(collection->sheet, name, collection->arena, &found, error)) {
+            return false;
+        }
+        (*shown)[(*count)++] = in_system(collection, found);
+    }
+    return true;
+}

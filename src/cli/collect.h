@@ -1,0 +1,65 @@
+/* cli/collect.h - all rows of a sweep kept, for cross-tables and plots. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_COLLECT_H
+#define LENSCALC_CLI_COLLECT_H
+
+#include "cli/sweep.h"
+#include "report/report.h"
+
+/* The first row of every combination of a sweep. */
+struct collection {
+    const struct sweep *sweep;
+    const struct command *command;
+    const struct sheet *sheet;
+    struct arena *arena;
+    enum unit_system units;
+    char *rows;    /* sweep->total rows of sheet->row_size */
+    bool *is_there; /* one a combination: false = failed or no row */
+};
+
+/*
+ * Make room for the rows of a sweep.
+ *
+ * Errors    ERROR_USAGE: more combinations than `most`
+ */
+bool collection_open(struct collection *collection, size_t most, const char *option,
+                     struct error *error);
+
+void collection_keep(struct collection *collection, size_t index, const void *row);
+
+/* The row of a combination; null if it failed. */
+const void *collection_row(const struct collection *collection, size_t index);
+
+/* How an axis is called in words: the label of the column that repeats it. */
+const char *axis_label(const struct collection *collection, const struct axis *axis);
+
+/* Value i of an axis as people write it: "3 m", "2.8", "35mm". */
+const char *axis_value(const struct collection *collection, const struct axis *axis, size_t i,
+                       bool with_unit);
+
+/* Columns by names separated by `separator`, with the units people or machines want. */
+bool collection_columns(const struct collection *collection, const char *names, char separator,
+                        struct shown **shown, size_t *count, struct error *error);
+
+/*
+ * Print the cross-table that --table asks for.
+ *
+ * Given     specification  "ROW,COL" or "ROW,COL:VALUE", VALUE one column or several joined by '+'
+ *           report         format and output
+ * Errors    ERROR_USAGE: it names no swept option or no column; a third option is swept
+ */
+bool cross_table_check(const struct collection *collection, const char *specification,
+                       struct error *error);
+bool cross_table_write(const struct collection *collection, const char *specification,
+                       struct report *report, struct error *error);
+
+/*
+ * Draw columns against the swept option that has the most values, one set of curves for each
+ * combination of the others.
+ *
+ * Errors    ERROR_USAGE: nothing is swept, or columns of different dimensions; as plot_draw
+ */
+bool collection_plot(const struct collection *collection, const char *columns, struct svg *svg,
+                     struct error *error);
+
+#endif

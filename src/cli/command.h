@@ -1,0 +1,82 @@
+/* cli/command.h - a command is a declaration and one function. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_COMMAND_H
+#define LENSCALC_CLI_COMMAND_H
+
+#include "cli/option.h"
+#include "report/output.h"
+#include "report/svg.h"
+#include "report/table.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* What `run` works with besides its input. */
+struct run {
+    struct arena *arena; /* reset after each input: rows may point into it */
+    struct lensdb *db;
+    bool (*emit)(struct run *run, const void *row);
+    void *driver; /* the driver's own */
+};
+
+/* Hand out one row; false when no more are wanted (then return true). */
+static inline bool run_emit(struct run *run, const void *row)
+{
+    return run->emit(run, row);
+}
+
+/* A drawing that an option asks for with a file name. */
+struct drawing {
+    const char *option; /* "scale" */
+    size_t offset;      /* of the file name in the input struct */
+    bool (*draw)(const void *input, struct svg *svg, struct error *error);
+};
+
+/* An example for --help and for the tests: what follows "lenscalc". */
+struct example {
+    const char *arguments, *help;
+};
+
+struct command {
+    const char *name;
+    const char *group;   /* "photography" */
+    const char *summary; /* one line */
+    const struct example *examples; /* ends with null */
+    const struct option *options;
+    size_t option_count;
+    size_t input_size;
+    struct sheet sheet;
+    /* Which rows this input makes, where that depends on it; null: always `sheet`. */
+    const struct sheet *(*choose_sheet)(const void *input);
+    /*
+     * Compute the rows of one input, handing each to run_emit.
+     *
+     * Given     input  the command's struct, values in the program's own units; NaN = not given
+     * Errors    whatever is refused; rows handed out before stay
+     */
+    bool (*run)(const void *input, struct run *run, struct error *error);
+    /* Instead of rows: write text (help, completion). */
+    bool (*print)(const void *input, struct output *output, struct error *error);
+    const struct explanation *explanations; /* ends with a null column */
+    const struct drawing *drawings;         /* ends with a null option */
+    const char *plot;                       /* columns to plot, separated by commas; null = none */
+    const char *cell;                       /* columns in the cells of --table */
+};
+
+/* All commands in the order of the manual; ends with null. */
+extern const struct command *const commands[];
+
+const struct command *command_find(struct text name);
+
+/* The options of every command, and the struct they fill. */
+struct common {
+    bool explain, csv, tsv, json, jsonl, nominal, force, fail_fast, help;
+    const char *format, *columns, *output, *lensdb, *batch, *batch_format, *table, *plot;
+    int units;
+    long digits;
+};
+
+extern const struct option common_options[];
+extern const size_t common_option_count;
+
+#endif

@@ -1,0 +1,14 @@
+/* cli/commands.c - the table of commands: one line each. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+
+extern const struct command command_dof, command_hyperfocal, command_fov;
+extern const struct command command_list;
+extern const struct command command_help, command_completion;
+
+const struct command *const commands[] = {
+    &command_dof,  &command_hyperfocal, &command_fov, /* photography */
+    &command_list,                                    /* data */
+    &command_help, &command_completion,               /* tool */
+    NULL,
+};

@@ -1,0 +1,263 @@
+/* cli/cross.c - cross-tables of two swept options. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/collect.h"
+#include "report/grid.h"
+#include "report/readable.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What "--table ROW,COL:VALUE" asks for. */
+struct cross {
+    const struct axis *down, *across;
+    struct shown *values;
+    size_t value_count;
+    const struct unit **units; /* for people, one a value */
+};
+
+static const struct axis *find_axis(const struct collection *collection, struct text name)
+{
+    for (size_t i = 0; i < collection->sweep->axis_count; i++) {
+        const struct axis *axis = &collection->sweep->axes[i];
+        if ((name.length == 1 && name.start[0] == axis->option->letter) ||
+            text_same_name(name, text_of(axis->option->name)) ||
+            (axis->option->column != NULL && text_same_name(name, text_of(axis->option->column)))) {
+            return axis;
+        }
+    }
+    return NULL;
+}
+
+static bool read_axis(const struct collection *collection, struct text name,
+                      const struct axis **axis, struct error *error)
+{
+    *axis = find_axis(collection, name);
+    if (*axis == NULL) {
+        return fail(error, ERROR_USAGE, "--table: '%.*s' is no option with several values here",
+                    (int)(name.length < 40 ? name.length : 40), name.start);
+    }
+    return true;
+}
+
+static bool read_specification(const struct collection *collection, const char *specification,
+                               struct cross *cross, struct error *error)
+{
+    struct text values = text_of(specification);
+    struct text axes = text_cut(&values, ':');
+    struct text down = text_cut(&axes, ',');
+    const char *names = values.start != NULL ? values.start : collection->command->cell;
+    if (axes.start == NULL || names == NULL) {
+        return fail(error, ERROR_USAGE, "--table '%s' is not of the form ROW,COL%s", specification,
+                    names == NULL ? ":VALUE" : "[:VALUE]");
+    }
+    if (!read_axis(collection, text_trim(down), &cross->down, error) ||
+        !read_axis(collection, text_trim(axes), &cross->across, error)) {
+        return false;
+    }
+    if (cross->down == cross->across || collection->sweep->axis_count != 2) {
+        return fail(error, ERROR_USAGE,
+                    "--table wants exactly two options with several values, here are %zu",
+                    collection->sweep->axis_count);
+    }
+    return collection_columns(collection, names, '+', &cross->values, &cross->value_count, error);
+}
+
+bool cross_table_check(const struct collection *collection, const char *specification,
+                       struct error *error)
+{
+    struct cross cross;
+    return read_specification(collection, specification, &cross, error);
+}
+
+/* The row at a place of the table; null if it failed. */
+static const void *row_at(const struct collection *collection, const struct cross *cross, size_t i,
+                          size_t j)
+{
+    bool down_is_slow = cross->down == &collection->sweep->axes[0];
+    size_t index = down_is_slow ? i * cross->across->count + j : j * cross->down->count + i;
+    return collection_row(collection, index);
+}
+
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* One unit for the whole table: that of the median value. */
+static const struct unit *table_unit(const struct collection *collection, const struct cross *cross,
+                                     const struct shown *shown)
+{
+    size_t total = collection->sweep->total, count = 0;
+    double *values = ARENA_ARRAY(collection->arena, total, double);
+    for (size_t i = 0; i < total; i++) {
+        const void *row = collection_row(collection, i);
+        if (row != NULL && shown->column->type == COLUMN_NUMBER) {
+            double value = fabs(row_number(row, shown->column));
+            if (isfinite(value)) {
+                values[count++] = value;
+            }
+        }
+    }
+    (void)cross;
+    qsort(values, count, sizeof values[0], compare);
+    return readable_unit(shown, collection->units, count > 0 ? values[count / 2] : NAN, false);
+}
+
+/* The column in metres, so that readable_unit may choose feet and inches or millimetres. */
+static struct shown for_people(const struct collection *collection, struct shown shown)
+{
+    if (shown.column->unit != NULL && shown.unit != NULL &&
+        collection->units == UNITS_IMPERIAL && strcmp(shown.unit->name, "ft") == 0) {
+        shown.unit = unit_find(shown.column->dimension, text_of(shown.column->unit));
+    }
+    return shown;
+}
+
+static const char *unit_words(const struct shown *shown, const struct unit *unit)
+{
+    if (unit == NULL || unit->label[0] == '\0') {
+        return "";
+    }
+    return strcmp(unit->name, "ft") == 0 && strcmp(shown->unit->name, "m") == 0 ? "ft in"
+                                                                                  : unit->label;
+}
+
+static bool is_machine(const struct report *report)
+{
+    return report->format == &format_csv || report->format == &format_tsv;
+}
+
+/* "near limit - far limit (m)" */
+static const char *value_words(const struct collection *collection, const struct cross *cross)
+{
+    const char *words = "";
+    for (size_t k = 0; k < cross->value_count; k++) {
+        const struct shown *shown = &cross->values[k];
+        const char *label = shown->column->label != NULL ? shown->column->label : shown->name;
+        words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "", label);
+    }
+    const char *unit = unit_words(&cross->values[0], cross->units[0]);
+    return unit[0] == '\0' ? words : arena_printf(collection->arena, "%s (%s)", words, unit);
+}
+
+static void write_cell(const struct collection *collection, const struct cross *cross,
+                       const struct report *report, const void *row, struct grid *grid, size_t j)
+{
+    const char *words = "";
+    for (size_t k = 0; k < cross->value_count; k++) {
+        char value[256] = "-";
+        const struct shown *shown = &cross->values[k];
+        if (row != NULL && is_machine(report) && shown->column->type == COLUMN_NUMBER) {
+            *shown_write_number(value, row, shown, report->digits) = '\0';
+        } else if (row != NULL) {
+            readable_value(value, sizeof value, row, shown, cross->units[k],
+                           report->digits != 0 ? report->digits : 4);
+        }
+        if (is_machine(report)) {
+            grid_set(grid, 1 + j * cross->value_count + k, row != NULL ? value : "");
+        } else {
+            words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "", value);
+        }
+    }
+    if (!is_machine(report)) {
+        grid_set(grid, 1 + j, words);
+    }
+}
+
+static const char *axis_head(const struct collection *collection, const struct axis *axis)
+{
+    const char *label = axis_label(collection, axis);
+    bool unit = axis->unit != NULL && axis->unit->label[0] != '\0';
+    return unit ? arena_printf(collection->arena, "%s (%s)", label, axis->unit->label) : label;
+}
+
+static void write_head(const struct collection *collection, const struct cross *cross,
+                       const struct report *report, struct grid *grid)
+{
+    grid_add_row(grid);
+    grid_set(grid, 0, axis_head(collection, cross->down));
+    for (size_t j = 0; j < cross->across->count; j++) {
+        const char *value = axis_value(collection, cross->across, j, true);
+        if (!is_machine(report)) {
+            grid_set(grid, 1 + j, value);
+            continue;
+        }
+        for (size_t k = 0; k < cross->value_count; k++) {
+            grid_set(grid, 1 + j * cross->value_count + k,
+                     arena_printf(collection->arena, "%s %s=%s", cross->values[k].name,
+                                  cross->across->option->name, value));
+        }
+    }
+}
+
+static struct grid build(const struct collection *collection, const struct cross *cross,
+                         const struct report *report)
+{
+    size_t cells = cross->across->count * (is_machine(report) ? cross->value_count : 1);
+    struct grid grid = grid_new(collection->arena, 1 + cells, 1);
+    write_head(collection, cross, report, &grid);
+    for (size_t i = 0; i < cross->down->count; i++) {
+        grid_add_row(&grid);
+        grid_set(&grid, 0, axis_value(collection, cross->down, i, false));
+        for (size_t j = 0; j < cross->across->count; j++) {
+            write_cell(collection, cross, report, row_at(collection, cross, i, j), &grid, j);
+        }
+    }
+    return grid;
+}
+
+static void write_grid(struct report *report, const struct grid *grid)
+{
+    if (report->format == &format_html) {
+        grid_html_begin(report->output, grid->title);
+        grid_write_html(grid, report->output);
+        grid_html_end(report->output);
+    } else if (report->format == &format_markdown) {
+        grid_write_markdown(grid, report->output);
+    } else if (is_machine(report)) {
+        grid_write_separated(grid, report->output, report->format == &format_tsv ? '\t' : ',');
+    } else {
+        grid_write_text(grid, report->output, true);
+    }
+}
+
+static const void *first_row(const struct collection *collection)
+{
+    for (size_t i = 0; i < collection->sweep->total; i++) {
+        if (collection->is_there[i]) {
+            return collection_row(collection, i);
+        }
+    }
+    return NULL;
+}
+
+bool cross_table_write(const struct collection *collection, const char *specification,
+                       struct report *report, struct error *error)
+{
+    struct cross cross = {0};
+    if (!read_specification(collection, specification, &cross, error)) {
+        return false;
+    }
+    cross.units = ARENA_ARRAY(collection->arena, cross.value_count, const struct unit *);
+    for (size_t k = 0; k < cross.value_count; k++) {
+        if (!is_machine(report)) {
+            cross.values[k] = for_people(collection, cross.values[k]);
+        }
+        /* values that share a cell share a unit */
+        cross.units[k] = k > 0 ? cross.units[0]
+                               : table_unit(collection, &cross, &cross.values[k]);
+    }
+    struct grid grid = build(collection, &cross, report);
+    if (!is_machine(report)) {
+        const void *row = first_row(collection);
+        grid.title = arena_printf(collection->arena, "%s by %s and %s",
+                                  value_words(collection, &cross),
+                                  axis_label(collection, cross.down),
+                                  axis_label(collection, cross.across));
+        grid.note = row != NULL ? report_assumptions(report, row) : NULL;
+    }
+    write_grid(report, &grid);
+    return true;
+}

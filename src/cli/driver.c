@@ -1,0 +1,502 @@
+/* cli/driver.c - run a command: from its words to its printed rows. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/driver.h"
+
+#include "cli/batch.h"
+#include "cli/collect.h"
+#include "cli/help.h"
+#include "report/explain.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { MOST_CELLS = 100000, MOST_POINTS = 1000000, PROGRESS_ROWS = 65536 };
+
+/* One command at work. */
+struct driver {
+    const struct command *command;
+    struct arena arena;     /* until the end */
+    struct arena row_arena; /* until the next input */
+    struct lensdb db;
+    struct reader reader;
+    struct arguments arguments;
+    struct common common;
+    struct sweep sweep;
+    struct batch batch;
+    struct run run;
+    struct report report;
+    struct output output;
+    struct collection collection;
+    void *input;
+    const char *database;
+    bool is_batch, is_open, begun, collects;
+    size_t index; /* of the present combination of the sweep */
+    size_t good, failed;
+    const void *explained; /* the row whose numbers --explain puts in */
+    double started;
+};
+
+void error_print(const struct error *error, const char *command)
+{
+    char place[400] = "";
+    if (error->source[0] != '\0') {
+        int used = snprintf(place, sizeof place, "%s:", error->source);
+        if (error->line > 0) {
+            used += snprintf(place + used, sizeof place - (size_t)used, "%ld:", error->line);
+        }
+        if (error->column > 0) {
+            used += snprintf(place + used, sizeof place - (size_t)used, "%d:", error->column);
+        }
+        snprintf(place + used, sizeof place - (size_t)used, " ");
+    }
+    bool named = command != NULL && command[0] != '\0';
+    fprintf(stderr, "lenscalc: %s%s%s%s\n", named ? command : "", named ? ": " : "", place,
+            error->message);
+    if (error->caret > 0) {
+        fprintf(stderr, "    %s\n    %*s\n", error->text, error->caret, "^");
+    }
+    if (error->hint[0] != '\0') {
+        fprintf(stderr, "    %s\n", error->hint);
+    }
+}
+
+/* Common options into their struct. */
+static bool read_common(struct driver *driver, struct error *error)
+{
+    for (size_t i = 0; i < driver->arguments.count; i++) {
+        const struct argument *argument = &driver->arguments.all[i];
+        const struct option *option = argument->option;
+        void *member = (char *)&driver->common + option->offset;
+        if (!argument->is_common) {
+            continue;
+        }
+        if (argument->is_given && option->kind == &kind_flag) {
+            *(bool *)member = true;
+        } else if (argument->is_given || option->fallback != NULL) {
+            struct text text = argument->is_given ? argument->text : text_of(option->fallback);
+            if (!option_read(&driver->reader, option, text, member, error)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool choose_format(struct driver *driver, struct error *error)
+{
+    const struct common *common = &driver->common;
+    int shorts = common->csv + common->tsv + common->json + common->jsonl;
+    if (shorts + arguments_given(&driver->arguments, "format") > 1) {
+        return fail(error, ERROR_USAGE, "more than one output format is given");
+    }
+    const char *name = common->csv     ? "csv"
+                       : common->tsv   ? "tsv"
+                       : common->json  ? "json"
+                       : common->jsonl ? "jsonl"
+                                       : common->format;
+    struct nearest nearest = {.typed = text_of(name)};
+    for (size_t i = 0; formats[i] != NULL; i++) {
+        if (strcmp(formats[i]->name, name) == 0) {
+            driver->report.format = formats[i];
+            return true;
+        }
+        nearest_offer(&nearest, text_of(formats[i]->name));
+    }
+    fail(error, ERROR_USAGE,
+         "--format '%s' is none of text, csv, tsv, json, jsonl, markdown, html", name);
+    if (nearest.best.start != NULL) {
+        error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+    }
+    return false;
+}
+
+static bool is_for_people(const struct report *report)
+{
+    return report->format == &format_text || report->format == &format_markdown ||
+           report->format == &format_html;
+}
+
+static bool asked_given(const void *asked, const char *option)
+{
+    const struct driver *driver = asked;
+    return arguments_given(&driver->arguments, option) ||
+           (driver->is_batch && batch_has(&driver->batch, option));
+}
+
+static bool asked_varied(const void *asked, const char *option)
+{
+    const struct driver *driver = asked;
+    return sweep_axis(&driver->sweep, option) != NULL ||
+           (driver->is_batch && batch_has(&driver->batch, option));
+}
+
+static bool set_up_report(struct driver *driver, struct error *error)
+{
+    struct report *report = &driver->report;
+    report->arena = &driver->arena;
+    report->output = &driver->output;
+    report->command = driver->command->name;
+    report->digits = (int)driver->common.digits;
+    report->units = (enum unit_system)driver->common.units;
+    report->many = report->many || driver->is_batch || driver->sweep.total > 1;
+    report->has_error_column =
+        (driver->is_batch || driver->sweep.total > 1) && driver->common.columns == NULL &&
+        (report->format == &format_csv || report->format == &format_tsv);
+    report->passed_names = driver->batch.passed_names;
+    report->passed_count = driver->batch.passed_count;
+    struct selection selection = {.columns = driver->common.columns,
+                                  .layout = !is_for_people(report) ? SELECT_ALL
+                                            : report->many         ? SELECT_TABLE
+                                                                   : SELECT_LIST,
+                                  .given = asked_given,
+                                  .varied = asked_varied,
+                                  .asked = driver};
+    return report_select(report, &selection, error);
+}
+
+/* Rows of a sweep are kept for --table and --plot. */
+static bool set_up_collection(struct driver *driver, struct error *error)
+{
+    const struct common *common = &driver->common;
+    driver->collects = common->table != NULL || common->plot != NULL;
+    if (!driver->collects) {
+        return true;
+    }
+    const char *option = common->table != NULL ? "table" : "plot";
+    if (driver->is_batch) {
+        return fail(error, ERROR_USAGE, "--%s goes with swept options, not with --batch", option);
+    }
+    driver->collection = (struct collection){.sweep = &driver->sweep,
+                                             .command = driver->command,
+                                             .sheet = driver->report.sheet,
+                                             .arena = &driver->arena,
+                                             .units = driver->report.units};
+    if (!collection_open(&driver->collection, common->table != NULL ? MOST_CELLS : MOST_POINTS,
+                         option, error)) {
+        return false;
+    }
+    const struct format *format = driver->report.format;
+    if (common->table != NULL && (format == &format_json || format == &format_jsonl)) {
+        return fail(error, ERROR_USAGE, "--table is for text, csv, tsv, markdown and html");
+    }
+    return common->table == NULL ||
+           cross_table_check(&driver->collection, common->table, error);
+}
+
+static void begin(struct driver *driver)
+{
+    driver->begun = true;
+    driver->report.format->begin(&driver->report);
+}
+
+static bool prints_rows(const struct driver *driver)
+{
+    return driver->common.table == NULL;
+}
+
+static bool emit(struct run *run, const void *row)
+{
+    struct driver *driver = run->driver;
+    struct report *report = &driver->report;
+    if (driver->collects) {
+        collection_keep(&driver->collection, driver->index, row);
+    }
+    if (driver->common.explain && driver->explained == NULL) {
+        void *copy = arena_array(&driver->arena, 1, report->sheet->row_size);
+        driver->explained = memcpy(copy, row, report->sheet->row_size);
+        const char *text = explain_row(report, driver->command->explanations, row);
+        report->explain = text != NULL ? text : "nothing to explain: plain facts";
+    }
+    if (prints_rows(driver)) {
+        if (!driver->begun) {
+            begin(driver);
+        }
+        report->format->row(report, row, driver->batch.passed, NULL);
+        report->rows++;
+    }
+    return driver->output.failure == 0;
+}
+
+/* A row that failed keeps its place. */
+static void emit_failure(struct driver *driver, const struct error *failure)
+{
+    driver->failed++;
+    error_print(failure, driver->command->name);
+    if (prints_rows(driver)) {
+        if (!driver->begun) {
+            begin(driver);
+        }
+        driver->report.format->row(&driver->report, NULL, driver->batch.passed, failure);
+        driver->report.rows++;
+    }
+}
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/* Rows so far, where somebody is looking and it takes long. */
+static void show_progress(const struct driver *driver, size_t rows, bool last)
+{
+    if (rows % PROGRESS_ROWS != 0 && !last) {
+        return;
+    }
+    if (isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO) && now() - driver->started > 0.5) {
+        fprintf(stderr, "\r%zu rows%s", rows, last ? "\n" : "");
+    }
+}
+
+static bool run_one(struct driver *driver, struct error *error)
+{
+    bool done = driver->command->run(driver->input, &driver->run, error);
+    driver->good += done;
+    return done;
+}
+
+/* Every combination of a sweep; one combination is an ordinary answer. */
+static bool run_sweep(struct driver *driver, struct error *error)
+{
+    for (size_t i = 0; i < driver->sweep.total && driver->output.failure == 0; i++) {
+        struct arena_mark mark = arena_mark(&driver->row_arena);
+        driver->index = i;
+        sweep_set(&driver->sweep, i, driver->input);
+        if (!run_one(driver, error)) {
+            if (driver->sweep.total == 1 || error->code == ERROR_USAGE ||
+                driver->common.fail_fast) {
+                return false;
+            }
+            emit_failure(driver, error);
+        }
+        if (!driver->collects) {
+            arena_reset(&driver->row_arena, mark);
+        }
+        show_progress(driver, i, false);
+    }
+    return true;
+}
+
+static bool run_batch(struct driver *driver, struct error *error)
+{
+    size_t rows = 0;
+    for (;; rows++) {
+        struct arena_mark mark = arena_mark(&driver->row_arena);
+        enum batch_result result = batch_next(&driver->batch, driver->input, error);
+        if (result == BATCH_END) {
+            break;
+        }
+        if (result == BATCH_FAILED) {
+            return false;
+        }
+        bool done = result == BATCH_ROW && run_one(driver, error);
+        if (!done) {
+            if (result == BATCH_ROW) {
+                error_locate(error, driver->batch.source, driver->batch.line, 0);
+            }
+            if (driver->common.fail_fast) {
+                return false;
+            }
+            emit_failure(driver, error);
+        }
+        arena_reset(&driver->row_arena, mark);
+        if (batch_is_drained(&driver->batch)) {
+            output_flush(&driver->output);
+        }
+        if (driver->output.failure != 0) {
+            break;
+        }
+        show_progress(driver, rows, false);
+    }
+    show_progress(driver, rows, true);
+    return true;
+}
+
+static bool write_plot(struct driver *driver, struct error *error)
+{
+    struct svg svg = {.arena = &driver->arena};
+    const char *columns =
+        driver->common.columns != NULL ? driver->common.columns : driver->command->plot;
+    return collection_plot(&driver->collection, columns, &svg, error) &&
+           output_file(driver->common.plot, svg.data, svg.length, &driver->arena, error);
+}
+
+/* The drawings that options of this command ask for. */
+static bool write_drawings(struct driver *driver, struct error *error)
+{
+    const struct drawing *drawing = driver->command->drawings;
+    for (; drawing != NULL && drawing->option != NULL; drawing++) {
+        const char *path = *(const char **)(void *)((char *)driver->input + drawing->offset);
+        if (path == NULL) {
+            continue;
+        }
+        if (driver->is_batch || driver->sweep.total > 1) {
+            return fail(error, ERROR_USAGE, "--%s draws one answer: no lists, ranges or --batch",
+                        drawing->option);
+        }
+        struct svg svg = {.arena = &driver->arena};
+        if (!drawing->draw(driver->input, &svg, error) ||
+            !output_file(path, svg.data, svg.length, &driver->arena, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool finish(struct driver *driver, struct error *error)
+{
+    struct report *report = &driver->report;
+    if (driver->common.table != NULL) {
+        if (!cross_table_write(&driver->collection, driver->common.table, report, error)) {
+            return false;
+        }
+    } else {
+        if (!driver->begun && report->many) {
+            begin(driver);
+        }
+        if (driver->begun) {
+            report->format->end(report);
+        }
+    }
+    if (driver->common.plot != NULL && driver->good > 0 && !write_plot(driver, error)) {
+        return false;
+    }
+    return write_drawings(driver, error);
+}
+
+static bool prepare(struct driver *driver, int count, char **words, struct error *error)
+{
+    const struct command *command = driver->command;
+    driver->db.arena = &driver->arena;
+    driver->reader = (struct reader){&driver->db, &driver->arena, false};
+    driver->run = (struct run){&driver->row_arena, &driver->db, emit, driver};
+    if (!arguments_parse(&driver->arguments, command, count, words, &driver->arena, error) ||
+        !read_common(driver, error)) {
+        return false;
+    }
+    driver->db.directory =
+        driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
+    driver->reader.nominal = driver->common.nominal;
+    driver->input = arena_array(&driver->arena, 1, command->input_size);
+    return true;
+}
+
+/* Everything that can be wrong with the question is found before a byte is written. */
+static bool ask(struct driver *driver, struct error *error)
+{
+    const struct command *command = driver->command;
+    const struct common *common = &driver->common;
+    if (!choose_format(driver, error) ||
+        !sweep_build(&driver->sweep, &driver->arguments, &driver->reader, common->force,
+                     driver->input, error)) {
+        return false;
+    }
+    driver->report.sheet = &command->sheet;
+    if (command->choose_sheet != NULL) {
+        driver->report.sheet = command->choose_sheet(driver->input);
+        driver->report.many = true;
+    }
+    driver->is_batch = common->batch != NULL;
+    if (driver->is_batch) {
+        if (driver->sweep.total > 1) {
+            return fail(error, ERROR_USAGE, "--batch and options with several values exclude each "
+                                            "other");
+        }
+        void *constants = arena_array(&driver->arena, 1, command->input_size);
+        memcpy(constants, driver->input, command->input_size);
+        /* what the header needs lies below the first row's mark and stays */
+        driver->reader.arena = &driver->row_arena;
+        if (!batch_open(&driver->batch, common->batch, common->batch_format, &driver->arguments,
+                        &driver->reader, constants, error)) {
+            return false;
+        }
+    }
+    return set_up_report(driver, error) && set_up_collection(driver, error) &&
+           output_open(&driver->output, common->output, &driver->arena, error) &&
+           (driver->is_open = true);
+}
+
+static bool answer(struct driver *driver, struct error *error)
+{
+    driver->started = now();
+    bool done = (driver->is_batch ? run_batch(driver, error) : run_sweep(driver, error)) &&
+                finish(driver, error);
+    if (driver->begun && !done) {
+        /* rows before the failure were promised to the pipe; a file would be half a file */
+        output_flush(&driver->output);
+    }
+    return done;
+}
+
+static int print_text(struct driver *driver, struct error *error)
+{
+    bool done = sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false,
+                            driver->input, error) &&
+                output_open(&driver->output, driver->common.output, &driver->arena, error);
+    if (done) {
+        done = driver->command->print(driver->input, &driver->output, error);
+        struct error closing;
+        if (!output_close(&driver->output, done, &closing) && done) {
+            *error = closing;
+            done = false;
+        }
+    }
+    if (!done) {
+        error_print(error, driver->command->name);
+    }
+    return done ? 0 : (int)error->code;
+}
+
+static int status_of(const struct driver *driver)
+{
+    if (driver->failed == 0) {
+        return 0;
+    }
+    return driver->good > 0 ? ERROR_ROWS : ERROR_DOMAIN;
+}
+
+static int compute(struct driver *driver)
+{
+    struct error error = {0}, closing = {0};
+    bool done = ask(driver, &error) && answer(driver, &error);
+    bool closed = true;
+    if (driver->is_open) {
+        closed = output_close(&driver->output, done, &closing);
+    }
+    if (!closed) {
+        error = closing;
+    }
+    if (!done || !closed) {
+        error_print(&error, driver->command->name);
+        return (int)error.code;
+    }
+    if (driver->report.explain != NULL && driver->report.format != &format_json &&
+        !is_for_people(&driver->report)) {
+        fprintf(stderr, "%s\n", driver->report.explain);
+    }
+    return status_of(driver);
+}
+
+int command_execute(const struct command *command, int count, char **words, const char *database)
+{
+    struct driver driver = {.command = command, .database = database};
+    struct error error = {0};
+    int status;
+    if (!prepare(&driver, count, words, &error)) {
+        error_print(&error, command->name);
+        status = (int)error.code;
+    } else if (driver.common.help) {
+        status = help_command(command, &driver.arena);
+    } else {
+        status = command->print != NULL ? print_text(&driver, &error) : compute(&driver);
+    }
+    if (driver.is_batch) {
+        batch_close(&driver.batch);
+    }
+    arena_free(&driver.row_arena);
+    arena_free(&driver.arena);
+    return status;
+}

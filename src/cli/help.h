@@ -1,0 +1,20 @@
+/* cli/help.h - help from the tables that parse. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_HELP_H
+#define LENSCALC_CLI_HELP_H
+
+#include "cli/command.h"
+
+/* Examples, then options with units, defaults and ranges, on standard output. The exit status. */
+int help_command(const struct command *command, struct arena *arena);
+
+/* The same into an output. */
+void help_write(const struct command *command, struct output *output, struct arena *arena);
+
+/* What there is: all commands by group. */
+void help_write_overview(struct output *output);
+
+/* Short help for who typed the name alone, on standard error. */
+void help_short(void);
+
+#endif

@@ -1,0 +1,312 @@
+/* cli/option.c - read the values of options. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/option.h"
+
+#include "cli/nominal.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const struct unit *option_unit(const struct option *option)
+{
+    if (option->dimension == NULL || option->unit == NULL) {
+        return option->dimension != NULL ? &option->dimension->units[0] : NULL;
+    }
+    return unit_find(option->dimension, text_of(option->unit));
+}
+
+static bool has_range(const struct option *option)
+{
+    return option->lowest != 0 || option->highest != 0;
+}
+
+const char *option_range(const struct option *option, struct arena *arena)
+{
+    char low[NUMBER_LENGTH + 1], high[NUMBER_LENGTH + 1];
+    if (!has_range(option)) {
+        return "";
+    }
+    const struct unit *unit = option_unit(option);
+    *quantity_write(low, option->lowest, unit) = '\0';
+    *quantity_write(high, option->highest, unit) = '\0';
+    const char *blank = unit != NULL && unit->label[0] != '\0' ? " " : "";
+    const char *label = unit != NULL ? unit->label : "";
+    bool above = (option->flags & OPTION_ABOVE_LOWEST) != 0;
+    if (isinf(option->highest)) {
+        return arena_printf(arena, "%s%s%s%s%s", above ? "above " : "", low, blank, label,
+                            above ? "" : " or more");
+    }
+    return arena_printf(arena, "%s%s to %s%s%s", above ? "above " : "", low, high, blank, label);
+}
+
+static bool out_of_range(const struct option *option, double value, struct error *error)
+{
+    char number[NUMBER_LENGTH + 1];
+    const struct unit *unit = option_unit(option);
+    struct arena arena = {0};
+    *quantity_write(number, value, unit) = '\0';
+    fail(error, ERROR_DOMAIN, "--%s %s%s%s is out of range: it must be %s", option->name, number,
+         unit != NULL && unit->label[0] != '\0' ? " " : "", unit != NULL ? unit->label : "",
+         option_range(option, &arena));
+    arena_free(&arena);
+    return false;
+}
+
+bool option_check_range(const struct option *option, double value, struct error *error)
+{
+    if (isinf(value) && (option->flags & OPTION_NO_INFINITY) != 0) {
+        return fail(error, ERROR_DOMAIN, "--%s cannot be infinite", option->name);
+    }
+    if (!has_range(option)) {
+        return true;
+    }
+    bool above = (option->flags & OPTION_ABOVE_LOWEST) != 0;
+    bool low_enough = value <= option->highest;
+    bool high_enough = above ? value > option->lowest : value >= option->lowest;
+    return (low_enough && high_enough) || out_of_range(option, value, error);
+}
+
+/* Say whose text was wrong, before what was wrong with it. */
+static bool blame(const struct option *option, struct text text, struct error *error)
+{
+    const char *what = option->dimension != NULL ? "quantity" : "value";
+    if (strstr(error->message, "unit") != NULL) {
+        what = "unit";
+    }
+    int shown = text.length < 60 ? (int)text.length : 60;
+    if (error->caret > 0) {
+        return error_prefix(error, "bad %s in --%s '%.*s' at character %d: ", what, option->name,
+                            shown, text.start, error->caret);
+    }
+    return error_prefix(error, "bad %s in --%s '%.*s': ", what, option->name, shown, text.start);
+}
+
+bool option_read(const struct reader *reader, const struct option *option, struct text text,
+                 void *member, struct error *error)
+{
+    return option->kind->read(reader, option, text, member, error);
+}
+
+void option_clear(const struct option *option, void *member)
+{
+    memset(member, 0, option->kind->size);
+    if (option->kind == &kind_quantity) {
+        *(double *)member = NAN;
+    } else if (option->kind == &kind_sensor) {
+        struct sensor_value *sensor = member;
+        sensor->size.width = sensor->size.height = sensor->size.pitch = NAN;
+    } else if (option->kind == &kind_coc) {
+        ((struct coc_value *)member)->coc.value = NAN;
+    }
+}
+
+static bool read_quantity(const struct reader *reader, const struct option *option,
+                          struct text text, void *member, struct error *error)
+{
+    double value;
+    if (!quantity_read(text, option->dimension, option_unit(option), &value, NULL, error)) {
+        return blame(option, text, error);
+    }
+    if (reader->nominal && option->dimension->series != NULL &&
+        !nominal_exact(reader->db, option->dimension, value, &value, error)) {
+        return blame(option, text, error);
+    }
+    if (!option_check_range(option, value, error)) {
+        return false;
+    }
+    *(double *)member = value;
+    return true;
+}
+
+static bool read_choice(const struct reader *reader, const struct option *option,
+                        struct text text, void *member, struct error *error)
+{
+    (void)reader;
+    struct nearest nearest = {.typed = text_trim(text)};
+    char all[256] = "";
+    size_t used = 0;
+    for (int i = 0; option->words[i].word != NULL; i++) {
+        if (text_same(text_trim(text), option->words[i].word)) {
+            *(int *)member = i;
+            return true;
+        }
+        nearest_offer(&nearest, text_of(option->words[i].word));
+        int length = snprintf(all + used, sizeof all - used, "%s%s", i > 0 ? ", " : "",
+                              option->words[i].word);
+        used += length > 0 && (size_t)length < sizeof all - used ? (size_t)length : 0;
+    }
+    fail(error, ERROR_USAGE, "--%s '%.*s' is none of %s", option->name,
+         (int)(text.length < 60 ? text.length : 60), text.start, all);
+    if (nearest.best.start != NULL) {
+        error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+    }
+    return false;
+}
+
+static bool read_flag(const struct reader *reader, const struct option *option, struct text text,
+                      void *member, struct error *error)
+{
+    (void)reader;
+    bool yes = text_same(text, "yes") || text_same(text, "true") || text_equal(text, "1");
+    bool no = text_same(text, "no") || text_same(text, "false") || text_equal(text, "0");
+    if (!yes && !no) {
+        return fail(error, ERROR_USAGE, "--%s is 'yes' or 'no', not '%.*s'", option->name,
+                    (int)(text.length < 60 ? text.length : 60), text.start);
+    }
+    *(bool *)member = yes;
+    return true;
+}
+
+static bool read_text(const struct reader *reader, const struct option *option, struct text text,
+                      void *member, struct error *error)
+{
+    if (text.length == 0) {
+        return fail(error, ERROR_USAGE, "--%s is empty", option->name);
+    }
+    *(const char **)member = arena_string(reader->arena, text.start, text.length);
+    return true;
+}
+
+static bool read_count(const struct reader *reader, const struct option *option, struct text text,
+                       void *member, struct error *error)
+{
+    (void)reader;
+    double value;
+    if (!quantity_read(text, &dimension_number, NULL, &value, NULL, error)) {
+        return blame(option, text, error);
+    }
+    if (!(fabs(value) <= 1e9) || value != floor(value)) {
+        return fail(error, ERROR_USAGE, "--%s '%.*s' is no whole number", option->name,
+                    (int)(text.length < 60 ? text.length : 60), text.start);
+    }
+    if (!option_check_range(option, value, error)) {
+        return false;
+    }
+    *(long *)member = (long)value;
+    return true;
+}
+
+/* "36x24mm" and "36 x 24 mm": two lengths, one unit. */
+static bool read_size(struct text text, struct sensor *size, struct error *error)
+{
+    struct text rest = text;
+    struct text width = text_trim(text_cut(&rest, 'x'));
+    const struct unit *unit = NULL;
+    error->code = ERROR_NONE;
+    if (rest.start == NULL || width.length == 0 ||
+        !((width.start[0] >= '0' && width.start[0] <= '9') || width.start[0] == '.')) {
+        return false;
+    }
+    if (!quantity_read(rest, &dimension_length, NULL, &size->height, &unit, error) ||
+        !quantity_read(width, &dimension_length, unit, &size->width, NULL, error)) {
+        return false;
+    }
+    if (!(size->width > 0 && size->height > 0) || isinf(size->width) || isinf(size->height)) {
+        return fail(error, ERROR_DOMAIN, "a sensor is wider and higher than 0 mm");
+    }
+    size->pitch = NAN;
+    return true;
+}
+
+static const char *size_name(struct arena *arena, struct sensor size)
+{
+    char width[NUMBER_LENGTH + 1], height[NUMBER_LENGTH + 1];
+    *number_write_shortest(width, size.width) = '\0';
+    *number_write_shortest(height, size.height) = '\0';
+    return arena_printf(arena, "%s x %s mm", width, height);
+}
+
+static struct sensor_value name_sensor(const struct reader *reader,
+                                       const struct lensdb_sensor *found)
+{
+    struct sensor_value sensor = {.size = found->size};
+    const char *size = size_name(reader->arena, found->size);
+    sensor.name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
+                               found->maker.start, found->maker.length > 0 ? " " : "",
+                               (int)found->name.length, found->name.start, size);
+    if (text_equal(found->pitch_from, "estimate")) {
+        sensor.pitch_note = "estimated pixel pitch";
+    }
+    return sensor;
+}
+
+static bool read_sensor(const struct reader *reader, const struct option *option, struct text text,
+                        void *member, struct error *error)
+{
+    struct lensdb_sensor found;
+    struct sensor_value sensor = {0};
+    struct error size_error;
+    /* names first: 6x9 is a trade name, not a size */
+    if (lensdb_find_sensor(reader->db, text, &found, error)) {
+        *(struct sensor_value *)member = name_sensor(reader, &found);
+        return true;
+    }
+    if (error->code != ERROR_USAGE) {
+        return false;
+    }
+    if (read_size(text_trim(text), &sensor.size, &size_error)) {
+        sensor.name = size_name(reader->arena, sensor.size);
+        *(struct sensor_value *)member = sensor;
+        return true;
+    }
+    if (size_error.code != ERROR_NONE) {
+        *error = size_error;
+        return blame(option, text, error);
+    }
+    return error_prefix(error, "--%s: ", option->name);
+}
+
+static bool ends_with(struct text text, const char *end)
+{
+    size_t length = strlen(end);
+    return text.length > length && memcmp(text.start + text.length - length, end, length) == 0;
+}
+
+/* The kind of criterion, and where its number stands. */
+static enum coc_kind coc_kind_of(struct text text, struct text *number)
+{
+    *number = text;
+    if (text_same(text, "print") || text_same(text, "airy")) {
+        *number = text_of("1");
+        return text_same(text, "print") ? COC_PRINT : COC_AIRY;
+    }
+    if (text.length > 2 && (text.start[0] == 'd' || text.start[0] == 'D') && text.start[1] == '/') {
+        *number = (struct text){text.start + 2, text.length - 2};
+        return COC_DIAGONAL;
+    }
+    if (ends_with(text, "px")) {
+        number->length -= 2;
+        return COC_PIXELS;
+    }
+    return COC_LENGTH;
+}
+
+static bool read_coc(const struct reader *reader, const struct option *option, struct text text,
+                     void *member, struct error *error)
+{
+    struct text trimmed = text_trim(text), number;
+    struct coc coc = {.kind = coc_kind_of(trimmed, &number)};
+    bool length = coc.kind == COC_LENGTH;
+    if (!quantity_read(number, length ? &dimension_length : &dimension_number,
+                       length ? option_unit(option) : NULL, &coc.value, NULL, error)) {
+        return blame(option, text, error);
+    }
+    if (!(length ? coc.value >= 0 : coc.value > 0) || isinf(coc.value)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--%s '%.*s' is out of range: it must be a length of 0 mm or more, d/K or Kpx "
+                    "with K above 0, airy, or print",
+                    option->name, (int)(text.length < 60 ? text.length : 60), text.start);
+    }
+    *(struct coc_value *)member = (struct coc_value){
+        coc, length ? COC_GIVEN : arena_string(reader->arena, trimmed.start, trimmed.length)};
+    return true;
+}
+
+const struct option_kind kind_quantity = {"quantity", sizeof(double), true, read_quantity};
+const struct option_kind kind_choice = {"choice", sizeof(int), true, read_choice};
+const struct option_kind kind_flag = {"flag", sizeof(bool), false, read_flag};
+const struct option_kind kind_text = {"text", sizeof(const char *), false, read_text};
+const struct option_kind kind_count = {"count", sizeof(long), true, read_count};
+const struct option_kind kind_sensor = {"sensor", sizeof(struct sensor_value), true, read_sensor};
+const struct option_kind kind_coc = {"coc", sizeof(struct coc_value), true, read_coc};

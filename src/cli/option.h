@@ -1,0 +1,114 @@
+/* cli/option.h - what a command accepts: options as const descriptions of a struct. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_OPTION_H
+#define LENSCALC_CLI_OPTION_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "base/quantity.h"
+#include "file/lensdb.h"
+#include "photo/format.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct option;
+
+/* What reading a value may need. */
+struct reader {
+    struct lensdb *db;
+    struct arena *arena; /* for what the value points to */
+    bool nominal;        /* labels of stop series stand for their exact values */
+};
+
+/* A kind of value. `read` fills a member of the input struct. */
+struct option_kind {
+    const char *name;
+    size_t size;
+    bool is_list; /* may be swept */
+    bool (*read)(const struct reader *reader, const struct option *option, struct text text,
+                 void *member, struct error *error);
+};
+
+extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
+    kind_sensor, kind_coc;
+
+/* A sensor as the user named it. */
+struct sensor_value {
+    struct sensor size; /* mm */
+    const char *name;   /* as printed: "35mm (36 x 24 mm)" */
+    const char *pitch_note; /* what to know of the pixel pitch; null = nothing */
+};
+
+/* The criterion of a circle of confusion that is a length. */
+#define COC_GIVEN "given"
+
+/* A circle of confusion as the user wrote it. */
+struct coc_value {
+    struct coc coc;
+    const char *criterion; /* "d/1500"; "given" for a length */
+};
+
+/* The kind of an option is that of its member, so that table and struct cannot disagree. */
+#define OPTION_KIND(S, member)                                                                     \
+    _Generic(((S *)0)->member,                                                                     \
+        double: &kind_quantity,                                                                    \
+        int: &kind_choice,                                                                         \
+        long: &kind_count,                                                                         \
+        bool: &kind_flag,                                                                          \
+        const char *: &kind_text,                                                                  \
+        struct sensor_value: &kind_sensor,                                                         \
+        struct coc_value: &kind_coc)
+
+#define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
+
+enum option_flag {
+    OPTION_ABOVE_LOWEST = 1, /* the lowest value itself is not allowed */
+    OPTION_NO_INFINITY = 2,
+    OPTION_OPERAND = 4,  /* may stand without its name */
+    OPTION_REST = 8,     /* an operand that takes all words that are left, joined by blanks */
+    OPTION_COMMON = 16,  /* of every command */
+    OPTION_FILE = 32,    /* names a file */
+    OPTION_SETTING = 64, /* goals are solved for the settings that are not given */
+    OPTION_GOAL = 128
+};
+
+struct option {
+    const char *name; /* "focal-length" */
+    char letter;      /* 'f', or 0 */
+    const struct option_kind *kind;
+    size_t offset;
+    const char *column;                /* the output column that repeats it: "focal"; or null */
+    const struct dimension *dimension; /* of a quantity */
+    const char *unit;                  /* of a bare number; null = the dimension's own */
+    double lowest, highest;            /* in the program's own unit; both 0 = any value */
+    unsigned flags;
+    const char *fallback;     /* what it is if not given, as it would be typed; null = absent */
+    const struct word *words; /* of a choice: the place in the list is the value */
+    const char *value;        /* how help names the value: "LENGTH"; null = nothing to name */
+    const char *help;         /* one line */
+};
+
+/* The unit in which a bare number is read; null = none. */
+const struct unit *option_unit(const struct option *option);
+
+/*
+ * Read one value of an option into its member.
+ *
+ * Given     text    as typed, without list or range
+ *           member  option->kind->size bytes
+ * Errors    as the kind's reader, the message naming the option and the legal range
+ */
+bool option_read(const struct reader *reader, const struct option *option, struct text text,
+                 void *member, struct error *error);
+
+/* Refuse a number outside the option's range; `value` in the program's own unit. */
+bool option_check_range(const struct option *option, double value, struct error *error);
+
+/* The legal range in words: "above 0 mm", "0 to 90 deg"; "" if there is none. */
+const char *option_range(const struct option *option, struct arena *arena);
+
+/* Make a member absent: NaN, null, false, or the first choice. */
+void option_clear(const struct option *option, void *member);
+
+#endif

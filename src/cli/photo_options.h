@@ -1,0 +1,112 @@
+/* cli/photo_options.h - the options that photographic commands share: one word, one letter. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_PHOTO_OPTIONS_H
+#define LENSCALC_CLI_PHOTO_OPTIONS_H
+
+#include "cli/option.h"
+
+#include <math.h>
+
+/* A length or number above 0 and finite. */
+#define OPTION_POSITIVE                                                                            \
+    .lowest = 0, .highest = INFINITY
+
+#define OPTION_FOCAL_LENGTH(S, member, more)                                                       \
+    {                                                                                              \
+        OPTION(S, member), .name = "focal-length", .letter = 'f', .column = "focal",               \
+                           .dimension = &dimension_length, .unit = "mm", OPTION_POSITIVE,          \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | (more),             \
+                           .value = "LENGTH", .help = "focal length"                               \
+    }
+
+#define OPTION_APERTURE(S, member, more)                                                           \
+    {                                                                                              \
+        OPTION(S, member), .name = "aperture", .letter = 'N', .column = "fnumber",                 \
+                           .dimension = &dimension_fnumber, OPTION_POSITIVE,                       \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | (more),             \
+                           .value = "NUMBER", .help = "f-number: 2.8 or f/2.8"                     \
+    }
+
+#define OPTION_DISTANCE(S, member, more, words)                                                    \
+    {                                                                                              \
+        OPTION(S, member), .name = "distance", .letter = 's', .column = "distance",                \
+                           .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,           \
+                           .flags = OPTION_ABOVE_LOWEST | (more), .value = "LENGTH",               \
+                           .help = (words)                                                         \
+    }
+
+#define OPTION_COC(S, member, more, fallback_text)                                                 \
+    {                                                                                              \
+        OPTION(S, member), .name = "coc", .letter = 'c', .column = "coc",                          \
+                           .dimension = &dimension_length, .unit = "mm", .lowest = 0,              \
+                           .highest = INFINITY, .flags = OPTION_NO_INFINITY | (more),              \
+                           .fallback = (fallback_text), .value = "LENGTH",                         \
+                           .help = "circle of confusion: a diameter, d/1500 of the sensor's "      \
+                                   "diagonal, 2px, airy, or print"                                 \
+    }
+
+#define OPTION_SENSOR(S, member)                                                                   \
+    {                                                                                              \
+        OPTION(S, member), .name = "sensor", .column = "sensor", .fallback = "35mm",               \
+                           .value = "NAME|WxH",                                                    \
+                           .help = "format or camera by name, or a size: 36x24mm"                  \
+    }
+
+#define OPTION_PUPIL(S, member)                                                                    \
+    {                                                                                              \
+        OPTION(S, member), .name = "pupil", .letter = 'P', .column = "pupil_magnification",        \
+                           .dimension = &dimension_number, OPTION_POSITIVE,                        \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1",     \
+                           .value = "NUMBER",                                                      \
+                           .help = "pupil magnification, exit over entrance pupil"                 \
+    }
+
+#define OPTION_PITCH(S, member)                                                                    \
+    {                                                                                              \
+        OPTION(S, member), .name = "pitch", .dimension = &dimension_length, .unit = "um",          \
+                           OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
+                           .value = "LENGTH",                                                      \
+                           .help = "pixel pitch, for --coc in px (otherwise that of the camera)"   \
+    }
+
+/* What a print is looked at like, for --coc print. */
+#define OPTION_PRINT(S, member)                                                                    \
+    {                                                                                              \
+        OPTION(S, member), .name = "print", .dimension = &dimension_length, .unit = "mm",          \
+                           OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
+                           .fallback = "254", .value = "LENGTH",                                   \
+                           .help = "long side of the print, for --coc print"                       \
+    }
+
+#define OPTION_VIEWING(S, member)                                                                  \
+    {                                                                                              \
+        OPTION(S, member), .name = "viewing", .dimension = &dimension_length, .unit = "mm",        \
+                           OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
+                           .fallback = "250", .value = "LENGTH",                                   \
+                           .help = "viewing distance of the print, for --coc print"                \
+    }
+
+#define OPTION_ACUITY(S, member)                                                                   \
+    {                                                                                              \
+        OPTION(S, member), .name = "acuity", .dimension = &dimension_number, OPTION_POSITIVE,      \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "5",     \
+                           .value = "NUMBER",                                                      \
+                           .help = "line pairs per mm seen at 25 cm, for --coc print"              \
+    }
+
+#define OPTION_WAVELENGTH(S, member)                                                               \
+    {                                                                                              \
+        OPTION(S, member), .name = "wavelength", .letter = 'w', .column = "wavelength",            \
+                           .dimension = &dimension_length, .unit = "nm", OPTION_POSITIVE,          \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "550",   \
+                           .value = "LENGTH", .help = "wavelength of the light"                    \
+    }
+
+#define OPTION_FROM(S, member, words_of)                                                           \
+    {                                                                                              \
+        OPTION(S, member), .name = "from", .column = "distance_from", .words = (words_of),         \
+                           .fallback = "principal", .value = "PLACE",                              \
+                           .help = "where distances are measured from"                             \
+    }
+
+#endif

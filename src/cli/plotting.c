@@ -1,0 +1,178 @@
+/* cli/plotting.c - plots of a sweep. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/collect.h"
+#include "report/plot.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Where the curves come from: x runs along one axis, groups along all others. */
+struct layout {
+    const struct axis *x;
+    size_t x_stride; /* combinations from one x to the next */
+    size_t groups;
+    struct shown *shown;
+    size_t shown_count;
+};
+
+/* The axis with the most values; of equals the last, which is fastest. */
+static bool choose_x(const struct collection *collection, struct layout *layout,
+                     struct error *error)
+{
+    const struct sweep *sweep = collection->sweep;
+    size_t stride = 1;
+    for (size_t i = sweep->axis_count; i-- > 0;) {
+        const struct axis *axis = &sweep->axes[i];
+        if (axis->option->kind == &kind_quantity &&
+            (layout->x == NULL || axis->count > layout->x->count)) {
+            layout->x = axis;
+            layout->x_stride = stride;
+        }
+        stride *= axis->count;
+    }
+    if (layout->x == NULL) {
+        return fail(error, ERROR_USAGE, "--plot wants an option with several values, such as a "
+                                        "range");
+    }
+    layout->groups = sweep->total / layout->x->count;
+    if (layout->groups * layout->shown_count > 64) {
+        return fail(error, ERROR_USAGE, "--plot would draw %zu curves: at most 64 can be told apart",
+                    layout->groups * layout->shown_count);
+    }
+    return true;
+}
+
+static bool check_columns(const struct layout *layout, struct error *error)
+{
+    for (size_t k = 0; k < layout->shown_count; k++) {
+        const struct shown *shown = &layout->shown[k];
+        if (shown->column->type != COLUMN_NUMBER) {
+            return fail(error, ERROR_USAGE, "--plot: column %s is no number", shown->name);
+        }
+        if (shown->unit != layout->shown[0].unit) {
+            return fail(error, ERROR_USAGE, "--plot: columns %s and %s have different units",
+                        layout->shown[0].name, shown->name);
+        }
+    }
+    return true;
+}
+
+/* The combination of group g at x index i. */
+static size_t combination(const struct layout *layout, size_t group, size_t i)
+{
+    size_t inner = group % layout->x_stride, outer = group / layout->x_stride;
+    return (outer * layout->x->count + i) * layout->x_stride + inner;
+}
+
+/* "f-number 2.8, focal length 50 mm": the values of all axes but x in a group. */
+static const char *group_words(const struct collection *collection, const struct layout *layout,
+                               size_t group)
+{
+    const struct sweep *sweep = collection->sweep;
+    size_t index = combination(layout, group, 0);
+    const char *words = NULL;
+    for (size_t i = sweep->axis_count; i-- > 0;) {
+        const struct axis *axis = &sweep->axes[i];
+        size_t at = index % axis->count;
+        index /= axis->count;
+        if (axis != layout->x) {
+            const char *one = arena_printf(collection->arena, "%s %s", axis_label(collection, axis),
+                                           axis_value(collection, axis, at, true));
+            words = words == NULL ? one : arena_printf(collection->arena, "%s, %s", one, words);
+        }
+    }
+    return words;
+}
+
+static double *curve(const struct collection *collection, const struct layout *layout,
+                     size_t group, const struct shown *shown)
+{
+    double *y = ARENA_ARRAY(collection->arena, layout->x->count, double);
+    for (size_t i = 0; i < layout->x->count; i++) {
+        const void *row = collection_row(collection, combination(layout, group, i));
+        double value = row != NULL ? row_number(row, shown->column) : NAN;
+        y[i] = shown->unit != NULL ? unit_from_own(shown->unit, value) : value;
+    }
+    return y;
+}
+
+static const char *column_label(const struct shown *shown)
+{
+    return shown->column->label != NULL ? shown->column->label : shown->name;
+}
+
+static void add_curves(const struct collection *collection, const struct layout *layout,
+                       struct plot *plot)
+{
+    size_t columns = layout->shown_count, groups = layout->groups;
+    struct plot_series *series =
+        ARENA_ARRAY(collection->arena, groups * columns, struct plot_series);
+    struct plot_band *bands = ARENA_ARRAY(collection->arena, groups, struct plot_band);
+    for (size_t g = 0; g < groups; g++) {
+        for (size_t k = 0; k < columns; k++) {
+            struct plot_series *one = &series[g * columns + k];
+            one->y = curve(collection, layout, g, &layout->shown[k]);
+            one->style = groups > 1 ? g : k;
+            /* near and far of a group look alike: one label is enough */
+            one->label = groups == 1 ? column_label(&layout->shown[k])
+                         : k + 1 == columns || columns == 1 ? group_words(collection, layout, g)
+                                                            : NULL;
+        }
+        bands[g] = (struct plot_band){g * columns, g * columns + 1};
+    }
+    plot->series = series;
+    plot->series_count = groups * columns;
+    plot->bands = bands;
+    plot->band_count = columns == 2 && groups <= 3 ? groups : 0;
+}
+
+static const char *with_unit(const struct collection *collection, const char *label,
+                             const struct unit *unit)
+{
+    return unit != NULL && unit->label[0] != '\0'
+               ? arena_printf(collection->arena, "%s (%s)", label, unit->label)
+               : label;
+}
+
+/* "near limit and far limit by f-number" */
+static const char *title_words(const struct collection *collection, const struct layout *layout)
+{
+    const char *words = column_label(&layout->shown[0]);
+    for (size_t k = 1; k < layout->shown_count; k++) {
+        words = arena_printf(collection->arena, "%s%s%s", words,
+                             k + 1 == layout->shown_count ? " and " : ", ",
+                             column_label(&layout->shown[k]));
+    }
+    return words;
+}
+
+bool collection_plot(const struct collection *collection, const char *columns, struct svg *svg,
+                     struct error *error)
+{
+    struct layout layout = {0};
+    if (columns == NULL) {
+        return fail(error, ERROR_USAGE, "--plot: say what to plot with --columns");
+    }
+    if (!collection_columns(collection, columns, ',', &layout.shown, &layout.shown_count, error) ||
+        !choose_x(collection, &layout, error) || !check_columns(&layout, error)) {
+        return false;
+    }
+    double *x = ARENA_ARRAY(collection->arena, layout.x->count, double);
+    for (size_t i = 0; i < layout.x->count; i++) {
+        double value = axis_number(layout.x, i);
+        x[i] = layout.x->unit != NULL ? unit_from_own(layout.x->unit, value) : value;
+    }
+    const char *words = title_words(collection, &layout);
+    const char *x_label = axis_label(collection, layout.x);
+    struct plot plot = {.x = x, .count = layout.x->count};
+    plot.title = arena_printf(collection->arena, "%s by %s", words, x_label);
+    plot.x_label = with_unit(collection, x_label, layout.x->unit);
+    plot.y_label = with_unit(collection, words, layout.shown[0].unit);
+    if (layout.x->option->dimension->series != NULL && layout.x->count <= 12) {
+        plot.x_ticks = x;
+        plot.x_tick_count = layout.x->count;
+    }
+    add_curves(collection, &layout, &plot);
+    plot_choose_axes(&plot);
+    return plot_draw(&plot, svg, error);
+}

@@ -1,0 +1,20 @@
+/* cli/sharpness.c - the options that say how sharp is sharp. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/sharpness.h"
+
+bool sharpness_resolve(const struct sharpness *a, double fnumber, double *c, struct error *error)
+{
+    struct coc coc = a->coc.coc;
+    if (coc.kind == COC_LENGTH) {
+        *c = coc.value;
+        return true;
+    }
+    struct sensor sensor = a->sensor.size;
+    sensor.pitch = isnan(a->pitch) ? sensor.pitch : a->pitch;
+    coc.print = a->print;
+    coc.viewing = a->viewing;
+    coc.acuity = a->acuity;
+    coc.wavelength = a->wavelength;
+    coc.fnumber = fnumber;
+    return coc_resolve(&coc, &sensor, c, error);
+}

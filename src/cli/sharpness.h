@@ -1,0 +1,35 @@
+/* cli/sharpness.h - the options that say how sharp is sharp, shared by photographic commands. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_SHARPNESS_H
+#define LENSCALC_CLI_SHARPNESS_H
+
+#include "cli/photo_options.h"
+
+/* A circle of confusion, and what it may be derived from. */
+struct sharpness {
+    struct coc_value coc;
+    struct sensor_value sensor;
+    double pitch;           /* mm; NaN = that of the sensor */
+    double print, viewing;  /* mm */
+    double acuity;          /* line pairs per mm at 25 cm */
+    double wavelength;      /* mm */
+};
+
+/* Initialisers of the options for a member of that type in a command's input. */
+#define SHARPNESS_OPTIONS(S, member, more, coc_fallback)                                           \
+    OPTION_COC(S, member.coc, more, coc_fallback), OPTION_SENSOR(S, member.sensor),                \
+        OPTION_PITCH(S, member.pitch), OPTION_PRINT(S, member.print),                              \
+        OPTION_VIEWING(S, member.viewing), OPTION_ACUITY(S, member.acuity),                        \
+        OPTION_WAVELENGTH(S, member.wavelength)
+
+/*
+ * The circle of confusion.
+ *
+ * Given     fnumber  for the Airy disc; NaN where it is not known yet
+ *           c        receives the diameter, mm; NaN if no criterion is given
+ * Errors    as coc_resolve
+ */
+bool sharpness_resolve(const struct sharpness *sharpness, double fnumber, double *c,
+                       struct error *error);
+
+#endif

@@ -1,0 +1,378 @@
+/* cli/sweep.c - lists and ranges of options, and their Cartesian product. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/sweep.h"
+
+#include "cli/nominal.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_WITHOUT_FORCE = 1000000, MOST = 100000000 };
+
+/* The values of one option while they are collected. */
+struct values {
+    const struct reader *reader;
+    const struct option *option;
+    bool force;
+    char *data;
+    size_t count, capacity;
+    const struct unit *unit;
+};
+
+static bool too_many(const struct option *option, struct error *error)
+{
+    fail(error, ERROR_USAGE, "--%s sweeps over more than a million values", option->name);
+    return error_hint(error, "say --force if you mean it (up to 100 million)");
+}
+
+static bool reserve(struct values *values, size_t more, struct error *error)
+{
+    size_t needed = values->count + more;
+    if (needed > MOST || (needed > MOST_WITHOUT_FORCE && !values->force)) {
+        return too_many(values->option, error);
+    }
+    if (needed > values->capacity) {
+        size_t size = values->option->kind->size;
+        size_t capacity = needed > 2 * values->capacity ? needed : 2 * values->capacity;
+        char *data = arena_array(values->reader->arena, capacity, size);
+        if (values->count > 0) {
+            memcpy(data, values->data, values->count * size);
+        }
+        values->data = data;
+        values->capacity = capacity;
+    }
+    return true;
+}
+
+static bool add_number(struct values *values, double number, struct error *error)
+{
+    if (!option_check_range(values->option, number, error) || !reserve(values, 1, error)) {
+        return false;
+    }
+    ((double *)values->data)[values->count++] = number;
+    return true;
+}
+
+/* A range: first..last, then :step, *factor, #count or /series. */
+struct range {
+    struct text text, first, last, tail;
+    char kind; /* ':' '*' '#' '/' or 0 */
+    double from, to;
+    const struct unit *unit; /* that was typed at an end, else the option's */
+};
+
+static bool range_fail(const struct values *values, const struct range *range, const char *what,
+                       struct error *error)
+{
+    return fail(error, ERROR_USAGE, "bad range in --%s '%.*s': %s", values->option->name,
+                (int)(range->text.length < 60 ? range->text.length : 60), range->text.start, what);
+}
+
+static bool is_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/* Cut "first..last:tail" apart; false if there is no "..". */
+static bool split_range(struct text text, struct range *range)
+{
+    size_t at = 0;
+    while (at + 1 < text.length && !(text.start[at] == '.' && text.start[at + 1] == '.')) {
+        at++;
+    }
+    if (at + 1 >= text.length) {
+        return false;
+    }
+    *range = (struct range){.text = text, .first = {text.start, at}};
+    struct text last = {text.start + at + 2, text.length - at - 2};
+    for (size_t i = 0; i < last.length && range->kind == 0; i++) {
+        char c = last.start[i];
+        bool series = c == '/' && i > 0 && i + 1 < last.length && is_letter(last.start[i + 1]);
+        /* the '/' of f/22 follows a letter, that of a series a digit */
+        series = series && !is_letter(last.start[i - 1]);
+        if (c == ':' || c == '*' || c == '#' || series) {
+            range->kind = c;
+            range->tail = (struct text){last.start + i + 1, last.length - i - 1};
+            last.length = i;
+        }
+    }
+    range->last = last;
+    return true;
+}
+
+static bool read_number(const struct values *values, struct text text, const struct unit *unit,
+                        double *number, const struct unit **typed, struct error *error)
+{
+    if (quantity_read(text, values->option->dimension, unit, number, typed, error)) {
+        return true;
+    }
+    return error_prefix(error, "bad range in --%s: ", values->option->name);
+}
+
+/* Both ends; a bare end takes the unit of the other one. */
+static bool read_ends(const struct values *values, struct range *range, struct error *error)
+{
+    const struct unit *usual = option_unit(values->option), *left, *right;
+    if (!read_number(values, range->first, usual, &range->from, &left, error) ||
+        !read_number(values, range->last, usual, &range->to, &right, error)) {
+        return false;
+    }
+    range->unit = right != NULL ? right : left != NULL ? left : usual;
+    if (left == NULL && !read_number(values, range->first, range->unit, &range->from, NULL, error)) {
+        return false;
+    }
+    if (right == NULL && !read_number(values, range->last, range->unit, &range->to, NULL, error)) {
+        return false;
+    }
+    if (isinf(range->from) || isinf(range->to)) {
+        return range_fail(values, range, "a range cannot reach infinity", error);
+    }
+    return true;
+}
+
+static bool add_steps(struct values *values, const struct range *range, struct error *error)
+{
+    double step = unit_to_own(range->unit, 1);
+    if (range->kind == ':' &&
+        !read_number(values, range->tail, range->unit, &step, NULL, error)) {
+        return false;
+    }
+    double span = range->to - range->from;
+    if (range->kind == 0 && span < 0) {
+        step = -step;
+    }
+    if (!(step != 0) || isinf(step) || span * step < 0) {
+        return range_fail(values, range, "with this step it never ends", error);
+    }
+    double steps = floor(span / step + 1e-9);
+    if (!(steps < MOST)) {
+        return too_many(values->option, error);
+    }
+    if (!reserve(values, (size_t)steps + 1, error)) {
+        return false;
+    }
+    for (size_t i = 0; i <= (size_t)steps; i++) {
+        if (!add_number(values, range->from + (double)i * step, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool add_factors(struct values *values, const struct range *range, struct error *error)
+{
+    double factor;
+    if (!quantity_read(range->tail, &dimension_number, NULL, &factor, NULL, error)) {
+        return error_prefix(error, "bad range in --%s: ", values->option->name);
+    }
+    double ratio = range->to / range->from;
+    if (!(range->from > 0 && range->to > 0)) {
+        return range_fail(values, range, "a range by factors has ends above 0", error);
+    }
+    if (!(factor > 0) || factor == 1 || isinf(factor) || log(ratio) * log(factor) < 0) {
+        return range_fail(values, range, "with this factor it never ends", error);
+    }
+    double steps = floor(log(ratio) / log(factor) + 1e-9);
+    if (!(steps < MOST)) {
+        return too_many(values->option, error);
+    }
+    for (size_t i = 0; i <= (size_t)steps; i++) {
+        if (!add_number(values, range->from * pow(factor, (double)i), error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool add_points(struct values *values, const struct range *range, struct error *error)
+{
+    double count;
+    if (!quantity_read(range->tail, &dimension_number, NULL, &count, NULL, error)) {
+        return error_prefix(error, "bad range in --%s: ", values->option->name);
+    }
+    if (!(count >= 2) || count != floor(count)) {
+        return range_fail(values, range, "'#' wants a whole number of points, 2 or more", error);
+    }
+    if (!(count < MOST)) {
+        return too_many(values->option, error);
+    }
+    size_t last = (size_t)count - 1;
+    for (size_t i = 0; i <= last; i++) {
+        double at = i == last ? range->to
+                              : range->from + (double)i * ((range->to - range->from) / (double)last);
+        if (!add_number(values, at, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Between two labels of a stop series; *added is false where the ends are no labels. */
+static bool add_series(struct values *values, const struct range *range, bool *added,
+                       struct error *error)
+{
+    const struct dimension *dimension = values->option->dimension;
+    const char *name = NULL;
+    double *stops;
+    size_t count;
+    *added = false;
+    if (range->kind == '/') {
+        name = arena_string(values->reader->arena, range->tail.start, range->tail.length);
+    }
+    if (dimension->series == NULL) {
+        return name == NULL || range_fail(values, range, "it has no stop series", error);
+    }
+    if (!nominal_between(values->reader->db, dimension, name, range->from, range->to,
+                       values->reader->nominal, &stops, &count, error)) {
+        return error_prefix(error, "bad range in --%s: ", values->option->name);
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!add_number(values, stops[i], error)) {
+            return false;
+        }
+    }
+    *added = count > 0;
+    return true;
+}
+
+static bool add_range(struct values *values, struct range *range, struct error *error)
+{
+    bool added = false;
+    if (!read_ends(values, range, error)) {
+        return false;
+    }
+    values->unit = range->unit;
+    if (range->kind == '*') {
+        return add_factors(values, range, error);
+    }
+    if (range->kind == '#') {
+        return add_points(values, range, error);
+    }
+    if (range->kind != ':' && !add_series(values, range, &added, error)) {
+        return false;
+    }
+    return added || add_steps(values, range, error);
+}
+
+static bool add_item(struct values *values, struct text item, struct error *error)
+{
+    struct range range;
+    if (values->option->kind == &kind_quantity && split_range(item, &range)) {
+        return add_range(values, &range, error);
+    }
+    if (!reserve(values, 1, error)) {
+        return false;
+    }
+    char *member = values->data + values->count * values->option->kind->size;
+    option_clear(values->option, member);
+    if (!option_read(values->reader, values->option, item, member, error)) {
+        return false;
+    }
+    values->count++;
+    return true;
+}
+
+/* All values of one option, as typed. */
+static bool read_list(struct values *values, struct text text, struct error *error)
+{
+    struct text rest = text;
+    values->unit = option_unit(values->option);
+    if (!values->option->kind->is_list) {
+        return add_item(values, text, error);
+    }
+    do {
+        struct text item = text_trim(text_cut(&rest, ','));
+        if (item.length == 0) {
+            return fail(error, ERROR_USAGE, "--%s '%.*s' has an empty item", values->option->name,
+                        (int)(text.length < 60 ? text.length : 60), text.start);
+        }
+        if (!add_item(values, item, error)) {
+            return false;
+        }
+    } while (rest.start != NULL);
+    return true;
+}
+
+/* One value is stored, several make an axis. */
+static bool set_values(struct sweep *sweep, struct values *values, struct text text, void *member,
+                       struct error *error)
+{
+    if (!read_list(values, text, error)) {
+        return false;
+    }
+    memcpy(member, values->data, values->option->kind->size);
+    if (values->count > 1) {
+        sweep->axes[sweep->axis_count++] =
+            (struct axis){values->option, values->data, values->count, values->unit};
+    }
+    return true;
+}
+
+/* An option's value, as given or as it is without that. */
+static bool set_option(struct sweep *sweep, const struct argument *argument,
+                       const struct reader *reader, bool force, void *member, struct error *error)
+{
+    const struct option *option = argument->option;
+    struct reader plain = {reader->db, reader->arena, false};
+    struct values values = {.reader = reader, .option = option, .force = force};
+    option_clear(option, member);
+    if (argument->is_given && option->kind == &kind_flag) {
+        *(bool *)member = true;
+        return true;
+    }
+    if (argument->is_given) {
+        return set_values(sweep, &values, argument->text, member, error);
+    }
+    /* what the program assumes by itself is not a label of the user's */
+    values.reader = &plain;
+    return option->fallback == NULL ||
+           set_values(sweep, &values, text_of(option->fallback), member, error);
+}
+
+bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
+                 const struct reader *reader, bool force, void *input, struct error *error)
+{
+    *sweep = (struct sweep){.total = 1};
+    sweep->axes = ARENA_ARRAY(reader->arena, arguments->command->option_count + 1, struct axis);
+    for (size_t i = 0; i < arguments->command->option_count; i++) {
+        const struct argument *argument = &arguments->all[i];
+        void *member = (char *)input + argument->option->offset;
+        if (!set_option(sweep, argument, reader, force, member, error)) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < sweep->axis_count; i++) {
+        sweep->total *= sweep->axes[i].count;
+        if (sweep->total > MOST || (sweep->total > MOST_WITHOUT_FORCE && !force)) {
+            fail(error, ERROR_USAGE, "the sweep has more than a million rows");
+            return error_hint(error, "say --force if you mean it (up to 100 million)");
+        }
+    }
+    return true;
+}
+
+void sweep_set(const struct sweep *sweep, size_t index, void *input)
+{
+    for (size_t i = sweep->axis_count; i-- > 0;) {
+        const struct axis *axis = &sweep->axes[i];
+        size_t size = axis->option->kind->size;
+        memcpy((char *)input + axis->option->offset, axis->values + index % axis->count * size,
+               size);
+        index /= axis->count;
+    }
+}
+
+const struct axis *sweep_axis(const struct sweep *sweep, const char *option)
+{
+    for (size_t i = 0; i < sweep->axis_count; i++) {
+        if (strcmp(sweep->axes[i].option->name, option) == 0) {
+            return &sweep->axes[i];
+        }
+    }
+    return NULL;
+}
+
+double axis_number(const struct axis *axis, size_t index)
+{
+    return ((const double *)(const void *)axis->values)[index];
+}

@@ -1,0 +1,41 @@
+/* cli/sweep.h - lists and ranges of options, and their Cartesian product. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_SWEEP_H
+#define LENSCALC_CLI_SWEEP_H
+
+#include "cli/arguments.h"
+
+/* An option that takes several values. */
+struct axis {
+    const struct option *option;
+    const char *values; /* count members of option->kind->size bytes */
+    size_t count;
+    const struct unit *unit; /* in which the values were typed, for plots; null = none */
+};
+
+struct sweep {
+    struct axis *axes; /* in the order of the command's options: the first is slowest */
+    size_t axis_count;
+    size_t total; /* combinations; 1 without axes */
+};
+
+/*
+ * Read the options of a command into its input struct; lists and ranges become axes.
+ *
+ * Given     input  the command's struct; members not swept are set, absent ones cleared
+ *           force  allow more than a million combinations
+ * Errors    as option_read; a range that never ends or has no step; too many combinations
+ */
+bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
+                 const struct reader *reader, bool force, void *input, struct error *error);
+
+/* Put combination `index` (0 .. total - 1) into the input. */
+void sweep_set(const struct sweep *sweep, size_t index, void *input);
+
+/* The axis of this option; null if it is not swept. */
+const struct axis *sweep_axis(const struct sweep *sweep, const char *option);
+
+/* Value of a quantity's axis, in the program's own unit. */
+double axis_number(const struct axis *axis, size_t index);
+
+#endif

@@ -1,0 +1,87 @@
+/* file/lensdb.h - the program's data, and the user's own in front of it. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_LENSDB_H
+#define LENSCALC_FILE_LENSDB_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "file/tsv.h"
+#include "photo/format.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum lensdb_place { LENSDB_USER, LENSDB_EMBEDDED, LENSDB_PLACES };
+
+/* Where data comes from. Files of the user's folder are read once, when first asked for. */
+struct lensdb {
+    struct arena *arena;
+    const char *directory; /* --lensdb or LENSCALC_DB; null = embedded data only */
+    struct lensdb_file *loaded;
+};
+
+/*
+ * Begin to read a table from the user's folder or from the embedded data.
+ *
+ * Result    false with error->code ERROR_NONE if that place has no such file
+ * Errors    ERROR_IO: the user's file or folder cannot be read; ERROR_DATA as tsv_open
+ */
+bool lensdb_open(struct lensdb *db, enum lensdb_place place, const char *file, struct tsv *tsv,
+                 struct error *error);
+
+/* A format or camera. Texts point into the database. */
+struct lensdb_sensor {
+    struct text maker; /* empty for a format */
+    struct text name;  /* of the format, or the camera's model */
+    struct text aliases;
+    struct text class, pitch_from, confidence, source;
+    struct sensor size; /* pitch in mm, NaN if unknown */
+    double pixels_wide, pixels_high; /* NaN if unknown */
+    enum lensdb_place place;
+};
+
+/* A row of formats.tsv or cameras.tsv; the reader is opened by lensdb_sensors_open. */
+struct lensdb_sensors {
+    struct tsv tsv;
+    enum lensdb_place place;
+    bool cameras;
+    size_t maker, name, aliases, width, height, class, pixels_wide, pixels_high, pitch, pitch_from,
+        confidence, source;
+};
+
+bool lensdb_sensors_open(struct lensdb_sensors *sensors, struct lensdb *db,
+                         enum lensdb_place place, bool cameras, struct error *error);
+
+/* The next one; false at the end with error->code ERROR_NONE, or for a bad row. */
+bool lensdb_sensors_next(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
+                         struct error *error);
+
+/*
+ * Find a format or camera by name: the user's formats, the user's cameras, then the embedded ones.
+ * Case, blanks, '-' and '_' do not count; a camera is known by maker and model, by its model, or
+ * by one of the models that stand in its row between " / ".
+ *
+ * Errors    ERROR_USAGE with a suggestion: no such name, or a model that two makers have
+ */
+bool lensdb_find_sensor(struct lensdb *db, struct text name, struct lensdb_sensor *sensor,
+                        struct error *error);
+
+/* One label of a stop series and its exact value. */
+struct lensdb_stop {
+    struct text label, note;
+    double value; /* the label as a number, in the program's own unit */
+    double exact; /* 2^(step/2d), 2^(-step/d) s or 3.125 x 2^(step/d) */
+    int step, divisor; /* d: 1 full, 2 half, 3 third stops */
+};
+
+/*
+ * The labels of one series of fstops.tsv, shutters.tsv or iso.tsv, in the file's order.
+ *
+ * Given     file     which; series "full", "half" or "third"
+ *           stops    receives an array in the database's arena; empty if there is no such series
+ */
+bool lensdb_stops(struct lensdb *db, const char *file, const char *series,
+                  struct lensdb_stop **stops, size_t *count, struct error *error);
+
+#endif

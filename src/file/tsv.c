@@ -1,0 +1,126 @@
+/* file/tsv.c - tables of lensdb: tab-separated, comments above, names in the first line. */
+/* SPDX-License-Identifier: MIT */
+#include "file/tsv.h"
+
+#include "base/number.h"
+
+#include <math.h>
+#include <string.h>
+
+static bool fail_line(const struct tsv *tsv, struct error *error, const char *what)
+{
+    fail(error, ERROR_DATA, "%s", what);
+    return error_locate(error, tsv->source, tsv->line, 0);
+}
+
+/* The next line that is neither blank nor a comment. */
+static bool next_line(struct tsv *tsv, struct text *line)
+{
+    while (tsv->rest.start != NULL && tsv->rest.length > 0) {
+        *line = text_cut(&tsv->rest, '\n');
+        tsv->line++;
+        if (line->length > 0 && line->start[line->length - 1] == '\r') {
+            line->length--;
+        }
+        if (line->length > 0 && line->start[0] != '#') {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Cut a line into cells; false if there are more than a table can have. */
+static bool split(struct text line, struct text *cells, size_t *count)
+{
+    *count = 0;
+    while (line.start != NULL) {
+        if (*count == TSV_MOST_COLUMNS) {
+            return false;
+        }
+        cells[(*count)++] = text_cut(&line, '\t');
+    }
+    return true;
+}
+
+bool tsv_open(struct tsv *tsv, const char *source, struct text content, struct error *error)
+{
+    *tsv = (struct tsv){.source = source, .rest = content};
+    if (content.length >= 3 && memcmp(content.start, "\xef\xbb\xbf", 3) == 0) {
+        tsv->rest = (struct text){content.start + 3, content.length - 3};
+    }
+    if (content.length > 0 && memchr(content.start, '\0', content.length) != NULL) {
+        tsv->line = 1;
+        return fail_line(tsv, error, "NUL bytes: this is no UTF-8 text (UTF-16?)");
+    }
+    struct text line;
+    if (!next_line(tsv, &line)) {
+        return fail_line(tsv, error, "the table has no line of column names");
+    }
+    if (!split(line, tsv->names, &tsv->columns)) {
+        return fail_line(tsv, error, "the table has more than 32 columns");
+    }
+    for (size_t i = 0; i < tsv->columns; i++) {
+        for (size_t j = 0; j < i; j++) {
+            if (text_same_name(tsv->names[i], tsv->names[j])) {
+                return fail_line(tsv, error, "two columns have the same name");
+            }
+        }
+    }
+    return true;
+}
+
+bool tsv_column(const struct tsv *tsv, const char *name, size_t *column, struct error *error)
+{
+    for (size_t i = 0; i < tsv->columns; i++) {
+        if (text_equal(tsv->names[i], name)) {
+            *column = i;
+            return true;
+        }
+    }
+    fail(error, ERROR_DATA, "the table has no column '%s'", name);
+    return error_locate(error, tsv->source, tsv->line, 0);
+}
+
+bool tsv_next(struct tsv *tsv, struct error *error)
+{
+    struct text line;
+    size_t count;
+    error->code = ERROR_NONE;
+    if (!next_line(tsv, &line)) {
+        return false;
+    }
+    if (!split(line, tsv->cells, &count) || count != tsv->columns) {
+        fail(error, ERROR_DATA, "the row has %zu cells where there are %zu column names", count,
+             tsv->columns);
+        return error_locate(error, tsv->source, tsv->line, 0);
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (text_equal(tsv->cells[i], "-")) {
+            tsv->cells[i].length = 0;
+        }
+    }
+    return true;
+}
+
+bool tsv_fail(const struct tsv *tsv, size_t column, struct error *error, const char *what)
+{
+    struct text cell = tsv->cells[column], name = tsv->names[column];
+    fail(error, ERROR_DATA, "%.*s '%.*s' %s", (int)(name.length < 40 ? name.length : 40),
+         name.start, (int)(cell.length < 60 ? cell.length : 60), cell.start, what);
+    return error_locate(error, tsv->source, tsv->line,
+                        (size_t)(cell.start - tsv->cells[0].start) + 1);
+}
+
+bool tsv_number(const struct tsv *tsv, size_t column, double *value, struct error *error)
+{
+    struct text cell = tsv->cells[column];
+    const char *end = cell.start + cell.length;
+    *value = NAN;
+    if (cell.length == 0) {
+        return true;
+    }
+    if (number_read(cell.start, end, (struct number_scale){1, 0}, value) != end) {
+        return tsv_fail(tsv, column, error, "is no number");
+    }
+    return true;
+}

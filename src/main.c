@@ -1,0 +1,59 @@
+/* main.c - argv to command to exit status. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/driver.h"
+#include "cli/help.h"
+#include "report/version.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static int print_version(void)
+{
+    static const char line[] = "lenscalc " LENSCALC_VERSION "\n";
+    if (write(STDOUT_FILENO, line, sizeof line - 1) != (ssize_t)(sizeof line - 1)) {
+        fprintf(stderr, "lenscalc: cannot write to standard output: %s\n", strerror(errno));
+        return ERROR_IO;
+    }
+    return 0;
+}
+
+static int unknown_command(const char *name)
+{
+    struct error error;
+    struct nearest nearest = {.typed = text_of(name)};
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        nearest_offer(&nearest, text_of(commands[i]->name));
+    }
+    fail(&error, ERROR_USAGE, "unknown command '%.60s'", name);
+    if (nearest.best.start != NULL) {
+        error_hint(&error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+    } else {
+        error_hint(&error, "see 'lenscalc help'");
+    }
+    error_print(&error, NULL);
+    return ERROR_USAGE;
+}
+
+int main(int argc, char **argv)
+{
+    /* a closed pipe is a failed write like any other, and is reported */
+    signal(SIGPIPE, SIG_IGN);
+    if (argc < 2) {
+        help_short();
+        return ERROR_USAGE;
+    }
+    if (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0) {
+        return print_version();
+    }
+    bool wants_help = strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0;
+    const struct command *command = command_find(text_of(wants_help ? "help" : argv[1]));
+    if (command == NULL) {
+        return unknown_command(argv[1]);
+    }
+    return command_execute(command, argc - 2, argv + 2, getenv("LENSCALC_DB"));
+}

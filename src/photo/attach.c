@@ -1,0 +1,206 @@
+/* photo/attach.c - tubes, close-up lenses, converters, reversed and stacked lenses. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/attach.h"
+
+#include <math.h>
+
+static bool check_positive(double x, const char *option, const char *unit, struct error *error)
+{
+    if (!(x > 0 && isfinite(x))) {
+        return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (above 0, finite)", option, x,
+                    unit);
+    }
+    return true;
+}
+
+static bool check_not_negative(double x, const char *option, const char *unit, struct error *error)
+{
+    if (!(x >= 0 && isfinite(x))) {
+        return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (0 or more, finite)", option, x,
+                    unit);
+    }
+    return true;
+}
+
+static bool add_tube(struct attach_lens *lens, const struct attach_step *step, struct error *error)
+{
+    double e = step->value;
+    if (!check_not_negative(e, "--tube", " mm", error)) {
+        return false;
+    }
+    lens->m_far += e / lens->f;
+    lens->m_near += e / lens->f;
+    lens->length_far += e;
+    lens->length_near += e;
+    return true;
+}
+
+/* Put a thin lens of focal length F `gap` before the front. */
+static bool put_before(struct attach_lens *lens, double F, double gap, struct error *error)
+{
+    if (!check_not_negative(gap, "--gap", " mm", error)) {
+        return false;
+    }
+    double d = gap + lens->front;
+    double ratio = 1 + (lens->f - d) / F; /* f/f' */
+    double pupil = 1 - (d - lens->f * (1 - 1 / lens->P)) / F;
+    if (!(ratio > 0 && pupil > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--gap %g mm brings the focus of the front lens (%g mm) before the pupil: no "
+                    "image (less than %g mm)",
+                    gap, F, F - lens->front + lens->f * (1 - 1 / lens->P));
+    }
+    lens->m_far = lens->f / F + lens->m_far * ratio;
+    lens->m_near = lens->f / F + lens->m_near * ratio;
+    lens->N *= pupil / ratio;
+    lens->P *= pupil;
+    lens->front = d / ratio;
+    lens->f /= ratio;
+    lens->length_far += gap;
+    lens->length_near += gap;
+    return true;
+}
+
+static bool add_close_up(struct attach_lens *lens, const struct attach_step *step,
+                         struct error *error)
+{
+    return check_positive(step->value, "--close-up", " dioptres", error) &&
+           put_before(lens, 1000 / step->value, step->gap, error);
+}
+
+static bool add_converter(struct attach_lens *lens, const struct attach_step *step,
+                          struct error *error)
+{
+    double k = step->value;
+    if (!check_positive(k, "--converter", "", error) ||
+        !check_not_negative(step->gap, "--converter-length", " mm", error)) {
+        return false;
+    }
+    lens->front += (k - 1) * lens->f;
+    lens->f *= k;
+    lens->N *= k;
+    lens->P *= k;
+    lens->m_far *= k;
+    lens->m_near *= k;
+    lens->length_far += step->gap;
+    lens->length_near += step->gap;
+    return true;
+}
+
+static bool add_reversed(struct attach_lens *lens, const struct attach_step *step,
+                         struct error *error)
+{
+    double v = step->value;
+    if (!(v >= lens->f && isfinite(v))) {
+        return fail(error, ERROR_DOMAIN,
+                    "--reversed %g mm puts the sensor within the focal length: no real image (%g "
+                    "mm or more)",
+                    v, lens->f);
+    }
+    lens->N /= lens->P;
+    lens->P = 1 / lens->P;
+    lens->m_far = lens->m_near = (v - lens->f) / lens->f;
+    lens->front = 0;
+    lens->length_far = lens->length_near = step->gap + v;
+    return true;
+}
+
+static bool add_stacked(struct attach_lens *lens, const struct attach_step *step,
+                        struct error *error)
+{
+    double F = step->value;
+    if (!check_positive(F, "--stacked", " mm", error) ||
+        !check_not_negative(step->fnumber, "--stacked-aperture", "", error)) {
+        return false;
+    }
+    lens->N = fmax(lens->N, lens->f * step->fnumber / F); /* the narrower beam */
+    return put_before(lens, F, step->gap, error);
+}
+
+/* In the order of enum attach_kind. */
+static bool (*const adders[])(struct attach_lens *, const struct attach_step *, struct error *) = {
+    add_tube, add_close_up, add_converter, add_reversed, add_stacked};
+
+bool attach_bare(double f, double N, double P, double m_near, double front, double hiatus,
+                 struct attach_lens *lens, struct error *error)
+{
+    if (!check_positive(f, "--focal-length", " mm", error) ||
+        !check_positive(N, "--aperture", "", error) || !check_positive(P, "--pupil", "", error) ||
+        !check_not_negative(m_near, "--magnification", "", error)) {
+        return false;
+    }
+    if (!(isfinite(front) && isfinite(hiatus))) {
+        return fail(error, ERROR_DOMAIN, "--front %g mm and --hiatus %g mm must be finite", front,
+                    hiatus);
+    }
+    double length = front + hiatus + f;
+    *lens = (struct attach_lens){.f = f,
+                                 .N = N,
+                                 .P = P,
+                                 .m_near = m_near,
+                                 .front = front,
+                                 .length_far = length,
+                                 .length_near = length + f * m_near};
+    return true;
+}
+
+bool attach_apply(struct attach_lens *lens, const struct attach_step *steps, size_t count,
+                  struct error *error)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (steps[i].kind == ATTACH_REVERSED && i > 0) {
+            return fail(error, ERROR_USAGE,
+                        "--reversed must come first: reverse the lens, then attach to it");
+        }
+        if (!adders[steps[i].kind](lens, &steps[i], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool attach_focused(const struct attach_lens *lens, bool near, struct attach_focus *focus,
+                    struct error *error)
+{
+    double m = near ? lens->m_near : lens->m_far;
+    double s = lens->f * (1 + 1 / m);
+    double working = s - lens->front;
+    if (!(working > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "at magnification %g the subject would lie %g mm inside the lens (less "
+                    "magnification)",
+                    m, -working);
+    }
+    *focus = (struct attach_focus){.m = m,
+                                   .distance = s,
+                                   .working_distance = working,
+                                   .sensor_distance =
+                                       working + (near ? lens->length_near : lens->length_far),
+                                   .working_fnumber = lens->N * (1 + m / lens->P)};
+    return true;
+}
+
+static bool check_more(double f, double m0, double m, struct error *error)
+{
+    if (!check_positive(f, "--focal-length", " mm", error) ||
+        !check_not_negative(m0, "--magnification without attachment", "", error)) {
+        return false;
+    }
+    if (!(m >= m0 && isfinite(m))) {
+        return fail(error, ERROR_DOMAIN,
+                    "--magnification %g is below what the lens does alone (%g or more)", m, m0);
+    }
+    return true;
+}
+
+bool attach_tube_for(double f, double m0, double m, double *length, struct error *error)
+{
+    *length = f * (m - m0);
+    return check_more(f, m0, m, error);
+}
+
+bool attach_close_up_for(double f, double m0, double m, double *dioptres, struct error *error)
+{
+    *dioptres = 1000 * (m - m0) / (f * (1 + m0));
+    return check_more(f, m0, m, error);
+}

@@ -1,0 +1,139 @@
+/* photo/bracket.c - plan of an exposure bracket by time. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/bracket.h"
+
+#include <math.h>
+
+#include "photo/given.h"
+
+static bool check_shots(double shots, struct error *error)
+{
+    if (!(shots >= 1 && shots <= BRACKET_SHOTS)) {
+        return fail(error, ERROR_DOMAIN, "%.10g shots lie outside 1 to %d", shots, BRACKET_SHOTS);
+    }
+    if (shots < round(shots) || shots > round(shots)) {
+        return fail(error, ERROR_DOMAIN, "--shots %.10g must be a whole number", shots);
+    }
+    return true;
+}
+
+/* Complete the plan from its longest time, step and number of shots. */
+static bool lay_out(struct bracket *plan, struct error *error)
+{
+    plan->span = (plan->shots - 1) * plan->step;
+    plan->shortest = bracket_time(plan, plan->shots - 1);
+    /* expm1 keeps the ratio for small steps; its limit for step 0 is the number of shots */
+    double ln2 = 0.69314718055994530942;
+    plan->total = plan->longest * (plan->step > 0 ? expm1(-plan->shots * plan->step * ln2) /
+                                                        expm1(-plan->step * ln2)
+                                                  : plan->shots);
+    return answer_positive("the longest time", plan->longest, error) &&
+           answer_positive("the shortest time", plan->shortest, error) &&
+           answer_positive("the total time", plan->total, error);
+}
+
+/* Both ends are known: count the shots, or divide the span among them. */
+static bool plan_between(const struct bracket_given *given, struct bracket *plan,
+                         struct error *error)
+{
+    double span = fabs(log2(given->from / given->to));
+    plan->longest = fmax(given->from, given->to);
+    plan->residual = 0;
+    if (is_given(given->step)) {
+        double shots = round(span / given->step) + 1;
+        if (!check_shots(shots, error)) {
+            return false;
+        }
+        plan->shots = (int)shots;
+        plan->step = given->step;
+        plan->residual = span - (shots - 1) * given->step;
+    } else {
+        plan->shots = (int)given->shots;
+        if (plan->shots == 1 && span > 0) {
+            return fail(error, ERROR_DOMAIN, "one shot cannot reach from %.10g s to %.10g s",
+                        given->from, given->to);
+        }
+        plan->step = plan->shots > 1 ? span / (plan->shots - 1) : 0;
+    }
+    return lay_out(plan, error);
+}
+
+bool bracket_plan(const struct bracket_given *given, struct bracket *plan, struct error *error)
+{
+    const struct given numbers[] = {{"--from", " s", given->from},
+                                    {"--to", " s", given->to},
+                                    {"--step", " stops", given->step},
+                                    {"--shots", "", given->shots}};
+    if (given_missing(numbers, 4) != 1) {
+        return fail(error, ERROR_USAGE, "give exactly three of --from, --to, --step and --shots");
+    }
+    if (!given_positive(numbers, 4, error) ||
+        (is_given(given->shots) && !check_shots(given->shots, error))) {
+        return false;
+    }
+    if (is_given(given->from) && is_given(given->to)) {
+        return plan_between(given, plan, error);
+    }
+    plan->shots = (int)given->shots;
+    plan->step = given->step;
+    plan->residual = 0;
+    plan->longest =
+        is_given(given->from) ? given->from : given->to * exp2((plan->shots - 1) * given->step);
+    return lay_out(plan, error);
+}
+
+bool bracket_around(double metered, double step, double shots, struct bracket *plan,
+                    struct error *error)
+{
+    if (!require_positive("--time", " s", metered, error) ||
+        !require_positive("--step", " stops", step, error) || !check_shots(shots, error)) {
+        return false;
+    }
+    plan->shots = (int)shots;
+    plan->step = step;
+    plan->residual = 0;
+    plan->longest = metered * exp2((shots - 1) * step / 2);
+    return lay_out(plan, error);
+}
+
+double bracket_time(const struct bracket *plan, int i)
+{
+    return plan->longest * exp2(-i * plan->step);
+}
+
+double bracket_offset(const struct bracket *plan, int i, double base)
+{
+    return log2(plan->longest / base) - i * plan->step;
+}
+
+bool bracket_covers(const struct bracket *plan, double single, struct bracket_range *range,
+                    struct error *error)
+{
+    if (!require_positive("--range", " stops", single, error)) {
+        return false;
+    }
+    range->covered = single + plan->span;
+    range->overlap = single - plan->step;
+    return true;
+}
+
+bool bracket_shots_needed(double scene, double single, double step, int *shots, struct error *error)
+{
+    if (!require_positive("--scene-range", " stops", scene, error) ||
+        !require_positive("--range", " stops", single, error) ||
+        !require_positive("--step", " stops", step, error)) {
+        return false;
+    }
+    if (!(step <= single)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--step %.10g stops leaves gaps between shots of %.10g stops each", step,
+                    single);
+    }
+    /* 1e-9: 12 stops in steps of 0.1 need no extra shot for a rounding */
+    double needed = fmax(0, ceil((scene - single) / step - 1e-9)) + 1;
+    if (!check_shots(needed, error)) {
+        return false;
+    }
+    *shots = (int)needed;
+    return true;
+}

@@ -1,0 +1,218 @@
+/* photo/exposure.c - exposure: aperture, time, speed and light, each from the others. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/exposure.h"
+
+#include <math.h>
+
+#include "photo/given.h"
+
+static const double log2_of_100 = 6.6438561897747246957;
+static const double log2_of_3_125 = 1.6438561897747246957; /* ISO 3.125 is Sv 0 */
+
+/* Twice what any light on Earth spans; beyond it exp2 soon leaves the doubles. */
+static const double ev_limit = 100;
+
+static double or_else(double value, double otherwise)
+{
+    return is_given(value) ? value : otherwise;
+}
+
+static void fill_defaults(struct exposure_given *g)
+{
+    g->K = or_else(g->K, EXPOSURE_K);
+    g->C = or_else(g->C, EXPOSURE_C);
+    g->loss = or_else(g->loss, 0);
+    g->compensation = or_else(g->compensation, 0);
+}
+
+static bool check_ranges(const struct exposure_given *g, struct error *error)
+{
+    const struct given positive[] = {
+        {"--aperture", "", g->N},         {"--time", " s", g->t},         {"--iso", "", g->S},
+        {"--luminance", " cd/m^2", g->L}, {"--illuminance", " lx", g->E}, {"--meter-k", "", g->K},
+        {"--meter-c", "", g->C}};
+    return given_positive(positive, sizeof positive / sizeof *positive, error) &&
+           require_within("--ev", "", or_else(g->ev100, 0), -ev_limit, ev_limit, error) &&
+           require_within("--ev-at-iso", "", or_else(g->ev, 0), -ev_limit, ev_limit, error) &&
+           require_within("--loss", " stops", g->loss, 0, 200, error) &&
+           require_within("--compensation", " stops", g->compensation, -ev_limit, ev_limit, error);
+}
+
+static bool count_lights(const struct exposure_given *g, int *lights, struct error *error)
+{
+    *lights = is_given(g->ev100) + is_given(g->ev) + is_given(g->L) + is_given(g->E);
+    if (*lights > 1) {
+        return fail(error, ERROR_USAGE,
+                    "give only one of --ev, --ev-at-iso, --luminance and --illuminance");
+    }
+    return true;
+}
+
+/* The light as EV100; an EV at ISO needs the speed. */
+static double light_ev100(const struct exposure_given *g)
+{
+    if (is_given(g->ev100)) {
+        return g->ev100;
+    }
+    if (is_given(g->L)) {
+        return log2(100 * (g->L / g->K));
+    }
+    if (is_given(g->E)) {
+        return log2(100 * (g->E / g->C));
+    }
+    return g->ev - (log2(g->S) - log2_of_100);
+}
+
+static bool fail_count(int missing, struct error *error)
+{
+    const char *light = "a light (--ev, --ev-at-iso, --luminance or --illuminance)";
+    if (missing == 0) {
+        return fail(error, ERROR_USAGE,
+                    "nothing is left to solve for: leave out one of --aperture, --time, --iso and "
+                    "%s",
+                    light);
+    }
+    return fail(error, ERROR_USAGE,
+                "too little is given: of --aperture, --time and %s two are needed (--iso is 100 "
+                "unless given)",
+                light);
+}
+
+/* Find the one unknown; a missing speed is either that or assumed. */
+static bool find_unknown(struct exposure_given *g, struct exposure *x, struct error *error)
+{
+    int lights = 0;
+    if (!count_lights(g, &lights, error)) {
+        return false;
+    }
+    int missing = !is_given(g->N) + !is_given(g->t) + (lights == 0);
+    bool speed = is_given(g->S);
+    if (missing > 1 || (missing == 0 && speed)) {
+        return fail_count(missing, error);
+    }
+    if (missing == 0 && is_given(g->ev)) {
+        return fail(error, ERROR_USAGE,
+                    "--ev-at-iso with --aperture and --time leaves --iso open: give --ev (the "
+                    "light at ISO 100) to solve for the speed");
+    }
+    x->unknown = missing == 0      ? EXPOSURE_S
+                 : !is_given(g->N) ? EXPOSURE_N
+                 : !is_given(g->t) ? EXPOSURE_T
+                                   : EXPOSURE_LIGHT;
+    x->speed_assumed = missing == 1 && !speed;
+    if (x->speed_assumed) {
+        g->S = 100;
+    }
+    return true;
+}
+
+/* The exposure equation in stops: ev_set = ev100 + log2(S/100) - less. */
+static void solve(const struct exposure_given *g, struct exposure *x)
+{
+    double less = g->loss + g->compensation;
+    double speed = log2(g->S) - log2_of_100;
+    x->N = g->N;
+    x->t = g->t;
+    x->S = g->S;
+    x->ev100 =
+        x->unknown == EXPOSURE_LIGHT ? log2(g->N * g->N / g->t) + less - speed : light_ev100(g);
+    x->ev_set = x->ev100 + speed - less;
+    if (x->unknown == EXPOSURE_N) {
+        x->N = sqrt(g->t * exp2(x->ev_set));
+    } else if (x->unknown == EXPOSURE_T) {
+        x->t = g->N * g->N * exp2(-x->ev_set);
+    } else if (x->unknown == EXPOSURE_S) {
+        x->ev_set = log2(g->N * g->N / g->t);
+        x->S = 100 * exp2(x->ev_set + less - x->ev100);
+    }
+}
+
+static void complete(const struct exposure_given *g, struct exposure *x)
+{
+    x->ev = x->ev100 + (log2(x->S) - log2_of_100);
+    x->L = is_given(g->L) ? g->L : g->K * exp2(x->ev100) / 100;
+    x->E = is_given(g->E) ? g->E : g->C * exp2(x->ev100) / 100;
+    x->Av = 2 * log2(x->N);
+    x->Tv = -log2(x->t);
+    x->Sv = log2(x->S) - log2_of_3_125;
+    x->Bv = x->ev100 - (log2_of_100 - log2_of_3_125);
+}
+
+bool exposure_solve(const struct exposure_given *given, struct exposure *x, struct error *error)
+{
+    struct exposure_given g = *given;
+    fill_defaults(&g);
+    if (!check_ranges(&g, error) || !find_unknown(&g, x, error)) {
+        return false;
+    }
+    solve(&g, x);
+    complete(&g, x);
+    return answer_positive("the f-number", x->N, error) &&
+           answer_positive("the exposure time", x->t, error) &&
+           answer_positive("the ISO speed", x->S, error) &&
+           answer_positive("the luminance", x->L, error) &&
+           answer_positive("the illuminance", x->E, error);
+}
+
+bool exposure_deviation(const struct exposure_given *given, double *stops, struct error *error)
+{
+    struct exposure_given g = *given;
+    int lights = 0;
+    fill_defaults(&g);
+    g.S = or_else(g.S, 100);
+    if (!check_ranges(&g, error) || !count_lights(&g, &lights, error) ||
+        !require_positive("--aperture", "", g.N, error) ||
+        !require_positive("--time", " s", g.t, error)) {
+        return false;
+    }
+    if (lights == 0) {
+        return fail(error, ERROR_USAGE,
+                    "give the light: --ev, --ev-at-iso, --luminance or --illuminance");
+    }
+    double ev = light_ev100(&g) + (log2(g.S) - log2_of_100);
+    *stops = ev - g.loss - g.compensation - log2(g.N * g.N / g.t);
+    return true;
+}
+
+static bool check_setting(const struct camera_setting *setting, struct error *error)
+{
+    return require_positive("--aperture", "", setting->N, error) &&
+           require_positive("--time", " s", setting->t, error) &&
+           require_positive("--iso", "", setting->S, error);
+}
+
+bool exposure_stops(const struct camera_setting *from, const struct camera_setting *to,
+                    double *stops, struct error *error)
+{
+    if (!check_setting(from, error) || !check_setting(to, error)) {
+        return false;
+    }
+    *stops = log2(to->t / from->t) + log2(to->S / from->S) + 2 * log2(from->N / to->N);
+    return true;
+}
+
+bool exposure_equivalent(double ev_set, double N, int per_stop, struct equivalent_exposure *line,
+                         struct error *error)
+{
+    if (!require_within("--ev", "", ev_set, -ev_limit, ev_limit, error) ||
+        !require_positive("--aperture", "", N, error) ||
+        !require_within("--stops", " steps a stop", per_stop, 1, 12, error)) {
+        return false;
+    }
+    double Tv = ev_set - 2 * log2(N);
+    double Tv_series = round(Tv * per_stop) / per_stop;
+    line->N = N;
+    line->t = exp2(-Tv);
+    line->t_series = exp2(-Tv_series);
+    line->residual = Tv - Tv_series;
+    return answer_positive("the exposure time", line->t, error);
+}
+
+bool exposure_rule_ev100(double N, double *ev100, struct error *error)
+{
+    if (!require_positive("--aperture", "", N, error)) {
+        return false;
+    }
+    *ev100 = log2_of_100 + 2 * log2(N);
+    return true;
+}

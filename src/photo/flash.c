@@ -1,0 +1,216 @@
+/* photo/flash.c - guide numbers, several flashes, flash against the light that is there. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/flash.h"
+
+#include <math.h>
+
+#include "photo/given.h"
+
+static bool check_setting(const struct flash_setting *s, struct error *error)
+{
+    const struct given numbers[] = {
+        {"--guide-number", " mm", s->GN}, {"--aperture", "", s->N},
+        {"--distance", " mm", s->d},      {"--iso", "", s->S},
+        {"--power", "", s->power},        {"--flashes", "", s->flashes}};
+    if (!given_positive(numbers, 6, error)) {
+        return false;
+    }
+    if (s->power > 1) {
+        return fail(error, ERROR_DOMAIN, "--power %.10g must lie above 0 and up to 1", s->power);
+    }
+    return require_within("--loss", " stops", s->loss, 0, 100, error);
+}
+
+static void assume(double *value, double usual)
+{
+    if (!is_given(*value)) {
+        *value = usual;
+    }
+}
+
+/* Decide what is asked and fill in what may be assumed. */
+static bool find_unknown(struct flash_setting *s, enum flash_unknown *unknown, struct error *error)
+{
+    int missing = !is_given(s->GN) + !is_given(s->N) + !is_given(s->d);
+    if (missing > 1) {
+        return fail(error, ERROR_USAGE,
+                    "too little is given: of --guide-number, --aperture and --distance two are "
+                    "needed");
+    }
+    if (missing == 1) {
+        *unknown = !is_given(s->GN) ? FLASH_GN : !is_given(s->N) ? FLASH_N : FLASH_D;
+        assume(&s->power, 1);
+    } else if (!is_given(s->power)) {
+        *unknown = FLASH_POWER;
+    } else if (!is_given(s->S)) {
+        *unknown = FLASH_S;
+    } else if (!is_given(s->flashes)) {
+        *unknown = FLASH_FLASHES;
+    } else {
+        return fail(error, ERROR_USAGE,
+                    "nothing is left to solve for: leave out one of --guide-number, --aperture, "
+                    "--distance, --power, --iso and --flashes");
+    }
+    if (*unknown != FLASH_S) {
+        assume(&s->S, 100);
+    }
+    if (*unknown != FLASH_FLASHES) {
+        assume(&s->flashes, 1);
+    }
+    return true;
+}
+
+/* By how much light a full flash at ISO 100 must be multiplied. */
+static double gain(const struct flash_setting *s)
+{
+    return s->flashes * (s->S / 100) * s->power * exp2(-s->loss);
+}
+
+static bool check_power(double power, struct error *error)
+{
+    if (!(power <= 1)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the flash would need %.4g times its full power: it is %.3g stops too weak",
+                    power, log2(power));
+    }
+    return answer_positive("the power", power, error);
+}
+
+bool flash_solve(struct flash_setting *s, enum flash_unknown *unknown, struct error *error)
+{
+    assume(&s->loss, 0);
+    if (!check_setting(s, error) || !find_unknown(s, unknown, error)) {
+        return false;
+    }
+    double needed = s->N * s->d / s->GN; /* NaN while GN, N or d is the unknown */
+    double lost = exp2(s->loss);
+    switch (*unknown) {
+    case FLASH_GN:
+        s->GN = s->N * s->d / sqrt(gain(s));
+        return answer_positive("the guide number", s->GN, error);
+    case FLASH_N:
+        s->N = s->GN * sqrt(gain(s)) / s->d;
+        return answer_positive("the f-number", s->N, error);
+    case FLASH_D:
+        s->d = s->GN * sqrt(gain(s)) / s->N;
+        return answer_positive("the distance", s->d, error);
+    case FLASH_S:
+        s->S = 100 * needed * needed * lost / (s->flashes * s->power);
+        return answer_positive("the ISO speed", s->S, error);
+    case FLASH_POWER:
+        s->power = needed * needed * lost / (s->flashes * (s->S / 100));
+        return check_power(s->power, error);
+    case FLASH_FLASHES:
+        break;
+    }
+    s->flashes = needed * needed * lost / (s->power * (s->S / 100));
+    return answer_positive("the number of flashes", s->flashes, error);
+}
+
+bool flash_sum(const double *GN, int count, double *sum, struct error *error)
+{
+    double squares = 0;
+    if (count < 1) {
+        return fail(error, ERROR_USAGE, "--guide-number is missing");
+    }
+    for (int i = 0; i < count; i++) {
+        if (!require_positive("--guide-number", " mm", GN[i], error)) {
+            return false;
+        }
+        squares += GN[i] * GN[i];
+    }
+    *sum = sqrt(squares);
+    return answer_positive("the guide number", *sum, error);
+}
+
+bool flash_bounce(double along, double flash_gap, double subject_gap, double *d,
+                  struct error *error)
+{
+    if (!(along >= 0 && isfinite(along))) {
+        return fail(error, ERROR_DOMAIN, "--distance %.10g mm must be 0 or above and finite",
+                    along);
+    }
+    if (!require_positive("--ceiling", " mm", flash_gap, error) ||
+        !require_positive("--ceiling-subject", " mm", subject_gap, error)) {
+        return false;
+    }
+    *d = hypot(along, flash_gap + subject_gap);
+    return true;
+}
+
+bool flash_falloff(double near, double far, double *stops, struct error *error)
+{
+    if (!require_positive("--near", " mm", near, error) ||
+        !require_positive("--far", " mm", far, error)) {
+        return false;
+    }
+    *stops = 2 * log2(far / near);
+    return true;
+}
+
+bool lighting_ratio(double stops, double *ratio, struct error *error)
+{
+    if (!require_within("--key-to-fill", " stops", stops, -100, 100, error)) {
+        return false;
+    }
+    *ratio = exp2(stops) + 1;
+    return true;
+}
+
+bool lighting_stops(double ratio, double *stops, struct error *error)
+{
+    if (!(ratio > 1 && isfinite(ratio))) {
+        return fail(error, ERROR_DOMAIN, "--ratio %.10g must be above 1 and finite", ratio);
+    }
+    *stops = log2(ratio - 1);
+    return true;
+}
+
+/* All that enters the two exposures is given and legal. */
+static bool check_ambient(const struct flash_ambient *scene, struct error *error)
+{
+    const struct flash_setting *s = &scene->flash;
+    return check_setting(s, error) && require_positive("--guide-number", " mm", s->GN, error) &&
+           require_positive("--aperture", "", s->N, error) &&
+           require_positive("--distance", " mm", s->d, error) &&
+           require_positive("--iso", "", s->S, error) &&
+           require_positive("--power", "", s->power, error) &&
+           require_positive("--flashes", "", s->flashes, error) &&
+           require_positive("--time", " s", scene->t, error) &&
+           require_within("--ev", "", scene->ev100, -100, 100, error);
+}
+
+static bool check_sync(double t, double sync, struct error *error)
+{
+    if (!is_given(sync)) {
+        return true;
+    }
+    if (!require_positive("--sync", " s", sync, error)) {
+        return false;
+    }
+    if (!(t >= sync)) {
+        return fail(error, ERROR_DOMAIN, "--time %.6g s is shorter than the flash sync time %.6g s",
+                    t, sync);
+    }
+    return true;
+}
+
+bool flash_against_ambient(const struct flash_ambient *scene, struct flash_balance *balance,
+                           struct error *error)
+{
+    struct flash_ambient given = *scene;
+    struct flash_setting *s = &given.flash;
+    assume(&s->loss, 0);
+    if (!check_ambient(&given, error) || !check_sync(given.t, given.sync, error)) {
+        return false;
+    }
+    double flash = 2 * log2(s->GN / (s->N * s->d)) + log2(gain(s));
+    double ambient = given.ev100 + log2(s->S / 100) - log2(s->N * s->N / given.t);
+    balance->flash = flash;
+    balance->ambient = ambient;
+    balance->flash_to_ambient = flash - ambient;
+    balance->ratio = exp2(flash - ambient) + 1;
+    /* the brighter light plus what the other adds: no overflow */
+    balance->total = fmax(flash, ambient) + log2(1 + exp2(-fabs(flash - ambient)));
+    return answer_positive("the lighting ratio", balance->ratio, error);
+}

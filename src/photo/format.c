@@ -1,0 +1,95 @@
+/* photo/format.c - sensor formats and the circle of confusion that suits them. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/format.h"
+
+#include <math.h>
+
+#define PI               3.14159265358979323846
+#define FIRST_ZERO_OF_J1 3.83170597020751231561
+
+const struct coc coc_default = {.kind = COC_DIAGONAL, .value = 1500};
+
+static bool check_positive(double x, const char *name, struct error *error)
+{
+    if (!(x > 0 && x < INFINITY))
+        return fail(error, ERROR_DOMAIN, "%s %.15g must be above 0 and finite", name, x);
+    return true;
+}
+
+bool sensor_check(const struct sensor *sensor, struct error *error)
+{
+    return check_positive(sensor->width, "sensor width, mm,", error) &&
+           check_positive(sensor->height, "sensor height, mm,", error) &&
+           (isnan(sensor->pitch) || check_positive(sensor->pitch, "pixel pitch, mm,", error));
+}
+
+double sensor_diagonal(const struct sensor *sensor)
+{
+    return hypot(sensor->width, sensor->height);
+}
+
+double sensor_crop(const struct sensor *sensor)
+{
+    return hypot(36, 24) / sensor_diagonal(sensor);
+}
+
+static bool coc_length(const struct coc *coc, const struct sensor *sensor, double *c,
+                       struct error *error)
+{
+    (void)sensor;
+    *c = coc->value;
+    if (!(coc->value >= 0 && coc->value < INFINITY))
+        return fail(error, ERROR_DOMAIN,
+                    "circle of confusion %.15g mm must be 0 mm or more and finite", coc->value);
+    return true;
+}
+
+static bool coc_diagonal(const struct coc *coc, const struct sensor *sensor, double *c,
+                         struct error *error)
+{
+    *c = sensor_diagonal(sensor) / coc->value;
+    return check_positive(coc->value, "circle of confusion d/x: x", error);
+}
+
+static bool coc_pixels(const struct coc *coc, const struct sensor *sensor, double *c,
+                       struct error *error)
+{
+    *c = coc->value * sensor->pitch;
+    if (isnan(sensor->pitch))
+        return fail(error, ERROR_DOMAIN,
+                    "a circle of confusion in pixels needs the pixel pitch: give --pitch, or a "
+                    "camera with a known one as --sensor");
+    return check_positive(coc->value, "circle of confusion, pixels,", error);
+}
+
+static bool coc_print(const struct coc *coc, const struct sensor *sensor, double *c,
+                      struct error *error)
+{
+    double enlargement = coc->print / fmax(sensor->width, sensor->height);
+    *c = coc->viewing / 250 / (coc->acuity * enlargement);
+    return check_positive(coc->viewing, "viewing distance, mm,", error) &&
+           check_positive(coc->acuity, "acuity, line pairs per mm,", error) &&
+           check_positive(coc->print, "long side of the print, mm,", error);
+}
+
+static bool coc_airy(const struct coc *coc, const struct sensor *sensor, double *c,
+                     struct error *error)
+{
+    (void)sensor;
+    *c = 2 * FIRST_ZERO_OF_J1 / PI * coc->wavelength * coc->fnumber;
+    return check_positive(coc->wavelength, "wavelength, mm,", error) &&
+           check_positive(coc->fnumber, "f-number", error);
+}
+
+bool coc_resolve(const struct coc *coc, const struct sensor *sensor, double *c, struct error *error)
+{
+    static bool (*const rule[])(const struct coc *, const struct sensor *, double *,
+                                struct error *) = {[COC_LENGTH] = coc_length,
+                                                   [COC_DIAGONAL] = coc_diagonal,
+                                                   [COC_PIXELS] = coc_pixels,
+                                                   [COC_PRINT] = coc_print,
+                                                   [COC_AIRY] = coc_airy};
+    if (coc->kind != COC_LENGTH && !sensor_check(sensor, error))
+        return false;
+    return rule[coc->kind](coc, sensor, c, error);
+}

@@ -1,0 +1,242 @@
+/* photo/fov.c - field of view of the five projections. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/fov.h"
+
+#include <math.h>
+
+#define PI 3.14159265358979323846
+
+const struct word projections[PROJECTIONS + 1] = {
+    [RECTILINEAR] = {"rectilinear", "f tan t: straight lines stay straight"},
+    [EQUIDISTANT] = {"equidistant", "f t: image height in proportion to the angle"},
+    [EQUISOLID] = {"equisolid", "2 f sin(t/2): image area in proportion to the solid angle"},
+    [STEREOGRAPHIC] = {"stereographic", "2 f tan(t/2): small shapes stay true"},
+    [ORTHOGRAPHIC] = {"orthographic", "f sin t: at most a half sphere"},
+};
+
+/* Half angle of the image height x = r/f', and back. */
+static double half_rectilinear(double x)
+{
+    return atan(x);
+}
+
+static double half_equidistant(double x)
+{
+    return x;
+}
+
+static double half_equisolid(double x)
+{
+    return 2 * asin(x / 2);
+}
+
+static double half_stereographic(double x)
+{
+    return 2 * atan(x / 2);
+}
+
+static double half_orthographic(double x)
+{
+    return asin(x);
+}
+
+static double height_rectilinear(double t)
+{
+    return tan(t);
+}
+
+static double height_equidistant(double t)
+{
+    return t;
+}
+
+static double height_equisolid(double t)
+{
+    return 2 * sin(t / 2);
+}
+
+static double height_stereographic(double t)
+{
+    return 2 * tan(t / 2);
+}
+
+static double height_orthographic(double t)
+{
+    return sin(t);
+}
+
+struct rule {
+    double (*half)(double x);
+    double (*height)(double t);
+    double largest_height; /* r/f' at the edge of the projection */
+    double largest_angle;  /* full, rad */
+    bool open;             /* the largest angle itself is not reached */
+};
+
+static const struct rule rules[PROJECTIONS] = {
+    [RECTILINEAR] = {half_rectilinear, height_rectilinear, INFINITY, PI, true},
+    [EQUIDISTANT] = {half_equidistant, height_equidistant, PI, 2 * PI, false},
+    [EQUISOLID] = {half_equisolid, height_equisolid, 2, 2 * PI, false},
+    [STEREOGRAPHIC] = {half_stereographic, height_stereographic, INFINITY, 2 * PI, true},
+    [ORTHOGRAPHIC] = {half_orthographic, height_orthographic, 1, PI, false},
+};
+
+static bool check_positive(double x, const char *name, struct error *error)
+{
+    if (!(x > 0 && x < INFINITY))
+        return fail(error, ERROR_DOMAIN, "%s %.15g must be above 0 and finite", name, x);
+    return true;
+}
+
+bool fov_angle(enum projection projection, double scale, double dimension, double *angle,
+               struct error *error)
+{
+    const struct rule *rule = &rules[projection];
+    if (!check_positive(scale, "focal length, mm,", error) ||
+        !check_positive(dimension, "sensor dimension, mm,", error))
+        return false;
+    double x = dimension / 2 / scale;
+    if (!(x <= rule->largest_height))
+        return fail(error, ERROR_DOMAIN,
+                    "image height %.15g mm lies beyond the edge of the %s projection, %.15g mm",
+                    dimension / 2, projections[projection].word, rule->largest_height * scale);
+    *angle = 2 * rule->half(x);
+    return true;
+}
+
+static bool check_setting(const struct fov_setting *a, struct error *error)
+{
+    if (!check_positive(a->f, "focal length, mm,", error) ||
+        !check_positive(a->P, "pupil magnification", error) ||
+        !check_positive(a->squeeze, "anamorphic squeeze", error))
+        return false;
+    if (!(a->s > a->f))
+        return fail(error, ERROR_DOMAIN,
+                    "distance %.15g mm lies within the focal length %.15g mm: no real image", a->s,
+                    a->f);
+    return true;
+}
+
+bool fov_compute(const struct fov_setting *setting, const struct sensor *sensor, struct fov *fov,
+                 struct error *error)
+{
+    if (!check_setting(setting, error) || !sensor_check(sensor, error))
+        return false;
+    struct sensor wide = *sensor;
+    wide.width *= setting->squeeze;
+    enum projection projection = setting->projection;
+    double diagonal = sensor_diagonal(&wide);
+    double m = setting->f / (setting->s - setting->f);
+    double scale = setting->f * (1 + m / setting->P);
+    double unit = projection == RECTILINEAR ? 1 / m : NAN;
+    fov->width_at_s = wide.width * unit;
+    fov->height_at_s = wide.height * unit;
+    fov->diagonal_at_s = diagonal * unit;
+    if (!fov_angle(projection, scale, wide.width, &fov->horizontal, error) ||
+        !fov_angle(projection, scale, wide.height, &fov->vertical, error) ||
+        !fov_angle(projection, scale, diagonal, &fov->diagonal, error))
+        return false;
+    fov->kind = fov_kind(fov->diagonal);
+    return true;
+}
+
+static bool check_angle(enum projection projection, double angle, struct error *error)
+{
+    const struct rule *rule = &rules[projection];
+    if (angle > 0 && (angle < rule->largest_angle || (angle <= rule->largest_angle && !rule->open)))
+        return true;
+    return fail(error, ERROR_DOMAIN,
+                "angle of view %.15g deg must be above 0 and %s %.15g deg (%s)", angle * (180 / PI),
+                rule->open ? "below" : "at most", rule->largest_angle * (180 / PI),
+                projections[projection].word);
+}
+
+bool fov_focal_length(enum projection projection, double dimension, double angle, double s,
+                      double P, double *f, struct error *error)
+{
+    if (!check_positive(dimension, "sensor dimension, mm,", error) ||
+        !check_positive(P, "pupil magnification", error) || !check_angle(projection, angle, error))
+        return false;
+    if (!(s > 0))
+        return fail(error, ERROR_DOMAIN, "distance %.15g mm must be above 0 mm", s);
+    double scale = dimension / 2 / rules[projection].height(angle / 2);
+    if (s < INFINITY) {
+        double b = P * (s + scale), root = hypot(P * (s - scale), 2 * sqrt(P * scale * s));
+        *f = 2 * P * (scale / (b + root)) * s;
+    } else
+        *f = scale;
+    return check_positive(*f, "focal length, mm,", error);
+}
+
+bool fov_focal_length_for_field(double dimension, double field, double s, double *f,
+                                struct error *error)
+{
+    if (!check_positive(dimension, "sensor dimension, mm,", error) ||
+        !check_positive(field, "field width, mm,", error) ||
+        !check_positive(s, "distance, mm,", error))
+        return false;
+    *f = s * (dimension / (field + dimension));
+    return true;
+}
+
+/* One goal and the sensor dimension it belongs to. */
+struct goal {
+    double wanted, dimension;
+    bool is_field;
+};
+
+static bool solve_goal(const struct fov_setting *a, const struct goal *goal, double *f,
+                       struct error *error)
+{
+    if (!goal->is_field) {
+        return fov_focal_length(a->projection, goal->dimension, goal->wanted, a->s, a->P, f, error);
+    }
+    if (a->projection != RECTILINEAR || !(a->s < INFINITY)) {
+        return fail(error, ERROR_DOMAIN, "a wanted field needs a rectilinear lens and a finite "
+                                         "--distance");
+    }
+    return fov_focal_length_for_field(goal->dimension, goal->wanted, a->s, f, error);
+}
+
+bool fov_solve(const struct fov_setting *setting, const struct sensor *sensor,
+               const struct fov_goals *goals, double *f, struct error *error)
+{
+    if (!sensor_check(sensor, error) || !check_positive(setting->squeeze, "squeeze", error)) {
+        return false;
+    }
+    struct sensor wide = *sensor;
+    wide.width *= setting->squeeze;
+    double diagonal = sensor_diagonal(&wide);
+    const struct goal all[] = {
+        {goals->horizontal, wide.width, false}, {goals->vertical, wide.height, false},
+        {goals->diagonal, diagonal, false},     {goals->field_width, wide.width, true},
+        {goals->field_height, wide.height, true}, {goals->field_diagonal, diagonal, true},
+    };
+    const struct goal *found = NULL;
+    int count = 0;
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        if (!isnan(all[i].wanted)) {
+            found = &all[i];
+            count++;
+        }
+    }
+    if (count + !isnan(setting->f) != 1) {
+        return fail(error, ERROR_USAGE,
+                    "give one of --focal-length, --horizontal, --vertical, --diagonal, "
+                    "--field-width, --field-height, --field-diagonal");
+    }
+    *f = setting->f;
+    return found == NULL || solve_goal(setting, found, f, error);
+}
+
+const char *fov_kind(double diagonal)
+{
+    static const struct {
+        double below; /* deg */
+        const char *word;
+    } kinds[] = {{20, "narrow"}, {40, "medium"}, {60, "normal"}, {90, "wide"}};
+    for (int i = 0; i < 4; i++)
+        if (diagonal * (180 / PI) < kinds[i].below)
+            return kinds[i].word;
+    return "ultra-wide";
+}

@@ -1,0 +1,70 @@
+/* photo/given.c - numbers that may be missing: NaN means "not given, solve for it". */
+/* SPDX-License-Identifier: MIT */
+#include "photo/given.h"
+
+#include <math.h>
+
+bool is_given(double value)
+{
+    return !isnan(value);
+}
+
+int given_missing(const struct given *numbers, int count)
+{
+    int missing = 0;
+    for (int i = 0; i < count; i++) {
+        missing += !is_given(numbers[i].value);
+    }
+    return missing;
+}
+
+static bool is_positive(double value)
+{
+    return value > 0 && isfinite(value);
+}
+
+bool given_positive(const struct given *numbers, int count, struct error *error)
+{
+    for (int i = 0; i < count; i++) {
+        const struct given *number = &numbers[i];
+        if (is_given(number->value) && !is_positive(number->value)) {
+            return require_positive(number->option, number->unit, number->value, error);
+        }
+    }
+    return true;
+}
+
+bool require_positive(const char *option, const char *unit, double value, struct error *error)
+{
+    if (!is_given(value)) {
+        return fail(error, ERROR_USAGE, "%s is missing", option);
+    }
+    if (!is_positive(value)) {
+        return fail(error, ERROR_DOMAIN, "%s %.10g%s must be above 0 and finite", option, value,
+                    unit);
+    }
+    return true;
+}
+
+bool require_within(const char *option, const char *unit, double value, double low, double high,
+                    struct error *error)
+{
+    if (!is_given(value)) {
+        return fail(error, ERROR_USAGE, "%s is missing", option);
+    }
+    if (!(value >= low && value <= high)) {
+        return fail(error, ERROR_DOMAIN, "%s %.10g%s lies outside %.10g to %.10g%s", option, value,
+                    unit, low, high, unit);
+    }
+    return true;
+}
+
+bool answer_positive(const char *what, double value, struct error *error)
+{
+    if (!is_positive(value)) {
+        return fail(error, ERROR_DOMAIN,
+                    "%s comes out as %.10g: the given numbers are out of all proportion", what,
+                    value);
+    }
+    return true;
+}

@@ -1,0 +1,35 @@
+/* photo/given.h - numbers that may be missing: NaN means "not given, solve for it". */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_PHOTO_GIVEN_H
+#define LENSCALC_PHOTO_GIVEN_H
+
+#include "base/error.h"
+
+/* A number with the option it came from and the unit a message shows it in. */
+struct given {
+    const char *option; /* "--time" */
+    const char *unit;   /* " s", with its blank; "" for a pure number */
+    double value;       /* NaN: not given */
+};
+
+/* Was it given? */
+bool is_given(double value);
+
+/* How many of the numbers are missing. */
+int given_missing(const struct given *numbers, int count);
+
+/* Every number that is given is above 0 and finite; ERROR_DOMAIN names the first that is not. */
+bool given_positive(const struct given *numbers, int count, struct error *error);
+
+/* The number is given (else ERROR_USAGE), above 0 and finite (else ERROR_DOMAIN). */
+bool require_positive(const char *option, const char *unit, double value, struct error *error);
+
+/* The number is given (else ERROR_USAGE) and within low..high, both included (else ERROR_DOMAIN).
+ */
+bool require_within(const char *option, const char *unit, double value, double low, double high,
+                    struct error *error);
+
+/* The answer is a finite number above 0; else ERROR_DOMAIN says that `what` left that range. */
+bool answer_positive(const char *what, double value, struct error *error);
+
+#endif

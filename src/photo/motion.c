@@ -1,0 +1,212 @@
+/* photo/motion.c - blur of moving subjects and unsteady cameras. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/motion.h"
+
+#include <math.h>
+
+#include "photo/given.h"
+
+static const double pi = 3.14159265358979323846;
+
+static bool check_angle(double angle, struct error *error)
+{
+    if (!(angle >= 0 && angle <= pi)) {
+        return fail(error, ERROR_DOMAIN, "--angle %.10g deg lies outside 0 to 180 deg",
+                    angle * 180 / pi);
+    }
+    return true;
+}
+
+bool motion_magnification(double f, double s, double *m, struct error *error)
+{
+    if (!require_positive("--focal-length", " mm", f, error)) {
+        return false;
+    }
+    if (!(s > f)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--distance %.10g mm lies within the focal length %.10g mm: no real image", s,
+                    f);
+    }
+    *m = f / (s - f);
+    return true;
+}
+
+/* Image shift per path, and how the path changes the distance: shift = x across/(1 - x depth). */
+struct rate {
+    double across; /* mm on the sensor per mm of path, at the start; signed */
+    double depth;  /* part of the distance covered per mm of path, 1/mm; + towards the camera */
+};
+
+static struct rate find_rate(const struct motion *motion)
+{
+    double depth = is_given(motion->s) ? cos(motion->angle) / motion->s : 0;
+    return (struct rate){
+        (is_given(motion->m) ? motion->m : 0) * sin(motion->angle) + motion->h * depth, depth};
+}
+
+static bool blur_of(struct motion *motion, struct error *error)
+{
+    struct rate rate = find_rate(motion);
+    double path = motion->v * motion->t;
+    if (!(path * rate.depth < 1)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--time %.10g s is too long: the subject reaches the lens in %.6g s", motion->t,
+                    1 / (motion->v * rate.depth));
+    }
+    motion->blur = fabs(path * rate.across / (1 - path * rate.depth));
+    return true;
+}
+
+/* Length of path that blurs by motion->blur; inf if none does. */
+static double path_of(const struct motion *motion)
+{
+    struct rate rate = find_rate(motion);
+    double slope = fabs(rate.across) + motion->blur * rate.depth;
+    return fabs(rate.across) > 0 && slope > 0 ? motion->blur / slope : INFINITY;
+}
+
+static bool magnification_of(struct motion *motion, struct error *error)
+{
+    double path = motion->v * motion->t;
+    double depth = find_rate(motion).depth;
+    if (fabs(motion->h) > 0) {
+        return fail(error, ERROR_USAGE,
+                    "--magnification is solved for on the axis only: leave "
+                    "--height out");
+    }
+    motion->m = motion->blur * (1 - path * depth) / (path * sin(motion->angle));
+    return answer_positive("the magnification", motion->m, error);
+}
+
+static bool check_motion(const struct motion *motion, struct error *error)
+{
+    const struct given numbers[] = {{"--speed", " mm/s", motion->v},
+                                    {"--time", " s", motion->t},
+                                    {"--magnification", "", motion->m},
+                                    {"--blur", " mm", motion->blur}};
+    if (given_missing(numbers, 4) != 1) {
+        return fail(error, ERROR_USAGE,
+                    "give exactly three of --speed, --time, --magnification and --blur");
+    }
+    if (is_given(motion->s) && !(motion->s > 0)) {
+        return fail(error, ERROR_DOMAIN, "--distance %.10g mm must be above 0", motion->s);
+    }
+    if (!isfinite(motion->h)) {
+        return fail(error, ERROR_DOMAIN, "--height %.10g mm must be finite", motion->h);
+    }
+    return given_positive(numbers, 4, error) && check_angle(motion->angle, error);
+}
+
+bool motion_solve(struct motion *motion, struct error *error)
+{
+    if (!check_motion(motion, error)) {
+        return false;
+    }
+    if (!is_given(motion->blur)) {
+        return blur_of(motion, error);
+    }
+    if (!is_given(motion->m)) {
+        return magnification_of(motion, error);
+    }
+    double path = path_of(motion);
+    if (!is_given(motion->t)) {
+        motion->t = path / motion->v;
+        return true;
+    }
+    motion->v = path / motion->t;
+    if (!isfinite(motion->v)) {
+        return fail(error, ERROR_DOMAIN, "no speed blurs by --blur %.10g mm at --angle %.6g deg",
+                    motion->blur, motion->angle * 180 / pi);
+    }
+    return answer_positive("the speed", motion->v, error);
+}
+
+bool shake_solve(struct shake *shake, struct error *error)
+{
+    const struct given numbers[] = {{"--focal-length", " mm", shake->f},
+                                    {"--rotation", " rad/s", shake->omega},
+                                    {"--time", " s", shake->t},
+                                    {"--blur", " mm", shake->blur}};
+    if (given_missing(numbers, 4) != 1) {
+        return fail(error, ERROR_USAGE,
+                    "give exactly three of --focal-length, --rotation, --time and --blur");
+    }
+    if (!given_positive(numbers, 4, error)) {
+        return false;
+    }
+    if (!(shake->m >= 0 && isfinite(shake->m))) {
+        return fail(error, ERROR_DOMAIN, "--magnification %.10g must be 0 or above and finite",
+                    shake->m);
+    }
+    double *unknown = &shake->blur;
+    double stretch = 1 + shake->m;
+    if (!is_given(shake->blur)) {
+        shake->blur = shake->f * stretch * shake->omega * shake->t;
+    } else if (!is_given(shake->f)) {
+        unknown = &shake->f;
+        shake->f = shake->blur / (stretch * shake->omega * shake->t);
+    } else if (!is_given(shake->omega)) {
+        unknown = &shake->omega;
+        shake->omega = shake->blur / (shake->f * stretch * shake->t);
+    } else {
+        unknown = &shake->t;
+        shake->t = shake->blur / (shake->f * stretch * shake->omega);
+    }
+    return answer_positive("the answer", *unknown, error);
+}
+
+bool blur_measure(double blur, double pitch, double c, struct blur_size *size, struct error *error)
+{
+    const struct given numbers[] = {{"--pixel", " mm", pitch}, {"--coc", " mm", c}};
+    if (!given_positive(numbers, 2, error)) {
+        return false;
+    }
+    size->pixels = blur / pitch;
+    size->circles = blur / c;
+    return true;
+}
+
+bool panning_solve(const struct panning *pan, struct panning_blur *blur, struct error *error)
+{
+    double m = 0;
+    if (!require_positive("--speed", " mm/s", pan->v, error) ||
+        !require_positive("--time", " s", pan->t, error) || !check_angle(pan->angle, error) ||
+        !motion_magnification(pan->f, pan->s, &m, error)) {
+        return false;
+    }
+    if (!(pan->track >= 0 && isfinite(pan->track))) {
+        return fail(error, ERROR_DOMAIN, "--track %.10g must be 0 or above and finite", pan->track);
+    }
+    double across = pan->v * sin(pan->angle);
+    blur->rate = across / pan->s;
+    blur->subject = fabs(1 - pan->track) * m * across * pan->t;
+    blur->background = pan->track * m * across * pan->t;
+    return true;
+}
+
+bool handheld_time(double f, double crop, double stops, double *t, struct error *error)
+{
+    if (!require_positive("--focal-length", " mm", f, error) ||
+        !require_positive("--crop", "", crop, error) ||
+        !require_within("--stabiliser", " stops", stops, 0, 20, error)) {
+        return false;
+    }
+    *t = exp2(stops) / (crop * f);
+    return answer_positive("the longest time", *t, error);
+}
+
+bool rolling_shutter(double speed, double readout, double height, struct rolling_skew *skew,
+                     struct error *error)
+{
+    if (!(speed >= 0 && isfinite(speed))) {
+        return fail(error, ERROR_DOMAIN, "--image-speed %.10g mm/s must be 0 or above and finite",
+                    speed);
+    }
+    if (!require_positive("--readout", " s", readout, error) ||
+        !require_positive("--height", " mm", height, error)) {
+        return false;
+    }
+    skew->shift = speed * readout;
+    skew->angle = atan(skew->shift / height);
+    return true;
+}

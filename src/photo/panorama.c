@@ -1,0 +1,288 @@
+/* photo/panorama.c - how many frames a panorama takes, its size, and parallax. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/panorama.h"
+
+#include <math.h>
+
+static const double pi = 3.141592653589793;
+static const double most_frames = 1e6;
+
+static double degrees_from_radians(double angle)
+{
+    return angle * (180 / pi);
+}
+
+static bool check_positive(double x, const char *option, const char *unit, struct error *error)
+{
+    if (!(x > 0 && isfinite(x))) {
+        return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (above 0, finite)", option, x,
+                    unit);
+    }
+    return true;
+}
+
+static bool check_not_negative(double x, const char *option, struct error *error)
+{
+    if (!(x >= 0 && isfinite(x))) {
+        return fail(error, ERROR_DOMAIN, "%s %g is out of range (0 or more, finite)", option, x);
+    }
+    return true;
+}
+
+/* Above 0 (or from 0 on) up to `most`, with the slack of degrees turned into radians. */
+static bool check_angle(double angle, bool zero, double most, const char *option,
+                        struct error *error)
+{
+    if (!((angle > 0 || (zero && angle >= 0)) && angle <= most * (1 + 1e-12))) {
+        return fail(error, ERROR_DOMAIN, "%s %g degrees is out of range (%s 0, up to %g)", option,
+                    degrees_from_radians(angle), zero ? "from" : "above",
+                    degrees_from_radians(most));
+    }
+    return true;
+}
+
+static bool check_flat(const struct panorama_frame *frame, struct error *error)
+{
+    if (!(frame->horizontal > 0 && frame->horizontal < pi && frame->vertical > 0 &&
+          frame->vertical < pi)) {
+        return fail(error, ERROR_DOMAIN,
+                    "a flat frame of %g x %g degrees is out of range (above 0, below 180)",
+                    degrees_from_radians(frame->horizontal), degrees_from_radians(frame->vertical));
+    }
+    return true;
+}
+
+static bool check_lens(double m, double P, struct error *error)
+{
+    return check_not_negative(m, "--magnification", error) &&
+           check_positive(P, "--pupil", "", error);
+}
+
+static bool is_closed(double arc)
+{
+    return arc > 2 * pi * (1 - 1e-12); /* 360 degrees after conversion */
+}
+
+bool panorama_frame(double f, double m, double P, double width, double height,
+                    struct panorama_frame *frame, struct error *error)
+{
+    if (!check_positive(f, "--focal-length", " mm", error) || !check_lens(m, P, error) ||
+        !check_positive(width, "sensor width", " mm", error) ||
+        !check_positive(height, "sensor height", " mm", error)) {
+        return false;
+    }
+    double reach = 2 * f * (1 + m / P);
+    *frame = (struct panorama_frame){.horizontal = 2 * atan(width / reach),
+                                     .vertical = 2 * atan(height / reach)};
+    return true;
+}
+
+bool panorama_focal(double angle, double m, double P, double width, double *f, struct error *error)
+{
+    if (!(angle > 0 && angle < pi)) {
+        return fail(error, ERROR_DOMAIN,
+                    "angle of view %g degrees is out of range (above 0, below "
+                    "180)",
+                    degrees_from_radians(angle));
+    }
+    if (!check_lens(m, P, error) || !check_positive(width, "sensor width", " mm", error)) {
+        return false;
+    }
+    *f = width / (2 * tan(angle / 2) * (1 + m / P));
+    return true;
+}
+
+/* How many frames of an angle cover a total, and their even step. */
+static bool count_frames(double angle, double total, double overlap, bool closed, int *count,
+                         double *step, struct error *error)
+{
+    double advance = angle * (1 - overlap);
+    double exact = closed ? total / advance : (total - angle * overlap) / advance;
+    double n = fmax(1, ceil(exact - 1e-9)); /* rounding must not cost a frame */
+    if (!(n <= most_frames)) {
+        return fail(error, ERROR_DOMAIN,
+                    "%g frames a row are out of range (up to %g: a wider frame, less overlap)", n,
+                    most_frames);
+    }
+    *count = (int)n;
+    *step = closed ? total / n : n > 1 ? (total - angle) / (n - 1) : 0;
+    return true;
+}
+
+static bool check_goal(const struct panorama_frame *frame, const struct panorama_goal *goal,
+                       struct error *error)
+{
+    if (!check_angle(frame->horizontal, false, 2 * pi, "horizontal angle of view", error) ||
+        !check_angle(frame->vertical, false, 2 * pi, "vertical angle of view", error) ||
+        !check_angle(goal->arc, false, 2 * pi, "--arc", error) ||
+        !check_angle(goal->span, true, pi, "--span", error)) {
+        return false;
+    }
+    if (!(goal->overlap >= 0 && goal->overlap < 1)) {
+        return fail(error, ERROR_DOMAIN, "--overlap %g is out of range (0 up to below 1)",
+                    goal->overlap);
+    }
+    return true;
+}
+
+bool panorama_plan(const struct panorama_frame *frame, const struct panorama_goal *goal,
+                   struct panorama *plan, struct error *error)
+{
+    bool closed = is_closed(goal->arc);
+    struct panorama p = {0};
+    if (!check_goal(frame, goal, error) ||
+        !count_frames(frame->horizontal, closed ? 2 * pi : goal->arc, goal->overlap, closed,
+                      &p.columns, &p.step, error) ||
+        !count_frames(frame->vertical, goal->span, goal->overlap, false, &p.rows, &p.row_step,
+                      error)) {
+        return false;
+    }
+    if (!((double)p.columns * p.rows <= most_frames)) {
+        return fail(error, ERROR_DOMAIN, "%d x %d frames are out of range (up to %g)", p.columns,
+                    p.rows, most_frames);
+    }
+    p.shots = p.columns * p.rows;
+    p.overlap = closed || p.columns > 1 ? 1 - p.step / frame->horizontal : (double)NAN;
+    p.row_overlap = p.rows > 1 ? 1 - p.row_step / frame->vertical : (double)NAN;
+    *plan = p;
+    return true;
+}
+
+bool panorama_overlap(const struct panorama_frame *frame, double arc, int columns, double *overlap,
+                      struct error *error)
+{
+    if (!check_angle(frame->horizontal, false, 2 * pi, "horizontal angle of view", error) ||
+        !check_angle(arc, false, 2 * pi, "--arc", error)) {
+        return false;
+    }
+    if (columns < 1) {
+        return fail(error, ERROR_DOMAIN, "--columns %d is out of range (1 or more)", columns);
+    }
+    double h = frame->horizontal;
+    double step = is_closed(arc) ? 2 * pi / columns
+                  : columns > 1  ? (arc - h) / (columns - 1)
+                                 : (double)NAN;
+    *overlap = 1 - step / h;
+    return true;
+}
+
+bool panorama_row_at(const struct panorama_frame *frame, const struct panorama_goal *goal,
+                     const struct panorama *plan, double middle, int index,
+                     struct panorama_row *row, struct error *error)
+{
+    if (!check_flat(frame, error) || !check_goal(frame, goal, error)) {
+        return false;
+    }
+    if (index < 0 || index >= plan->rows) {
+        return fail(error, ERROR_DOMAIN, "row %d is out of range (0 to %d)", index, plan->rows - 1);
+    }
+    double elevation = middle + (index - (plan->rows - 1) / 2.0) * plan->row_step;
+    if (!(fabs(elevation) <= pi / 2 + 1e-9)) {
+        return fail(error, ERROR_DOMAIN, "row at %g degrees is out of range (-90 to 90)",
+                    degrees_from_radians(elevation));
+    }
+    row->elevation = elevation;
+    if (fabs(elevation) > pi / 2 - 1e-9) { /* the pole in the middle of the frame */
+        row->columns = 1;
+        row->step = 0;
+        return true;
+    }
+    double half = plan->row_step / 2;
+    double forward = cos(fabs(elevation) - half) / cos(half);
+    double angle = 2 * atan(tan(frame->horizontal / 2) / forward);
+    bool closed = is_closed(goal->arc);
+    return count_frames(angle, closed ? 2 * pi : goal->arc, goal->overlap, closed, &row->columns,
+                        &row->step, error);
+}
+
+bool panorama_size(const struct panorama_frame *frame, const struct panorama_goal *goal,
+                   double pixels, struct panorama_size *size, struct error *error)
+{
+    if (!check_flat(frame, error) || !check_goal(frame, goal, error) ||
+        !check_positive(pixels, "pixels of a frame", "", error)) {
+        return false;
+    }
+    double per_radian = pixels / (2 * tan(frame->horizontal / 2));
+    double arc = fmax(goal->arc, fmin(frame->horizontal, 2 * pi));
+    double span = fmax(goal->span, frame->vertical);
+    *size = (struct panorama_size){
+        .per_degree = per_radian * (pi / 180),
+        .width = arc * per_radian,
+        .sphere_height = span * per_radian,
+        .cylinder_height = span < pi ? 2 * tan(span / 2) * per_radian : (double)INFINITY,
+        .flat_width = arc < pi ? 2 * tan(arc / 2) * per_radian : (double)INFINITY};
+    return true;
+}
+
+/* How far a thing at distance D seems turned, seen from the pupil, rad. */
+static double apparent_turn(double e, double half, double D)
+{
+    return isinf(D) ? 0 : atan2(e * sin(half), D - e * cos(half));
+}
+
+bool panorama_parallax(double offset, double step, double near, double far, double *parallax,
+                       struct error *error)
+{
+    double e = fabs(offset);
+    if (!check_angle(step, false, pi, "--step", error)) {
+        return false;
+    }
+    if (!(near > e && isfinite(near))) {
+        return fail(error, ERROR_DOMAIN,
+                    "--near %g mm lies within the circle of the entrance pupil (more than the "
+                    "offset %g mm)",
+                    near, e);
+    }
+    if (!(far >= near)) {
+        return fail(error, ERROR_DOMAIN, "--far %g mm lies before --near %g mm (%g mm or more)",
+                    far, near, near);
+    }
+    *parallax = 2 * (apparent_turn(e, step / 2, near) - apparent_turn(e, step / 2, far));
+    return true;
+}
+
+static bool check_parallax(double parallax, double step, struct error *error)
+{
+    if (!check_angle(step, false, pi, "--step", error)) {
+        return false;
+    }
+    if (!(parallax > 0 && parallax < pi - step)) {
+        return fail(error, ERROR_DOMAIN,
+                    "parallax of %g degrees is out of range (above 0, below %g)",
+                    degrees_from_radians(parallax), degrees_from_radians(pi - step));
+    }
+    return true;
+}
+
+bool panorama_offset(double parallax, double step, double near, double *offset, struct error *error)
+{
+    if (!check_parallax(parallax, step, error) || !check_positive(near, "--near", " mm", error)) {
+        return false;
+    }
+    *offset = near * sin(parallax / 2) / sin(step / 2 + parallax / 2); /* law of sines */
+    return true;
+}
+
+bool panorama_nearest(double offset, double parallax, double step, double *near,
+                      struct error *error)
+{
+    if (!check_parallax(parallax, step, error) ||
+        !check_positive(fabs(offset), "--offset", " mm", error)) {
+        return false;
+    }
+    *near = fabs(offset) * sin(step / 2 + parallax / 2) / sin(parallax / 2);
+    return true;
+}
+
+bool panorama_pupil(double f, double m, double P, double hiatus, double *distance,
+                    struct error *error)
+{
+    if (!check_positive(f, "--focal-length", " mm", error) || !check_lens(m, P, error)) {
+        return false;
+    }
+    if (!isfinite(hiatus)) {
+        return fail(error, ERROR_DOMAIN, "--hiatus %g mm is out of range (finite)", hiatus);
+    }
+    *distance = f * (1 + m) + hiatus + f * (1 - 1 / P);
+    return true;
+}

@@ -1,0 +1,164 @@
+/* photo/stars.c - star trails of a camera that stands still. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/stars.h"
+
+#include <math.h>
+
+#include "photo/given.h"
+
+static const double half_pi = 1.57079632679489661923;
+
+static bool check_declination(double dec, struct error *error)
+{
+    /* 1e-12: 90 deg converted from other units may round up */
+    if (!(fabs(dec) <= half_pi * (1 + 1e-12))) {
+        return fail(error, ERROR_DOMAIN, "--declination %.10g deg lies outside -90 to 90 deg",
+                    dec * 90 / half_pi);
+    }
+    return true;
+}
+
+static bool check_off_pole(double dec, struct error *error)
+{
+    if (!check_declination(dec, error)) {
+        return false;
+    }
+    if (!(fabs(dec) < half_pi * (1 - 1e-12))) {
+        return fail(error, ERROR_DOMAIN,
+                    "--declination %.10g deg is a pole: a star there does not move and no time is "
+                    "too long; the declination must lie between -90 and 90 deg",
+                    dec * 90 / half_pi);
+    }
+    return true;
+}
+
+static bool check_time(double t, struct error *error)
+{
+    if (!require_positive("--time", " s", t, error)) {
+        return false;
+    }
+    if (!(t <= STELLAR_DAY)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--time %.10g s exceeds one turn of the sky, %.10g s: the trail is closed", t,
+                    STELLAR_DAY);
+    }
+    return true;
+}
+
+/* End-to-end trail per focal length; inf where an end lies 90 deg off the axis or behind it. */
+static double unit_chord(double dec, double t)
+{
+    double q = STELLAR_RATE * t / 2;
+    double c = cos(dec);
+    double half_sine = sin(q / 2);
+    double depth = 1 - 2 * c * c * half_sine * half_sine; /* cosine of the angle off the axis */
+    return depth > 0 ? 2 * c * sin(q) / depth : INFINITY;
+}
+
+bool star_trail(double f, double dec, double t, struct star_trail *trail, struct error *error)
+{
+    if (!require_positive("--focal-length", " mm", f, error) || !check_declination(dec, error) ||
+        !check_time(t, error)) {
+        return false;
+    }
+    double c = fmax(cos(dec), 0);
+    trail->rotation = STELLAR_RATE * t;
+    trail->arc = trail->rotation * c;
+    trail->separation = 2 * asin(c * sin(trail->rotation / 2));
+    trail->linear = f * trail->arc;
+    trail->chord = f * fmax(unit_chord(dec, t), 0);
+    return true;
+}
+
+bool star_trail_worst(double f, double dec, double t, double half_diagonal, double *worst,
+                      struct error *error)
+{
+    if (!require_positive("--focal-length", " mm", f, error) || !check_declination(dec, error) ||
+        !check_time(t, error)) {
+        return false;
+    }
+    if (!(half_diagonal >= 0 && isfinite(half_diagonal))) {
+        return fail(error, ERROR_DOMAIN, "half diagonal %.10g mm must be 0 or above and finite",
+                    half_diagonal);
+    }
+    double slope = half_diagonal / f;
+    double nearest = fmax(fabs(dec) - atan(slope), 0); /* to the equator, within the frame */
+    *worst = f * STELLAR_RATE * t * fmax(cos(nearest), 0) * (1 + slope * slope);
+    return true;
+}
+
+bool star_time(double f, double dec, double allowed, struct star_time *time, struct error *error)
+{
+    if (!require_positive("--focal-length", " mm", f, error) || !check_off_pole(dec, error) ||
+        !require_positive("--trail", " mm", allowed, error)) {
+        return false;
+    }
+    double g = f * cos(dec);
+    double inside = 4 * g * g + allowed * allowed * cos(2 * dec);
+    time->linear = allowed / (g * STELLAR_RATE);
+    time->exact =
+        inside >= 0 ? 4 * atan(allowed / (2 * g + sqrt(inside))) / STELLAR_RATE : INFINITY;
+    return true;
+}
+
+bool star_focal_length(double dec, double t, double allowed, double *f, struct error *error)
+{
+    if (!check_off_pole(dec, error) || !check_time(t, error) ||
+        !require_positive("--trail", " mm", allowed, error)) {
+        return false;
+    }
+    *f = allowed / unit_chord(dec, t);
+    return answer_positive("the focal length", *f, error);
+}
+
+bool star_rule_time(double constant, double f, double crop, double *t, struct error *error)
+{
+    if (!require_positive("--rule", "", constant, error) ||
+        !require_positive("--focal-length", " mm", f, error) ||
+        !require_positive("--crop", "", crop, error)) {
+        return false;
+    }
+    *t = constant / (crop * f);
+    return answer_positive("the longest time", *t, error);
+}
+
+static bool check_npf(double f, double N, double pitch, struct error *error)
+{
+    return require_positive("--focal-length", " mm", f, error) &&
+           require_positive("--aperture", "", N, error) &&
+           require_positive("--pixel", " mm", pitch, error);
+}
+
+bool npf_simple_time(double f, double N, double pitch, double *t, struct error *error)
+{
+    if (!check_npf(f, N, pitch, error)) {
+        return false;
+    }
+    *t = (35 * N + 30 * (pitch * 1000)) / f;
+    return answer_positive("the longest time", *t, error);
+}
+
+bool npf_full_time(double f, double N, double pitch, double dec, double k, double *t,
+                   struct error *error)
+{
+    if (!check_npf(f, N, pitch, error) || !check_off_pole(dec, error) ||
+        !require_positive("--accuracy", "", k, error)) {
+        return false;
+    }
+    *t = k * (16.9 * N + 0.10 * f + 13.7 * (pitch * 1000)) / (f * cos(dec));
+    return answer_positive("the longest time", *t, error);
+}
+
+bool four_minus_crop_time(double f, double crop, double *t, struct error *error)
+{
+    if (!require_positive("--focal-length", " mm", f, error) ||
+        !require_positive("--crop", "", crop, error)) {
+        return false;
+    }
+    if (!(crop < 4)) {
+        return fail(error, ERROR_DOMAIN, "--crop %.10g must lie below 4 for the 4 - crop rule",
+                    crop);
+    }
+    *t = 100 * (4 - crop) / f;
+    return answer_positive("the longest time", *t, error);
+}

@@ -1,0 +1,168 @@
+/* photo/stops.c - light lost on the way to the film, in stops; shutter angles. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/stops.h"
+
+#include <math.h>
+
+#include "photo/given.h"
+
+static const double log10_of_2 = 0.30102999566398119521;
+static const double pi = 3.14159265358979323846;
+
+double stops_from_density(double D)
+{
+    return D / log10_of_2;
+}
+
+double density_from_stops(double stops)
+{
+    return stops * log10_of_2;
+}
+
+double stops_from_factor(double F)
+{
+    return log2(F);
+}
+
+double factor_from_stops(double stops)
+{
+    return exp2(stops);
+}
+
+double stops_from_transmittance(double transmittance)
+{
+    return -log2(transmittance);
+}
+
+double transmittance_from_stops(double stops)
+{
+    return exp2(-stops);
+}
+
+static bool check_transmittance(double transmittance, struct error *error)
+{
+    if (!(transmittance > 0 && transmittance <= 1)) {
+        return fail(error, ERROR_DOMAIN, "--transmittance %.10g must lie above 0 and up to 1",
+                    transmittance);
+    }
+    return true;
+}
+
+bool t_stop(double N, double transmittance, double *T, struct error *error)
+{
+    if (!require_positive("--aperture", "", N, error) ||
+        !check_transmittance(transmittance, error)) {
+        return false;
+    }
+    *T = N / sqrt(transmittance);
+    return true;
+}
+
+bool transmittance_from_t_stop(double N, double T, double *transmittance, struct error *error)
+{
+    if (!require_positive("--aperture", "", N, error) ||
+        !require_positive("--t-stop", "", T, error)) {
+        return false;
+    }
+    if (!(T >= N)) {
+        return fail(error, ERROR_DOMAIN, "--t-stop %.10g must not lie below the f-number %.10g", T,
+                    N);
+    }
+    *transmittance = (N / T) * (N / T);
+    return true;
+}
+
+static bool pupil_stretch(double m, double P, double *stretch, struct error *error)
+{
+    if (!(m >= 0 && isfinite(m))) {
+        return fail(error, ERROR_DOMAIN, "--magnification %.10g must be 0 or above and finite", m);
+    }
+    *stretch = 1 + m / P;
+    return require_positive("--pupil", "", P, error);
+}
+
+bool bellows_factor(double m, double P, double *factor, struct error *error)
+{
+    double stretch = 0;
+    if (!pupil_stretch(m, P, &stretch, error)) {
+        return false;
+    }
+    *factor = stretch * stretch;
+    return true;
+}
+
+bool working_fnumber(double N, double m, double P, double *working, struct error *error)
+{
+    double stretch = 0;
+    if (!require_positive("--aperture", "", N, error) || !pupil_stretch(m, P, &stretch, error)) {
+        return false;
+    }
+    *working = N * stretch;
+    return true;
+}
+
+/* Loss of the lens itself: absorption and extension. */
+static bool lens_loss(const struct light_loss *loss, double *stops, struct error *error)
+{
+    *stops = 0;
+    if (is_given(loss->transmittance)) {
+        if (!check_transmittance(loss->transmittance, error)) {
+            return false;
+        }
+        *stops += stops_from_transmittance(loss->transmittance);
+    }
+    if (is_given(loss->m)) {
+        double stretch = 0;
+        if (!pupil_stretch(loss->m, is_given(loss->P) ? loss->P : 1, &stretch, error)) {
+            return false;
+        }
+        *stops += 2 * log2(stretch);
+    }
+    return true;
+}
+
+bool light_loss(const struct light_loss *loss, double *stops, struct error *error)
+{
+    double density = is_given(loss->density) ? loss->density : 0;
+    double factor = is_given(loss->factor) ? loss->factor : 1;
+    double extra = is_given(loss->stops) ? loss->stops : 0;
+    double lens = 0;
+    /* 30 densities or 100 stops are past anything that passes light at all */
+    if (!require_within("--density", "", density, 0, 30, error) ||
+        !require_within("--filter", "", factor, 1, 1e30, error) ||
+        !require_within("--loss", " stops", extra, 0, 100, error) ||
+        !lens_loss(loss, &lens, error)) {
+        return false;
+    }
+    *stops = stops_from_density(density) + stops_from_factor(factor) + extra + lens;
+    return true;
+}
+
+bool shutter_solve(struct shutter *shutter, struct error *error)
+{
+    const struct given numbers[] = {{"--shutter-angle", " rad", shutter->angle},
+                                    {"--frame-rate", " fps", shutter->rate},
+                                    {"--time", " s", shutter->t}};
+    if (given_missing(numbers, 3) != 1) {
+        return fail(error, ERROR_USAGE,
+                    "give exactly two of --shutter-angle, --frame-rate and --time");
+    }
+    if (!given_positive(numbers, 3, error)) {
+        return false;
+    }
+    if (!is_given(shutter->t)) {
+        shutter->t = shutter->angle / (2 * pi * shutter->rate);
+    } else if (!is_given(shutter->rate)) {
+        shutter->rate = shutter->angle / (2 * pi * shutter->t);
+    } else {
+        shutter->angle = 2 * pi * shutter->rate * shutter->t;
+    }
+    /* 1e-12: an angle of 360 deg may arrive with rounding from 1/24 s at 24 fps */
+    if (!(shutter->angle <= 2 * pi * (1 + 1e-12))) {
+        return fail(error, ERROR_DOMAIN,
+                    "a shutter angle of %.10g deg exceeds 360 deg: the exposure is longer than "
+                    "the frame",
+                    shutter->angle * 180 / pi);
+    }
+    return true;
+}

@@ -1,0 +1,310 @@
+/* photo/tilt.c - tilted lens: Scheimpflug, hinge rule, wedge of sharpness, image circle. */
+/* SPDX-License-Identifier: MIT */
+#include "photo/tilt.h"
+
+#include <math.h>
+
+static const double pi = 3.141592653589793;
+
+static double degrees_from_radians(double angle)
+{
+    return angle * (180 / pi);
+}
+
+static bool check_positive(double x, const char *option, const char *unit, struct error *error)
+{
+    if (!(x > 0 && isfinite(x))) {
+        return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (above 0, finite)", option, x,
+                    unit);
+    }
+    return true;
+}
+
+static bool check_lens(const struct tilt_given *g, struct error *error)
+{
+    if (!check_positive(g->f, "--focal-length", " mm", error) ||
+        !check_positive(g->N, "--aperture", "", error)) {
+        return false;
+    }
+    if (!(g->c >= 0 && g->c < g->f / g->N)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--coc %g mm is not narrower than the aperture (0 or more, below f/N = %g mm)",
+                    g->c, g->f / g->N);
+    }
+    return true;
+}
+
+/* The tilt, given itself or by the hinge's depth. */
+static bool solve_tilt(const struct tilt_given *g, double *tilt, struct error *error)
+{
+    if (isnan(g->tilt) == isnan(g->hinge)) {
+        return fail(error, ERROR_USAGE, "give exactly one of --tilt and --hinge");
+    }
+    if (isnan(g->hinge)) {
+        *tilt = g->tilt;
+    } else if (fabs(g->hinge) >= g->f) {
+        *tilt = asin(g->f / g->hinge);
+    } else {
+        return fail(error, ERROR_DOMAIN,
+                    "--hinge %g mm is nearer than any tilt of a %g mm lens can bring it (above %g "
+                    "mm on either side)",
+                    g->hinge, g->f, g->f);
+    }
+    if (!(fabs(*tilt) < pi / 2)) {
+        return fail(error, ERROR_DOMAIN, "--tilt %g degrees is out of range (-90 to 90, exclusive)",
+                    degrees_from_radians(*tilt));
+    }
+    return true;
+}
+
+static bool ratio_from_image(const struct tilt_given *g, double tilt, double *ratio,
+                             struct error *error)
+{
+    (void)tilt;
+    *ratio = g->f / g->image;
+    return check_positive(g->image, "--image", " mm", error);
+}
+
+static bool ratio_from_distance(const struct tilt_given *g, double tilt, double *ratio,
+                                struct error *error)
+{
+    if (!(g->distance > g->f / cos(tilt))) {
+        return fail(error, ERROR_DOMAIN,
+                    "--distance %g mm lies within the focal length of the tilted lens: no real "
+                    "image (more than f/cos(tilt) = %g mm)",
+                    g->distance, g->f / cos(tilt));
+    }
+    *ratio = cos(tilt) - g->f / g->distance;
+    return true;
+}
+
+static bool ratio_from_angle(const struct tilt_given *g, double tilt, double *ratio,
+                             struct error *error)
+{
+    double size = copysign(1, tilt) * g->angle;
+    if (!(fabs(tilt) > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--angle needs a tilt: untilted, the plane of focus is parallel to the sensor "
+                    "(a tilt other than 0)");
+    }
+    if (!(size > fabs(tilt) && size < pi)) {
+        double sign = copysign(1, tilt);
+        return fail(error, ERROR_DOMAIN,
+                    "--angle %g degrees cannot be reached with this tilt (between %g and %g)",
+                    degrees_from_radians(g->angle), degrees_from_radians(tilt), sign * 180);
+    }
+    *ratio = sin(g->angle - tilt) / sin(g->angle);
+    return true;
+}
+
+/* f/v' from whichever of the three was given. */
+static bool solve_ratio(const struct tilt_given *g, double tilt, double *ratio, struct error *error)
+{
+    int count = !isnan(g->image) + !isnan(g->distance) + !isnan(g->angle);
+    if (count != 1) {
+        return fail(error, ERROR_USAGE, "give exactly one of --image, --distance and --angle");
+    }
+    if (!isnan(g->image)) {
+        return ratio_from_image(g, tilt, ratio, error);
+    }
+    if (!isnan(g->distance)) {
+        return ratio_from_distance(g, tilt, ratio, error);
+    }
+    return ratio_from_angle(g, tilt, ratio, error);
+}
+
+/* u where the line meets rise = y/u; inf where it doesn't, before the lens. */
+static double reach(double f, double denominator)
+{
+    return denominator > 0 ? f / denominator : (double)INFINITY;
+}
+
+bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct error *error)
+{
+    double tilt = NAN, ratio = NAN;
+    if (!check_lens(given, error) || !solve_tilt(given, &tilt, error) ||
+        !solve_ratio(given, tilt, &ratio, error)) {
+        return false;
+    }
+    double f = given->f, image = f / ratio, blur = given->N * given->c / f;
+    double A = cos(tilt) - ratio, B = sin(tilt);
+    double A_near = A + ratio * blur, A_far = A - ratio * blur;
+    *result = (struct tilt){.f = f,
+                            .N = given->N,
+                            .c = given->c,
+                            .tilt = tilt,
+                            .hinge = f / B,
+                            .image = isnan(given->image) ? image : given->image,
+                            .distance = isnan(given->distance) ? reach(f, A) : given->distance,
+                            .angle = isnan(given->angle) ? atan2(B, A) : given->angle,
+                            .near_angle = atan2(B, A_near),
+                            .far_angle = atan2(B, A_far),
+                            .scheimpflug = image / tan(tilt),
+                            .hyperfocal = f / blur,
+                            .half_height = blur > 0 ? fabs(ratio * blur / B) : 0,
+                            .A = A,
+                            .A_near = A_near,
+                            .A_far = A_far,
+                            .B = B};
+    return true;
+}
+
+static bool check_points(double f, const struct tilt_point *first, const struct tilt_point *second,
+                         struct error *error)
+{
+    if (!check_positive(f, "--focal-length", " mm", error)) {
+        return false;
+    }
+    if (!(first->distance > 0 && second->distance > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "points at %g mm and %g mm: one does not lie before the lens (above 0 mm)",
+                    first->distance, second->distance);
+    }
+    if (!(isfinite(first->rise) && isfinite(second->rise) &&
+          fabs(second->rise - first->rise) > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "both points lie in the same direction (slope %g): any tilt serves only one "
+                    "of them (two directions)",
+                    first->rise);
+    }
+    return true;
+}
+
+bool tilt_through(double f, const struct tilt_point *first, const struct tilt_point *second,
+                  double *tilt, double *image, struct error *error)
+{
+    if (!check_points(f, first, second, error)) {
+        return false;
+    }
+    double sine = f * (1 / first->distance - 1 / second->distance) / (second->rise - first->rise);
+    if (!(fabs(sine) < 1)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the two points ask for a hinge %g mm from the lens, nearer than its focal "
+                    "length %g mm (more than that)",
+                    f / fabs(sine), f);
+    }
+    *tilt = asin(sine);
+    double ratio = cos(*tilt) - f / first->distance - first->rise * sine;
+    if (!(ratio > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "no sensor position images both points: the plane through them lies within "
+                    "the focal length %g mm (farther away)",
+                    f);
+    }
+    *image = f / ratio;
+    return true;
+}
+
+bool tilt_point_focused(double f, double z, double h, struct tilt_point *point, struct error *error)
+{
+    if (!check_positive(f, "--focal-length", " mm", error)) {
+        return false;
+    }
+    if (!(z >= f && isfinite(z))) {
+        return fail(error, ERROR_DOMAIN,
+                    "image distance %g mm lies within the focal length (%g mm or more)", z, f);
+    }
+    *point = (struct tilt_point){.distance = f * z / (z - f), .rise = -h / z};
+    return true;
+}
+
+struct tilt_reach tilt_along(const struct tilt *camera, double rise)
+{
+    double D = camera->A - rise * camera->B;
+    double D_near = camera->A_near - rise * camera->B;
+    double D_far = camera->A_far - rise * camera->B;
+    double top = camera->f / camera->image * camera->N * camera->c; /* f (f/v') (N c/f) */
+    double front = D > 0 ? top / (D * D_near) : (double)INFINITY;
+    double behind = D > 0 && D_far > 0 ? top / (D * D_far) : (double)INFINITY;
+    return (struct tilt_reach){.sharp = reach(camera->f, D),
+                               .near = reach(camera->f, D_near),
+                               .far = reach(camera->f, D_far),
+                               .front = front,
+                               .behind = behind};
+}
+
+bool tilt_coverage(const struct tilt *camera, double width, double height, double rise,
+                   double shift, struct tilt_coverage *coverage, struct error *error)
+{
+    if (!check_positive(width, "sensor width", " mm", error) ||
+        !check_positive(height, "sensor height", " mm", error)) {
+        return false;
+    }
+    double worst = 0, v = camera->image, sine = camera->B, cosine = cos(camera->tilt);
+    for (int i = 0; i < 4; i++) {
+        double x = shift + (i & 1 ? width : -width) / 2;
+        double y = -rise + (i & 2 ? height : -height) / 2;
+        double along = v * cosine + y * sine;
+        if (!(along > 0)) {
+            return fail(error, ERROR_DOMAIN,
+                        "a corner of the frame lies beside the tilted lens: no image circle holds "
+                        "it (less --tilt than %g degrees)",
+                        degrees_from_radians(camera->tilt));
+        }
+        worst = fmax(worst, hypot(x, y * cosine - v * sine) / along);
+    }
+    *coverage = (struct tilt_coverage){.angle = atan(worst), .circle = 2 * camera->f * worst};
+    return true;
+}
+
+bool tilt_shift_limit(double f, double image, double circle, double width, double height,
+                      double *limit, struct error *error)
+{
+    if (!check_positive(f, "--focal-length", " mm", error) ||
+        !check_positive(image, "--image", " mm", error)) {
+        return false;
+    }
+    double radius = circle / 2 * (image / f);
+    *limit = sqrt(radius * radius - width * width / 4) - height / 2;
+    if (!(*limit >= 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--circle %g mm does not cover the frame %g x %g mm (%g mm or more)", circle,
+                    width, height, hypot(width, height) * (f / image));
+    }
+    return true;
+}
+
+/* Narrow from..to to where low <= start + t step <= high. */
+static void clip(double start, double step, double low, double high, double *from, double *to)
+{
+    if (!(fabs(step) > 0)) {
+        *to = start >= low && start <= high ? *to : -(double)INFINITY;
+        return;
+    }
+    double a = (low - start) / step, b = (high - start) / step;
+    *from = fmax(*from, fmin(a, b));
+    *to = fmin(*to, fmax(a, b));
+}
+
+/* The part of the line A u - B y = f inside the view. */
+static struct tilt_segment clipped(double A, double B, double f, const struct tilt_view *view)
+{
+    double square = A * A + B * B;
+    double u = f * A / square, y = -f * B / square; /* nearest to the lens; direction (B, A) */
+    double from = -(double)INFINITY, to = (double)INFINITY;
+    clip(u, B, 0, view->u_max, &from, &to);
+    clip(y, A, view->y_min, view->y_max, &from, &to);
+    if (!(from < to)) {
+        return (struct tilt_segment){.shown = false};
+    }
+    return (struct tilt_segment){
+        .from = {-(u + from * B), y + from * A}, .to = {-(u + to * B), y + to * A}, .shown = true};
+}
+
+void tilt_draw(const struct tilt *camera, const struct tilt_view *view,
+               struct tilt_drawing *drawing)
+{
+    double f = camera->f, B = camera->B, cosine = cos(camera->tilt), v = camera->image;
+    double half = view->lens_diameter / 2, bottom = view->sensor_centre - view->sensor_height / 2;
+    double back = v * cosine; /* along the axis to about the sensor */
+    *drawing = (struct tilt_drawing){
+        .hinge = {0, -camera->hinge},
+        .scheimpflug = {v, -camera->scheimpflug},
+        .lens = {{half * B, -half * cosine}, {-half * B, half * cosine}, true},
+        .sensor = {{v, bottom}, {v, bottom + view->sensor_height}, true},
+        .axis = {{-2 * f * cosine, -2 * f * B}, {back * cosine, back * B}, true},
+        .front_focal = clipped(cosine, B, f, view),
+        .sharp = clipped(camera->A, B, f, view),
+        .near = clipped(camera->A_near, B, f, view),
+        .far = clipped(camera->A_far, B, f, view)};
+}

@@ -1,0 +1,154 @@
+/* report/csv.c - comma- and tab-separated values (RFC 4180). */
+/* SPDX-License-Identifier: MIT */
+#include "report/report.h"
+
+#include <string.h>
+
+static char separator_of(const struct report *report)
+{
+    return report->format == &format_tsv ? '\t' : ',';
+}
+
+/* Does the cell need quotes? */
+static bool is_special(const char *start, size_t length, char separator)
+{
+    for (size_t i = 0; i < length; i++) {
+        char c = start[i];
+        if (c == separator || c == '"' || c == '\n' || c == '\r') {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void write_text(struct report *report, const char *start, size_t length)
+{
+    if (!is_special(start, length, separator_of(report))) {
+        output_text(report->output, start, length);
+        return;
+    }
+    output_character(report->output, '"');
+    for (size_t i = 0; i < length; i++) {
+        if (start[i] == '"') {
+            output_character(report->output, '"');
+        }
+        output_character(report->output, start[i]);
+    }
+    output_character(report->output, '"');
+}
+
+static void write_value(struct report *report, const void *row, const struct shown *shown)
+{
+    switch (shown->column->type) {
+    case COLUMN_NUMBER:
+        output_advance(report->output,
+                       shown_write_number(output_reserve(report->output, NUMBER_LENGTH), row,
+                                          shown, report->digits));
+        break;
+    case COLUMN_INTEGER:
+        if (!row_is_absent(row, shown->column)) {
+            output_printf(report->output, "%ld", row_integer(row, shown->column));
+        }
+        break;
+    case COLUMN_FLAG:
+        output_string(report->output, row_flag(row, shown->column) ? "true" : "false");
+        break;
+    case COLUMN_TEXT: {
+        const char *text = row_text(row, shown->column);
+        write_text(report, text != NULL ? text : "", text != NULL ? strlen(text) : 0);
+        break;
+    }
+    }
+}
+
+static void begin(struct report *report)
+{
+    char separator = separator_of(report);
+    size_t cells = 0;
+    for (size_t i = 0; i < report->passed_count; i++) {
+        if (cells++ > 0) {
+            output_character(report->output, separator);
+        }
+        write_text(report, report->passed_names[i].start, report->passed_names[i].length);
+    }
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (cells++ > 0) {
+            output_character(report->output, separator);
+        }
+        output_string(report->output, report->shown[i].name);
+    }
+    if (report->has_error_column) {
+        output_string(report->output, cells > 0 ? (char[]){separator, '\0'} : "");
+        output_string(report->output, "error");
+    }
+    output_character(report->output, '\n');
+}
+
+/* All columns are numbers, as in most pipes: nothing but numbers and separators to write. */
+static void write_numbers(struct report *report, const void *row, char separator)
+{
+    char *to = output_reserve(report->output, report->shown_count * (NUMBER_LENGTH + 1));
+    for (size_t i = 0; i < report->shown_count; i++) {
+        to = shown_write_number(to, row, &report->shown[i], report->digits);
+        *to++ = separator;
+    }
+    to[-1] = '\n';
+    output_advance(report->output, to);
+}
+
+static bool has_only_numbers(const struct report *report)
+{
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (report->shown[i].column->type != COLUMN_NUMBER) {
+            return false;
+        }
+    }
+    return report->shown_count > 0 && report->shown_count <= OUTPUT_RESERVE / (NUMBER_LENGTH + 1) &&
+           report->passed_count == 0 && !report->has_error_column;
+}
+
+static void write_cells(struct report *report, const void *row, const struct text *passed,
+                        const struct error *failure)
+{
+    char separator = separator_of(report);
+    size_t cells = 0;
+    for (size_t i = 0; i < report->passed_count; i++) {
+        if (cells++ > 0) {
+            output_character(report->output, separator);
+        }
+        write_text(report, passed[i].start, passed[i].length);
+    }
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (cells++ > 0) {
+            output_character(report->output, separator);
+        }
+        if (row != NULL) {
+            write_value(report, row, &report->shown[i]);
+        }
+    }
+    if (report->has_error_column) {
+        output_string(report->output, cells > 0 ? (char[]){separator, '\0'} : "");
+        if (failure != NULL) {
+            write_text(report, failure->message, strlen(failure->message));
+        }
+    }
+    output_character(report->output, '\n');
+}
+
+static void row(struct report *report, const void *row, const struct text *passed,
+                const struct error *failure)
+{
+    if (row != NULL && has_only_numbers(report)) {
+        write_numbers(report, row, separator_of(report));
+    } else {
+        write_cells(report, row, passed, failure);
+    }
+}
+
+static void end(struct report *report)
+{
+    (void)report;
+}
+
+const struct format format_csv = {"csv", "comma-separated values (RFC 4180)", begin, row, end};
+const struct format format_tsv = {"tsv", "tab-separated values", begin, row, end};

@@ -1,0 +1,106 @@
+/* report/explain.c - formulas with symbols, with numbers put in, and their sources. */
+/* SPDX-License-Identifier: MIT */
+#include "report/explain.h"
+
+#include "report/readable.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { LINE = 1024, VALUE = 128 };
+
+static const struct column *by_symbol(const struct sheet *sheet, struct text symbol)
+{
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        const struct column *column = &sheet->columns[i];
+        if (column->symbol != NULL && text_equal(symbol, column->symbol)) {
+            return column;
+        }
+    }
+    return NULL;
+}
+
+static const struct column *by_name(const struct sheet *sheet, const char *name)
+{
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        if (strcmp(sheet->columns[i].name, name) == 0) {
+            return &sheet->columns[i];
+        }
+    }
+    return NULL;
+}
+
+/* A value with its unit: "50 mm". */
+static void write_value(char *to, size_t room, const struct column *column, const void *row)
+{
+    struct shown shown = {.column = column, .name = column->name};
+    char number[VALUE];
+    if (column->unit != NULL) {
+        shown.unit = unit_find(column->dimension, text_of(column->unit));
+    }
+    readable_value(number, sizeof number, row, &shown, shown.unit, 6);
+    bool has_unit = shown.unit != NULL && shown.unit->label[0] != '\0';
+    snprintf(to, room, "%s%s%s", number, has_unit ? " " : "", has_unit ? shown.unit->label : "");
+}
+
+/* Copy a formula, with each {symbol} as itself or, given a row, as its value. */
+static void render(char *to, const char *formula, const struct sheet *sheet, const void *row)
+{
+    size_t used = 0;
+    while (*formula != '\0' && used < LINE - VALUE) {
+        const char *close = *formula == '{' ? strchr(formula, '}') : NULL;
+        if (close == NULL) {
+            to[used++] = *formula++;
+            continue;
+        }
+        struct text symbol = text_between(formula + 1, close);
+        const struct column *column = by_symbol(sheet, symbol);
+        if (row != NULL && column != NULL) {
+            write_value(to + used, LINE - used, column, row);
+        } else {
+            snprintf(to + used, LINE - used, "%.*s", (int)symbol.length, symbol.start);
+        }
+        used += strlen(to + used);
+        formula = close + 1;
+    }
+    to[used] = '\0';
+}
+
+static bool is_wanted(const struct report *report, const char *name, const void *row)
+{
+    for (size_t i = 0; i < report->shown_count; i++) {
+        const struct column *column = report->shown[i].column;
+        if (strcmp(column->name, name) == 0) {
+            return !row_is_absent(row, column);
+        }
+    }
+    return false;
+}
+
+static const char *explain_one(const struct report *report, const struct explanation *explanation,
+                               const void *row)
+{
+    char symbols[LINE], numbers[LINE], result[VALUE];
+    const struct column *column = by_name(report->sheet, explanation->column);
+    render(symbols, explanation->formula, report->sheet, NULL);
+    const char *right = strstr(explanation->formula, " = ");
+    render(numbers, right != NULL ? right + 3 : explanation->formula, report->sheet, row);
+    write_value(result, sizeof result, column, row);
+    const char *label = column->label != NULL ? column->label : column->name;
+    return arena_printf(report->arena, "%s: %s\n  = %s\n  = %s\n  %s%s%s", label, symbols, numbers,
+                        result, explanation->source, explanation->limits != NULL ? "; " : "",
+                        explanation->limits != NULL ? explanation->limits : "");
+}
+
+const char *explain_row(const struct report *report, const struct explanation *explanations,
+                        const void *row)
+{
+    const char *text = NULL;
+    for (size_t i = 0; explanations != NULL && explanations[i].column != NULL; i++) {
+        if (is_wanted(report, explanations[i].column, row)) {
+            const char *one = explain_one(report, &explanations[i], row);
+            text = text == NULL ? one : arena_printf(report->arena, "%s\n%s", text, one);
+        }
+    }
+    return text;
+}

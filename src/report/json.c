@@ -1,0 +1,233 @@
+/* report/json.c - one JSON object of all rows, or one JSON object a line. */
+/* SPDX-License-Identifier: MIT */
+#include "report/report.h"
+#include "report/version.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Length of the UTF-8 sequence at `at`, 0 if it is none (RFC 3629). */
+static size_t utf8_length(const unsigned char *at, size_t room)
+{
+    size_t length = at[0] < 0x80 ? 1 : at[0] < 0xc2 ? 0 : at[0] < 0xe0 ? 2 : at[0] < 0xf0 ? 3 :
+                    at[0] < 0xf5 ? 4 : 0;
+    if (length == 0 || length > room) {
+        return 0;
+    }
+    for (size_t i = 1; i < length; i++) {
+        if ((at[i] & 0xc0) != 0x80) {
+            return 0;
+        }
+    }
+    bool overlong = (at[0] == 0xe0 && at[1] < 0xa0) || (at[0] == 0xf0 && at[1] < 0x90);
+    bool surrogate = at[0] == 0xed && at[1] > 0x9f;
+    bool beyond = at[0] == 0xf4 && at[1] > 0x8f;
+    return length > 2 && (overlong || surrogate || beyond) ? 0 : length;
+}
+
+static void write_string(struct output *output, const char *start, size_t length)
+{
+    output_character(output, '"');
+    for (size_t i = 0; i < length;) {
+        unsigned char c = (unsigned char)start[i];
+        size_t sequence = utf8_length((const unsigned char *)start + i, length - i);
+        if (sequence == 0) {
+            output_string(output, "\xef\xbf\xbd"); /* replacement character */
+            i++;
+            continue;
+        }
+        if (c == '"' || c == '\\') {
+            output_character(output, '\\');
+            output_character(output, (char)c);
+        } else if (c < 0x20) {
+            output_printf(output, "\\u%04x", c);
+        } else {
+            output_text(output, start + i, sequence);
+        }
+        i += sequence;
+    }
+    output_character(output, '"');
+}
+
+static void write_key(struct output *output, const char *name, const char *suffix)
+{
+    output_printf(output, "\"%s%s\":", name, suffix);
+}
+
+static void write_number(struct report *report, const void *row, const struct shown *shown)
+{
+    double value = row_number(row, shown->column);
+    if (!isfinite(value)) {
+        output_string(report->output, "null");
+        return;
+    }
+    char *to = output_reserve(report->output, NUMBER_LENGTH);
+    output_advance(report->output, shown_write_number(to, row, shown, report->digits));
+}
+
+static void write_value(struct report *report, const void *row, const struct shown *shown)
+{
+    const struct column *column = shown->column;
+    if (row == NULL || row_is_absent(row, column)) {
+        output_string(report->output, "null");
+    } else if (column->type == COLUMN_NUMBER) {
+        write_number(report, row, shown);
+    } else if (column->type == COLUMN_INTEGER) {
+        output_printf(report->output, "%ld", row_integer(row, column));
+    } else if (column->type == COLUMN_FLAG) {
+        output_string(report->output, row_flag(row, column) ? "true" : "false");
+    } else {
+        write_string(report->output, row_text(row, column), strlen(row_text(row, column)));
+    }
+}
+
+/* `,"key":value` for each column, and the companions of columns that can be infinite. */
+static void write_members(struct report *report, const void *row, const struct shown *shown,
+                          size_t count, bool comma)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (comma) {
+            output_character(report->output, ',');
+        }
+        comma = true;
+        write_key(report->output, shown[i].name, "");
+        write_value(report, row, &shown[i]);
+        if ((shown[i].column->flags & COLUMN_INFINITE) != 0) {
+            output_character(report->output, ',');
+            write_key(report->output, shown[i].column->name, "_is_infinite");
+            bool infinite = row != NULL && isinf(row_number(row, shown[i].column));
+            output_string(report->output, row == NULL ? "null" : infinite ? "true" : "false");
+        }
+    }
+}
+
+static void write_object(struct report *report, const void *row, const struct text *passed,
+                         const struct error *failure)
+{
+    output_character(report->output, '{');
+    for (size_t i = 0; i < report->passed_count; i++) {
+        struct text name = report->passed_names[i];
+        if (i > 0) {
+            output_character(report->output, ',');
+        }
+        write_string(report->output, name.start, name.length);
+        output_character(report->output, ':');
+        write_string(report->output, passed[i].start, passed[i].length);
+    }
+    write_members(report, row, report->shown, report->shown_count, report->passed_count > 0);
+    if (failure != NULL) {
+        output_string(report->output, report->shown_count + report->passed_count > 0
+                                          ? ",\"error\":" : "\"error\":");
+        write_string(report->output, failure->message, strlen(failure->message));
+    }
+    output_character(report->output, '}');
+}
+
+/* The head waits for the first good row, which knows the assumptions. */
+static void write_head(struct report *report, const void *row)
+{
+    output_printf(report->output, "{\"command\":\"%s\",\"version\":\"%s\",\"assumptions\":{",
+                  report->command, LENSCALC_VERSION);
+    write_members(report, row, report->assumed, report->assumed_count, false);
+    output_string(report->output, "},\"rows\":[");
+}
+
+/* Failed rows that came before the first good one. */
+struct pending {
+    struct text *passed;
+    struct error failure;
+    struct pending *next;
+};
+
+struct json_state {
+    bool has_head;
+    struct pending *first, **last;
+};
+
+static void write_row(struct report *report, const void *row, const struct text *passed,
+                      const struct error *failure, bool first)
+{
+    output_string(report->output, first ? "\n" : ",\n");
+    write_object(report, row, passed, failure);
+}
+
+static void write_start(struct report *report, const void *row)
+{
+    struct json_state *state = report->state;
+    state->has_head = true;
+    write_head(report, row);
+    bool first = true;
+    for (struct pending *at = state->first; at != NULL; at = at->next) {
+        write_row(report, NULL, at->passed, &at->failure, first);
+        first = false;
+    }
+}
+
+static void keep(struct report *report, const struct text *passed, const struct error *failure)
+{
+    struct json_state *state = report->state;
+    struct pending *pending = ARENA_NEW(report->arena, struct pending);
+    pending->failure = *failure;
+    pending->passed = ARENA_ARRAY(report->arena, report->passed_count, struct text);
+    for (size_t i = 0; i < report->passed_count; i++) {
+        pending->passed[i] = (struct text){
+            arena_string(report->arena, passed[i].start, passed[i].length), passed[i].length};
+    }
+    *state->last = pending;
+    state->last = &pending->next;
+}
+
+/* Enough failures in a row that no good one is to be waited for: memory must not grow. */
+enum { MOST_PENDING = 1000 };
+
+static void json_begin(struct report *report)
+{
+    struct json_state *state = ARENA_NEW(report->arena, struct json_state);
+    state->last = &state->first;
+    report->state = state;
+}
+
+static void json_row(struct report *report, const void *row, const struct text *passed,
+                     const struct error *failure)
+{
+    struct json_state *state = report->state;
+    if (!state->has_head && row == NULL && report->rows < MOST_PENDING) {
+        keep(report, passed, failure);
+        return;
+    }
+    if (!state->has_head) {
+        write_start(report, row);
+    }
+    write_row(report, row, passed, failure, report->rows == 0);
+}
+
+static void json_end(struct report *report)
+{
+    struct json_state *state = report->state;
+    if (!state->has_head) {
+        write_start(report, NULL);
+    }
+    output_string(report->output, report->rows > 0 ? "\n]" : "]");
+    if (report->explain != NULL) {
+        output_string(report->output, ",\"explain\":");
+        write_string(report->output, report->explain, strlen(report->explain));
+    }
+    output_string(report->output, "}\n");
+}
+
+static void jsonl_begin(struct report *report)
+{
+    (void)report;
+}
+
+static void jsonl_row(struct report *report, const void *row, const struct text *passed,
+                      const struct error *failure)
+{
+    write_object(report, row, passed, failure);
+    output_character(report->output, '\n');
+}
+
+const struct format format_json = {"json", "one JSON object: command, assumptions, rows",
+                                   json_begin, json_row, json_end};
+const struct format format_jsonl = {"jsonl", "one JSON object a row, a line each", jsonl_begin,
+                                    jsonl_row, jsonl_begin};

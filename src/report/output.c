@@ -1,0 +1,159 @@
+/* report/output.c - buffered writing to standard output or to a file that appears whole. */
+/* SPDX-License-Identifier: MIT */
+#include "report/output.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { BUFFER_SIZE = 64 * 1024 };
+
+/* Write to a device or pipe directly: there is nothing to rename. */
+static bool is_plain_or_new(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) != 0 || S_ISREG(status.st_mode);
+}
+
+/* A new file beside `path`, with the permissions that the path has or would get. */
+static int open_beside(struct output *output, const char *path, struct arena *arena)
+{
+    output->beside = arena_printf(arena, "%s.XXXXXX", path);
+    int descriptor = mkstemp(output->beside);
+    if (descriptor >= 0) {
+        struct stat status;
+        mode_t mask = umask(0);
+        umask(mask);
+        mode_t mode = stat(path, &status) == 0 ? status.st_mode & 07777 : 0666 & ~mask;
+        /* a file system without permissions is no reason to fail */
+        (void)!fchmod(descriptor, mode);
+    }
+    return descriptor;
+}
+
+bool output_open(struct output *output, const char *path, struct arena *arena, struct error *error)
+{
+    *output = (struct output){.descriptor = STDOUT_FILENO, .path = path, .size = BUFFER_SIZE};
+    output->buffer = arena_array(arena, BUFFER_SIZE, 1);
+    if (path == NULL) {
+        return true;
+    }
+    output->descriptor = is_plain_or_new(path) ? open_beside(output, path, arena)
+                                               : open(path, O_WRONLY | O_CLOEXEC);
+    if (output->descriptor < 0) {
+        return fail(error, ERROR_IO, "cannot write %s: %s", path, strerror(errno));
+    }
+    return true;
+}
+
+static void write_all(struct output *output, const char *start, size_t length)
+{
+    while (length > 0 && output->failure == 0) {
+        ssize_t written = write(output->descriptor, start, length);
+        if (written > 0) {
+            start += written;
+            length -= (size_t)written;
+        } else if (written < 0 && errno != EINTR) {
+            output->failure = errno;
+        }
+    }
+}
+
+void output_flush(struct output *output)
+{
+    write_all(output, output->buffer, output->used);
+    output->used = 0;
+}
+
+char *output_reserve(struct output *output, size_t length)
+{
+    if (output->size - output->used < length) {
+        output_flush(output);
+    }
+    return output->buffer + output->used;
+}
+
+void output_advance(struct output *output, const char *end)
+{
+    output->used = (size_t)(end - output->buffer);
+}
+
+void output_text(struct output *output, const char *start, size_t length)
+{
+    if (length > OUTPUT_RESERVE) {
+        output_flush(output);
+        write_all(output, start, length);
+    } else if (length > 0) {
+        char *to = output_reserve(output, length);
+        memcpy(to, start, length);
+        output_advance(output, to + length);
+    }
+}
+
+void output_string(struct output *output, const char *string)
+{
+    output_text(output, string, strlen(string));
+}
+
+void output_character(struct output *output, char c)
+{
+    output_text(output, &c, 1);
+}
+
+void output_spaces(struct output *output, size_t count)
+{
+    while (count-- > 0) {
+        output_character(output, ' ');
+    }
+}
+
+void output_printf(struct output *output, const char *format, ...)
+{
+    va_list arguments;
+    char *to = output_reserve(output, OUTPUT_RESERVE);
+    va_start(arguments, format);
+    int length = vsnprintf(to, OUTPUT_RESERVE, format, arguments);
+    va_end(arguments);
+    if (length > 0) {
+        output->used += length < OUTPUT_RESERVE ? (size_t)length : OUTPUT_RESERVE - 1;
+    }
+}
+
+bool output_close(struct output *output, bool keep, struct error *error)
+{
+    output_flush(output);
+    /* close reports what a network file system could not store */
+    if (output->path != NULL && close(output->descriptor) != 0 && output->failure == 0) {
+        output->failure = errno;
+    }
+    bool whole = keep && output->failure == 0;
+    if (output->beside != NULL && whole && rename(output->beside, output->path) != 0) {
+        output->failure = errno;
+        whole = false;
+    }
+    if (output->beside != NULL && !whole) {
+        unlink(output->beside);
+    }
+    if (output->failure != 0) {
+        return fail(error, ERROR_IO, "cannot write %s: %s",
+                    output->path != NULL ? output->path : "to standard output",
+                    strerror(output->failure));
+    }
+    return true;
+}
+
+bool output_file(const char *path, const char *data, size_t length, struct arena *arena,
+                 struct error *error)
+{
+    struct output output;
+    if (!output_open(&output, path, arena, error)) {
+        return false;
+    }
+    output_text(&output, data, length);
+    return output_close(&output, true, error);
+}

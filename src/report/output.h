@@ -1,0 +1,58 @@
+/* report/output.h - buffered writing to standard output or to a file that appears whole. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_REPORT_OUTPUT_H
+#define LENSCALC_REPORT_OUTPUT_H
+
+#include "base/arena.h"
+#include "base/error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Where results go. A failed write is remembered and reported by output_close. */
+struct output {
+    int descriptor;
+    int failure;      /* errno of the first failed write, 0 = none */
+    const char *path; /* null = standard output */
+    char *beside;     /* the file being written, renamed to `path` at the end; null for stdout */
+    char *buffer;
+    size_t used, size;
+};
+
+/*
+ * Open for writing. A file is written beside its final place and renamed when complete.
+ *
+ * Given     path    the file; null for standard output
+ *           arena   owns buffer and names
+ * Errors    ERROR_IO: the file cannot be made
+ */
+bool output_open(struct output *output, const char *path, struct arena *arena,
+                 struct error *error);
+
+/* Room for `length` characters (at most OUTPUT_RESERVE): write there, then output_advance. */
+enum { OUTPUT_RESERVE = 4096 };
+char *output_reserve(struct output *output, size_t length);
+void output_advance(struct output *output, const char *end);
+
+void output_text(struct output *output, const char *start, size_t length);
+void output_string(struct output *output, const char *string);
+void output_character(struct output *output, char c);
+void output_spaces(struct output *output, size_t count);
+void output_printf(struct output *output, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Hand over what is buffered now, so that a reader of the pipe sees it. */
+void output_flush(struct output *output);
+
+/*
+ * Finish. With `keep` false, or after a failed write, a file is removed instead of renamed.
+ *
+ * Errors    ERROR_IO naming the file and the reason
+ */
+bool output_close(struct output *output, bool keep, struct error *error);
+
+/* Write a whole file at once, by the same rules. */
+bool output_file(const char *path, const char *data, size_t length, struct arena *arena,
+                 struct error *error);
+
+#endif

@@ -1,0 +1,165 @@
+/* report/readable.c - numbers and units as people read them. */
+/* SPDX-License-Identifier: MIT */
+#include "report/readable.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const struct unit *length_unit(const char *name)
+{
+    return unit_find(&dimension_length, text_of(name));
+}
+
+/* Metres down to millimetres and up to kilometres; millimetres down to nanometres. */
+static const struct unit *metric_length(const struct unit *usual, double typical)
+{
+    bool metres = strcmp(usual->name, "m") == 0;
+    double smallest = metres ? 500 : 1e-3;
+    double largest = metres ? 1e7 : 1e5;
+    if (!(typical > 0) || isinf(typical) || (typical >= smallest && typical < largest)) {
+        return usual;
+    }
+    static const struct {
+        double below; /* mm */
+        const char *unit;
+    } ladder[] = {{1e-3, "nm"}, {1, "um"}, {1e4, "mm"}, {1e7, "m"}, {INFINITY, "km"}};
+    size_t i = 0;
+    while (typical >= ladder[i].below) {
+        i++;
+    }
+    return length_unit(ladder[i].unit);
+}
+
+/* Feet stand for feet and inches, or inches alone where all is short. */
+static const struct unit *imperial_length(double typical)
+{
+    if (typical < 304.8) {
+        return length_unit("in");
+    }
+    return length_unit(typical < 1e7 || isinf(typical) || isnan(typical) ? "ft" : "mi");
+}
+
+const struct unit *readable_unit(const struct shown *shown, enum unit_system system,
+                                 double typical, bool fixed)
+{
+    if (fixed || shown->unit == NULL || shown->column->dimension != &dimension_length) {
+        return shown->unit;
+    }
+    if (system == UNITS_IMPERIAL && strcmp(shown->unit->name, "m") == 0) {
+        return imperial_length(fabs(typical));
+    }
+    return metric_length(shown->unit, fabs(typical));
+}
+
+/* Significant digits, without exponent where people would not write one. */
+static void write_significant(char *to, size_t room, double value, int digits, bool pad)
+{
+    if (value == 0) {
+        snprintf(to, room, "0");
+        return;
+    }
+    int exponent = (int)floor(log10(fabs(value)));
+    /* rounding may carry into the next decade: 9.9996 is 10.00 */
+    char rounded[40];
+    snprintf(rounded, sizeof rounded, "%.*e", digits - 1, value);
+    sscanf(strchr(rounded, 'e') + 1, "%d", &exponent);
+    if (exponent < -6 || exponent > 8) {
+        snprintf(to, room, "%.*g", digits, value);
+        return;
+    }
+    int decimals = digits - 1 - exponent;
+    if (decimals < 0) {
+        double whole = 0;
+        sscanf(rounded, "%lf", &whole);
+        snprintf(to, room, "%.0f", whole);
+        return;
+    }
+    snprintf(to, room, "%.*f", decimals, value);
+    if (!pad && strchr(to, '.') != NULL) {
+        size_t length = strlen(to);
+        while (to[length - 1] == '0') {
+            length--;
+        }
+        to[to[length - 1] == '.' ? length - 1 : length] = '\0';
+    }
+}
+
+/* 9' 4.3": inches with the decimals that `digits` significant digits leave. */
+static void write_feet(char *to, size_t room, double millimetres, int digits)
+{
+    double feet = fabs(millimetres) / 304.8;
+    const char *sign = millimetres < 0 ? "-" : "";
+    int before = feet < 10 ? 1 : feet < 100 ? 2 : feet < 1000 ? 3 : 4;
+    int decimals = digits - before - 2;
+    if (decimals < -1) {
+        char number[40];
+        write_significant(number, sizeof number, feet, digits, true);
+        snprintf(to, room, "%s%s'", sign, number);
+        return;
+    }
+    double step = decimals < 0 ? 1 : pow(10, -decimals);
+    double inches = round(fabs(millimetres) / 25.4 / step) * step;
+    double whole = floor(inches / 12 + 1e-9);
+    double rest = inches - 12 * whole;
+    snprintf(to, room, "%s%.0f' %.*f\"", sign, whole, decimals < 0 ? 0 : decimals,
+             rest < 0 ? 0 : rest);
+}
+
+/* The digits that are certain: a relative error of condition x 2^-52 is always possible. */
+static int certain_digits(const void *row, const struct column *column, int digits)
+{
+    if (column->condition == 0) {
+        return digits;
+    }
+    double condition = *(const double *)((const char *)row + column->condition);
+    double certain = -log10(condition * 0x1p-52);
+    return certain < digits ? (int)floor(certain) : digits;
+}
+
+static void write_number(char *to, size_t room, const void *row, const struct shown *shown,
+                         const struct unit *unit, int digits)
+{
+    double value = row_number(row, shown->column);
+    if (isinf(value)) {
+        snprintf(to, room, value > 0 ? "inf" : "-inf");
+        return;
+    }
+    bool echo = (shown->column->flags & COLUMN_ECHO) != 0;
+    int certain = echo ? digits : certain_digits(row, shown->column, digits);
+    size_t used = 0;
+    if (certain < 1) {
+        certain = 1;
+        used = (size_t)snprintf(to, room, "~");
+    }
+    if (unit != NULL && strcmp(unit->name, "ft") == 0 &&
+        strcmp(shown->unit->name, "m") == 0) {
+        write_feet(to + used, room - used, value, certain);
+        return;
+    }
+    double converted = unit != NULL ? unit_from_own(unit, value) : value;
+    write_significant(to + used, room - used, converted, echo && certain < 6 ? 6 : certain, !echo);
+}
+
+void readable_value(char *to, size_t room, const void *row, const struct shown *shown,
+                    const struct unit *unit, int digits)
+{
+    to[0] = '\0';
+    if (row_is_absent(row, shown->column)) {
+        return;
+    }
+    switch (shown->column->type) {
+    case COLUMN_NUMBER:
+        write_number(to, room, row, shown, unit, digits);
+        break;
+    case COLUMN_INTEGER:
+        snprintf(to, room, "%ld", row_integer(row, shown->column));
+        break;
+    case COLUMN_FLAG:
+        snprintf(to, room, "%s", row_flag(row, shown->column) ? "yes" : "no");
+        break;
+    case COLUMN_TEXT:
+        snprintf(to, room, "%s", row_text(row, shown->column));
+        break;
+    }
+}

@@ -1,0 +1,31 @@
+/* report/readable.h - numbers and units as people read them. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_REPORT_READABLE_H
+#define LENSCALC_REPORT_READABLE_H
+
+#include "report/report.h"
+
+/*
+ * The unit in which a person would read these values of one column.
+ *
+ * Given     system   metric or imperial (only columns printed in metres become feet)
+ *           shown    the column and the unit of machine output
+ *           typical  a typical magnitude in the program's own unit; inf or NaN: no opinion
+ *           fixed    the user named the unit: keep it
+ * Result    the unit; null for a plain number
+ */
+const struct unit *readable_unit(const struct shown *shown, enum unit_system system,
+                                 double typical, bool fixed);
+
+/*
+ * Write the value of a column in words for people: `digits` significant digits, no exponent in
+ * the usual range, no more digits than the value's condition allows ("~" before a value of which
+ * not even one digit is certain), "inf" for infinity, "" if absent; feet and inches as 9' 4.3".
+ *
+ * Given     to, room  receives a string with NUL; 48 characters suffice for numbers
+ *           unit      as readable_unit gave it
+ */
+void readable_value(char *to, size_t room, const void *row, const struct shown *shown,
+                    const struct unit *unit, int digits);
+
+#endif

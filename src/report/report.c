@@ -1,0 +1,235 @@
+/* report/report.c - choose columns, and read the values of a row. */
+/* SPDX-License-Identifier: MIT */
+#include "report/report.h"
+
+#include <math.h>
+#include <string.h>
+
+const struct format *const formats[] = {
+    &format_text,  &format_csv,      &format_tsv,  &format_json,
+    &format_jsonl, &format_markdown, &format_html, NULL,
+};
+
+static const void *member(const void *row, const struct column *column)
+{
+    return (const char *)row + column->offset;
+}
+
+double row_number(const void *row, const struct column *column)
+{
+    return *(const double *)member(row, column);
+}
+
+long row_integer(const void *row, const struct column *column)
+{
+    return *(const long *)member(row, column);
+}
+
+bool row_flag(const void *row, const struct column *column)
+{
+    return *(const bool *)member(row, column);
+}
+
+const char *row_text(const void *row, const struct column *column)
+{
+    return *(const char *const *)member(row, column);
+}
+
+bool row_is_absent(const void *row, const struct column *column)
+{
+    switch (column->type) {
+    case COLUMN_NUMBER:
+        return isnan(row_number(row, column));
+    case COLUMN_INTEGER:
+        return row_integer(row, column) == NO_INTEGER;
+    case COLUMN_TEXT:
+        return row_text(row, column) == NULL;
+    case COLUMN_FLAG:
+        break;
+    }
+    return false;
+}
+
+char *shown_write_number(char *to, const void *row, const struct shown *shown, int digits)
+{
+    double value = row_number(row, shown->column);
+    if (isnan(value)) {
+        return to;
+    }
+    if (digits == 0) {
+        return quantity_write(to, value, shown->unit);
+    }
+    return number_write_digits(to, shown->converts ? unit_from_own(shown->unit, value) : value,
+                               digits);
+}
+
+static const struct unit *find_unit(const struct column *column, struct text name)
+{
+    return column->dimension != NULL ? unit_find(column->dimension, name) : NULL;
+}
+
+static struct shown show(const struct column *column, const struct unit *unit, struct arena *arena)
+{
+    struct shown shown = {.column = column, .unit = unit, .name = column->name};
+    if (unit != NULL) {
+        shown.name = arena_printf(arena, "%s_%s", column->name, unit->name);
+        shown.converts =
+            unit->scale.multiplier != 1 || unit->scale.power != 0 || unit->factor != 1;
+    }
+    return shown;
+}
+
+static struct shown show_usual(const struct column *column, struct arena *arena)
+{
+    const struct unit *unit = column->unit != NULL ? find_unit(column, text_of(column->unit)) : NULL;
+    return show(column, unit, arena);
+}
+
+/* Does `name` ask for this column, by itself or with a unit behind? */
+static bool names_column(struct text name, const struct column *column, struct arena *arena,
+                         struct shown *shown)
+{
+    size_t length = strlen(column->name);
+    if (name.length < length || memcmp(name.start, column->name, length) != 0) {
+        return false;
+    }
+    if (name.length == length) {
+        *shown = show_usual(column, arena);
+        return true;
+    }
+    struct text rest = {name.start + length + 1, name.length - length - 1};
+    const struct unit *unit = NULL;
+    if (name.start[length] == '_' && column->unit != NULL) {
+        unit = find_unit(column, rest);
+    }
+    if (unit != NULL && unit->name[0] != '\0') {
+        *shown = show(column, unit, arena);
+        return true;
+    }
+    return false;
+}
+
+bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,
+                        struct shown *shown, struct error *error)
+{
+    struct nearest nearest = {.typed = name};
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        const struct column *column = &sheet->columns[i];
+        if (names_column(name, column, arena, shown)) {
+            return true;
+        }
+        nearest_offer(&nearest, text_of(show_usual(column, arena).name));
+        nearest_offer(&nearest, text_of(column->name));
+    }
+    fail(error, ERROR_USAGE, "there is no column '%.*s'",
+         (int)(name.length < 60 ? name.length : 60), name.start);
+    if (nearest.best.start != NULL) {
+        error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+    }
+    return false;
+}
+
+static bool is_shown(const struct report *report, const char *name)
+{
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (strcmp(report->shown[i].name, name) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The columns that --columns names, in its order. */
+static bool select_named(struct report *report, const struct selection *selection,
+                         struct error *error)
+{
+    struct text rest = text_of(selection->columns);
+    size_t most = 1;
+    for (size_t i = 0; i < rest.length; i++) {
+        most += rest.start[i] == ',';
+    }
+    report->shown = ARENA_ARRAY(report->arena, most, struct shown);
+    while (rest.start != NULL) {
+        struct text name = text_trim(text_cut(&rest, ','));
+        if (text_equal(name, "error")) {
+            report->has_error_column = true;
+            continue;
+        }
+        struct shown shown;
+        if (!report_find_column(report->sheet, name, report->arena, &shown, error)) {
+            return error_prefix(error, "--columns: ");
+        }
+        if (is_shown(report, shown.name)) {
+            return fail(error, ERROR_USAGE, "--columns names '%s' twice", shown.name);
+        }
+        report->shown[report->shown_count++] = shown;
+    }
+    return true;
+}
+
+/* Does any of the options this assumption follows from change from row to row? */
+static bool depends_on_varied(const struct column *column, const struct selection *selection)
+{
+    struct text rest = text_of(column->depends != NULL ? column->depends : "");
+    while (rest.start != NULL) {
+        struct text word = text_cut(&rest, ' ');
+        char option[40] = {0};
+        memcpy(option, word.start, word.length < sizeof option ? word.length : sizeof option - 1);
+        if (selection->varied(selection->asked, option)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool belongs(const struct column *column, const struct selection *selection, bool varies)
+{
+    if ((column->flags & COLUMN_ASSUMED) != 0 && varies) {
+        return true;
+    }
+    if ((column->flags & COLUMN_EXTRA) != 0) {
+        return column->with != NULL && selection->given(selection->asked, column->with);
+    }
+    if (selection->layout == SELECT_TABLE && (column->flags & COLUMN_BRIEF) == 0) {
+        bool echo = (column->flags & COLUMN_ECHO) != 0;
+        return column->with != NULL && (echo ? selection->varied : selection->given)(
+                                           selection->asked, column->with);
+    }
+    bool hidden = (column->flags & COLUMN_HIDDEN) != 0;
+    return selection->layout != SELECT_LIST || !hidden;
+}
+
+/* Everything a row has, but for extras nobody asked for. */
+static void select_usual(struct report *report, const struct selection *selection)
+{
+    report->shown = ARENA_ARRAY(report->arena, report->sheet->column_count, struct shown);
+    for (size_t i = 0; i < report->sheet->column_count; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        if (belongs(column, selection, depends_on_varied(column, selection))) {
+            report->shown[report->shown_count++] = show_usual(column, report->arena);
+        }
+    }
+}
+
+static void select_assumed(struct report *report, const struct selection *selection)
+{
+    report->assumed = ARENA_ARRAY(report->arena, report->sheet->column_count, struct shown);
+    for (size_t i = 0; i < report->sheet->column_count; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        if ((column->flags & COLUMN_ASSUMED) != 0 && !depends_on_varied(column, selection)) {
+            report->assumed[report->assumed_count++] = show_usual(column, report->arena);
+        }
+    }
+}
+
+bool report_select(struct report *report, const struct selection *selection, struct error *error)
+{
+    report->shown_count = 0;
+    report->assumed_count = 0;
+    select_assumed(report, selection);
+    if (selection->columns != NULL) {
+        return select_named(report, selection, error);
+    }
+    select_usual(report, selection);
+    return true;
+}

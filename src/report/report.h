@@ -1,0 +1,101 @@
+/* report/report.h - rows of results on their way out, in the format the user asked for. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_REPORT_REPORT_H
+#define LENSCALC_REPORT_REPORT_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "report/output.h"
+#include "report/table.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A column as it is printed: in this unit, under this name. */
+struct shown {
+    const struct column *column;
+    const struct unit *unit; /* null = none */
+    const char *name;        /* "near_m" */
+    bool converts;           /* the unit is not the program's own */
+};
+
+enum unit_system { UNITS_METRIC, UNITS_IMPERIAL };
+
+struct report;
+
+/* A way to print. `row` gets a failed row as a null pointer with its failure. */
+struct format {
+    const char *name, *help;
+    void (*begin)(struct report *report);
+    void (*row)(struct report *report, const void *row, const struct text *passed,
+                const struct error *failure);
+    void (*end)(struct report *report);
+};
+
+extern const struct format format_text, format_csv, format_tsv, format_json, format_jsonl,
+    format_markdown, format_html;
+
+/* All formats; ends with null. */
+extern const struct format *const formats[];
+
+struct report {
+    const struct format *format;
+    struct output *output;
+    struct arena *arena;
+    const char *command; /* its name */
+    const char *title;   /* for formats that have one */
+    const struct sheet *sheet;
+    struct shown *shown; /* columns of the rows */
+    size_t shown_count;
+    struct shown *assumed; /* columns of the assumptions, the same in every row */
+    size_t assumed_count;
+    const struct text *passed_names; /* columns of a batch that are handed through */
+    size_t passed_count;
+    bool has_error_column;
+    bool many;  /* a sweep or a batch: rows lie, even if there is one */
+    int digits; /* significant digits, 0 = as the format does */
+    enum unit_system units;
+    const char *explain; /* text to print after the rows, or null */
+    size_t rows;         /* printed so far */
+    void *state;         /* the format's own */
+};
+
+/* The columns to print, and which options shape them. */
+struct selection {
+    const char *columns;                              /* --columns, or null for the usual ones */
+    enum { SELECT_ALL, SELECT_LIST, SELECT_TABLE } layout; /* machine; one answer; many rows */
+    bool (*given)(const void *asked, const char *option);  /* was this option given? */
+    bool (*varied)(const void *asked, const char *option); /* does it change from row to row? */
+    const void *asked;
+};
+
+/*
+ * Choose the columns of a report from its sheet; fills shown and assumed.
+ *
+ * Errors    ERROR_USAGE: --columns names an unknown or doubled column or a wrong unit
+ */
+bool report_select(struct report *report, const struct selection *selection, struct error *error);
+
+/* Find a column by output name ("near_m"), in another unit ("near_ft") or without one ("near"). */
+bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,
+                        struct shown *shown, struct error *error);
+
+/* "assuming ..., ...": the assumptions of a report in words, from a row; null if there are none. */
+const char *report_assumptions(const struct report *report, const void *row);
+
+/* The values of a row. Numbers in the program's own unit. */
+double row_number(const void *row, const struct column *column);
+long row_integer(const void *row, const struct column *column);
+bool row_flag(const void *row, const struct column *column);
+const char *row_text(const void *row, const struct column *column);
+
+/* Is there no value? */
+bool row_is_absent(const void *row, const struct column *column);
+
+/*
+ * Write a number of a row for machines: `digits` significant digits (0 = shortest that reads
+ * back), `inf`; nothing for NaN. Room for NUMBER_LENGTH; returns the end.
+ */
+char *shown_write_number(char *to, const void *row, const struct shown *shown, int digits);
+
+#endif

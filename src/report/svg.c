@@ -1,0 +1,322 @@
+/* report/svg.c - SVG 1.1 drawings as text in memory. */
+/* SPDX-License-Identifier: MIT */
+#include "report/svg.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/number.h"
+
+static const size_t FIRST_CAPACITY = 16384;
+static const double COORDINATE_MAX = 1e6; /* viewers calculate in float */
+
+static void put_bytes(struct svg *svg, const char *start, size_t length)
+{
+    if (svg->capacity - svg->length <= length) {
+        size_t capacity = 2 * (svg->capacity + length) + FIRST_CAPACITY;
+        char *data = ARENA_ARRAY(svg->arena, capacity, char);
+        if (svg->length > 0)
+            memcpy(data, svg->data, svg->length);
+        svg->data = data;
+        svg->capacity = capacity;
+    }
+    memcpy(svg->data + svg->length, start, length);
+    svg->length += length;
+    svg->data[svg->length] = '\0';
+}
+
+static void put(struct svg *svg, const char *text)
+{
+    put_bytes(svg, text, strlen(text));
+}
+
+static void put_number(struct svg *svg, double x)
+{
+    char digits[NUMBER_LENGTH];
+    x = fmax(-COORDINATE_MAX, fmin(COORDINATE_MAX, x));
+    x = round(x * 100) / 100 + 0.0; /* + 0 turns -0 into 0 */
+    put_bytes(svg, digits, (size_t)(number_write_digits(digits, x, 9) - digits));
+}
+
+static void put_attribute(struct svg *svg, const char *name, double x)
+{
+    put(svg, " ");
+    put(svg, name);
+    put(svg, "=\"");
+    put_number(svg, x);
+    put(svg, "\"");
+}
+
+static void put_colour(struct svg *svg, const char *name, const char *value)
+{
+    put(svg, " ");
+    put(svg, name);
+    put(svg, "=\"");
+    put(svg, value ? value : "none");
+    put(svg, "\"");
+}
+
+/* Bytes of the character at `at` if XML can hold it, else 0 (RFC 3629; XML 1.0, production 2). */
+static size_t character_length(const char *at)
+{
+    const unsigned char *byte = (const unsigned char *)at;
+    if (byte[0] < 0x80)
+        return byte[0] >= 0x20 || byte[0] == '\t' || byte[0] == '\n';
+    size_t length = byte[0] >= 0xf0 ? 4 : byte[0] >= 0xe0 ? 3 : 2;
+    if (byte[0] < 0xc2 || byte[0] > 0xf4)
+        return 0;
+    for (size_t i = 1; i < length; i++) {
+        if ((byte[i] & 0xc0) != 0x80)
+            return 0;
+    }
+    bool overlong = (byte[0] == 0xe0 && byte[1] < 0xa0) || (byte[0] == 0xf0 && byte[1] < 0x90);
+    bool surrogate = byte[0] == 0xed && byte[1] > 0x9f;
+    bool too_large = byte[0] == 0xf4 && byte[1] > 0x8f;
+    bool reserved = byte[0] == 0xef && byte[1] == 0xbf && byte[2] > 0xbd;
+    return overlong || surrogate || too_large || reserved ? 0 : length;
+}
+
+static void put_escaped(struct svg *svg, const char *text, size_t length)
+{
+    for (const char *at = text; at < text + length;) {
+        size_t bytes = character_length(at);
+        switch (*at) {
+        case '&':
+            put(svg, "&amp;");
+            break;
+        case '<':
+            put(svg, "&lt;");
+            break;
+        case '>':
+            put(svg, "&gt;");
+            break;
+        case '"':
+            put(svg, "&quot;");
+            break;
+        default:
+            put_bytes(svg, bytes > 0 ? at : "?", bytes > 0 ? bytes : 1);
+            break;
+        }
+        at += bytes > 0 ? bytes : 1;
+    }
+}
+
+/* Width of a character in ems. */
+static double character_width(const char *at)
+{
+    unsigned char byte = (unsigned char)*at;
+    if ((byte & 0xc0) == 0x80)
+        return 0; /* the rest of a character that is counted already */
+    if (byte >= 'A' && byte <= 'Z')
+        return 0.7;
+    if (strchr(" .,:;'|!()[]ijltfr/", byte))
+        return 0.37;
+    return byte == 'm' || byte == 'w' || byte == '%' || byte >= 0xe2 ? 0.9 : 0.63;
+}
+
+double svg_text_width(const char *text, double size)
+{
+    double width = 0;
+    for (; *text; text++)
+        width += character_width(text) * size;
+    return width;
+}
+
+/* How many bytes of `text` fit into `width`, cut between characters. */
+static size_t fitting_length(const char *text, double size, double width)
+{
+    size_t length = 0;
+    for (double used = 0; text[length]; length++) {
+        used += character_width(text + length) * size;
+        if (used > width)
+            break;
+    }
+    while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80)
+        length--;
+    return length;
+}
+
+static bool all_finite(double a, double b, double c, double d)
+{
+    return isfinite(a) && isfinite(b) && isfinite(c) && isfinite(d);
+}
+
+void svg_begin(struct svg *svg, double width, double height, const char *title)
+{
+    put(svg, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"");
+    put_attribute(svg, "width", width);
+    put_attribute(svg, "height", height);
+    put(svg, " viewBox=\"0 0 ");
+    put_number(svg, width);
+    put(svg, " ");
+    put_number(svg, height);
+    put(svg, "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"none\" "
+             "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>");
+    if (title)
+        put_escaped(svg, title, strlen(title));
+    put(svg, "</title>\n");
+    svg_group_begin(svg, &(struct svg_style){.fill = "#fff"});
+    svg_rect(svg, 0, 0, width, height);
+    svg_group_end(svg);
+}
+
+void svg_end(struct svg *svg)
+{
+    put(svg, "</svg>\n");
+}
+
+void svg_group_begin(struct svg *svg, const struct svg_style *style)
+{
+    put(svg, "<g");
+    put_colour(svg, "fill", style->fill);
+    put_colour(svg, "stroke", style->stroke);
+    if (style->width > 0)
+        put_attribute(svg, "stroke-width", style->width);
+    if (style->dash)
+        put_colour(svg, "stroke-dasharray", style->dash);
+    if (style->opacity > 0)
+        put_attribute(svg, "opacity", style->opacity);
+    put(svg, ">\n");
+}
+
+void svg_clip_begin(struct svg *svg, double x, double y, double width, double height)
+{
+    double name = (double)(svg->length % 1000000); /* where it stands: no other has it */
+    put(svg, "<clipPath id=\"clip");
+    put_number(svg, name);
+    put(svg, "\">");
+    svg_rect(svg, x, y, width, height);
+    put(svg, "</clipPath>\n<g clip-path=\"url(#clip");
+    put_number(svg, name);
+    put(svg, ")\">\n");
+}
+
+void svg_group_end(struct svg *svg)
+{
+    put(svg, "</g>\n");
+}
+
+void svg_line(struct svg *svg, double x1, double y1, double x2, double y2)
+{
+    if (!all_finite(x1, y1, x2, y2))
+        return;
+    put(svg, "<line");
+    put_attribute(svg, "x1", x1);
+    put_attribute(svg, "y1", y1);
+    put_attribute(svg, "x2", x2);
+    put_attribute(svg, "y2", y2);
+    put(svg, "/>\n");
+}
+
+void svg_rect(struct svg *svg, double x, double y, double width, double height)
+{
+    if (!all_finite(x, y, width, height) || width < 0 || height < 0)
+        return;
+    put(svg, "<rect");
+    put_attribute(svg, "x", x);
+    put_attribute(svg, "y", y);
+    put_attribute(svg, "width", width);
+    put_attribute(svg, "height", height);
+    put(svg, "/>\n");
+}
+
+void svg_circle(struct svg *svg, double x, double y, double radius)
+{
+    if (!all_finite(x, y, radius, 0) || radius < 0)
+        return;
+    put(svg, "<circle");
+    put_attribute(svg, "cx", x);
+    put_attribute(svg, "cy", y);
+    put_attribute(svg, "r", radius);
+    put(svg, "/>\n");
+}
+
+static void put_run(struct svg *svg, const double *x, const double *y, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        put(svg, i == 0 ? "M" : i == 1 ? "L" : " ");
+        put_number(svg, x[i]);
+        put(svg, " ");
+        put_number(svg, y[i]);
+    }
+    if (count == 1)
+        put(svg, "h0"); /* round line ends make a dot of it */
+}
+
+/* One path of all runs of finite points, each followed by `ending`. */
+static void put_runs(struct svg *svg, const double *x, const double *y, size_t count,
+                     const char *ending)
+{
+    size_t start = 0;
+    bool open = false;
+    for (size_t i = 0; i <= count; i++) {
+        if (i < count && isfinite(x[i]) && isfinite(y[i]))
+            continue;
+        if (i > start) {
+            put(svg, open ? "" : "<path d=\"");
+            put_run(svg, x + start, y + start, i - start);
+            put(svg, ending);
+            open = true;
+        }
+        start = i + 1;
+    }
+    put(svg, open ? "\"/>\n" : "");
+}
+
+void svg_polyline(struct svg *svg, const double *x, const double *y, size_t count)
+{
+    put_runs(svg, x, y, count, "");
+}
+
+void svg_polygon(struct svg *svg, const double *x, const double *y, size_t count)
+{
+    put_runs(svg, x, y, count, "z");
+}
+
+void svg_path(struct svg *svg, double x, double y, const char *words)
+{
+    if (!all_finite(x, y, 0, 0))
+        return;
+    put(svg, "<path transform=\"translate(");
+    put_number(svg, x);
+    put(svg, " ");
+    put_number(svg, y);
+    put(svg, ")\" d=\"");
+    put_escaped(svg, words, strlen(words));
+    put(svg, "\"/>\n");
+}
+
+static void put_rotation(struct svg *svg, const struct svg_label *label)
+{
+    put(svg, " transform=\"rotate(");
+    put_number(svg, label->rotation);
+    put(svg, " ");
+    put_number(svg, label->x);
+    put(svg, " ");
+    put_number(svg, label->y);
+    put(svg, ")\"");
+}
+
+void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
+{
+    static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
+    if (!all_finite(label->x, label->y, label->size, label->rotation))
+        return;
+    put(svg, "<text");
+    put_attribute(svg, "x", label->x);
+    put_attribute(svg, "y", label->y);
+    put_attribute(svg, "font-size", label->size);
+    put(svg, anchors[label->anchor]);
+    put(svg, label->bold ? " font-weight=\"bold\"" : "");
+    put_colour(svg, "fill", label->colour ? label->colour : "#000");
+    put(svg, " stroke=\"none\"");
+    if (fabs(label->rotation) > 0)
+        put_rotation(svg, label);
+    put(svg, ">");
+    bool fits = !(label->width > 0) || svg_text_width(text, label->size) <= label->width;
+    double room = label->width - label->size; /* beside the ellipsis */
+    put_escaped(svg, text, fits ? strlen(text) : fitting_length(text, label->size, room));
+    put(svg, fits ? "</text>\n" : "…</text>\n");
+}

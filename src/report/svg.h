@@ -1,0 +1,81 @@
+/* report/svg.h - SVG 1.1 drawings as text in memory. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_REPORT_SVG_H
+#define LENSCALC_REPORT_SVG_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct arena;
+
+/*
+ * The drawing so far: well-formed after svg_end. Start with { .arena = ... }. All coordinates are
+ * pixels, x to the right, y down. They are written with at most two decimals and held within
+ * +-10^6; an element with a coordinate that is not finite is left out. The same calls give the
+ * same bytes on every run, in every locale.
+ */
+struct svg {
+    struct arena *arena; /* owns data; what it outgrows stays there until the arena is freed */
+    char *data;          /* UTF-8, a NUL behind; null before svg_begin */
+    size_t length, capacity;
+};
+
+/* How the shapes of a group are drawn; { 0 } draws nothing. */
+struct svg_style {
+    const char *stroke; /* colour of lines; null = none */
+    const char *fill;   /* colour of areas; null = none */
+    const char *dash;   /* lengths of dashes and gaps, px, as "6 4"; null = solid */
+    double width;       /* of lines, px; 0 = 1 */
+    double opacity;     /* 0 < opacity <= 1; 0 = 1 */
+};
+
+enum svg_anchor { SVG_START, SVG_MIDDLE, SVG_END };
+
+struct svg_label {
+    double x, y;            /* of the anchor, on the base line */
+    double size;            /* of the font, px */
+    double rotation;        /* degrees, clockwise, about the anchor */
+    double width;           /* px; a longer text is cut and ends in an ellipsis; 0 = any length */
+    enum svg_anchor anchor; /* which point of the text lies on x, y */
+    const char *colour;     /* null = black */
+    bool bold;
+};
+
+/* The head, with the drawing's title (null = none) and a white page. */
+void svg_begin(struct svg *svg, double width, double height, const char *title);
+void svg_end(struct svg *svg);
+
+/* Shapes inherit the style of the innermost group; outside of groups they are not drawn. */
+void svg_group_begin(struct svg *svg, const struct svg_style *style);
+
+/* A group of which only the part inside a rectangle is seen. */
+void svg_clip_begin(struct svg *svg, double x, double y, double width, double height);
+
+/* Close the innermost group or clip. */
+void svg_group_end(struct svg *svg);
+
+void svg_line(struct svg *svg, double x1, double y1, double x2, double y2);
+void svg_rect(struct svg *svg, double x, double y, double width, double height);
+void svg_circle(struct svg *svg, double x, double y, double radius);
+
+/* A line through `count` points, broken where a coordinate is not finite. */
+void svg_polyline(struct svg *svg, const double *x, const double *y, size_t count);
+
+/* The same, every part closed to an area. */
+void svg_polygon(struct svg *svg, const double *x, const double *y, size_t count);
+
+/* A path in SVG's own words ("M0 0L4 8z"), its origin moved to x, y. */
+void svg_path(struct svg *svg, double x, double y, const char *words);
+
+/* Text in UTF-8, escaped; what XML cannot hold is shown as '?'. */
+void svg_text(struct svg *svg, const struct svg_label *label, const char *text);
+
+/*
+ * About how wide a text will be, px.
+ *
+ * Limits    the viewer chooses the font, so this is a guess on the wide side (as DejaVu Sans);
+ *           Helvetica is about a tenth narrower
+ */
+double svg_text_width(const char *text, double size);
+
+#endif

@@ -1,0 +1,68 @@
+/* report/table.h - what a row of results holds: columns as const descriptions of a struct. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_REPORT_TABLE_H
+#define LENSCALC_REPORT_TABLE_H
+
+#include "base/quantity.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum column_type { COLUMN_NUMBER, COLUMN_INTEGER, COLUMN_FLAG, COLUMN_TEXT };
+
+/*
+ * The type of a column is the type of its member, so that table and struct cannot disagree.
+ * A NaN number, an integer NO_INTEGER and a null text are absent.
+ */
+#define COLUMN_TYPE(S, member)                                                                     \
+    _Generic(((S *)0)->member,                                                                     \
+        double: COLUMN_NUMBER,                                                                     \
+        long: COLUMN_INTEGER,                                                                      \
+        bool: COLUMN_FLAG,                                                                         \
+        const char *: COLUMN_TEXT)
+
+#define COLUMN(S, member) .type = COLUMN_TYPE(S, member), .offset = offsetof(S, member)
+
+#define NO_INTEGER (-0x7fffffffL)
+
+enum column_flag {
+    COLUMN_ECHO = 1,     /* repeats an input: printed as typed, without padding zeros */
+    COLUMN_INFINITE = 2, /* may be infinite: has a `_is_infinite` companion in JSON */
+    COLUMN_BRIEF = 4,    /* belongs into the text table of several rows */
+    COLUMN_ASSUMED = 8,  /* stands among the assumptions */
+    COLUMN_EXTRA = 16,   /* only on request, by --columns or by the option in `with` */
+    COLUMN_HIDDEN = 32   /* not in the single text answer unless asked for */
+};
+
+/* One column. Numbers are in the program's own units in the row, in `unit` in the output. */
+struct column {
+    const char *name; /* without the unit: "near" */
+    const char *unit; /* the unit of machine output: "m"; null = none */
+    const struct dimension *dimension; /* null = plain number */
+    enum column_type type;
+    size_t offset;
+    unsigned flags;
+    const char *symbol;  /* in formulas: "s"; null = none */
+    const char *label;   /* in words, for people: "near limit" */
+    const char *help;    /* one sentence */
+    const char *with;    /* the option that brings an extra, or a column into a table; or null */
+    const char *depends; /* COLUMN_ASSUMED: the options it follows from, separated by blanks */
+    size_t condition;    /* offset of the number's condition (a double), 0 = none */
+};
+
+/* The rows of one command. */
+struct sheet {
+    const struct column *columns;
+    size_t column_count;
+    size_t row_size;
+};
+
+/* How a value was computed, for --explain. {symbol} stands for a column's symbol and value. */
+struct explanation {
+    const char *column;  /* the column it explains, without unit */
+    const char *formula; /* "{H} = {f}^2/({N} {c}) + {f}" */
+    const char *source;  /* [Key] equation or page; keys are in lenscalc.7 */
+    const char *limits;  /* where it stops being true; null = nowhere */
+};
+
+#endif

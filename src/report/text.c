@@ -1,0 +1,370 @@
+/* report/text.c - aligned tables for people: plain text, markdown and HTML. */
+/* SPDX-License-Identifier: MIT */
+#include "report/grid.h"
+#include "report/readable.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/*
+ * The units and widths of a table are chosen from its first rows, so these wait until so many have
+ * come; later ones are printed as they come, in the same layout, and memory does not grow.
+ */
+enum { ROWS_LOOKED_AT = 512, DIGITS = 4, CELL = 256 };
+
+struct kept {
+    void *row; /* null: failed */
+    const struct text *passed;
+    const char *failure;
+};
+
+struct text_state {
+    struct kept *kept;
+    size_t kept_count;
+    bool has_layout;
+    const struct unit **units; /* one a shown column */
+    size_t *widths;
+    bool *is_empty; /* columns without a value in the rows looked at */
+    struct arena scratch;
+};
+
+static int digits_of(const struct report *report)
+{
+    return report->digits != 0 ? report->digits : DIGITS;
+}
+
+static struct text copy_text(struct arena *arena, struct text text)
+{
+    return (struct text){arena_string(arena, text.start, text.length), text.length};
+}
+
+/* Rows are kept whole, with copies of their texts. */
+static void keep(struct report *report, const void *row, const struct text *passed,
+                 const struct error *failure)
+{
+    struct text_state *state = report->state;
+    struct kept *kept = &state->kept[state->kept_count++];
+    struct text *copies = ARENA_ARRAY(report->arena, report->passed_count, struct text);
+    for (size_t i = 0; i < report->passed_count; i++) {
+        copies[i] = copy_text(report->arena, passed[i]);
+    }
+    *kept = (struct kept){.passed = copies};
+    if (failure != NULL) {
+        kept->failure = arena_string(report->arena, failure->message, strlen(failure->message));
+    }
+    if (row == NULL) {
+        return;
+    }
+    kept->row = arena_array(report->arena, 1, report->sheet->row_size);
+    memcpy(kept->row, row, report->sheet->row_size);
+    for (size_t i = 0; i < report->sheet->column_count; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        if (column->type == COLUMN_TEXT && row_text(row, column) != NULL) {
+            const char *string = row_text(row, column);
+            *(const char **)((char *)kept->row + column->offset) =
+                arena_string(report->arena, string, strlen(string));
+        }
+    }
+}
+
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The median magnitude of a column's finite values; NaN if there are none. */
+static double typical(struct text_state *state, const struct column *column)
+{
+    double values[ROWS_LOOKED_AT];
+    size_t count = 0;
+    for (size_t i = 0; i < state->kept_count; i++) {
+        if (state->kept[i].row != NULL) {
+            double value = fabs(row_number(state->kept[i].row, column));
+            if (isfinite(value) && value > 0) {
+                values[count++] = value;
+            }
+        }
+    }
+    if (count == 0) {
+        return NAN;
+    }
+    qsort(values, count, sizeof values[0], compare);
+    return values[count / 2];
+}
+
+/* A unit the user named with --columns is kept. */
+static bool is_fixed(const struct shown *shown)
+{
+    return shown->unit == NULL || shown->column->unit == NULL ||
+           strcmp(shown->unit->name, shown->column->unit) != 0;
+}
+
+static void choose_units(struct report *report)
+{
+    struct text_state *state = report->state;
+    for (size_t i = 0; i < report->shown_count; i++) {
+        const struct shown *shown = &report->shown[i];
+        double size = shown->column->type == COLUMN_NUMBER ? typical(state, shown->column) : NAN;
+        state->units[i] = readable_unit(shown, report->units, size, is_fixed(shown));
+        state->is_empty[i] = true;
+        for (size_t k = 0; k < state->kept_count && state->is_empty[i]; k++) {
+            const void *row = state->kept[k].row;
+            state->is_empty[i] = row == NULL || row_is_absent(row, shown->column);
+        }
+    }
+}
+
+/* A shown column keeps its place even when it is empty, if the user named it or rows still come. */
+static bool is_left_out(const struct report *report, size_t column)
+{
+    const struct text_state *state = report->state;
+    return state->is_empty[column] && (report->shown[column].column->flags & COLUMN_EXTRA) != 0;
+}
+
+static size_t cell_count(const struct report *report)
+{
+    return report->passed_count + report->shown_count + report->has_error_column;
+}
+
+static const char *label_of_unit(const struct shown *shown, const struct unit *unit)
+{
+    if (unit == NULL) {
+        return "";
+    }
+    bool feet_and_inches = strcmp(unit->name, "ft") == 0 && strcmp(shown->unit->name, "m") == 0;
+    return feet_and_inches ? "ft in" : unit->label;
+}
+
+static const char *spaced(struct arena *arena, const char *name)
+{
+    char *copy = arena_string(arena, name, strlen(name));
+    for (char *at = copy; *at != '\0'; at++) {
+        *at = *at == '_' ? ' ' : *at;
+    }
+    return copy;
+}
+
+static struct grid new_grid(struct report *report, struct arena *arena)
+{
+    struct text_state *state = report->state;
+    struct grid grid = grid_new(arena, cell_count(report), 2);
+    grid_add_row(&grid);
+    for (size_t i = 0; i < report->passed_count; i++) {
+        grid_set(&grid, i, arena_string(arena, report->passed_names[i].start,
+                                        report->passed_names[i].length));
+    }
+    for (size_t i = 0; i < report->shown_count; i++) {
+        const struct column *column = report->shown[i].column;
+        if (!is_left_out(report, i)) {
+            grid_set(&grid, report->passed_count + i, spaced(arena, column->name));
+        }
+        grid.left[report->passed_count + i] = column->type == COLUMN_TEXT;
+    }
+    if (report->has_error_column) {
+        grid_set(&grid, grid.columns - 1, "error");
+        grid.left[grid.columns - 1] = true;
+    }
+    grid_add_row(&grid);
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (!is_left_out(report, i)) {
+            grid_set(&grid, report->passed_count + i,
+                     label_of_unit(&report->shown[i], state->units[i]));
+        }
+    }
+    return grid;
+}
+
+static void add_row(struct report *report, struct grid *grid, const void *row,
+                    const struct text *passed, const char *failure)
+{
+    const struct text_state *state = report->state;
+    char cell[CELL];
+    grid_add_row(grid);
+    for (size_t i = 0; i < report->passed_count; i++) {
+        grid_set(grid, i, arena_string(grid->arena, passed[i].start, passed[i].length));
+    }
+    for (size_t i = 0; i < report->shown_count && row != NULL; i++) {
+        readable_value(cell, sizeof cell, row, &report->shown[i], state->units[i],
+                       digits_of(report));
+        grid_set(grid, report->passed_count + i, cell);
+    }
+    if (failure != NULL) {
+        grid_set(grid, grid->columns - 1, failure);
+    }
+}
+
+/* Words for one assumption: "circle of confusion 0.02884 mm". */
+static const char *assumption(const struct report *report, const struct shown *shown, const void *row)
+{
+    char value[CELL];
+    const struct column *column = shown->column;
+    const struct unit *unit = shown->unit;
+    if (column->type == COLUMN_NUMBER) {
+        unit = readable_unit(shown, UNITS_METRIC, row_number(row, column), false);
+    }
+    readable_value(value, sizeof value, row, shown, unit, DIGITS);
+    return arena_printf(report->arena, "%s %s%s%s", column->label, value,
+                        unit != NULL && unit->label[0] != '\0' ? " " : "",
+                        unit != NULL ? unit->label : "");
+}
+
+const char *report_assumptions(const struct report *report, const void *row)
+{
+    const char *line = NULL;
+    for (size_t i = 0; i < report->assumed_count && row != NULL; i++) {
+        const struct shown *shown = &report->assumed[i];
+        if (!row_is_absent(row, shown->column)) {
+            const char *words = assumption(report, shown, row);
+            line = line == NULL ? arena_printf(report->arena, "assuming %s", words)
+                                : arena_printf(report->arena, "%s, %s", line, words);
+        }
+    }
+    return line;
+}
+
+static const void *first_good_row(const struct text_state *state)
+{
+    for (size_t i = 0; i < state->kept_count; i++) {
+        if (state->kept[i].row != NULL) {
+            return state->kept[i].row;
+        }
+    }
+    return NULL;
+}
+
+static void write_grid(struct report *report, struct grid *grid, bool with_head)
+{
+    if (report->format == &format_markdown) {
+        grid_write_markdown(grid, report->output);
+    } else if (report->format == &format_html) {
+        grid_write_html(grid, report->output);
+    } else {
+        grid_write_text(grid, report->output, with_head);
+    }
+}
+
+/* Several rows: a table with names and units in its head. */
+static void write_table(struct report *report)
+{
+    struct text_state *state = report->state;
+    struct grid grid = new_grid(report, report->arena);
+    for (size_t i = 0; i < state->kept_count; i++) {
+        const struct kept *kept = &state->kept[i];
+        add_row(report, &grid, kept->row, kept->passed, kept->failure);
+    }
+    state->widths = ARENA_ARRAY(report->arena, grid.columns, size_t);
+    grid_measure(&grid, state->widths);
+    grid.title = report->title;
+    write_grid(report, &grid, true);
+}
+
+/* One answer: a line for each quantity, in words. */
+static void write_list(struct report *report)
+{
+    struct text_state *state = report->state;
+    const void *row = state->kept[0].row;
+    struct grid grid = grid_new(report->arena, 3, 0);
+    grid.left[0] = grid.left[2] = true;
+    for (size_t i = 0; i < report->shown_count; i++) {
+        const struct shown *shown = &report->shown[i];
+        if (state->is_empty[i]) {
+            continue;
+        }
+        char cell[CELL];
+        readable_value(cell, sizeof cell, row, shown, state->units[i], digits_of(report));
+        grid_add_row(&grid);
+        grid_set(&grid, 0, shown->column->label != NULL ? shown->column->label
+                                                        : spaced(report->arena, shown->name));
+        grid_set(&grid, 1, cell);
+        const char *unit = label_of_unit(shown, state->units[i]);
+        grid_set(&grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
+    }
+    grid.title = report->title;
+    write_grid(report, &grid, true);
+}
+
+static void write_kept(struct report *report)
+{
+    struct text_state *state = report->state;
+    choose_units(report);
+    if (!report->many && state->kept_count == 1 && report->format == &format_text) {
+        write_list(report);
+    } else {
+        write_table(report);
+    }
+    state->has_layout = true;
+}
+
+static void write_later_row(struct report *report, const void *row, const struct text *passed,
+                            const struct error *failure)
+{
+    struct text_state *state = report->state;
+    struct arena_mark mark = arena_mark(&state->scratch);
+    struct grid grid = new_grid(report, &state->scratch);
+    memcpy(grid.least_width, state->widths, grid.columns * sizeof grid.least_width[0]);
+    add_row(report, &grid, row, passed, failure != NULL ? failure->message : NULL);
+    if (report->format == &format_text) {
+        grid_write_text(&grid, report->output, false);
+    } else {
+        write_grid(report, &grid, false);
+    }
+    arena_reset(&state->scratch, mark);
+}
+
+static void text_begin(struct report *report)
+{
+    struct text_state *state = ARENA_NEW(report->arena, struct text_state);
+    state->kept = ARENA_ARRAY(report->arena, ROWS_LOOKED_AT, struct kept);
+    state->units = ARENA_ARRAY(report->arena, report->shown_count + 1, const struct unit *);
+    state->is_empty = ARENA_ARRAY(report->arena, report->shown_count + 1, bool);
+    report->state = state;
+    if (report->format == &format_html) {
+        grid_html_begin(report->output, report->command);
+    }
+}
+
+static void text_row(struct report *report, const void *row, const struct text *passed,
+                     const struct error *failure)
+{
+    struct text_state *state = report->state;
+    if (state->has_layout) {
+        write_later_row(report, row, passed, failure);
+        return;
+    }
+    keep(report, row, passed, failure);
+    if (state->kept_count == ROWS_LOOKED_AT) {
+        write_kept(report);
+    }
+}
+
+static void write_line(struct report *report, const char *line)
+{
+    if (line != NULL && report->format == &format_html) {
+        grid_html_paragraph(report->output, line);
+    } else if (line != NULL) {
+        output_printf(report->output, "\n%s\n", line);
+    }
+}
+
+static void text_end(struct report *report)
+{
+    struct text_state *state = report->state;
+    if (!state->has_layout && (state->kept_count > 0 || report->many)) {
+        write_kept(report);
+    }
+    write_line(report, report_assumptions(report, first_good_row(state)));
+    write_line(report, report->explain);
+    if (report->format == &format_html) {
+        grid_html_end(report->output);
+    }
+    arena_free(&state->scratch);
+}
+
+const struct format format_text = {"text", "aligned table with units, for people (the default)",
+                                   text_begin, text_row, text_end};
+const struct format format_markdown = {"markdown", "table for a document", text_begin, text_row,
+                                       text_end};
+const struct format format_html = {"html", "page to print from a browser", text_begin, text_row,
+                                   text_end};

@@ -1,0 +1,186 @@
+/* tests/unit/test_fov.c - field of view, projections, formats and circles of confusion. */
+/* SPDX-License-Identifier: MIT */
+#include <float.h>
+
+#include "check.h"
+#include "photo/fov.h"
+
+#define DEGREE (3.14159265358979323846 / 180)
+
+static const struct sensor full_frame = {36, 24, NAN};
+
+static struct fov view(enum projection projection, double f, double s, double P, double squeeze)
+{
+    struct fov_setting a = {projection, f, s, P, squeeze};
+    struct error error;
+    struct fov fov = {0};
+    CHECK(fov_compute(&a, &full_frame, &fov, &error));
+    return fov;
+}
+
+/* 36 x 24 mm at 50 mm: 46.8, 39.6, 27.0 deg, the lecture's numbers (CS348B lecture 7). */
+static void test_published(void)
+{
+    struct fov fov = view(RECTILINEAR, 50, INFINITY, 1, 1);
+    CHECK_NEAR(fov.diagonal / DEGREE, 46.8, 0.05, "diagonal at 50 mm");
+    CHECK_NEAR(fov.horizontal / DEGREE, 39.6, 0.05, "horizontal at 50 mm");
+    CHECK_NEAR(fov.vertical / DEGREE, 27.0, 0.05, "vertical at 50 mm");
+    CHECK(fov.width_at_s == INFINITY);
+    /* the lecture's normal lens: half angle 26.57 deg, tan = 1/2, full 53.13 deg */
+    double angle;
+    struct error error;
+    CHECK(fov_angle(RECTILINEAR, 50, 50, &angle, &error));
+    CHECK_NEAR(angle / DEGREE, 53.13010235415598, 1e-12, "film as long as f"); /* 2 atan(1/2) */
+}
+
+/* Classes of CS348B lecture 7 for lenses on 36 x 24 mm. */
+static void test_kinds(void)
+{
+    CHECK_TEXT(view(RECTILINEAR, 200, INFINITY, 1, 1).kind, "narrow");
+    CHECK_TEXT(view(RECTILINEAR, 85, INFINITY, 1, 1).kind, "medium");
+    CHECK_TEXT(view(RECTILINEAR, 50, INFINITY, 1, 1).kind, "normal");
+    CHECK_TEXT(view(RECTILINEAR, 28, INFINITY, 1, 1).kind, "wide");
+    CHECK_TEXT(view(RECTILINEAR, 16, INFINITY, 1, 1).kind, "ultra-wide");
+    CHECK_TEXT(fov_kind(19.9 * DEGREE), "narrow");
+    CHECK_TEXT(fov_kind(20.1 * DEGREE), "medium");
+    CHECK_TEXT(fov_kind(39.9 * DEGREE), "medium");
+    CHECK_TEXT(fov_kind(40.1 * DEGREE), "normal");
+    CHECK_TEXT(fov_kind(60.1 * DEGREE), "wide");
+    CHECK_TEXT(fov_kind(90.1 * DEGREE), "ultra-wide");
+}
+
+/* Angles whose image height is known by heart, f = 10. */
+static void test_projections(void)
+{
+    static const struct {
+        enum projection projection;
+        double dimension, degrees;
+        const char *source;
+    } cases[] = {
+        {RECTILINEAR, 20, 90, "tan 45 = 1"},
+        {EQUIDISTANT, 31.415926535897932, 180, "f pi/2"},
+        {EQUIDISTANT, 62.831853071795862, 360, "f pi, rounded down"},
+        {EQUISOLID, 28.284271247461902, 180, "2 f sin 45"},
+        {EQUISOLID, 20, 120, "2 f sin 30"},
+        {EQUISOLID, 40, 360, "2 f sin 90"},
+        {STEREOGRAPHIC, 40, 180, "2 f tan 45"},
+        {STEREOGRAPHIC, 69.282032302755091, 240, "2 f tan 60"},
+        {ORTHOGRAPHIC, 10, 60, "f sin 30"},
+        {ORTHOGRAPHIC, 20, 180, "f sin 90"},
+        {RECTILINEAR, 2e-9, 1e-10 * 2 / DEGREE, "small angle"},
+    };
+    struct error error;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        double angle = 0, f = 0;
+        CHECK(fov_angle(cases[i].projection, 10, cases[i].dimension, &angle, &error));
+        CHECK_RELATIVE(angle / DEGREE, cases[i].degrees, 8 * DBL_EPSILON, cases[i].source);
+        CHECK(fov_focal_length(cases[i].projection, cases[i].dimension, angle, INFINITY, 1, &f,
+                               &error));
+        CHECK_RELATIVE(f, 10.0, 16 * DBL_EPSILON, cases[i].source);
+    }
+    double angle;
+    CHECK(!fov_angle(ORTHOGRAPHIC, 10, 20.001, &angle, &error));
+    CHECK(!fov_angle(EQUISOLID, 10, 40.001, &angle, &error));
+    CHECK(!fov_angle(EQUIDISTANT, 10, 62.84, &angle, &error));
+    CHECK(fov_angle(STEREOGRAPHIC, 10, 1e6, &angle, &error) && angle < 360 * DEGREE);
+    CHECK(!fov_angle(RECTILINEAR, NAN, 20, &angle, &error));
+    CHECK(!fov_angle(RECTILINEAR, 10, 0, &angle, &error));
+}
+
+/* Breathing: at 1:1 and P = 1 the scale is 2 f; the field is as large as the sensor. */
+static void test_breathing(void)
+{
+    struct fov fov = view(RECTILINEAR, 50, 100, 1, 1);
+    CHECK_RELATIVE(fov.horizontal, 2 * atan(18. / 100), 4 * DBL_EPSILON, "angle at 1:1");
+    CHECK_RELATIVE(fov.width_at_s, 36.0, 4 * DBL_EPSILON, "field at 1:1");
+    CHECK_RELATIVE(fov.height_at_s, 24.0, 4 * DBL_EPSILON, "field at 1:1");
+    fov = view(RECTILINEAR, 50, 100, 0.5, 1);
+    CHECK_RELATIVE(fov.horizontal, 2 * atan(18. / 150), 4 * DBL_EPSILON, "angle, P = 0.5");
+    /* seen from the entrance pupil, X = f(1/m + 1/P) = 150 mm before the plane */
+    CHECK_RELATIVE(tan(fov.horizontal / 2), fov.width_at_s / 2 / 150, 8 * DBL_EPSILON, "pupil");
+    fov = view(RECTILINEAR, 50, INFINITY, 1, 2);
+    CHECK_RELATIVE(fov.horizontal, 2 * atan(36. / 50), 4 * DBL_EPSILON, "squeezed");
+    CHECK_RELATIVE(fov.vertical, 2 * atan(12. / 50), 4 * DBL_EPSILON, "not squeezed");
+    CHECK(isnan(view(EQUISOLID, 16, 1000, 1, 1).width_at_s));
+}
+
+/* A wanted angle or width, put back. */
+static void test_inverse(void)
+{
+    static const double distance[] = {100, 300, 5000, 1e9, INFINITY};
+    static const double pupil[] = {0.2, 0.5, 1, 2, 5};
+    struct error error;
+    for (int projection = 0; projection < PROJECTIONS; projection++)
+        for (int i = 0; i < 25; i++) {
+            double s = distance[i / 5], P = pupil[i % 5], f = 0, wanted = 55 * DEGREE;
+            CHECK(fov_focal_length((enum projection)projection, 36, wanted, s, P, &f, &error));
+            CHECK(f < s);
+            struct fov fov = view((enum projection)projection, f, s, P, 1);
+            CHECK_RELATIVE(fov.horizontal, wanted, 64 * DBL_EPSILON, "angle put back");
+        }
+    double f = 0;
+    CHECK(fov_focal_length_for_field(36, 1200, 3000, &f, &error));
+    CHECK_RELATIVE(view(RECTILINEAR, f, 3000, 1, 1).width_at_s, 1200.0, 1e-13, "field put back");
+    CHECK(!fov_focal_length(RECTILINEAR, 36, 180 * DEGREE, INFINITY, 1, &f, &error));
+    CHECK(!fov_focal_length(ORTHOGRAPHIC, 36, 181 * DEGREE, INFINITY, 1, &f, &error));
+    CHECK(!fov_focal_length(EQUIDISTANT, 36, 361 * DEGREE, INFINITY, 1, &f, &error));
+    CHECK(!fov_focal_length(RECTILINEAR, 36, NAN, INFINITY, 1, &f, &error));
+    CHECK(!fov_focal_length(RECTILINEAR, 36, 1, 0, 1, &f, &error));
+    CHECK(!fov_focal_length_for_field(36, 1200, INFINITY, &f, &error));
+    struct fov_setting a = {RECTILINEAR, 50, 40, 1, 1};
+    struct fov fov;
+    CHECK(!fov_compute(&a, &full_frame, &fov, &error));
+    CHECK_TEXT(error.message, "distance 40 mm lies within the focal length 50 mm: no real image");
+}
+
+static double resolved(struct coc coc, struct sensor sensor)
+{
+    struct error error;
+    double c = NAN;
+    CHECK(coc_resolve(&coc, &sensor, &c, &error));
+    return c;
+}
+
+static void test_format(void)
+{
+    CHECK_RELATIVE(sensor_diagonal(&full_frame), 43.266615305567871, 2 * DBL_EPSILON, "12 sqrt 13");
+    CHECK(sensor_crop(&full_frame) == 1);
+    struct sensor small = {18, 12, 0.004};
+    CHECK_RELATIVE(sensor_crop(&small), 2.0, 2 * DBL_EPSILON, "half the size");
+    CHECK_NEAR(resolved(coc_default, full_frame), 0.028844, 1e-6, "43.2666/1500");
+    CHECK_NEAR(resolved((struct coc){.kind = COC_DIAGONAL, .value = 1730}, full_frame), 0.0250,
+               5e-5, "d/1730");
+    CHECK(resolved((struct coc){.kind = COC_LENGTH, .value = 0.03}, full_frame) == 0.03);
+    CHECK_RELATIVE(resolved((struct coc){.kind = COC_PIXELS, .value = 2}, small), 0.008, 1e-15,
+                   "two pixels");
+    /* 5 lp/mm at 25 cm, 360 mm print of 36 mm: enlarged 10 times, 0.02 mm; twice from 50 cm */
+    struct coc print = {COC_PRINT, 0, 250, 5, 360};
+    CHECK_RELATIVE(resolved(print, full_frame), 0.02, 4 * DBL_EPSILON, "print");
+    print.viewing = 500;
+    CHECK_RELATIVE(resolved(print, full_frame), 0.04, 4 * DBL_EPSILON, "print from 50 cm");
+    struct sensor tall = {24, 36, NAN};
+    CHECK_RELATIVE(resolved(print, tall), 0.04, 4 * DBL_EPSILON, "long side of a tall picture");
+
+    const struct coc bad[] = {{COC_LENGTH, -1, 0, 0, 0}, {COC_DIAGONAL, 0, 0, 0, 0},
+                              {COC_PIXELS, 2, 0, 0, 0},  {COC_PRINT, 0, 250, 0, 360},
+                              {COC_PRINT, 0, 0, 5, 360}, {COC_LENGTH, NAN, 0, 0, 0}};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        struct error error;
+        double c;
+        CHECK(!coc_resolve(&bad[i], &full_frame, &c, &error));
+    }
+    struct sensor flat = {36, 0, NAN};
+    struct error error;
+    CHECK(!sensor_check(&flat, &error));
+}
+
+int main(void)
+{
+    test_published();
+    test_kinds();
+    test_projections();
+    test_breathing();
+    test_inverse();
+    test_format();
+    return check_report();
+}
