@@ -38,27 +38,35 @@ pages   := $(wildcard man/*.[157])
 
 all: $(BUILD)/lenscalc
 
+# V=1 shows the commands
+Q_1 =
+Q_  = @
+Q   = $(Q_$(V))
+
 $(BUILD)/lenscalc: $(BUILD)/main.o $(objects)
-	$(CC) $(ALL_CFLAGS) $(LINK_$(STATIC)) $(LDFLAGS) -o $@ $^ -lm
+	@echo link $@
+	$(Q)$(CC) $(ALL_CFLAGS) $(LINK_$(STATIC)) $(LDFLAGS) -o $@ $^ -lm
 
 $(BUILD)/%.o: src/%.c
 	@mkdir -p $(@D)
-	$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+	@echo cc $<
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 
 # lensdb inside the program: const arrays, paged in only where a command looks
 $(BUILD)/embed: src/file/embed.c
 	@mkdir -p $(@D)
-	$(CC) $(STANDARD) $(WARNINGS) -o $@ $<
+	$(Q)$(CC) $(STANDARD) $(WARNINGS) -o $@ $<
 
 $(BUILD)/lensdb.c: $(BUILD)/embed $(lensdb)
-	$(BUILD)/embed $(lensdb) > $@.new && mv $@.new $@
+	$(Q)$(BUILD)/embed $(lensdb) > $@.new && mv $@.new $@
 
 $(BUILD)/lensdb.o: $(BUILD)/lensdb.c
-	$(CC) $(ALL_CFLAGS) -c -o $@ $<
+	$(Q)$(CC) $(ALL_CFLAGS) -c -o $@ $<
 
 $(BUILD)/unit/%: tests/unit/%.c $(objects)
 	@mkdir -p $(@D)
-	$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP $(LDFLAGS) -o $@ $< $(objects) -lm
+	@echo test $<
+	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP $(LDFLAGS) -o $@ $< $(objects) -lm
 
 -include $(wildcard $(BUILD)/*.d $(BUILD)/*/*.d)
 

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 __extension__ typedef unsigned __int128 uint128;
 
@@ -13,6 +14,25 @@ enum {
     NUMBER_POWER_MAX = 340,  /* shows 17 digits of the smallest double */
     NUMBER_POWER_EXACT = 55, /* 10^0 to 10^55 are exact: 5^55 < 2^128 */
 };
+
+/* Eight characters as one word, the first in the low byte whatever the machine's byte order. */
+static inline uint64_t number_load_eight(const char *at)
+{
+    uint64_t eight;
+    memcpy(&eight, at, sizeof eight);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    eight = __builtin_bswap64(eight);
+#endif
+    return eight;
+}
+
+static inline void number_store_eight(char *to, uint64_t eight)
+{
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    eight = __builtin_bswap64(eight);
+#endif
+    memcpy(to, &eight, sizeof eight);
+}
 
 /* The first 128 binary digits of a power of ten, the rest cut off; `high` has its top bit set. */
 struct number_power {
@@ -55,9 +75,9 @@ static inline bool number_round_high(uint64_t high, uint64_t slack, int drop, ui
 {
     const uint64_t half = (uint64_t)1 << (drop - 1);
     const uint64_t rest = high & (half + half - 1);
-    const bool up = rest > half;
-    *rounded = (high >> drop) + up;
-    return up || rest + slack <= half;
+    *rounded = (high >> drop) + (rest > half);
+    /* above a tie the difference wraps around: no branch on a coin toss */
+    return half - rest >= slack;
 }
 
 /*

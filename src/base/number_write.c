@@ -103,25 +103,12 @@ static inline struct characters characters_of(struct decimal decimal, int precis
     return digits;
 }
 
-/* Byte by byte for any byte order; compilers make one store of it. */
-static inline void store_eight(char *to, uint64_t eight)
-{
-    to[0] = (char)eight;
-    to[1] = (char)(eight >> 8);
-    to[2] = (char)(eight >> 16);
-    to[3] = (char)(eight >> 24);
-    to[4] = (char)(eight >> 32);
-    to[5] = (char)(eight >> 40);
-    to[6] = (char)(eight >> 48);
-    to[7] = (char)(eight >> 56);
-}
-
 /* All digits; `to` has room for MOST_DIGITS. */
 static inline void store_digits(char *to, const struct characters *digits)
 {
-    store_eight(to, digits->first);
+    number_store_eight(to, digits->first);
     if (!digits->is_short) {
-        store_eight(to + 8, digits->second);
+        number_store_eight(to + 8, digits->second);
         to[16] = digits->last;
     }
 }
@@ -133,14 +120,14 @@ static inline void store_digits(char *to, const struct characters *digits)
 static inline void store_with_point(char *to, const struct characters *digits, int whole)
 {
     if (digits->is_short) {
-        store_eight(to, digits->first);
-        store_eight(to + whole + 1, digits->first >> 8 * whole);
+        number_store_eight(to, digits->first);
+        number_store_eight(to + whole + 1, digits->first >> 8 * whole);
     } else {
         const uint128 head = (uint128)digits->second << 64 | digits->first;
         const uint128 ahead = head & ~(uint128)0 >> (128 - 8 * whole);
         const uint128 shifted = ahead | (head ^ ahead) << 8;
-        store_eight(to, (uint64_t)shifted);
-        store_eight(to + 8, (uint64_t)(shifted >> 64));
+        number_store_eight(to, (uint64_t)shifted);
+        number_store_eight(to + 8, (uint64_t)(shifted >> 64));
         to[16] = (char)(digits->second >> 56); /* pushed out of the 16 by the point */
         to[17] = digits->last;
     }
@@ -183,6 +170,21 @@ static inline char *lay_out(char *to, struct decimal decimal, int precision)
 }
 
 /*
+ * floor(log10(factor x 2^(log2 - 63))), top bit of the factor set: that of the power of two, or one
+ * more from the next power of ten on, if that lies in the same octave. No branch: it would be a
+ * coin toss.
+ */
+static inline int decimal_exponent(uint64_t factor, int log2)
+{
+    const int below = number_log10_of_power2(log2);
+    const uint64_t next = number_powers[below + 1 - NUMBER_POWER_MIN].high;
+    const int same_octave = number_log2_of_power10(below + 1) == log2;
+    /* a power that is not exact lies above its first 64 bits, which have more than 53 that count */
+    const int reached = (factor > next) | ((factor == next) & number_power_is_exact(below + 1));
+    return below + (same_octave & reached);
+}
+
+/*
  * Round to `digits` digits: scale by the power of ten that leaves so many before the point. False
  * if 128 bits do not tell a tie from its neighbourhood, as for 1234565 to 6 digits, since 10^-1 is
  * not exact in binary.
@@ -193,18 +195,11 @@ static inline bool round_to_digits(struct parts parts, int digits, struct decima
     const uint64_t factor = parts.significand << shift;
     const int exponent = parts.exponent - shift;
 
-    /* the power of two at or below x has the decimal exponent of x or one less */
     decimal->length = digits;
-    decimal->exponent = number_log10_of_power2(exponent + 63);
-    int power = digits - 1 - decimal->exponent;
-    int drop = -1 - number_log2_of_power10(power) - exponent;
-    uint64_t high = number_multiply_high(factor, power);
-    if (high >> drop >= tens[digits]) {
-        decimal->exponent++;
-        power--;
-        drop = -1 - number_log2_of_power10(power) - exponent;
-        high = number_multiply_high(factor, power);
-    }
+    decimal->exponent = decimal_exponent(factor, exponent + 63);
+    const int power = digits - 1 - decimal->exponent;
+    const int drop = -1 - number_log2_of_power10(power) - exponent;
+    const uint64_t high = number_multiply_high(factor, power);
     if (!number_round_high(high, 2, drop, &decimal->integer) &&
         !number_round(number_multiply(factor, power), drop + 64, &decimal->integer))
         return false;

@@ -102,6 +102,11 @@ static double power_of_ten(int n)
     return powers[n];
 }
 
+bool unit_is_own(const struct unit *unit)
+{
+    return unit->scale.multiplier == 1 && unit->scale.power == 0 && unit->factor == 1;
+}
+
 double unit_to_own(const struct unit *unit, double value)
 {
     int power = unit->scale.power;
@@ -426,8 +431,7 @@ static bool reads_back(const char *at, const char *end, const struct unit *unit,
 
 char *quantity_write(char *to, double value, const struct unit *unit)
 {
-    if (unit == NULL || (unit->scale.multiplier == 1 && unit->scale.power == 0 &&
-                         unit->factor == 1)) {
+    if (unit == NULL || unit_is_own(unit)) {
         return number_write_shortest(to, value);
     }
     double converted = unit_from_own(unit, value);

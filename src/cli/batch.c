@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { BLOCK = 128 * 1024, LONGEST_LINE = 256 * 1024 * 1024 };
+enum { BLOCK = 262144, LONGEST_LINE = 256 * 1024 * 1024 };
 
 /* Make room behind the unread characters, then read on. False at the end of the file or on failure. */
 static bool refill(struct batch *batch, struct error *error)
@@ -33,6 +33,9 @@ static bool refill(struct batch *batch, struct error *error)
     }
     batch->at = batch->buffer;
     batch->end = batch->buffer + kept;
+    if (batch->before_read != NULL) {
+        batch->before_read(batch->waiting);
+    }
     ssize_t got;
     do {
         got = read(batch->descriptor, batch->buffer + kept, batch->capacity - kept);
@@ -224,67 +227,65 @@ static bool read_row(struct batch *batch, struct text line, void *input, struct 
     return cells == batch->column_count || wrong_count(batch, cells, error);
 }
 
-static bool in_range(const struct option *option, double value)
-{
-    return (option->lowest == 0 && option->highest == 0) ||
-           (value > option->lowest && value <= option->highest);
-}
-
 /*
- * A row of bare numbers, as most are: no cell is looked at twice. Anything else (a blank, a unit,
- * a zero, a value at the edge of its range) is left to read_row.
+ * A row of bare numbers, as most are, straight from the buffer: no character is looked at twice.
+ * Anything else (a blank, a unit, a zero, a value at the edge of its range, a row that has not
+ * arrived whole) is left to read_row, with nothing taken.
  */
-static bool read_plain_row(const struct batch *batch, struct text line, void *input)
+static bool take_plain_row(struct batch *batch, void *input)
 {
-    const char *at = line.start, *end = line.start + line.length;
+    const char *at = batch->at, *end = batch->end;
     for (size_t i = 0; i < batch->column_count; i++) {
         const struct batch_column *column = &batch->columns[i];
         double value;
-        if (!column->is_plain) {
+        at = column->is_plain ? number_read(at, end, column->scale, &value) : NULL;
+        if (at == NULL || at == end) {
             return false;
         }
-        at = number_read(at, end, column->scale, &value);
         value *= column->factor;
-        if (at == NULL || !in_range(column->option, value) || value == 0 || isinf(value)) {
+        /* an infinite value may be one that was too large */
+        if (!(value > column->lowest && value < column->highest) || value == 0) {
             return false;
         }
-        if (i + 1 < batch->column_count ? at == end || *at != batch->separator : at != end) {
+        if (*at != (i + 1 < batch->column_count ? batch->separator : '\n')) {
             return false;
         }
         at++;
-        void *member = (char *)input + column->option->offset;
-        if (column->option->kind == &kind_coc) {
-            *(struct coc_value *)member = (struct coc_value){{.kind = COC_LENGTH, .value = value}, COC_GIVEN};
+        void *member = (char *)input + column->offset;
+        if (column->is_coc) {
+            struct coc_value *coc = member;
+            coc->coc.kind = COC_LENGTH;
+            coc->coc.value = value;
+            coc->criterion = COC_GIVEN;
         } else {
             *(double *)member = value;
         }
     }
+    batch->at = at;
+    batch->line = batch->next_line++;
     return true;
 }
 
 enum batch_result batch_next(struct batch *batch, void *input, struct error *error)
 {
     struct text line;
+    bool read;
+    if (batch->format != BATCH_JSONL && take_plain_row(batch, input)) {
+        return BATCH_ROW;
+    }
     if (!next_row(batch, &line, error)) {
         return error->code == ERROR_NONE ? BATCH_END : BATCH_FAILED;
     }
-    bool read;
     if (batch->format == BATCH_JSONL) {
         read = batch_json_row(batch, line, input, error) ||
                row_fail(batch, error, (size_t)error->column);
     } else {
-        read = read_plain_row(batch, line, input) || read_row(batch, line, input, error);
+        read = read_row(batch, line, input, error);
         if (memchr(line.start, '"', line.length) != NULL) {
             batch->next_line += breaks_in(line);
         }
     }
     return read ? BATCH_ROW : BATCH_BAD_ROW;
-}
-
-bool batch_is_drained(const struct batch *batch)
-{
-    return batch->at == batch->end ||
-           memchr(batch->at, '\n', (size_t)(batch->end - batch->at)) == NULL;
 }
 
 bool batch_has(const struct batch *batch, const char *option)

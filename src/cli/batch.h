@@ -11,7 +11,10 @@ struct batch_column {
     struct option as_read;       /* the option with the unit of the header */
     struct number_scale scale;   /* of a bare number */
     double factor;
+    double lowest, highest; /* a bare number between these is legal without a closer look */
+    size_t offset;
     bool is_plain;     /* a number that needs no lensdb, no prefix */
+    bool is_coc;
     bool is_ignored;   /* neither input nor handed through */
     bool is_infinite;  /* a JSON companion: true makes the option infinite */
     struct text name;  /* as in the file */
@@ -38,6 +41,8 @@ struct batch {
     size_t capacity;
     const char *at, *end; /* what is still to read */
     bool at_end;          /* the file has no more */
+    void (*before_read)(void *reader); /* called before the file may keep the program waiting */
+    void *waiting;                     /* its argument */
     long line;            /* of the present row */
     long next_line;
 };
@@ -63,9 +68,6 @@ bool batch_open(struct batch *batch, const char *path, const char *format,
  * Result    BATCH_BAD_ROW: this row cannot be read, the next may; `error` says line and column
  */
 enum batch_result batch_next(struct batch *batch, void *input, struct error *error);
-
-/* Is all that has arrived used up, so that the next row waits for the writer? */
-bool batch_is_drained(const struct batch *batch);
 
 void batch_close(struct batch *batch);
 

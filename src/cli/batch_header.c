@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/batch.h"
 
+#include <math.h>
 #include <string.h>
 
 /* The option that a name without unit stands for: "f", "focal_length" or "focal". */
@@ -61,9 +62,13 @@ static void set_scale(struct batch_column *column, const struct reader *reader)
     const struct dimension *dimension = column->option->dimension;
     column->scale = unit != NULL ? unit->scale : (struct number_scale){1, 0};
     column->factor = unit != NULL ? unit->factor : 1;
+    bool limited = column->option->lowest != 0 || column->option->highest != 0;
+    column->lowest = limited ? column->option->lowest : -INFINITY;
+    column->highest = limited ? column->option->highest : INFINITY;
+    column->offset = column->option->offset;
+    column->is_coc = column->option->kind == &kind_coc;
     bool labels = reader->nominal && dimension != NULL && dimension->series != NULL;
-    column->is_plain = (column->option->kind == &kind_quantity && !labels) ||
-                       column->option->kind == &kind_coc;
+    column->is_plain = (column->option->kind == &kind_quantity && !labels) || column->is_coc;
 }
 
 bool batch_column_find(const struct batch *batch, struct text name, struct batch_column *column,

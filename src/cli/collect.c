@@ -74,7 +74,7 @@ static struct shown in_system(const struct collection *collection, struct shown 
         shown.column->dimension == &dimension_length && strcmp(shown.unit->name, "m") == 0) {
         shown.unit = unit_find(&dimension_length, text_of("ft"));
         shown.name = arena_printf(collection->arena, "%s_ft", shown.column->name);
-        shown.converts = true;
+        shown.divisor = 0;
     }
     return shown;
 }

@@ -280,9 +280,17 @@ static bool run_sweep(struct driver *driver, struct error *error)
     return true;
 }
 
+/* Who feeds the pipe sees all answers before being waited for. */
+static void flush_before_read(void *driver)
+{
+    output_flush(&((struct driver *)driver)->output);
+}
+
 static bool run_batch(struct driver *driver, struct error *error)
 {
     size_t rows = 0;
+    driver->batch.before_read = flush_before_read;
+    driver->batch.waiting = driver;
     for (;; rows++) {
         struct arena_mark mark = arena_mark(&driver->row_arena);
         enum batch_result result = batch_next(&driver->batch, driver->input, error);
@@ -303,9 +311,6 @@ static bool run_batch(struct driver *driver, struct error *error)
             emit_failure(driver, error);
         }
         arena_reset(&driver->row_arena, mark);
-        if (batch_is_drained(&driver->batch)) {
-            output_flush(&driver->output);
-        }
         if (driver->output.failure != 0) {
             break;
         }

@@ -4,11 +4,11 @@
 
 bool sharpness_resolve(const struct sharpness *a, double fnumber, double *c, struct error *error)
 {
-    struct coc coc = a->coc.coc;
-    if (coc.kind == COC_LENGTH) {
-        *c = coc.value;
+    if (a->coc.coc.kind == COC_LENGTH) {
+        *c = a->coc.coc.value;
         return true;
     }
+    struct coc coc = a->coc.coc;
     struct sensor sensor = a->sensor.size;
     sensor.pitch = isnan(a->pitch) ? sensor.pitch : a->pitch;
     coc.print = a->print;

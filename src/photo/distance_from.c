@@ -46,11 +46,25 @@ static bool solve_with_offset(struct dof_setting *setting, const struct dof_targ
     return dof_solve(setting, &moved, error);
 }
 
+static bool has_goals(const struct dof_targets *a)
+{
+    return !(isnan(a->near) && isnan(a->far) && isnan(a->total) && isnan(a->hyperfocal) &&
+             isnan(a->magnification));
+}
+
+static bool is_complete(const struct dof_setting *a)
+{
+    return !isnan(a->f) && !isnan(a->N) && !isnan(a->c) && !isnan(a->s);
+}
+
 bool distance_solve(struct dof_setting *setting, const struct dof_targets *targets,
                     enum distance_from from, struct error *error)
 {
     enum { MOST_TURNS = 200 };
     bool measured = from != FROM_PRINCIPAL;
+    if (!measured && is_complete(setting) && !has_goals(targets)) {
+        return true; /* nothing to solve, as in most batches */
+    }
     bool has_s = !isnan(setting->s), has_f = !isnan(setting->f);
     bool has_limits = !isnan(targets->near) || !isnan(targets->far);
     if (!measured || (!has_s && !has_limits)) {

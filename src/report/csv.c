@@ -61,6 +61,18 @@ static void write_value(struct report *report, const void *row, const struct sho
     }
 }
 
+/* Then the state is set: rows need no look at types, pass-through cells and errors. */
+static bool has_only_numbers(const struct report *report)
+{
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (report->shown[i].column->type != COLUMN_NUMBER) {
+            return false;
+        }
+    }
+    return report->shown_count > 0 && report->shown_count <= OUTPUT_RESERVE / (NUMBER_LENGTH + 1) &&
+           report->passed_count == 0 && !report->has_error_column;
+}
+
 static void begin(struct report *report)
 {
     char separator = separator_of(report);
@@ -82,29 +94,22 @@ static void begin(struct report *report)
         output_string(report->output, "error");
     }
     output_character(report->output, '\n');
+    if (has_only_numbers(report)) {
+        report->state = report->shown;
+    }
 }
 
 /* All columns are numbers, as in most pipes: nothing but numbers and separators to write. */
 static void write_numbers(struct report *report, const void *row, char separator)
 {
+    const struct shown *shown = report->shown, *behind = shown + report->shown_count;
     char *to = output_reserve(report->output, report->shown_count * (NUMBER_LENGTH + 1));
-    for (size_t i = 0; i < report->shown_count; i++) {
-        to = shown_write_number(to, row, &report->shown[i], report->digits);
+    for (; shown < behind; shown++) {
+        to = shown_write_number(to, row, shown, report->digits);
         *to++ = separator;
     }
     to[-1] = '\n';
     output_advance(report->output, to);
-}
-
-static bool has_only_numbers(const struct report *report)
-{
-    for (size_t i = 0; i < report->shown_count; i++) {
-        if (report->shown[i].column->type != COLUMN_NUMBER) {
-            return false;
-        }
-    }
-    return report->shown_count > 0 && report->shown_count <= OUTPUT_RESERVE / (NUMBER_LENGTH + 1) &&
-           report->passed_count == 0 && !report->has_error_column;
 }
 
 static void write_cells(struct report *report, const void *row, const struct text *passed,
@@ -138,7 +143,7 @@ static void write_cells(struct report *report, const void *row, const struct tex
 static void row(struct report *report, const void *row, const struct text *passed,
                 const struct error *failure)
 {
-    if (row != NULL && has_only_numbers(report)) {
+    if (row != NULL && report->state != NULL) {
         write_numbers(report, row, separator_of(report));
     } else {
         write_cells(report, row, passed, failure);

@@ -59,8 +59,12 @@ char *shown_write_number(char *to, const void *row, const struct shown *shown, i
     if (digits == 0) {
         return quantity_write(to, value, shown->unit);
     }
-    return number_write_digits(to, shown->converts ? unit_from_own(shown->unit, value) : value,
-                               digits);
+    if (shown->divisor > 1) {
+        value /= shown->divisor;
+    } else if (shown->divisor == 0) {
+        value = unit_from_own(shown->unit, value);
+    }
+    return number_write_digits(to, value, digits);
 }
 
 static const struct unit *find_unit(const struct column *column, struct text name)
@@ -68,13 +72,19 @@ static const struct unit *find_unit(const struct column *column, struct text nam
     return column->dimension != NULL ? unit_find(column->dimension, name) : NULL;
 }
 
+/* Most units are a whole number of own units: then one division converts, exactly rounded. */
+static void set_divisor(struct shown *shown)
+{
+    bool whole = shown->unit->factor == 1 && shown->unit->scale.power >= 0;
+    shown->divisor = whole ? unit_to_own(shown->unit, 1) : 0;
+}
+
 static struct shown show(const struct column *column, const struct unit *unit, struct arena *arena)
 {
-    struct shown shown = {.column = column, .unit = unit, .name = column->name};
+    struct shown shown = {.column = column, .unit = unit, .name = column->name, .divisor = 1};
     if (unit != NULL) {
         shown.name = arena_printf(arena, "%s_%s", column->name, unit->name);
-        shown.converts =
-            unit->scale.multiplier != 1 || unit->scale.power != 0 || unit->factor != 1;
+        set_divisor(&shown);
     }
     return shown;
 }

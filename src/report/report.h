@@ -16,7 +16,7 @@ struct shown {
     const struct column *column;
     const struct unit *unit; /* null = none */
     const char *name;        /* "near_m" */
-    bool converts;           /* the unit is not the program's own */
+    double divisor;          /* own units in this one: near_m is near / 1000; 0 = not one number */
 };
 
 enum unit_system { UNITS_METRIC, UNITS_IMPERIAL };

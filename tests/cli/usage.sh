@@ -1,0 +1,9 @@
+# command lines that are wrong
+for words in '-f 50 -f 60' '-f 50 -N 4 -s 3 extra' '-f 50 -N 4 -s' '--csv=1' '--model foo' \
+    '--units yards' '--digits x'; do
+    lenscalc dof $words
+    echo "[$words] status $?"
+done
+lenscalc help nothing
+echo "status $?"
+lenscalc

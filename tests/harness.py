@@ -1,0 +1,93 @@
+"""tests/harness.py - what the test scripts share: counting checks, and running the program.
+
+Every script takes the build folder as its first argument, is run from the repository root, names
+each failure in a line that starts with "FAILED", and ends with "N passed, N failed".
+
+LENSCALC_WRAPPER (for example "valgrind -q --error-exitcode=99") is put before the program.
+"""
+# SPDX-License-Identifier: MIT
+
+import os
+import shlex
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+SHARED = os.path.join(os.path.dirname(ROOT), "shared")
+
+
+class Checks:
+    """Counts checks; prints each failure once, at most `most` of them."""
+
+    def __init__(self, most=40):
+        self.passed = self.failed = 0
+        self.most = most
+
+    def check(self, condition, what):
+        if condition:
+            self.passed += 1
+            return True
+        self.failed += 1
+        if self.failed <= self.most:
+            print("FAILED", what)
+        elif self.failed == self.most + 1:
+            print("(more failures are not shown)")
+        return False
+
+    def finish(self):
+        print(f"{self.passed} passed, {self.failed} failed")
+        sys.exit(self.failed != 0)
+
+
+class Program:
+    """The built program, in a folder of its own for PATH."""
+
+    def __init__(self, build):
+        self.build = os.path.abspath(build)
+        self.binary = os.path.join(self.build, "lenscalc")
+        if not os.access(self.binary, os.X_OK):
+            sys.exit(f"FAILED no program {self.binary}\n0 passed, 1 failed")
+        self.holder = tempfile.TemporaryDirectory(prefix="lenscalc-test-")
+        self.path = os.path.join(self.holder.name, "bin")
+        os.mkdir(self.path)
+        link = os.path.join(self.path, "lenscalc")
+        wrapper = os.environ.get("LENSCALC_WRAPPER", "")
+        if wrapper:
+            with open(link, "w") as script:
+                script.write(f'#!/bin/sh\nexec {wrapper} {shlex.quote(self.binary)} "$@"\n')
+            os.chmod(link, 0o755)
+        else:
+            os.symlink(self.binary, link)
+        self.command = shlex.split(wrapper) + [self.binary]
+        with open(self.binary, "rb") as file:
+            content = file.read()
+        # sanitizers and valgrind take memory and time of their own
+        self.is_instrumented = (bool(wrapper) or b"__asan_init" in content or
+                                b"__tsan_init" in content or b"__ubsan_handle" in content)
+
+    def environment(self):
+        kept = {name: value for name, value in os.environ.items()
+                if not name.startswith(("LENSCALC", "LC_", "LANG", "NO_COLOR"))}
+        kept.update(PATH=self.path + ":" + kept.get("PATH", "/usr/bin:/bin"), LC_ALL="C",
+                    TERM="dumb", UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1")
+        return kept
+
+    def run(self, *words, stdin=b"", timeout=60, **more):
+        """One call; the result has bytes in stdout and stderr."""
+        if isinstance(stdin, str):
+            stdin = stdin.encode()
+        more.setdefault("stdout", subprocess.PIPE)
+        more.setdefault("stderr", subprocess.PIPE)
+        if "stdin_file" in more:
+            more["stdin"] = more.pop("stdin_file")
+        else:
+            more["input"] = stdin
+        return subprocess.run(self.command + [str(word) for word in words], timeout=timeout,
+                              env=self.environment(), **more)
+
+    def shell(self, script, folder, timeout=60):
+        """An sh script in a folder, with the program in PATH."""
+        return subprocess.run(["sh", "-c", script], cwd=folder, env=self.environment(),
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, timeout=timeout)

@@ -1,0 +1,235 @@
+#!/usr/bin/env python3
+"""tests/structure/check_structure.py - rules of the source tree: check_structure.py BUILD_DIR
+
+The layer table, what the numeric folders may not call, no writable data in any object, first
+lines, headers that compile alone, sizes of functions, files and lines, and words that do not
+belong into the repository.
+"""
+# SPDX-License-Identifier: MIT
+
+import glob
+import os
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import ROOT, Checks
+
+# Folder -> folders it may include besides itself. "design/NAME" allows single headers.
+LAYERS = {
+    "base": [],
+    "report": ["base"],
+    "photo": ["base"],
+    "optics": ["base"],
+    "trace": ["base", "optics"],
+    "file": ["base", "optics", "photo"],
+    "analysis": ["base", "optics", "trace", "photo"],
+    "design": ["base", "optics", "trace", "analysis", "photo"],
+    "camera": ["base", "optics", "trace", "analysis", "photo"],
+    "cli": None,  # everything
+    "": None,     # main.c
+}
+NUMERIC = ("base", "photo", "optics", "trace", "analysis", "design", "camera")
+# Words no numeric source may use; stdio only formats into buffers there.
+FORBIDDEN_CALLS = re.compile(
+    r"(?<![\w.>])(fopen|fdopen|freopen|fread|fwrite|fgets|fputs|fputc|putc|putchar|puts|printf|"
+    r"fprintf|vprintf|vfprintf|sprintf|scanf|sscanf|fscanf|perror|open|read|write|exit|_exit|"
+    r"abort|getenv|setlocale|signal|system|fork)\s*\(|\b(stdin|stdout|stderr|FILE)\b")
+ALLOWED_CALLS = {"base/arena.c": {"abort"}}
+# Object -> symbols that may be writable data: none. Const tables of pointers lie in .data.rel.ro,
+# which is read-only once the program is loaded; nm calls it "d", objdump names the section.
+WRITABLE = {}
+LONGEST_FUNCTION, LONGEST_FILE, LONGEST_LINE = 60, 600, 100
+# Sources that are one table or one idea and may be longer, with the reason.
+LONG_FILES = {}
+FORBIDDEN_WORDS = re.compile(
+    r"\bsessions?\b|\bissue #?\d|\bissue #|/work/|/tmp/|\.\./shared|"
+    r"deb\.debian\.org|pypi\.org|pythonhosted|crates\.io|npmjs|proxy\.golang", re.I)
+# Where a word has another meaning, or is needed.
+WORDS_ALLOWED = {
+    "tests": re.compile(r"/tmp/|\.\./shared"),
+    ".ci": re.compile(r"/tmp/"),
+}
+STRICT = ["-std=c17", "-D_POSIX_C_SOURCE=200809L", "-Wall", "-Wextra", "-Wconversion", "-Wshadow",
+          "-Wstrict-prototypes", "-pedantic", "-Werror", "-Isrc"]
+
+
+def read(path):
+    with open(path, encoding="utf-8", errors="surrogateescape") as file:
+        return file.read()
+
+
+def blank_comments(text):
+    """The text with comments and the content of literals blanked, lines kept."""
+    token = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])*'", re.S)
+
+    def blank(match):
+        found = match.group()
+        if found[0] in "\"'":
+            return found[0] + re.sub(r"[^\n]", " ", found[1:-1]) + found[0]
+        return re.sub(r"[^\n]", " ", found)
+    return token.sub(blank, text)
+
+
+def functions_of(text):
+    """(name, line, code lines) of each function of clang-formatted code."""
+    lines = blank_comments(text).split("\n")
+    start = None
+    for number, line in enumerate(lines):
+        if line == "{":
+            start = number
+        elif line == "}" and start is not None:
+            head = start - 1
+            while head > 0 and lines[head - 1].strip() not in ("", "}", "};") and \
+                    not lines[head - 1].startswith("#"):
+                head -= 1
+            names = re.findall(r"(\w+)\s*\(", " ".join(lines[head:start]))
+            code = sum(1 for body in lines[start + 1:number] if body.strip())
+            yield names[0] if names else "?", start + 1, code
+            start = None
+
+
+def check_includes(checks, path, text):
+    inside = os.path.relpath(path, "src")
+    folder = os.path.dirname(inside)
+    if not checks.check(folder in LAYERS, f"{path}: folder '{folder}' is not in the layer table"):
+        return
+    allowed = LAYERS[folder]
+    for number, line in enumerate(text.split("\n"), 1):
+        include = re.match(r'\s*#\s*include\s*"([^"]+)"', line)
+        if include is None:
+            continue
+        target = include[1]
+        checks.check(os.path.exists(os.path.join("src", target)),
+                     f"{path}:{number}: includes \"{target}\", which is not a path in src")
+        wanted = os.path.dirname(target)
+        checks.check(allowed is None or wanted == folder or wanted in allowed or
+                     target[:-2] in allowed,
+                     f"{path}:{number}: {folder} may not include {target}")
+
+
+def check_calls(checks, path, text):
+    inside = os.path.relpath(path, "src")
+    if os.path.dirname(inside) not in NUMERIC:
+        return
+    found = []
+    for number, line in enumerate(blank_comments(text).split("\n"), 1):
+        for match in FORBIDDEN_CALLS.finditer(line):
+            word = match[1] or match[2]
+            if word not in ALLOWED_CALLS.get(inside, ()):
+                found.append(f"{path}:{number}: '{word}' in a numeric folder")
+    checks.check(not found, "; ".join(found[:5]))
+
+
+def check_head(checks, path, text):
+    lines = text.split("\n")
+    # sources name themselves from src on, tests from the root
+    own = os.path.relpath(path, "src") if path.startswith("src/") else path
+    checks.check(lines[0].startswith(f"/* {own} - ") and lines[0].endswith(". */"),
+                 f"{path}:1: does not begin '/* {own} - what it is. */'")
+    checks.check(len(lines) > 1 and lines[1] == "/* SPDX-License-Identifier: MIT */",
+                 f"{path}:2: no SPDX line")
+
+
+def check_sizes(checks, path, text):
+    limit = LONG_FILES.get(path, LONGEST_FILE)
+    count = text.count("\n")
+    checks.check(count <= limit, f"{path}: {count} lines, at most {limit}")
+    long_lines = [number for number, line in enumerate(text.split("\n"), 1)
+                  if len(line) > LONGEST_LINE]
+    checks.check(not long_lines, f"{path}:{long_lines[:3]}: over {LONGEST_LINE} columns")
+    checks.check("\t" not in text and "\r" not in text and not re.search(r"[ \t]+$", text, re.M),
+                 f"{path}: tabs, carriage returns or blanks at a line's end")
+    checks.check(text.endswith("\n") and not text.endswith("\n\n"), f"{path}: its last line")
+    if path.startswith("src/"):
+        for name, line, code in functions_of(text):
+            checks.check(code <= LONGEST_FUNCTION,
+                         f"{path}:{line}: {name} has {code} code lines, at most {LONGEST_FUNCTION}")
+
+
+def check_headers(checks, headers):
+    def compile_alone(header):
+        compiler = os.environ.get("CC", "cc").split()
+        return subprocess.run([*compiler, *STRICT, "-x", "c", "-fsyntax-only", "-"],
+                              input=f'#include "{header[4:]}"\nextern int not_empty;\n',
+                              capture_output=True, text=True)
+    with ThreadPoolExecutor(2) as pool:
+        for header, result in zip(headers, pool.map(compile_alone, headers)):
+            checks.check(result.returncode == 0,
+                         f"{header} does not compile alone: {result.stderr[:300]}")
+
+
+def check_names(checks, paths):
+    seen = {}
+    for path in paths:
+        name = os.path.basename(path)
+        checks.check(name not in seen, f"{path}: the name is taken by {seen.get(name)}")
+        seen[name] = path
+
+
+def check_objects(checks, build):
+    objects = sorted(glob.glob(os.path.join(build, "*.o")) +
+                     glob.glob(os.path.join(build, "*", "*.o")))
+    sources = {os.path.splitext(os.path.relpath(path, "src"))[0]
+               for path in glob.glob("src/**/*.c", recursive=True)} | {"lensdb"}
+    objects = [path for path in objects
+               if os.path.splitext(os.path.relpath(path, build))[0] in sources]
+    checks.check(objects != [], f"no objects in {build}")
+    listing = subprocess.run(["objdump", "-t", *objects], capture_output=True, text=True).stdout
+    if "__asan_" in listing or "__tsan_" in listing:
+        print("writable data: skipped, a sanitizer's objects have it")
+        return
+    found, name = {}, ""
+    for line in listing.splitlines():
+        if ":     file format" in line:
+            name = os.path.relpath(line.split(":")[0], build)
+        # address, 7 flags (O = an object), section, size, symbol
+        entry = re.match(r"[0-9a-f]+ .{6}O (\S+)\s+[0-9a-f]+\s+(?:\.hidden )?(\S+)$", line)
+        if entry is not None and re.match(r"\.t?(data|bss)|\*COM\*", entry[1]) and \
+                not entry[1].startswith(".data.rel.ro") and \
+                entry[2] not in WRITABLE.get(name, ()):
+            found.setdefault(name, []).append(entry[2])
+    for path in objects:
+        name = os.path.relpath(path, build)
+        checks.check(name not in found, f"{name}: writable data {found.get(name)}")
+
+
+def check_words(checks):
+    everything = [path for top in ("src", "man", "lensdb", "tests", ".ci")
+                  for path in glob.glob(top + "/**/*", recursive=True)]
+    for path in sorted(everything) + ["README", "Makefile", ".ci/run"]:
+        # these two spell such words to look for them
+        if not os.path.isfile(path) or "/corpus/" in path or \
+                path.endswith((".pyc", ".out", "check_structure.py", "check_lensdb.py")):
+            continue
+        text = read(path)
+        spared = WORDS_ALLOWED.get(path.split("/")[0])
+        found = [f"{path}:{text.count(chr(10), 0, match.start()) + 1}: '{match.group()}'"
+                 for match in FORBIDDEN_WORDS.finditer(text)
+                 if not (spared and spared.fullmatch(match.group()))]
+        checks.check(not found, f"word that does not belong here: {'; '.join(found[:4])}")
+
+
+def main():
+    os.chdir(ROOT)
+    checks = Checks()
+    sources = sorted(glob.glob("src/**/*.[ch]", recursive=True))
+    programs = sorted(glob.glob("tests/**/*.[ch]", recursive=True))
+    checks.check(len(sources) > 40, "src is not here")
+    for path in sources + programs:
+        text = read(path)
+        check_head(checks, path, text)
+        check_sizes(checks, path, text)
+        if path in sources:
+            check_includes(checks, path, text)
+            check_calls(checks, path, text)
+    check_names(checks, sources)
+    check_headers(checks, [path for path in sources if path.endswith(".h")])
+    check_objects(checks, os.path.abspath(sys.argv[1]))
+    check_words(checks)
+    checks.finish()
+
+
+main()
