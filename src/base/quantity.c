@@ -243,19 +243,30 @@ static const char *article(const char *noun)
     return strchr("aef", noun[0]) != NULL ? "an" : "a";
 }
 
+/* A unit that differs by case; for a slip of one or two letters the usual unit; else the nearest. */
+static const char *meant_unit(const struct reading *reading, struct text name)
+{
+    struct nearest nearest = {.typed = name};
+    for (size_t i = 0; i < reading->dimension->unit_count; i++) {
+        const char *unit = reading->dimension->units[i].name;
+        if (text_same(name, unit)) {
+            return unit;
+        }
+        nearest_offer(&nearest, text_of(unit));
+    }
+    /* among so short words edit distance says nothing */
+    return name.length <= 2 ? reading->unit->name : nearest.best.start;
+}
+
 static bool unknown_unit(struct reading *reading, struct text name, int shown)
 {
     struct text whole = reading->text;
     size_t before = (size_t)(name.start - whole.start);
-    struct nearest nearest = {.typed = name};
-    for (size_t i = 0; i < reading->dimension->unit_count; i++) {
-        nearest_offer(&nearest, text_of(reading->dimension->units[i].name));
-    }
+    const char *meant = meant_unit(reading, name);
     fail_at(reading->error, ERROR_USAGE, whole.start, whole.length, before + 1,
             "unknown unit '%.*s'", shown, name.start);
-    if (nearest.best.start != NULL && before < 60) {
-        error_hint(reading->error, "did you mean '%.*s%.*s'?", (int)before, whole.start,
-                   (int)nearest.best.length, nearest.best.start);
+    if (meant != NULL && before < 60) {
+        error_hint(reading->error, "did you mean '%.*s%s'?", (int)before, whole.start, meant);
     }
     return false;
 }

@@ -72,7 +72,7 @@ struct row {
     COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
 
 static const struct column columns[] = {
-    {COLUMN(struct row, shot), .name = "shot", .flags = COLUMN_EXTRA, .with = "stack",
+    {COLUMN(struct row, shot), .name = "shot", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "stack",
      .label = "shot", .help = "number of the shot in a focus stack, nearest first"},
     {COLUMN(struct row, shots), .name = "shots", .flags = COLUMN_EXTRA, .label = "shots",
      .help = "number of shots in the focus stack"},
@@ -80,11 +80,16 @@ static const struct column columns[] = {
      .symbol = "f", .label = "focal length", .help = "focal length"},
     {COLUMN(struct row, setting.N), .name = "fnumber", .flags = COLUMN_ECHO, .with = "aperture",
      .symbol = "N", .label = "f-number", .help = "f-number"},
-    {COLUMN_LENGTH(distance, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
-     .with = "distance", .label = "distance", .help = "distance of the subject"},
+    {COLUMN_LENGTH(distance, "m"), .name = "distance",
+     .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .label = "distance", .help = "distance of the subject"},
+    {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "sensor", .label = "sensor", .help = "format or camera"},
     {COLUMN_LENGTH(setting.c, "mm"), .name = "coc", .flags = COLUMN_ASSUMED, .symbol = "c",
      .depends = "coc sensor pitch print viewing acuity wavelength", .label = "circle of confusion",
      .help = "circle of confusion, diameter on the sensor"},
+    {COLUMN(struct row, criterion), .name = "coc_criterion",
+     .symbol = "criterion", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "coc", .label = "criterion",
+     .help = "where the circle of confusion comes from"},
     {COLUMN_LENGTH(dof.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE,
      .symbol = "H", .label = "hyperfocal distance",
      .help = "nearest focus that keeps infinity sharp, from the front principal plane"},
@@ -137,13 +142,8 @@ static const struct column columns[] = {
     {COLUMN_LENGTH(other_coc, "mm"), .name = "equal_coc", .flags = COLUMN_EXTRA,
      .with = "equal-on", .label = "circle of confusion there",
      .help = "circle of confusion in proportion to the other format"},
-    {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
-     .depends = "sensor", .label = "sensor", .help = "format or camera"},
-    {COLUMN(struct row, criterion), .name = "coc_criterion",
-     .symbol = "criterion", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "coc", .label = "criterion",
-     .help = "where the circle of confusion comes from"},
     {COLUMN(struct row, setting.P), .name = "pupil_magnification",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .symbol = "P", .depends = "pupil",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .symbol = "P", .depends = "pupil",
      .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
     {COLUMN(struct row, model), .name = "model", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "model", .label = "model", .help = "the formulas that were used"},
@@ -246,6 +246,11 @@ static bool run(const void *data, struct run *run, struct error *error)
     return fill_other(input, &row, error) && (run_emit(run, &row), true);
 }
 
+static bool makes_many(const void *data)
+{
+    return ((const struct input *)data)->stack;
+}
+
 /* The f-numbers of a lens barrel and the one in use among them, ascending. */
 static size_t barrel_fnumbers(double chosen, double *fnumbers, size_t *at)
 {
@@ -262,7 +267,7 @@ static size_t barrel_fnumbers(double chosen, double *fnumbers, size_t *at)
             }
         }
         /* far from the one in use the marks would lie on the index or off the scale */
-        if (usual[i] > chosen / 9 && usual[i] < chosen * 9) {
+        if (usual[i] > chosen / 9 && usual[i] < chosen * 5) {
             fnumbers[count++] = usual[i];
         }
     }
@@ -344,6 +349,7 @@ const struct command command_dof = {
     .option_count = sizeof options / sizeof options[0],
     .input_size = sizeof(struct input),
     .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .makes_many = makes_many,
     .run = run,
     .explanations = explanations,
     .drawings = drawings,

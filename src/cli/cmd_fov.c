@@ -96,10 +96,10 @@ static const struct column columns[] = {
     {COLUMN(struct row, projection), .name = "projection", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "projection", .label = "projection", .help = "how the lens maps angles"},
     {COLUMN(struct row, setting.P), .name = "pupil_magnification", .symbol = "P",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "pupil", .label = "pupil magnification",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil", .label = "pupil magnification",
      .help = "diameter of the exit over the entrance pupil"},
     {COLUMN(struct row, setting.squeeze), .name = "squeeze", .symbol = "q",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "squeeze", .label = "squeeze",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "squeeze", .label = "squeeze",
      .help = "anamorphic squeeze"},
 };
 

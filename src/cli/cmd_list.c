@@ -380,6 +380,12 @@ static const struct sheet *choose_sheet(const void *data)
     return &topics[input->topic].sheet;
 }
 
+static bool makes_many(const void *data)
+{
+    (void)data;
+    return true;
+}
+
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
@@ -415,5 +421,6 @@ const struct command command_list = {
     .input_size = sizeof(struct input),
     .sheet = SHEET(command_columns, struct command_row),
     .choose_sheet = choose_sheet,
+    .makes_many = makes_many,
     .run = run,
 };

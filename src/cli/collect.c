@@ -32,6 +32,16 @@ const void *collection_row(const struct collection *collection, size_t index)
                                        : NULL;
 }
 
+const void *collection_first_row(const struct collection *collection)
+{
+    for (size_t i = 0; i < collection->sweep->total; i++) {
+        if (collection->is_there[i]) {
+            return collection_row(collection, i);
+        }
+    }
+    return NULL;
+}
+
 const char *axis_label(const struct collection *collection, const struct axis *axis)
 {
     for (size_t i = 0; i < collection->sheet->column_count; i++) {
@@ -62,6 +72,9 @@ const char *axis_value(const struct collection *collection, const struct axis *a
     }
     double value = axis->unit != NULL ? unit_from_own(axis->unit, axis_number(axis, i))
                                       : axis_number(axis, i);
+    if (with_unit && option->dimension == &dimension_fnumber) {
+        return arena_printf(collection->arena, "f/%.4g", value);
+    }
     bool unit = with_unit && axis->unit != NULL && axis->unit->label[0] != '\0';
     return arena_printf(collection->arena, "%.6g%s%s", value, unit ? " " : "",
                         unit ? axis->unit->label : "");

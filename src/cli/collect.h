@@ -27,6 +27,9 @@ bool collection_open(struct collection *collection, size_t most, const char *opt
 
 void collection_keep(struct collection *collection, size_t index, const void *row);
 
+/* The first row there is; null if all failed. */
+const void *collection_first_row(const struct collection *collection);
+
 /* The row of a combination; null if it failed. */
 const void *collection_row(const struct collection *collection, size_t index);
 
@@ -59,7 +62,7 @@ bool cross_table_write(const struct collection *collection, const char *specific
  *
  * Errors    ERROR_USAGE: nothing is swept, or columns of different dimensions; as plot_draw
  */
-bool collection_plot(const struct collection *collection, const char *columns, struct svg *svg,
-                     struct error *error);
+bool collection_plot(const struct collection *collection, const char *columns,
+                     const char *subtitle, struct svg *svg, struct error *error);
 
 #endif

@@ -48,6 +48,8 @@ struct command {
     struct sheet sheet;
     /* Which rows this input makes, where that depends on it; null: always `sheet`. */
     const struct sheet *(*choose_sheet)(const void *input);
+    /* Does one input make several rows, as a list or a plan does? null: never. */
+    bool (*makes_many)(const void *input);
     /*
      * Compute the rows of one input, handing each to run_emit.
      *

@@ -86,7 +86,7 @@ static int compare(const void *a, const void *b)
 }
 
 /* One unit for the whole table: that of the median value. */
-static const struct unit *table_unit(const struct collection *collection, const struct cross *cross,
+static const struct unit *table_unit(const struct collection *collection,
                                      const struct shown *shown)
 {
     size_t total = collection->sweep->total, count = 0;
@@ -100,7 +100,6 @@ static const struct unit *table_unit(const struct collection *collection, const 
             }
         }
     }
-    (void)cross;
     qsort(values, count, sizeof values[0], compare);
     return readable_unit(shown, collection->units, count > 0 ? values[count / 2] : NAN, false);
 }
@@ -223,16 +222,6 @@ static void write_grid(struct report *report, const struct grid *grid)
     }
 }
 
-static const void *first_row(const struct collection *collection)
-{
-    for (size_t i = 0; i < collection->sweep->total; i++) {
-        if (collection->is_there[i]) {
-            return collection_row(collection, i);
-        }
-    }
-    return NULL;
-}
-
 bool cross_table_write(const struct collection *collection, const char *specification,
                        struct report *report, struct error *error)
 {
@@ -246,12 +235,11 @@ bool cross_table_write(const struct collection *collection, const char *specific
             cross.values[k] = for_people(collection, cross.values[k]);
         }
         /* values that share a cell share a unit */
-        cross.units[k] = k > 0 ? cross.units[0]
-                               : table_unit(collection, &cross, &cross.values[k]);
+        cross.units[k] = k > 0 ? cross.units[0] : table_unit(collection, &cross.values[k]);
     }
     struct grid grid = build(collection, &cross, report);
     if (!is_machine(report)) {
-        const void *row = first_row(collection);
+        const void *row = collection_first_row(collection);
         grid.title = arena_printf(collection->arena, "%s by %s and %s",
                                   value_words(collection, &cross),
                                   axis_label(collection, cross.down),

@@ -325,7 +325,9 @@ static bool write_plot(struct driver *driver, struct error *error)
     struct svg svg = {.arena = &driver->arena};
     const char *columns =
         driver->common.columns != NULL ? driver->common.columns : driver->command->plot;
-    return collection_plot(&driver->collection, columns, &svg, error) &&
+    const char *words =
+        report_assumptions(&driver->report, collection_first_row(&driver->collection));
+    return collection_plot(&driver->collection, columns, words, &svg, error) &&
            output_file(driver->common.plot, svg.data, svg.length, &driver->arena, error);
 }
 
@@ -402,8 +404,8 @@ static bool ask(struct driver *driver, struct error *error)
     driver->report.sheet = &command->sheet;
     if (command->choose_sheet != NULL) {
         driver->report.sheet = command->choose_sheet(driver->input);
-        driver->report.many = true;
     }
+    driver->report.many = command->makes_many != NULL && command->makes_many(driver->input);
     driver->is_batch = common->batch != NULL;
     if (driver->is_batch) {
         if (driver->sweep.total > 1) {

@@ -76,8 +76,11 @@ static const char *group_words(const struct collection *collection, const struct
         size_t at = index % axis->count;
         index /= axis->count;
         if (axis != layout->x) {
-            const char *one = arena_printf(collection->arena, "%s %s", axis_label(collection, axis),
-                                           axis_value(collection, axis, at, true));
+            const char *value = axis_value(collection, axis, at, true);
+            bool speaks = axis->option->dimension == &dimension_fnumber; /* f/2.8 needs no name */
+            const char *one = speaks ? value
+                                     : arena_printf(collection->arena, "%s %s",
+                                                    axis_label(collection, axis), value);
             words = words == NULL ? one : arena_printf(collection->arena, "%s, %s", one, words);
         }
     }
@@ -146,8 +149,8 @@ static const char *title_words(const struct collection *collection, const struct
     return words;
 }
 
-bool collection_plot(const struct collection *collection, const char *columns, struct svg *svg,
-                     struct error *error)
+bool collection_plot(const struct collection *collection, const char *columns,
+                     const char *subtitle, struct svg *svg, struct error *error)
 {
     struct layout layout = {0};
     if (columns == NULL) {
@@ -166,6 +169,7 @@ bool collection_plot(const struct collection *collection, const char *columns, s
     const char *x_label = axis_label(collection, layout.x);
     struct plot plot = {.x = x, .count = layout.x->count};
     plot.title = arena_printf(collection->arena, "%s by %s", words, x_label);
+    plot.subtitle = subtitle;
     plot.x_label = with_unit(collection, x_label, layout.x->unit);
     plot.y_label = with_unit(collection, words, layout.shown[0].unit);
     if (layout.x->option->dimension->series != NULL && layout.x->count <= 12) {

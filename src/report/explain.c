@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { LINE = 1024, VALUE = 128 };
+enum { LINE = 1024, VALUE = 128, NUMBER = 96 };
 
 static const struct column *by_symbol(const struct sheet *sheet, struct text symbol)
 {
@@ -33,8 +33,10 @@ static const struct column *by_name(const struct sheet *sheet, const char *name)
 /* A value with its unit: "50 mm". */
 static void write_value(char *to, size_t room, const struct column *column, const void *row)
 {
-    struct shown shown = {.column = column, .name = column->name};
-    char number[VALUE];
+    struct column unpadded = *column;
+    struct shown shown = {.column = &unpadded, .name = column->name};
+    char number[NUMBER];
+    unpadded.flags |= COLUMN_ECHO;
     if (column->unit != NULL) {
         shown.unit = unit_find(column->dimension, text_of(column->unit));
     }
@@ -43,20 +45,35 @@ static void write_value(char *to, size_t room, const struct column *column, cons
     snprintf(to, room, "%s%s%s", number, has_unit ? " " : "", has_unit ? shown.unit->label : "");
 }
 
+/* Is the blank here a product, as between the factors of "2 {N} {c} (1 + {m})"? */
+static bool is_product(const char *formula, const char *at)
+{
+    return *at == ' ' && at > formula && strchr("}0123456789)", at[-1]) != NULL &&
+           (at[1] == '{' || at[1] == '(');
+}
+
 /* Copy a formula, with each {symbol} as itself or, given a row, as its value. */
 static void render(char *to, const char *formula, const struct sheet *sheet, const void *row)
 {
     size_t used = 0;
+    const char *start = formula;
     while (*formula != '\0' && used < LINE - VALUE) {
         const char *close = *formula == '{' ? strchr(formula, '}') : NULL;
         if (close == NULL) {
+            if (row != NULL && is_product(start, formula)) {
+                memcpy(to + used, " x", 2);
+                used += 2;
+            }
             to[used++] = *formula++;
             continue;
         }
+        bool power = row != NULL && close[1] == '^'; /* (50 mm)^2 */
         struct text symbol = text_between(formula + 1, close);
         const struct column *column = by_symbol(sheet, symbol);
         if (row != NULL && column != NULL) {
-            write_value(to + used, LINE - used, column, row);
+            char value[VALUE];
+            write_value(value, sizeof value, column, row);
+            snprintf(to + used, LINE - used, power ? "(%s)" : "%s", value);
         } else {
             snprintf(to + used, LINE - used, "%.*s", (int)symbol.length, symbol.start);
         }

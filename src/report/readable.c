@@ -117,6 +117,16 @@ static int certain_digits(const void *row, const struct column *column, int digi
     return certain < digits ? (int)floor(certain) : digits;
 }
 
+/* Does a number of at most six digits stand for it, as for most that people type? */
+static bool is_short(double value)
+{
+    char digits[40];
+    double again = 0;
+    snprintf(digits, sizeof digits, "%.6g", value);
+    sscanf(digits, "%lf", &again);
+    return fabs(again - value) <= 1e-13 * fabs(value);
+}
+
 static void write_number(char *to, size_t room, const void *row, const struct shown *shown,
                          const struct unit *unit, int digits)
 {
@@ -125,8 +135,7 @@ static void write_number(char *to, size_t room, const void *row, const struct sh
         snprintf(to, room, value > 0 ? "inf" : "-inf");
         return;
     }
-    bool echo = (shown->column->flags & COLUMN_ECHO) != 0;
-    int certain = echo ? digits : certain_digits(row, shown->column, digits);
+    int certain = certain_digits(row, shown->column, digits);
     size_t used = 0;
     if (certain < 1) {
         certain = 1;
@@ -138,7 +147,9 @@ static void write_number(char *to, size_t room, const void *row, const struct sh
         return;
     }
     double converted = unit != NULL ? unit_from_own(unit, value) : value;
-    write_significant(to + used, room - used, converted, echo && certain < 6 ? 6 : certain, !echo);
+    bool typed = (shown->column->flags & COLUMN_ECHO) != 0 && is_short(converted);
+    write_significant(to + used, room - used, converted, typed && certain < 6 ? 6 : certain,
+                      !typed);
 }
 
 void readable_value(char *to, size_t room, const void *row, const struct shown *shown,

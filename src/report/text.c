@@ -26,6 +26,7 @@ struct text_state {
     const struct unit **units; /* one a shown column */
     size_t *widths;
     bool *is_empty; /* columns without a value in the rows looked at */
+    bool has_failures; /* among the rows looked at: then there is a column for the reasons */
     struct arena scratch;
 };
 
@@ -51,6 +52,7 @@ static void keep(struct report *report, const void *row, const struct text *pass
     }
     *kept = (struct kept){.passed = copies};
     if (failure != NULL) {
+        state->has_failures = true;
         kept->failure = arena_string(report->arena, failure->message, strlen(failure->message));
     }
     if (row == NULL) {
@@ -125,7 +127,8 @@ static bool is_left_out(const struct report *report, size_t column)
 
 static size_t cell_count(const struct report *report)
 {
-    return report->passed_count + report->shown_count + report->has_error_column;
+    const struct text_state *state = report->state;
+    return report->passed_count + report->shown_count + state->has_failures;
 }
 
 static const char *label_of_unit(const struct shown *shown, const struct unit *unit)
@@ -146,10 +149,21 @@ static const char *spaced(struct arena *arena, const char *name)
     return copy;
 }
 
+static bool has_units(const struct report *report)
+{
+    const struct text_state *state = report->state;
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (label_of_unit(&report->shown[i], state->units[i])[0] != '\0') {
+            return true;
+        }
+    }
+    return false;
+}
+
 static struct grid new_grid(struct report *report, struct arena *arena)
 {
     struct text_state *state = report->state;
-    struct grid grid = grid_new(arena, cell_count(report), 2);
+    struct grid grid = grid_new(arena, cell_count(report), has_units(report) ? 2 : 1);
     grid_add_row(&grid);
     for (size_t i = 0; i < report->passed_count; i++) {
         grid_set(&grid, i, arena_string(arena, report->passed_names[i].start,
@@ -162,12 +176,14 @@ static struct grid new_grid(struct report *report, struct arena *arena)
         }
         grid.left[report->passed_count + i] = column->type == COLUMN_TEXT;
     }
-    if (report->has_error_column) {
+    if (state->has_failures) {
         grid_set(&grid, grid.columns - 1, "error");
         grid.left[grid.columns - 1] = true;
     }
-    grid_add_row(&grid);
-    for (size_t i = 0; i < report->shown_count; i++) {
+    if (grid.head_rows == 2) {
+        grid_add_row(&grid);
+    }
+    for (size_t i = 0; i < report->shown_count && grid.head_rows == 2; i++) {
         if (!is_left_out(report, i)) {
             grid_set(&grid, report->passed_count + i,
                      label_of_unit(&report->shown[i], state->units[i]));
@@ -190,7 +206,7 @@ static void add_row(struct report *report, struct grid *grid, const void *row,
                        digits_of(report));
         grid_set(grid, report->passed_count + i, cell);
     }
-    if (failure != NULL) {
+    if (failure != NULL && state->has_failures) {
         grid_set(grid, grid->columns - 1, failure);
     }
 }

@@ -2,14 +2,15 @@
 cat > rows.csv <<'END'
 # my lenses
 
-f,aperture,s_ft,note
-50mm,f/2.8,10,plain
-3.5cm,4,5ft6in,"quoted, ""so"""
-85,1.8,2m,"a line
+f,aperture,s_ft,c_um,note
+50mm,f/2.8,10,30,plain
+3.5cm,4,5ft6in,,"quoted, ""so"""
+# an empty cell is what the option is without it
+85,1.8,2m,0.03mm,"a line
 break"
-50,2.8,,
+50,8,inf,d/1730,
 END
-lenscalc dof --batch rows.csv --csv --columns focal_mm,distance_m,near_m --digits 8 -c 0.03
+lenscalc dof --batch rows.csv --csv --columns focal_mm,distance_m,coc_mm,near_m --digits 8
 echo "status $?"
-lenscalc dof --batch rows.csv --jsonl --columns near_m --digits 8 -c 0.03
+lenscalc dof --batch rows.csv --jsonl --columns far_m --digits 8
 echo "status $?"

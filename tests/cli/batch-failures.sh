@@ -7,6 +7,7 @@ last,50,2.8,5
 END
 lenscalc dof --batch rows.csv --csv --digits 6
 echo "status $?"
+lenscalc dof --batch rows.csv --csv --columns near_m,error --digits 6
 lenscalc dof --batch rows.csv --jsonl --columns near_m --digits 6
 echo "status $?"
 printf 'f,N,s\n50,2.8,0.01\n50,2.8,0.02\n' > bad.csv

@@ -5,9 +5,13 @@ lenscalc zzzzzz
 echo "status $?"
 lenscalc dof --focal-lenght 50
 echo "status $?"
-lenscalc dof -f 50 -N 4 -s 3 --sensor 'Nikon D11'
+lenscalc dof -f 50 -N 4 -s 3 --sensor 'half-frane'
 echo "status $?"
-lenscalc dof -f 50nn -N 4 -s 3
+lenscalc list cmaeras
+echo "status $?"
+lenscalc dof -f 50 -N 4 -s 3 --model exct
+echo "status $?"
+lenscalc help dfo
 echo "status $?"
 lenscalc dof -Q 3
 echo "status $?"

@@ -3,8 +3,6 @@ lenscalc dof -f 50 -N 4 -s 3 --table s,N
 echo "status $?"
 lenscalc dof -f 50 -N 4,5 -s 3,4 --table s
 echo "status $?"
-lenscalc dof -f 50 -N 4,5 -s 3,4 --table s,N:nothing
-echo "status $?"
 lenscalc dof -f 50 -N 4,5 -s 3,4 --table s,Q
 echo "status $?"
 lenscalc dof -f 50 -N 4,5 -s 3,4 --table s,N --json
