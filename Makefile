@@ -31,10 +31,8 @@ LDFLAGS  =
 sources := $(wildcard src/base/*.c src/photo/*.c src/report/*.c src/cli/*.c) \
            $(filter-out src/file/embed.c,$(wildcard src/file/*.c))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o
-library := $(filter-out $(BUILD)/cli/commands.o,$(objects))
 units   := $(patsubst tests/unit/%.c,$(BUILD)/unit/%,$(wildcard tests/unit/test_*.c))
 lensdb  := $(sort $(wildcard lensdb/*.tsv))
-pages   := $(wildcard man/*.[157])
 
 all: $(BUILD)/lenscalc
 
@@ -70,7 +68,67 @@ $(BUILD)/unit/%: tests/unit/%.c $(objects)
 
 -include $(wildcard $(BUILD)/*.d $(BUILD)/*/*.d)
 
+build_packages = gcc make libc6-dev
+check_packages = $(build_packages) python3 binutils
+all_packages   = $(check_packages) clang clang-format libclang-rt-14-dev valgrind mawk mandoc \
+                 librsvg2-bin zsh fish
+
+deps:
+	@tests/deps $(all_packages)
+
+demo:
+	@tests/deps $(build_packages)
+	@$(MAKE) -s all
+	@tests/demo $(BUILD)
+
+# one build and all fast tests
+check:
+	@tests/deps $(check_packages)
+	@$(MAKE) -s all $(units)
+	@tests/run $(BUILD)
+
+# everything that has an end: other compiler, sanitizers, valgrind, short fuzzing
+check-all: deps
+	@tests/check-all $(BUILD)
+
+# rewrite the expected outputs of tests/cli; the difference is to be reviewed
+accept: all
+	@tests/cli/run $(BUILD) --accept
+
+bench: deps all
+	@tests/bench/run $(BUILD)
+
+fuzz: deps
+	@tests/fuzz/run $(SECONDS) $(JOBS) $(BUILD)
+
+format:
+	clang-format -i $(shell find src tests -name '*.[ch]')
+
+bindir  = $(DESTDIR)$(PREFIX)/bin
+mandir  = $(DESTDIR)$(PREFIX)/share/man
+bashdir = $(DESTDIR)$(PREFIX)/share/bash-completion/completions
+zshdir  = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
+fishdir = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
+
+install: all
+	install -d $(bindir) $(mandir)/man1 $(mandir)/man7 $(bashdir) $(zshdir) $(fishdir)
+	install $(BUILD)/lenscalc $(bindir)/lenscalc
+	install -m 644 $(wildcard man/*.1) $(mandir)/man1
+	install -m 644 $(wildcard man/*.7) $(mandir)/man7
+	$(BUILD)/lenscalc completion bash > $(bashdir)/lenscalc
+	$(BUILD)/lenscalc completion zsh > $(zshdir)/_lenscalc
+	$(BUILD)/lenscalc completion fish > $(fishdir)/lenscalc.fish
+
+uninstall:
+	rm -f $(bindir)/lenscalc $(bashdir)/lenscalc $(zshdir)/_lenscalc $(fishdir)/lenscalc.fish
+	rm -f $(patsubst man/%,$(mandir)/man1/%,$(wildcard man/*.1))
+	rm -f $(patsubst man/%,$(mandir)/man7/%,$(wildcard man/*.7))
+
+version := $(shell sed -n 's/.*LENSCALC_VERSION "\(.*\)"/\1/p' src/report/version.h)
+dist:
+	git archive --prefix=lenscalc-$(version)/ -o lenscalc-$(version).tar.gz HEAD
+
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all clean
+.PHONY: all deps demo check check-all accept bench fuzz format install uninstall dist clean

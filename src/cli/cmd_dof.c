@@ -81,7 +81,7 @@ static const struct column columns[] = {
     {COLUMN(struct row, setting.N), .name = "fnumber", .flags = COLUMN_ECHO, .with = "aperture",
      .symbol = "N", .label = "f-number", .help = "f-number"},
     {COLUMN_LENGTH(distance, "m"), .name = "distance",
-     .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .label = "distance", .help = "distance of the subject"},
+     .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .with = "distance", .label = "distance", .help = "distance of the subject"},
     {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "sensor", .label = "sensor", .help = "format or camera"},
     {COLUMN_LENGTH(setting.c, "mm"), .name = "coc", .flags = COLUMN_ASSUMED, .symbol = "c",

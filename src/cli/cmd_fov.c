@@ -79,7 +79,7 @@ static const struct column columns[] = {
      .symbol = "W", .label = "field width", .help = "width seen in the plane of focus"},
     {LENGTH(fov.height_at_s, "m"), .name = "field_height", .flags = COLUMN_INFINITE, .with = "distance",
      .label = "field height", .help = "height seen in the plane of focus"},
-    {LENGTH(fov.diagonal_at_s, "m"), .name = "field_diagonal", .flags = COLUMN_INFINITE,
+    {LENGTH(fov.diagonal_at_s, "m"), .name = "field_diagonal", .flags = COLUMN_INFINITE, .with = "distance",
      .label = "field diagonal", .help = "diagonal seen in the plane of focus"},
     {COLUMN(struct row, magnification), .name = "magnification", .symbol = "m",
      .label = "magnification", .help = "size on the sensor over size of the subject"},

@@ -320,14 +320,48 @@ static bool run_batch(struct driver *driver, struct error *error)
     return true;
 }
 
+/* Add the value of a column to a line of words, while the line is short enough for a plot. */
+static const char *add_words(const struct report *report, const char *line,
+                             const struct shown *shown, const void *row)
+{
+    enum { LONGEST = 90 };
+    const char *words = report_words(report, shown, row);
+    if (line == NULL) {
+        return words;
+    }
+    bool fits = strlen(line) + strlen(words) < LONGEST;
+    return fits ? arena_printf(report->arena, "%s, %s", line, words) : line;
+}
+
+/* What stays the same in all curves: inputs that were given, then what was assumed. */
+static const char *plot_subtitle(const struct driver *driver)
+{
+    const struct report *report = &driver->report;
+    const void *row = collection_first_row(&driver->collection);
+    const char *line = NULL;
+    for (size_t i = 0; i < report->sheet->column_count && row != NULL; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        struct shown shown;
+        struct error ignored;
+        bool given = (column->flags & COLUMN_ECHO) != 0 && column->with != NULL &&
+                     asked_given(driver, column->with) && !asked_varied(driver, column->with);
+        if (given && report_find_column(report->sheet, text_of(column->name), report->arena,
+                                        &shown, &ignored)) {
+            line = add_words(report, line, &shown, row);
+        }
+    }
+    for (size_t i = 0; i < report->assumed_count && row != NULL; i++) {
+        line = add_words(report, line, &report->assumed[i], row);
+    }
+    return line;
+}
+
 static bool write_plot(struct driver *driver, struct error *error)
 {
     struct svg svg = {.arena = &driver->arena};
     const char *columns =
         driver->common.columns != NULL ? driver->common.columns : driver->command->plot;
-    const char *words =
-        report_assumptions(&driver->report, collection_first_row(&driver->collection));
-    return collection_plot(&driver->collection, columns, words, &svg, error) &&
+    return collection_plot(&driver->collection, columns, plot_subtitle(driver), &svg, error) &&
            output_file(driver->common.plot, svg.data, svg.length, &driver->arena, error);
 }
 

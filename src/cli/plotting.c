@@ -137,9 +137,12 @@ static const char *with_unit(const struct collection *collection, const char *la
                : label;
 }
 
-/* "near limit and far limit by f-number" */
+/* "near limit and far limit"; what many curves have in common is their dimension: "angle". */
 static const char *title_words(const struct collection *collection, const struct layout *layout)
 {
+    if (layout->shown_count > 2 && layout->shown[0].column->dimension != NULL) {
+        return layout->shown[0].column->dimension->name;
+    }
     const char *words = column_label(&layout->shown[0]);
     for (size_t k = 1; k < layout->shown_count; k++) {
         words = arena_printf(collection->arena, "%s%s%s", words,

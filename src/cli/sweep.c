@@ -254,6 +254,21 @@ static bool add_range(struct values *values, struct range *range, struct error *
     return added || add_steps(values, range, error);
 }
 
+/* The unit in which a list is printed again: the one all its items were typed in. */
+static void note_unit(struct values *values, struct text item)
+{
+    const struct option *option = values->option;
+    const struct unit *typed = NULL;
+    struct error ignored;
+    double value;
+    if (option->kind != &kind_quantity ||
+        !quantity_read(item, option->dimension, option_unit(option), &value, &typed, &ignored)) {
+        return;
+    }
+    bool same = values->count == 1 || values->unit == typed;
+    values->unit = typed != NULL && same ? typed : option_unit(option);
+}
+
 static bool add_item(struct values *values, struct text item, struct error *error)
 {
     struct range range;
@@ -269,6 +284,7 @@ static bool add_item(struct values *values, struct text item, struct error *erro
         return false;
     }
     values->count++;
+    note_unit(values, item);
     return true;
 }
 

@@ -200,13 +200,18 @@ static bool belongs(const struct column *column, const struct selection *selecti
     if ((column->flags & COLUMN_EXTRA) != 0) {
         return column->with != NULL && selection->given(selection->asked, column->with);
     }
-    if (selection->layout == SELECT_TABLE && (column->flags & COLUMN_BRIEF) == 0) {
-        bool echo = (column->flags & COLUMN_ECHO) != 0;
-        return column->with != NULL && (echo ? selection->varied : selection->given)(
-                                           selection->asked, column->with);
+    if (selection->layout == SELECT_ALL) {
+        return true;
     }
-    bool hidden = (column->flags & COLUMN_HIDDEN) != 0;
-    return selection->layout != SELECT_LIST || !hidden;
+    if ((column->flags & COLUMN_HIDDEN) != 0) {
+        return false;
+    }
+    bool echo = (column->flags & COLUMN_ECHO) != 0;
+    if (column->with != NULL && !echo) {
+        return selection->given(selection->asked, column->with);
+    }
+    return selection->layout == SELECT_LIST || (column->flags & COLUMN_BRIEF) != 0 ||
+           (echo && column->with != NULL && selection->varied(selection->asked, column->with));
 }
 
 /* Everything a row has, but for extras nobody asked for. */

@@ -80,6 +80,9 @@ bool report_select(struct report *report, const struct selection *selection, str
 bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,
                         struct shown *shown, struct error *error);
 
+/* A value in words: "circle of confusion 0.02884 mm". */
+const char *report_words(const struct report *report, const struct shown *shown, const void *row);
+
 /* "assuming ..., ...": the assumptions of a report in words, from a row; null if there are none. */
 const char *report_assumptions(const struct report *report, const void *row);
 

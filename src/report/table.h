@@ -31,7 +31,7 @@ enum column_flag {
     COLUMN_BRIEF = 4,    /* belongs into the text table of several rows */
     COLUMN_ASSUMED = 8,  /* stands among the assumptions */
     COLUMN_EXTRA = 16,   /* only on request, by --columns or by the option in `with` */
-    COLUMN_HIDDEN = 32   /* not in the single text answer unless asked for */
+    COLUMN_HIDDEN = 32   /* not among what people read, unless asked for */
 };
 
 /* One column. Numbers are in the program's own units in the row, in `unit` in the output. */
@@ -45,7 +45,7 @@ struct column {
     const char *symbol;  /* in formulas: "s"; null = none */
     const char *label;   /* in words, for people: "near limit" */
     const char *help;    /* one sentence */
-    const char *with;    /* the option that brings an extra, or a column into a table; or null */
+    const char *with;    /* of an echo: the option it repeats; else the option that brings it */
     const char *depends; /* COLUMN_ASSUMED: the options it follows from, separated by blanks */
     size_t condition;    /* offset of the number's condition (a double), 0 = none */
 };

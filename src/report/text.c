@@ -211,8 +211,7 @@ static void add_row(struct report *report, struct grid *grid, const void *row,
     }
 }
 
-/* Words for one assumption: "circle of confusion 0.02884 mm". */
-static const char *assumption(const struct report *report, const struct shown *shown, const void *row)
+const char *report_words(const struct report *report, const struct shown *shown, const void *row)
 {
     char value[CELL];
     const struct column *column = shown->column;
@@ -232,7 +231,7 @@ const char *report_assumptions(const struct report *report, const void *row)
     for (size_t i = 0; i < report->assumed_count && row != NULL; i++) {
         const struct shown *shown = &report->assumed[i];
         if (!row_is_absent(row, shown->column)) {
-            const char *words = assumption(report, shown, row);
+            const char *words = report_words(report, shown, row);
             line = line == NULL ? arena_printf(report->arena, "assuming %s", words)
                                 : arena_printf(report->arena, "%s, %s", line, words);
         }

@@ -21,6 +21,14 @@ GOOD_ROW = b"50,2.8,3\n"
 HEADER = b"f,N,s\n"
 STATUSES = (0, 1, 2, 3, 4, 5)
 MEGABYTE = 1 << 20
+# The peak of a child counts that of its parent until exec: a small parent starts the program.
+LAUNCHER = """
+import os, sys
+child = os.posix_spawnp(sys.argv[1], sys.argv[1:], os.environ, file_actions=[
+    (os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0)])
+_, status, usage = os.wait4(child, 0)
+print(os.waitstatus_to_exitcode(status), usage.ru_maxrss)
+"""
 
 
 class Tester:
@@ -33,8 +41,8 @@ class Tester:
         self.checks.check(result.returncode in statuses,
                           f"{what}: status {result.returncode}, expected one of {statuses}: "
                           f"{error[:200]!r}")
-        self.checks.check(not re.search(rb"(?<![A-Za-z])-?nan(?![A-Za-z])", result.stdout),
-                          f"{what}: nan in the output: {result.stdout[:200]!r}")
+        self.checks.check(not re.search(rb"(?m)(^|[,\t:])\s*-?nan\s*($|[,\t}])", result.stdout),
+                          f"{what}: nan in the output: {result.stdout[-200:]!r}")
         if result.returncode != 0:
             self.checks.check(error.startswith("lenscalc: "), f"{what}: message {error[:100]!r}")
         self.checks.check(not re.search(r"[\x00-\x08\x0b-\x1f\x7f]", error),
@@ -100,7 +108,7 @@ def check_ranges(tester):
                "1..2#1.5", "1..2#inf", "1..inf", "-inf..1", "1..2:inf", "1..2:1e-300", "1..1e300",
                "1..2*1.0000000001", "1..1e308*1.0000001", "1..2#1e9", "1..2#1e300", "..", "1..",
                "..2", "1..2..3", "1..2:", "1..2*", "1..2#", "1..2/", "1..2/third", "1..2:1:1",
-               "1...2", "1..2,", ",1..2", "1,,2", ",", "1..nan", "nan..1", "1..2:nan", "1..2*nan"]
+               "1..2,", ",1..2", "1,,2", ",", "1..nan", "nan..1", "1..2:nan", "1..2*nan"]
     for text in endless:
         tester.option(f"-s {text}", ["dof", "-f", "50", "-N", "4", f"--distance={text}"], (1, 2),
                       "--distance")
@@ -207,18 +215,14 @@ def check_memory(tester):
                 file.write(block)
         for options in (["--csv", "--columns", "hyperfocal_m,near_m,far_m", "--digits", "6"],
                         ["--csv"], ["--jsonl", "--columns", "near_m"]):
-            with open(os.devnull, "wb") as sink:
-                process = subprocess.Popen(program.command + ["dof", "--batch", path, *options],
-                                           stdout=sink, stderr=subprocess.PIPE,
-                                           env=program.environment())
-                _, status, usage = os.wait4(process.pid, 0)
-                process.stderr.close()
-                process.returncode = os.waitstatus_to_exitcode(status)
-            tester.checks.check(process.returncode == 0, f"{rows} rows {options}: "
-                                                         f"{process.returncode}")
+            words = program.command + ["dof", "--batch", path, *options]
+            result = subprocess.run([sys.executable, "-ISc", LAUNCHER, *words],
+                                    stdout=subprocess.PIPE, env=program.environment())
+            status, kibibytes = map(int, result.stdout.split())
+            tester.checks.check(status == 0, f"{rows} rows {options}: status {status}")
             if not program.is_instrumented:
-                tester.checks.check(usage.ru_maxrss <= 16 * 1024,
-                                    f"{rows} rows {options}: {usage.ru_maxrss} KiB of memory")
+                tester.checks.check(kibibytes <= 16 * 1024,
+                                    f"{rows} rows {options}: {kibibytes} KiB of memory")
     with subprocess.Popen(program.command + ["dof", "--batch", "-", "--csv", "--columns", "near_m"],
                           stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                           env=program.environment()) as process:

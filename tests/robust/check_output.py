@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+"""tests/robust/check_output.py - writing that fails: never silent, never half a file.
+
+Closed standard output, a full disk, a pipe whose reader leaves, -o, --plot and --scale into
+missing, unwritable and full places. Exit status 5, a message that names the place, no file and no
+temporary file left behind, and the file that was there before still whole.
+"""
+# SPDX-License-Identifier: MIT
+
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import Checks, Program
+
+DOF = ["dof", "-f", "50", "-N", "4", "-s", "3"]
+SWEEP = ["dof", "-f", "50", "-N", "4", "-s", "1..100:0.001", "--csv"]
+ANSWERS = (DOF, DOF + ["--csv"], DOF + ["--tsv"], DOF + ["--json"], DOF + ["--jsonl"],
+           DOF + ["--format", "markdown"], DOF + ["--format", "html"], SWEEP,
+           ["dof", "-f", "50", "-N", "2.8..8", "-s", "1..5", "--table", "s,N"], ["help"],
+           ["dof", "--help"], ["--version"], ["list", "cameras"], ["completion", "bash"],
+           ["completion", "zsh"], ["completion", "fish"], ["help", "fov"])
+
+
+def check_failed(checks, what, result, *says):
+    error = result.stderr.decode("utf-8", "replace")
+    checks.check(result.returncode == 5, f"{what}: status {result.returncode}, expected 5")
+    checks.check(error.startswith("lenscalc: "), f"{what}: message {error[:200]!r}")
+    for text in says:
+        checks.check(text in error, f"{what}: '{text}' is not in {error[:200]!r}")
+
+
+def check_standard_output(checks, program):
+    for words in ANSWERS:
+        name = " ".join(words)
+        with open("/dev/full", "wb") as full:
+            result = program.run(*words, stdout=full)
+        check_failed(checks, f"{name} > /dev/full", result, "standard output")
+        result = program.shell(f"lenscalc {' '.join(words)} >&-", "/")
+        check_failed(checks, f"{name} >&-", result, "standard output")
+    # an error message that cannot be written is no reason to crash
+    for words in (["dof", "-f", "x"], [], DOF):
+        quoted = " ".join(words)
+        result = program.shell(f"lenscalc {quoted} 2>&-", "/")
+        expected = 0 if words == DOF else 2
+        checks.check(result.returncode == expected, f"{quoted} 2>&-: status {result.returncode}")
+        result = program.shell(f"lenscalc {quoted} <&-", "/")
+        checks.check(result.returncode == expected, f"{quoted} <&-: status {result.returncode}")
+    check_failed(checks, "--batch - <&-", program.shell("lenscalc dof --batch - <&-", "/"),
+                 "standard input")
+
+
+def check_pipe(checks, program):
+    """`lenscalc ... | head -n 1`: the reader takes a line and leaves."""
+    rows = b"f,N,s\n" + b"50,4,3\n" * 200000
+    for words in (SWEEP, ["list", "cameras", "--csv"], ["dof", "--batch", "-", "--csv"]):
+        with tempfile.TemporaryFile() as given:
+            given.write(rows)
+            given.seek(0)
+            process = subprocess.Popen(program.command + words, stdin=given,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                       env=program.environment())
+            first = process.stdout.readline()
+            process.stdout.close()
+            error = process.stderr.read().decode()
+            process.stderr.close()
+            status = process.wait(60)
+        name = f"{' '.join(words)} | head -n 1"
+        checks.check(first.endswith(b"\n"), f"{name}: no first line")
+        # what fits into the pipe before the reader leaves may be all of a short list
+        checks.check(status == 5 or (status == 0 and words[0] == "list"),
+                     f"{name}: status {status}")
+        checks.check(status == 0 or "standard output" in error, f"{name}: message {error!r}")
+        checks.check(status != -signal.SIGPIPE, f"{name}: killed by the pipe")
+
+
+def check_file(checks, program, words, option, target, folder):
+    """One write to a place where none is possible."""
+    before = sorted(os.listdir(folder))
+    result = program.run(*words, option, target, cwd=folder)
+    name = f"{words[0]} {option} {target}"
+    check_failed(checks, name, result, os.path.basename(target))
+    checks.check(sorted(os.listdir(folder)) == before,
+                 f"{name}: left {sorted(os.listdir(folder))}")
+
+
+def check_places(checks, program):
+    plot = ["dof", "-f", "50", "-N", "4", "-s", "1..10"]
+    drawings = ((DOF, "-o"), (SWEEP, "-o"), (["help"], "-o"), (["completion", "bash"], "-o"),
+                (plot, "--plot"), (DOF, "--scale"),
+                (["dof", "-f", "50", "-N", "2.8..8", "-s", "1..5", "--table", "s,N"], "-o"))
+    with tempfile.TemporaryDirectory() as folder:
+        os.mkdir(os.path.join(folder, "sub"))
+        with open(os.path.join(folder, "plain"), "w") as file:
+            file.write("plain\n")
+        for words, option in drawings:
+            for target in ("missing/x.svg", "sub", "plain/x.svg", "/dev/full", "/proc/x.svg"):
+                check_file(checks, program, words, option, target, folder)
+        if os.geteuid() != 0:
+            os.chmod(os.path.join(folder, "sub"), 0o500)
+            for words, option in drawings:
+                check_file(checks, program, words, option, "sub/x.svg", folder)
+            os.chmod(os.path.join(folder, "sub"), 0o700)
+        # a file that was there stays as it was when the new one fails
+        target = os.path.join(folder, "old.csv")
+        with open(target, "w") as file:
+            file.write("old\n")
+        for words in (["dof", "-f", "50", "-N", "4", "-s", "0.01", "--csv"],
+                      ["dof", "-f", "50", "-N", "4", "-s", "3,0.01", "--fail-fast", "--csv"],
+                      ["dof", "-f", "x"], ["list", "formats", "no-such-thing"]):
+            program.run(*words, "-o", target, cwd=folder)
+            with open(target) as file:
+                checks.check(file.read() == "old\n", f"{' '.join(words)} -o: the old file is gone")
+        result = program.run(*DOF, "--csv", "-o", target, cwd=folder)
+        with open(target) as file:
+            checks.check(result.returncode == 0 and file.read().startswith("focal_mm"),
+                         "-o over an old file")
+        checks.check(sorted(os.listdir(folder)) == ["old.csv", "plain", "sub"],
+                     f"left behind: {sorted(os.listdir(folder))}")
+
+
+def check_full_disk(checks, program):
+    """A limit on the size of files stands for a full disk in the middle of a file."""
+    with tempfile.TemporaryDirectory() as folder:
+        for words, option in ((SWEEP, "-o"), (["list", "cameras", "--csv"], "-o"),
+                              (["dof", "-f", "50", "-N", "4", "-s", "1..10"], "--plot"),
+                              (DOF, "--scale")):
+            # SIGXFSZ must not kill: ignored, the write fails with EFBIG
+            script = (f"trap '' XFSZ; ulimit -f 4; lenscalc {' '.join(words)} {option} big.out "
+                      f"> /dev/null")
+            result = program.shell(script, folder)
+            check_failed(checks, f"{' '.join(words)} {option} on a full disk", result, "big.out")
+            checks.check(os.listdir(folder) == [], f"{' '.join(words)} {option}: left "
+                                                   f"{os.listdir(folder)}")
+
+
+def check_interrupted(checks, program):
+    """A signal in the middle leaves no file under the name that was asked for."""
+    with tempfile.TemporaryDirectory() as folder:
+        read, write = os.pipe()
+        process = subprocess.Popen(program.command + ["dof", "--batch", "-", "--csv", "-o", "x.csv"],
+                                   stdin=read, cwd=folder, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, env=program.environment())
+        os.close(read)
+        os.write(write, b"f,N,s\n50,4,3\n")
+        try:
+            process.wait(0.3)
+        except subprocess.TimeoutExpired:
+            pass
+        checks.check("x.csv" not in os.listdir(folder), "-o: the file is there before its end")
+        process.terminate()
+        process.communicate()
+        os.close(write)
+        checks.check("x.csv" not in os.listdir(folder), "-o: half a file after a signal")
+
+
+def check_json(checks, program):
+    """Whatever the rows hold, JSON stays JSON."""
+    noise = random.Random(9)
+    rows = [bytes(noise.randrange(1, 256) for _ in range(noise.randrange(1, 80)))
+            for _ in range(300)]
+    rows = [row.replace(b"\n", b"").replace(b"\r", b"").replace(b'"', b"").replace(b",", b";")
+            .replace(b"#", b"") for row in rows]
+    rows += [("\u00e4" * length).encode() for length in range(1, 140)]
+    given = b"f,N,s,note\n" + b"".join(b"50,4,3," + row + b"\n" + row + b",4,3,x\n" for row in rows)
+    for form in ("jsonl", "json"):
+        result = program.run("dof", "--batch", "-", "--format", form, "--columns", "near_m",
+                             stdin=given)
+        pieces = (result.stdout.split(b"\n")[:-1] if form == "jsonl" else [result.stdout])
+        broken = []
+        for piece in pieces:
+            try:
+                json.loads(piece.decode("utf-8"))
+            except ValueError as trouble:
+                broken.append(f"{trouble}: {piece[:120]!r}")
+        checks.check(not broken, f"{form}: {len(broken)} broken of {len(pieces)}: {broken[:2]}")
+
+
+def main():
+    checks, program = Checks(), Program(sys.argv[1])
+    for check in (check_standard_output, check_pipe, check_places, check_full_disk,
+                  check_interrupted, check_json):
+        check(checks, program)
+    checks.finish()
+
+
+main()
