@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/number.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -11,7 +12,7 @@
 
 enum {
     MOST_DIGITS = 17,
-    SHORT_DIGITS = 8, /* one word of characters */
+    FEW_DIGITS = 8, /* one word of characters */
     FIELD_MASK = 0x7ff,
 };
 
@@ -22,6 +23,12 @@ static const uint64_t tens[] = {
     10000000000000000, 100000000000000000
 };
 /* clang-format on */
+
+static const uint64_t ZEROS = 0x3030303030303030; /* eight times '0' */
+
+/* 10^(index - 4) */
+static const double small_tens[] = {1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2,  1e3,
+                                    1e4,  1e5,  1e6,  1e7,  1e8, 1e9, 1e10, 1e11};
 
 /* The parts of a finite double other than 0: significand x 2^exponent. */
 struct parts {
@@ -37,13 +44,12 @@ struct decimal {
     int exponent;
 };
 
-/* The characters of MOST_DIGITS digits, or of SHORT_DIGITS; the first in the low byte of a word. */
+/* The characters of MOST_DIGITS digits, the first in the low byte of a word. */
 struct characters {
     uint64_t first;  /* digits 0 to 7 */
-    uint64_t second; /* digits 8 to 15, if not short */
-    char last;       /* digit 16, if not short */
-    bool is_short;
-    int count; /* of digits up to the last that is not 0 */
+    uint64_t second; /* digits 8 to 15 */
+    char last;       /* digit 16 */
+    int count;       /* of digits up to the last that is not 0 */
 };
 
 static inline struct parts parts_of(uint64_t bits)
@@ -76,30 +82,18 @@ static inline int significant_digits(uint64_t eight)
     return 8 - __builtin_clzll(eight) / 8;
 }
 
-/* No more than `precision` digits will be wanted. */
-static inline struct characters characters_of(struct decimal decimal, int precision)
+static inline struct characters characters_of(struct decimal decimal)
 {
-    const uint64_t zeros = 0x3030303030303030; /* eight times '0' */
-    struct characters digits = {.is_short = precision <= SHORT_DIGITS};
-    if (digits.is_short) {
-        digits.first = eight_digits((uint32_t)(decimal.integer * tens[8 - decimal.length]));
-        digits.count = significant_digits(digits.first);
-        digits.first |= zeros;
-        return digits;
-    }
     const uint64_t all = decimal.integer * tens[MOST_DIGITS - decimal.length];
     const uint32_t behind = (uint32_t)(all % 1000000000);
-    digits.first = eight_digits((uint32_t)(all / 1000000000));
-    digits.second = eight_digits(behind / 10);
-    digits.last = (char)('0' + behind % 10);
-    if (behind % 10 != 0)
-        digits.count = MOST_DIGITS;
-    else if (digits.second != 0)
-        digits.count = 8 + significant_digits(digits.second);
-    else
+    struct characters digits = {eight_digits((uint32_t)(all / 1000000000)),
+                                eight_digits(behind / 10), (char)('0' + behind % 10), MOST_DIGITS};
+    if (behind == 0)
         digits.count = significant_digits(digits.first);
-    digits.first |= zeros;
-    digits.second |= zeros;
+    else if (digits.last == '0')
+        digits.count = 8 + significant_digits(digits.second);
+    digits.first |= ZEROS;
+    digits.second |= ZEROS;
     return digits;
 }
 
@@ -107,10 +101,8 @@ static inline struct characters characters_of(struct decimal decimal, int precis
 static inline void store_digits(char *to, const struct characters *digits)
 {
     number_store_eight(to, digits->first);
-    if (!digits->is_short) {
-        number_store_eight(to + 8, digits->second);
-        to[16] = digits->last;
-    }
+    number_store_eight(to + 8, digits->second);
+    to[16] = digits->last;
 }
 
 /*
@@ -119,18 +111,13 @@ static inline void store_digits(char *to, const struct characters *digits)
  */
 static inline void store_with_point(char *to, const struct characters *digits, int whole)
 {
-    if (digits->is_short) {
-        number_store_eight(to, digits->first);
-        number_store_eight(to + whole + 1, digits->first >> 8 * whole);
-    } else {
-        const uint128 head = (uint128)digits->second << 64 | digits->first;
-        const uint128 ahead = head & ~(uint128)0 >> (128 - 8 * whole);
-        const uint128 shifted = ahead | (head ^ ahead) << 8;
-        number_store_eight(to, (uint64_t)shifted);
-        number_store_eight(to + 8, (uint64_t)(shifted >> 64));
-        to[16] = (char)(digits->second >> 56); /* pushed out of the 16 by the point */
-        to[17] = digits->last;
-    }
+    const uint128 head = (uint128)digits->second << 64 | digits->first;
+    const uint128 ahead = head & ~(uint128)0 >> (128 - 8 * whole);
+    const uint128 shifted = ahead | (head ^ ahead) << 8;
+    number_store_eight(to, (uint64_t)shifted);
+    number_store_eight(to + 8, (uint64_t)(shifted >> 64));
+    to[16] = (char)(digits->second >> 56); /* pushed out of the 16 by the point */
+    to[17] = digits->last;
     to[whole] = '.';
 }
 
@@ -149,7 +136,7 @@ static char *write_exponent(char *to, int exponent)
 /* As %g does: fixed from 1e-4 to below 10^precision, no zeros at the end. */
 static inline char *lay_out(char *to, struct decimal decimal, int precision)
 {
-    const struct characters digits = characters_of(decimal, precision);
+    const struct characters digits = characters_of(decimal);
     const int exponent = decimal.exponent;
     if (exponent >= 0 && exponent < precision) {
         if (digits.count > exponent + 1) {
@@ -297,10 +284,49 @@ static char *write_slowly(char *to, double x, int digits)
     return to + length;
 }
 
+/*
+ * Most numbers: FEW_DIGITS at most, and no exponent. Scaled to an integer below 10^8 by an exact
+ * power of ten they are wrong by 2^-27 at most. Null if this is none of them, or too near to a tie
+ * or to the next power of ten.
+ */
+static inline char *write_few(char *to, double x, uint64_t bits, int digits)
+{
+    const double size = fabs(x);
+    if (!(size >= 1e-4 && size < 1e8))
+        return NULL;
+    int exponent = number_log10_of_power2((int)(bits >> 52 & FIELD_MASK) - 1023);
+    exponent += size >= small_tens[exponent + 1 + 4];
+    if (exponent >= digits)
+        return NULL;
+    const double scaled = size * small_tens[digits - 1 - exponent + 4];
+    const int32_t rounded = (int32_t)(scaled + 0.5);
+    if (!(fabs(scaled - rounded) < 0.5 - 0x1p-26) || (uint64_t)rounded == tens[digits])
+        return NULL;
+
+    const uint64_t word = eight_digits((uint32_t)rounded * (uint32_t)tens[FEW_DIGITS - digits]);
+    const int count = significant_digits(word);
+    const uint64_t characters = word | ZEROS;
+    *to = '-';
+    to += bits >> 63;
+    if (exponent < 0) {
+        memcpy(to, "0.000000", 8);
+        number_store_eight(to + 1 - exponent, characters);
+        return to + 1 - exponent + count;
+    }
+    /* behind the end there may be anything */
+    number_store_eight(to, characters);
+    number_store_eight(to + exponent + 2, characters >> 8 * exponent >> 8);
+    to[exponent + 1] = '.';
+    return to + (count > exponent + 1 ? count : exponent) + 1;
+}
+
 char *number_write_digits(char *to, double x, int digits)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
+    char *end = digits <= FEW_DIGITS ? write_few(to, x, bits, digits) : NULL;
+    if (end != NULL)
+        return end;
     bool done;
     char *at = write_special(to, bits, &done);
     if (done)

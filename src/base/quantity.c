@@ -52,6 +52,47 @@ static const struct unit vergence_units[] = {
     {"diopter", "dpt", {1, -3}, 1, "dpt D dioptre dioptres diopters", "dioptre, 1/m"},
 };
 
+static const struct unit stops_units[] = {
+    {"stops", "stops", {1, 0}, 1, "stop EV ev", "factor of two in light"},
+};
+
+static const struct unit luminance_units[] = {
+    {"cd_m2", "cd/m2", {1, 0}, 1, "cd/m2 cd/m^2 nt nit nits", "candela per square metre"},
+    {"fL", "fL", {1, 0}, 3.4262590996353905, "ftL", "foot-lambert"},
+};
+
+static const struct unit illuminance_units[] = {
+    {"lx", "lx", {1, 0}, 1, "lux", "lux"},
+    {"fc", "fc", {1, 0}, 10.763910416709722, "ftc", "foot-candle, lumen per square foot"},
+};
+
+static const struct unit exposure_units[] = {
+    {"lx_s", "lx s", {1, 0}, 1, "lxs", "lux second"},
+};
+
+static const struct unit speed_units[] = {
+    {"mm_s", "mm/s", {1, 0}, 1, "mm/s", "millimetre per second"},
+    {"m_s", "m/s", {1, 3}, 1, "m/s", "metre per second"},
+    {"km_h", "km/h", {1, 3}, 1 / 3.6, "km/h kph kmh", "kilometre per hour"},
+    {"mph", "mph", {44704, -2}, 1, NULL, "mile per hour"},
+    {"kn", "kn", {1852, 3}, 1 / 3600.0, "knot knots", "knot, 1852 m per hour"},
+    {"ft_s", "ft/s", {3048, -1}, 1, "ft/s", "foot per second"},
+};
+
+static const struct unit rotation_units[] = {
+    {"rad_s", "rad/s", {1, 0}, 1, "rad/s", "radian per second"},
+    {"deg_s", "deg/s", {1, 0}, RADIANS_PER_DEGREE, "deg/s \xc2\xb0/s", "degree per second"},
+    {"rpm", "rpm", {6, 0}, RADIANS_PER_DEGREE, "1/min", "turn per minute"},
+};
+
+static const struct unit frequency_units[] = {
+    {"per_mm", "1/mm", {1, 0}, 1, "/mm lp/mm cycles/mm", "cycle or line pair per millimetre"},
+};
+
+static const struct unit rate_units[] = {
+    {"fps", "fps", {1, 0}, 1, "Hz hz", "frame per second"},
+};
+
 #define UNITS(array) .units = (array), .unit_count = COUNT(array)
 
 const struct dimension dimension_number = {.name = "number", UNITS(number_units)};
@@ -66,9 +107,26 @@ const struct dimension dimension_ratio = {
     .name = "ratio", .fraction = true, .ratio = true, UNITS(ratio_units)};
 const struct dimension dimension_vergence = {.name = "vergence", UNITS(vergence_units)};
 
+const struct dimension dimension_iso = {
+    .name = "ISO speed", .prefixes = "iso", .series = "iso.tsv", UNITS(number_units)};
+const struct dimension dimension_ev = {
+    .name = "exposure value", .prefixes = "ev", UNITS(number_units)};
+const struct dimension dimension_stops = {.name = "number of stops", .fraction = true,
+                                          UNITS(stops_units)};
+const struct dimension dimension_luminance = {.name = "luminance", UNITS(luminance_units)};
+const struct dimension dimension_illuminance = {.name = "illuminance", UNITS(illuminance_units)};
+const struct dimension dimension_exposure = {.name = "exposure", UNITS(exposure_units)};
+const struct dimension dimension_speed = {.name = "speed", UNITS(speed_units)};
+const struct dimension dimension_rotation = {.name = "rate of rotation", UNITS(rotation_units)};
+const struct dimension dimension_frequency = {.name = "spatial frequency", UNITS(frequency_units)};
+const struct dimension dimension_rate = {.name = "frame rate", UNITS(rate_units)};
+
 const struct dimension *const dimensions[] = {
-    &dimension_length,  &dimension_angle, &dimension_time,   &dimension_fnumber,
-    &dimension_ratio,   &dimension_vergence, &dimension_number, NULL,
+    &dimension_length,    &dimension_angle,       &dimension_time,     &dimension_fnumber,
+    &dimension_ratio,     &dimension_vergence,    &dimension_number,   &dimension_iso,
+    &dimension_ev,        &dimension_stops,       &dimension_luminance, &dimension_illuminance,
+    &dimension_exposure,  &dimension_speed,       &dimension_rotation, &dimension_frequency,
+    &dimension_rate,      NULL,
 };
 
 /* Is `name` one of the blank-separated words? Case counts: mm is not MM, D is not d. */
@@ -240,7 +298,7 @@ static const struct dimension *dimension_of(struct text unit)
 
 static const char *article(const char *noun)
 {
-    return strchr("aef", noun[0]) != NULL ? "an" : "a";
+    return strchr("aeiI", noun[0]) != NULL || noun[1] == '-' ? "an" : "a"; /* an f-number */
 }
 
 /* A unit that differs by case; for a slip of one or two letters the usual unit; else the nearest. */
@@ -290,27 +348,43 @@ static bool wrong_unit(struct reading *reading, struct text name)
     return unknown_unit(reading, name, shown);
 }
 
+/* The longest beginning of the text that is a unit: "ft" of "ft6in", all of "cd/m2". */
+static const struct unit *longest_unit(const struct dimension *dimension, struct text text,
+                                       size_t *length)
+{
+    for (*length = text.length; *length > 0; --*length) {
+        const struct unit *unit = unit_find(dimension, (struct text){text.start, *length});
+        if (unit != NULL) {
+            return unit;
+        }
+    }
+    return NULL;
+}
+
 /* Read the unit here, if one stands here; null in *unit if none does. */
 static bool read_unit(struct reading *reading, const struct unit **unit)
 {
+    enum { LONGEST_UNIT = 24 };
     *unit = NULL;
     skip_blanks(reading);
-    const char *from = reading->at, *at = from;
-    while (at < reading->end && is_unit_letter(*at)) {
-        at++;
-        /* a quote is a whole unit: 5'6" */
-        if (at[-1] == '\'' || at[-1] == '"') {
-            break;
-        }
+    const char *from = reading->at, *letters = from;
+    while (letters < reading->end && is_unit_letter(*letters)) {
+        letters++;
     }
-    if (at == from) {
+    if (letters == from) {
         return true;
     }
-    *unit = unit_find(reading->dimension, text_between(from, at));
-    if (*unit == NULL) {
-        return wrong_unit(reading, text_between(from, at));
+    size_t room = (size_t)(reading->end - from), length;
+    struct text rest = {from, room < LONGEST_UNIT ? room : LONGEST_UNIT};
+    *unit = longest_unit(reading->dimension, rest, &length);
+    /* a unit ends where its word ends: "mm" does not begin with "m" */
+    bool cut = *unit != NULL && length < room && is_unit_letter(from[length]) &&
+               is_unit_letter(from[length - 1]) && from[length - 1] != '\'' &&
+               from[length - 1] != '"';
+    if (*unit == NULL || cut) {
+        return wrong_unit(reading, text_between(from, letters));
     }
-    reading->at = at;
+    reading->at = from + length;
     return true;
 }
 
@@ -396,9 +470,35 @@ static bool read_with_unit(struct reading *reading, const char *from, double pla
     return true;
 }
 
+/* A time as shutter angle and frame rate: 180deg@24fps is 180/360/24 s. */
+static bool read_shutter(struct text text, double *value, struct error *error)
+{
+    struct text rate = text;
+    struct text angle = text_cut(&rate, '@');
+    const struct unit *degree = unit_find(&dimension_angle, text_of("deg"));
+    double turn, frames;
+    if (!quantity_read(angle, &dimension_angle, degree, &turn, NULL, error) ||
+        !quantity_read(rate, &dimension_rate, NULL, &frames, NULL, error)) {
+        return false;
+    }
+    double degrees = unit_from_own(degree, turn);
+    if (!(degrees > 0 && degrees <= 360) || !(frames > 0) || isinf(frames)) {
+        return fail_at(error, ERROR_USAGE, text.start, text.length, 1,
+                       "a shutter angle is above 0 to 360 deg, a frame rate above 0 fps");
+    }
+    *value = degrees / 360 / frames;
+    return true;
+}
+
 bool quantity_read(struct text text, const struct dimension *dimension, const struct unit *unit,
                    double *value, const struct unit **typed, struct error *error)
 {
+    if (dimension == &dimension_time && memchr(text.start, '@', text.length) != NULL) {
+        if (typed != NULL) {
+            *typed = NULL;
+        }
+        return read_shutter(text, value, error);
+    }
     struct reading reading = {.text = text_trim(text),
                               .dimension = dimension,
                               .unit = unit != NULL ? unit : &dimension->units[0],

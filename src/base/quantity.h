@@ -32,7 +32,9 @@ struct dimension {
 };
 
 extern const struct dimension dimension_number, dimension_length, dimension_angle, dimension_time,
-    dimension_fnumber, dimension_ratio, dimension_vergence;
+    dimension_fnumber, dimension_ratio, dimension_vergence, dimension_iso, dimension_ev,
+    dimension_stops, dimension_luminance, dimension_illuminance, dimension_exposure,
+    dimension_speed, dimension_rotation, dimension_frequency, dimension_rate;
 
 /* All dimensions, for lists and for naming the right one in a message; ends with null. */
 extern const struct dimension *const dimensions[];
@@ -49,7 +51,7 @@ double unit_from_own(const struct unit *unit, double value);
 
 /*
  * Read a quantity: a number with or without a unit, in any notation of its dimension
- * ("50mm" "5ft6in" "5'6\"" "f/2.8" "1/125s" "1:2" "0.5x" "inf").
+ * ("50mm" "5ft6in" "5'6\"" "f/2.8" "1/125s" "180deg@24fps" "1:2" "0.5x" "inf").
  *
  * Given     text       the whole quantity; blanks around it are passed over
  *           dimension  what it must measure

@@ -172,6 +172,7 @@ def check_json(checks, program):
         result = program.run("dof", "--batch", "-", "--format", form, "--columns", "near_m",
                              stdin=given)
         pieces = (result.stdout.split(b"\n")[:-1] if form == "jsonl" else [result.stdout])
+        checks.check(form == "json" or len(pieces) == 2 * len(rows), f"{form}: {len(pieces)} rows")
         broken = []
         for piece in pieces:
             try:

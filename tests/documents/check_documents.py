@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+"""tests/documents/check_documents.py - every example runs, and pages and program agree.
+
+Conventions of README and man/*.[157]:
+- Example: in README a fenced (```) or indented (4 blanks) block, in a page what stands between .EX
+  and .EE. A line "$ command" is run by sh in an empty folder (one folder a block, so that a later
+  command finds an earlier one's files) with lenscalc first in PATH; the lines up to the next "$ "
+  or the end of the block are its exact standard output. A command that ends in " \\" goes on in
+  the next line ("> " in front of it is taken away). A block without "$ " is not run. Exit status
+  and standard error are not compared: show them with `; echo $?` and `2>&1`.
+- A command that starts with "make" or "sudo" is shown, never run.
+- Options: in a page's section OPTIONS each option is a .TP followed by a line that names it:
+  .BR \\-f ", " \\-\\-focal\\-length ... or \\fB\\-f\\fR, \\fB\\-\\-focal\\-length\\fR .... They must
+  be those of `lenscalc list options --kind COMMAND --tsv`; lenscalc(1) has the common ones, and may
+  name them in a section COMMON OPTIONS too.
+- Pages: every command has man/lenscalc-COMMAND.1; those of the group "tool" (help, completion) may
+  stand in lenscalc(1) alone.
+- Bibliography: lenscalc.7 has a section BIBLIOGRAPHY; a source is a .TP followed by a line that
+  begins with its key in brackets: .B [Ray02]. Every [Key] cited in src, man and lensdb (a capital,
+  letters, then two digits of a year and perhaps a letter) must be there.
+"""
+# SPDX-License-Identifier: MIT
+
+import csv
+import difflib
+import glob
+import os
+import re
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import ROOT, Checks, Program
+
+KEY = re.compile(r"\[([A-Z][A-Za-z]*[0-9]{2}[a-z]?)\]")
+NOT_RUN = ("make", "sudo")
+
+
+def unescape(line):
+    """A line of roff as it is printed."""
+    line = re.sub(r"\\f(\[[^]]*\]|\(..|.)", "", line)
+    for escape, text in (("\\-", "-"), ("\\(aq", "'"), ("\\(dq", '"'), ("\\(ga", "`"),
+                         ("\\(ha", "^"), ("\\(ti", "~"), ("\\(bs", "\\"), ("\\(rs", "\\"),
+                         ("\\&", ""), ("\\[aq]", "'"), ("\\[dq]", '"'), ("\\[ti]", "~"),
+                         ("\\[ha]", "^"), ("\\[rs]", "\\"), ("\\ ", " "), ("\\(mc", "\u00b5")):
+        line = line.replace(escape, text)
+    return line.replace("\\e", "\\").replace("\\\\", "\\")
+
+
+def page_blocks(text):
+    """(line number, lines) of each .EX block of a page."""
+    block, start = None, 0
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.startswith(".EX"):
+            block, start = [], number + 1
+        elif line.startswith(".EE") and block is not None:
+            yield start, block
+            block = None
+        elif block is not None and not line.startswith('.\\"'):
+            block.append(unescape(line))
+
+
+def readme_blocks(text):
+    """(line number, lines) of each fenced or indented block."""
+    block, start, fenced = [], 0, False
+    for number, line in enumerate(text.split("\n") + [""], 1):
+        if line.startswith("```"):
+            if fenced:
+                yield start, block
+            fenced, block, start = not fenced, [], number + 1
+        elif fenced:
+            block.append(line)
+        elif line.startswith("    ") or (block and not line.strip()):
+            if not block:
+                start = number
+            block.append(line[4:])
+        elif block:
+            while block and not block[-1]:
+                block.pop()
+            yield start, block
+            block = []
+
+
+def examples_of(start, block):
+    """(line number, command, expected output) of each command of a block."""
+    found, going_on = [], False
+    for number, line in enumerate(block, start):
+        if going_on:
+            found[-1][1] += "\n" + (line[2:] if line.startswith("> ") else line)
+        elif line.startswith("$ "):
+            found.append([number, line[2:], []])
+        elif found:
+            found[-1][2].append(line)
+        else:
+            return []  # text, a file: no example
+        going_on = (going_on or line.startswith("$ ")) and line.endswith("\\")
+    for example in found:
+        while example[2] and not example[2][-1]:
+            example[2].pop()
+    return found
+
+
+def check_examples(checks, program, path, blocks):
+    count = 0
+    for start, block in blocks:
+        with tempfile.TemporaryDirectory(prefix="lenscalc-doc-") as folder:
+            for number, command, expected in examples_of(start, block):
+                if command.split()[0] in NOT_RUN:
+                    continue
+                count += 1
+                result = program.shell(command, folder)
+                actual = result.stdout.decode("utf-8", "replace").rstrip("\n").split("\n")
+                actual = [] if actual == [""] else actual
+                wanted = "\n".join(expected)
+                difference = "" if "\n".join(actual) == wanted else "\n    ".join(
+                    list(difflib.unified_diff(expected, actual, "page", "program", lineterm="",
+                                              n=0))[2:14])
+                checks.check(difference == "" and "\n".join(actual) == wanted,
+                             f"{path}:{number}: $ {command}\n    {difference}"
+                             f"{result.stderr.decode('utf-8', 'replace')[:300]}")
+    return count
+
+
+def section_of(text, *names):
+    """The lines of the sections with these names."""
+    inside, lines = False, []
+    for line in text.split("\n"):
+        if line.startswith(".SH"):
+            inside = line[3:].strip().strip('"').upper() in names
+        elif inside:
+            lines.append(line)
+    return lines
+
+
+def options_of(lines):
+    """The options that .TP entries name: {"--focal-length"}; "-f" where there is no long name."""
+    found = set()
+    for tag, line in zip(lines, lines[1:]):
+        if not tag.startswith((".TP", ".TQ")):
+            continue
+        plain = unescape(re.sub(r"^\.[BIR]+ ", "", line).replace('" "', " ").replace('"', ""))
+        found.update(re.findall(r"(?<![\w-])--[a-z][a-z0-9-]*", plain))
+    return found
+
+
+def list_options(program, command):
+    result = program.run("list", "options", "--kind", command, "--tsv")
+    rows = list(csv.DictReader(result.stdout.decode().splitlines(), delimiter="\t"))
+    return {row["option"] for row in rows if row["command"] == command}
+
+
+def common_options(program, command):
+    """What `COMMAND --help` shows under "Options of every command"."""
+    text = program.run(command, "--help").stdout.decode()
+    return set(re.findall(r"^ .{2,6}(--[a-z-]+)", text.partition("Options of every command")[2],
+                          re.M))
+
+
+def check_options(checks, program, commands, tools):
+    common = common_options(program, commands[0])
+    checks.check(len(common) > 10, f"common options in --help: {common}")
+    main_page = "man/lenscalc.1"
+    if checks.check(os.path.exists(main_page), f"{main_page} does not exist"):
+        with open(main_page) as file:
+            page = file.read()
+        named = options_of(section_of(page, "OPTIONS", "COMMON OPTIONS"))
+        checks.check(common - named == set(), f"{main_page}: does not name {common - named}")
+        for command in commands:
+            checks.check(re.search(rf"lenscalc(\\-|-){command}\b|\.BR? {command}\b", page),
+                         f"{main_page}: does not name the command {command}")
+    for command in commands:
+        path = f"man/lenscalc-{command}.1"
+        if command in tools and not os.path.exists(path):
+            continue
+        if not checks.check(os.path.exists(path), f"{path} does not exist"):
+            continue
+        with open(path) as file:
+            page = file.read()
+        own = list_options(program, command)
+        named = options_of(section_of(page, "OPTIONS")) - (common - own)
+        checks.check(own == named, f"{path}: OPTIONS lacks {sorted(own - named)}, has "
+                                   f"{sorted(named - own)} that the command does not know")
+
+
+def check_help(checks, program, commands):
+    """The examples that --help shows run with status 0."""
+    with tempfile.TemporaryDirectory(prefix="lenscalc-doc-") as folder:
+        for command in commands:
+            text = program.run(command, "--help").stdout.decode()
+            block = text.partition("Examples:\n")[2].partition("\n\n")[0]
+            found = [line.strip() for line in block.split("\n") if line.startswith("  lenscalc ")]
+            checks.check(found, f"{command} --help has no examples")
+            for example in found:
+                result = program.shell(example, folder)
+                checks.check(result.returncode == 0 and result.stdout != b"",
+                             f"{command} --help: '{example}' ends with {result.returncode}: "
+                             f"{result.stderr.decode()[:200]}")
+
+
+def check_keys(checks):
+    bibliography = "man/lenscalc.7"
+    known = set()
+    if os.path.exists(bibliography):
+        with open(bibliography) as file:
+            lines = section_of(file.read(), "BIBLIOGRAPHY")
+        for tag, line in zip(lines, lines[1:]):
+            if tag.startswith(".TP"):
+                known.update(KEY.findall(re.sub(r"^\.[BIR]+ ", "", unescape(line)))[:1])
+    checks.check(known != set(), f"{bibliography} has no BIBLIOGRAPHY with .TP and .B [Key]")
+    for path in sorted(glob.glob("src/**/*.[ch]", recursive=True) + glob.glob("man/*.[157]") +
+                       glob.glob("lensdb/**/*", recursive=True)):
+        if os.path.isdir(path):
+            continue
+        with open(path, encoding="utf-8") as file:
+            missing = sorted(set(KEY.findall(file.read())) - known)
+        checks.check(not missing or known == set(), f"{path}: cites {missing}, not in "
+                                                    f"{bibliography}")
+
+
+def main():
+    os.chdir(ROOT)
+    checks, program = Checks(), Program(sys.argv[1])
+    rows = program.run("list", "commands", "--csv").stdout.decode().splitlines()
+    commands = [row["command"] for row in csv.DictReader(rows)]
+    tools = {row["command"] for row in csv.DictReader(rows) if row["group"] == "tool"}
+    checks.check("dof" in commands, f"lenscalc list commands: {commands}")
+    if checks.check(os.path.exists("README"), "README does not exist"):
+        with open("README", encoding="utf-8") as file:
+            count = check_examples(checks, program, "README", readme_blocks(file.read()))
+        checks.check(count > 0, "README has no example")
+    for path in sorted(glob.glob("man/*.[157]")):
+        with open(path, encoding="utf-8") as file:
+            count = check_examples(checks, program, path, page_blocks(file.read()))
+        checks.check(count > 0 or not path.endswith(".1"), f"{path} has no example")
+    check_options(checks, program, commands, tools)
+    check_help(checks, program, commands)
+    check_keys(checks)
+    checks.finish()
+
+
+main()
