@@ -221,6 +221,7 @@ static void skip_prefix(struct reading *reading)
             memcpy(name, word.start, word.length < sizeof name ? word.length : sizeof name - 1);
             if (text_same(here, name)) {
                 reading->at += word.length;
+                skip_blanks(reading);
                 return;
             }
         }

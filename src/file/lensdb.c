@@ -297,7 +297,7 @@ bool lensdb_find_sensor(struct lensdb *db, struct text name, struct lensdb_senso
                         struct error *error)
 {
     struct search search = {.name = text_trim(name), .nearest = {.typed = text_trim(name)}};
-    for (int place = 0; place < LENSDB_PLACES && search.quality == 0; place++) {
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES && search.quality == 0; place++) {
         if (!search_table(db, place, false, &search, error) ||
             (search.quality == 0 && !search_table(db, place, true, &search, error))) {
             return false;
@@ -398,7 +398,7 @@ bool lensdb_stops(struct lensdb *db, const char *file, const char *series,
     *count = 0;
     error->code = ERROR_NONE;
     /* the user's series replaces the embedded one: two in one would not be a series */
-    for (int place = 0; place < LENSDB_PLACES && *count == 0; place++) {
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES && *count == 0; place++) {
         if (!add_stops(db, place, file, series, *stops, MOST_STOPS, count, error)) {
             return false;
         }

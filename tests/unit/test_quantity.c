@@ -1,0 +1,173 @@
+/* tests/unit/test_quantity.c - quantities as people write them. */
+/* SPDX-License-Identifier: MIT */
+#include "base/quantity.h"
+#include "check.h"
+
+/*
+ * Expected values are exact by the definitions of the units: inch 25.4 mm, foot 304.8 mm, yard
+ * 914.4 mm, mile 1609.344 m (international yard and pound agreement, 1959); foot-candle one lumen
+ * per square foot; knot 1852 m per hour; the decimal literals below are rounded once, as the
+ * reader must.
+ */
+static const struct {
+    const char *text;
+    const struct dimension *dimension;
+    const char *unit; /* of a bare number; null = own */
+    double expected;
+    double tolerance;
+} good[] = {
+    {"50mm", &dimension_length, "mm", 50, 0},
+    {"50", &dimension_length, "mm", 50, 0},
+    {"3", &dimension_length, "m", 3000, 0},
+    {"3.3m", &dimension_length, "mm", 3300, 0},
+    {"0.1 m", &dimension_length, "mm", 100, 0},
+    {" 2.54cm ", &dimension_length, NULL, 25.4, 0},
+    {"1in", &dimension_length, NULL, 25.4, 0},
+    {"1\"", &dimension_length, NULL, 25.4, 0},
+    {"1/8in", &dimension_length, NULL, 3.175, 4e-16},
+    {"5ft6in", &dimension_length, "m", 1676.4, 3e-13},
+    {"5'6\"", &dimension_length, "m", 1676.4, 3e-13},
+    {"5 ft 6 in", &dimension_length, "m", 1676.4, 3e-13},
+    {"5'6", &dimension_length, "m", 1676.4, 3e-13},
+    {"1yd", &dimension_length, NULL, 914.4, 0},
+    {"1mi", &dimension_length, NULL, 1609344, 0},
+    {"550nm", &dimension_length, NULL, 550e-6, 0},
+    {"0.55um", &dimension_length, NULL, 550e-6, 0},
+    {"0.55\xc2\xb5m", &dimension_length, NULL, 550e-6, 0},
+    {"inf", &dimension_length, "m", INFINITY, 0},
+    {"-0", &dimension_length, "m", 0, 0},
+    {"1e3", &dimension_length, "mm", 1000, 0},
+    {"180deg", &dimension_angle, NULL, 3.14159265358979323846, 4.5e-16},
+    {"12arcmin", &dimension_angle, NULL, 0.0034906585039886592, 5e-19},
+    {"1/125s", &dimension_time, NULL, 0.008, 0},
+    {"1/125", &dimension_time, NULL, 0.008, 0},
+    {"2min", &dimension_time, NULL, 120, 0},
+    {"1.5h", &dimension_time, NULL, 5400, 0},
+    {"180deg@24fps", &dimension_time, NULL, 1 / 48.0, 4e-18},
+    {"172.8deg@24fps", &dimension_time, NULL, 0.02, 4e-18},
+    {"f/2.8", &dimension_fnumber, NULL, 2.8, 0},
+    {"f2.8", &dimension_fnumber, NULL, 2.8, 0},
+    {"F/2.8", &dimension_fnumber, NULL, 2.8, 0},
+    {"T2.2", &dimension_fnumber, NULL, 2.2, 0},
+    {"2.8", &dimension_fnumber, NULL, 2.8, 0},
+    {"1:2", &dimension_ratio, NULL, 0.5, 0},
+    {"0.5x", &dimension_ratio, NULL, 0.5, 0},
+    {"25%", &dimension_ratio, NULL, 0.25, 0},
+    {"5:1", &dimension_ratio, NULL, 5, 0},
+    {"ISO400", &dimension_iso, NULL, 400, 0},
+    {"iso 400", &dimension_iso, NULL, 400, 0},
+    {"EV12", &dimension_ev, NULL, 12, 0},
+    {"EV-2", &dimension_ev, NULL, -2, 0},
+    {"3stops", &dimension_stops, NULL, 3, 0},
+    {"100cd/m2", &dimension_luminance, NULL, 100, 0},
+    {"1fc", &dimension_illuminance, NULL, 10.763910416709722, 0},
+    {"36km/h", &dimension_speed, NULL, 10000, 2e-12},
+    {"60mph", &dimension_speed, NULL, 26822.4, 4e-12},
+    {"50lp/mm", &dimension_frequency, NULL, 50, 0},
+    {"2D", &dimension_vergence, NULL, 0.002, 0},
+};
+
+/* What is wrong, and at which character. */
+static const struct {
+    const char *text;
+    const struct dimension *dimension;
+    int caret;
+    const char *words; /* that the message contains */
+} bad[] = {
+    {"", &dimension_length, 1, "missing"},
+    {"50nn", &dimension_length, 3, "unknown unit 'nn'"},
+    {"50s", &dimension_length, 3, "measures a time"},
+    {"50mmm", &dimension_length, 3, "unknown unit 'mmm'"},
+    {"abc", &dimension_length, 1, "no number"},
+    {"nan", &dimension_length, 1, "nan"},
+    {"1e999", &dimension_length, 1, "too large"},
+    {"1e-999", &dimension_length, 1, "too small"},
+    {"1e306km", &dimension_length, 1, "too large"},
+    {"2,8", &dimension_fnumber, 2, "decimal comma"},
+    {"5ft13in", &dimension_length, 4, "less than 12"},
+    {"5m6in", &dimension_length, 3, "does not belong"},
+    {"1/0", &dimension_time, 3, "denominator"},
+    {"2.8mm", &dimension_fnumber, 4, "measures a length"},
+    {"0x10", &dimension_length, 2, "ratio"},
+    {"1 2", &dimension_length, 3, "does not belong"},
+    {"400deg@24fps", &dimension_time, 1, "shutter angle"},
+    {"3mm\x01", &dimension_length, 4, "does not belong"},
+};
+
+static void check_good(void)
+{
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
+        struct error error = {0};
+        double value = NAN;
+        const struct unit *unit = NULL;
+        if (good[i].unit != NULL) {
+            unit = unit_find(good[i].dimension, text_of(good[i].unit));
+            CHECK(unit != NULL);
+        }
+        bool read = quantity_read(text_of(good[i].text), good[i].dimension, unit, &value, NULL,
+                                  &error);
+        check_at(read, __FILE__, __LINE__, good[i].text);
+        CHECK_NEAR(value, good[i].expected, good[i].tolerance, good[i].text);
+        CHECK(!signbit(value) || value < 0);
+    }
+}
+
+static void check_bad(void)
+{
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        struct error error = {0};
+        double value = 17;
+        bool read =
+            quantity_read(text_of(bad[i].text), bad[i].dimension, NULL, &value, NULL, &error);
+        check_at(!read, __FILE__, __LINE__, bad[i].text);
+        check_at(error.code == ERROR_USAGE, __FILE__, __LINE__, bad[i].text);
+        check_at(error.caret == bad[i].caret, __FILE__, __LINE__, bad[i].text);
+        check_at(strstr(error.message, bad[i].words) != NULL, __FILE__, __LINE__, error.message);
+    }
+}
+
+/* What was typed with up to 15 digits is written as it was typed, in every unit. */
+static void check_round_trips(void)
+{
+    static const char *const numbers[] = {"1.9999", "0.10523", "35",      "3.3",  "7.3",
+                                          "1e-05",  "123456",  "0.00173", "5.67", "2.718281828459"};
+    for (size_t d = 0; dimensions[d] != NULL; d++) {
+        for (size_t u = 0; u < dimensions[d]->unit_count; u++) {
+            const struct unit *unit = &dimensions[d]->units[u];
+            for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+                struct error error;
+                double value;
+                char text[NUMBER_LENGTH + 1];
+                CHECK(quantity_read(text_of(numbers[i]), dimensions[d], unit, &value, NULL,
+                                    &error));
+                *quantity_write(text, value, unit) = '\0';
+                CHECK_TEXT(text, numbers[i]);
+            }
+        }
+    }
+}
+
+/* Every unit is found by all its spellings, and by no other dimension's reader as another size. */
+static void check_units(void)
+{
+    for (size_t d = 0; dimensions[d] != NULL; d++) {
+        for (size_t u = 0; u < dimensions[d]->unit_count; u++) {
+            const struct unit *unit = &dimensions[d]->units[u];
+            CHECK(unit_find(dimensions[d], text_of(unit->name)) == unit);
+            struct text rest = text_of(unit->spellings != NULL ? unit->spellings : unit->name);
+            while (rest.start != NULL) {
+                CHECK(unit_find(dimensions[d], text_cut(&rest, ' ')) == unit);
+            }
+            CHECK_RELATIVE(unit_from_own(unit, unit_to_own(unit, 1.7)), 1.7, 5e-16, unit->name);
+        }
+    }
+}
+
+int main(void)
+{
+    check_good();
+    check_bad();
+    check_round_trips();
+    check_units();
+    return check_report();
+}
