@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/number_powers.h"
+#include "base/number_short.h"
 
 enum {
     WORD_DIGITS = 19,       /* any so many digits fit into 64 bits */
@@ -247,57 +248,9 @@ static inline bool read_exactly(uint64_t mantissa, unsigned multiplier, ptrdiff_
     return true;
 }
 
-/*
- * The number of eight digit values in bytes, the most significant in the low one: pairs, then
- * fours, then all, each in one multiplication.
- * Source: Lemire, Quickly parsing eight digits (lemire.me, 2018).
- */
-static inline uint32_t eight_to_integer(uint64_t digits)
-{
-    const uint64_t lanes = 0x000000ff000000ff;
-    digits = digits * 10 + (digits >> 8);
-    digits = (digits & lanes) * (100 + ((uint64_t)1000000 << 32)) +
-             (digits >> 16 & lanes) * (1 + ((uint64_t)10000 << 32));
-    return (uint32_t)(digits >> 32);
-}
-
-/*
- * Most numbers in files end within eight characters, such as "85", "2.8" or "1234.56": these are
- * read without a loop, whose length no processor could guess. Returns the end, or null if this is
- * none of them.
- */
-static inline const char *read_short(const char *at, const char *end, uint64_t *mantissa,
-                                     int *exponent)
-{
-    if (end - at < 8)
-        return NULL;
-    const uint64_t digits = number_load_eight(at) ^ 0x3030303030303030;
-    /* the top bit of each byte that is no digit; right up to the first one that is no point */
-    const uint64_t others = ((digits + 0x7676767676767676) | digits) & 0x8080808080808080;
-    if (others == 0)
-        return NULL;
-    const int first = __builtin_ctzll(others) & ~7;
-    const bool point = (digits >> first & 0xff) == ('.' ^ '0');
-    /* all ones if there is a point: no branch, which would be a coin toss */
-    const uint64_t pointed = (uint64_t)0 - point;
-    const uint64_t stops = others & (others - (pointed & 1));
-    if (stops == 0)
-        return NULL;
-    const int stop = __builtin_ctzll(stops) & ~7; /* in bits, as `first` */
-    const char behind = at[stop / 8];
-    const int used = stop - (int)(pointed & 8);
-    if (used == 0 || (behind | 0x20) == 'e')
-        return NULL;
-    const uint64_t ahead = ((uint64_t)1 << first) - 1;
-    const uint64_t joined = digits ^ ((digits ^ (digits >> 8)) & ~ahead & pointed);
-    *mantissa = eight_to_integer(joined << (64 - used));
-    *exponent = (first - used) / 8;
-    return at + stop / 8;
-}
-
 /* Any number; kept out of line so that short ones pay nothing for it. */
-__attribute__((noinline)) static const char *read_any(const char *at, const char *end, struct number_scale scale,
-                            double *value)
+__attribute__((noinline)) static const char *read_any(const char *at, const char *end,
+                                                      struct number_scale scale, double *value)
 {
     const bool negative = at < end && *at == '-';
     if (at < end && (*at == '-' || *at == '+'))
@@ -329,13 +282,12 @@ __attribute__((noinline)) static const char *read_any(const char *at, const char
 
 const char *number_read(const char *at, const char *end, struct number_scale scale, double *value)
 {
-    uint64_t mantissa;
-    int power;
-    const char *after = read_short(at, end, &mantissa, &power);
-    if (after == NULL)
+    struct number_short number;
+    const char *after = end - at >= 8 ? number_read_short(at, &number) : NULL;
+    if (after == NULL || (*after | 0x20) == 'e')
         return read_any(at, end, scale, value);
-    const uint64_t whole = mantissa * scale.multiplier; /* below 10^7 x 2^32 */
-    power += scale.power;
+    const uint64_t whole = (uint64_t)number.mantissa * scale.multiplier;
+    const int power = scale.power - (int)number.decimals;
     if (whole > (uint64_t)1 << 53 || power < -22 || power > 22)
         return read_any(at, end, scale, value);
     *value = (double)(int64_t)whole * multipliers[power + 22] / divisors[power + 22];

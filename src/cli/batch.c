@@ -227,6 +227,20 @@ static bool read_row(struct batch *batch, struct text line, void *input, struct 
     return cells == batch->column_count || wrong_count(batch, cells, error);
 }
 
+/* The start of the next cell; null if this one is not a number and nothing else. */
+static inline const char *read_plain(const struct batch_plain *plain, const char *at,
+                                     const char *end, double *value)
+{
+    struct number_short number;
+    const char *after = end - at >= 8 ? number_read_short(at, &number) : NULL;
+    if (after != NULL && *after == plain->behind) {
+        *value = number.mantissa * plain->up / plain->down[number.decimals];
+        return after + 1;
+    }
+    after = number_read(at, end, plain->scale, value);
+    return after != NULL && after != end && *after == plain->behind ? after + 1 : NULL;
+}
+
 /*
  * A row of bare numbers, as most are, straight from the buffer: no character is looked at twice.
  * Anything else (a blank, a unit, a zero, a value at the edge of its range, a row that has not
@@ -234,25 +248,21 @@ static bool read_row(struct batch *batch, struct text line, void *input, struct 
  */
 static bool take_plain_row(struct batch *batch, void *input)
 {
-    const char *at = batch->at, *end = batch->end;
-    for (size_t i = 0; i < batch->column_count; i++) {
-        const struct batch_column *column = &batch->columns[i];
+    const char *at = batch->at;
+    const struct batch_plain *plain = batch->plain, *behind = plain + batch->column_count;
+    for (; plain < behind; plain++) {
         double value;
-        at = column->is_plain ? number_read(at, end, column->scale, &value) : NULL;
-        if (at == NULL || at == end) {
+        at = read_plain(plain, at, batch->end, &value);
+        if (at == NULL) {
             return false;
         }
-        value *= column->factor;
+        value *= plain->factor;
         /* an infinite value may be one that was too large */
-        if (!(value > column->lowest && value < column->highest) || value == 0) {
+        if (!(value > plain->lowest && value < plain->highest)) {
             return false;
         }
-        if (*at != (i + 1 < batch->column_count ? batch->separator : '\n')) {
-            return false;
-        }
-        at++;
-        void *member = (char *)input + column->offset;
-        if (column->is_coc) {
+        void *member = (char *)input + plain->offset;
+        if (plain->is_coc) {
             struct coc_value *coc = member;
             coc->coc.kind = COC_LENGTH;
             coc->coc.value = value;
@@ -270,7 +280,7 @@ enum batch_result batch_next(struct batch *batch, void *input, struct error *err
 {
     struct text line;
     bool read;
-    if (batch->format != BATCH_JSONL && take_plain_row(batch, input)) {
+    if (batch->plain != NULL && take_plain_row(batch, input)) {
         return BATCH_ROW;
     }
     if (!next_row(batch, &line, error)) {
@@ -344,6 +354,49 @@ static bool read_header(struct batch *batch, struct text line, struct error *err
     return true;
 }
 
+/*
+ * Split the scale into factors that leave a short number one rounding: mantissa x up below 2^53,
+ * powers of ten up to 10^22. False if it is too large for that.
+ */
+static bool set_factors(struct batch_plain *plain)
+{
+    int power = plain->scale.power;
+    plain->up = plain->scale.multiplier;
+    for (; power > 0 && plain->up < 1e9; power--) {
+        plain->up *= 10;
+    }
+    plain->down[0] = 1;
+    for (; power < 0 && plain->down[0] < 1e15; power++) {
+        plain->down[0] *= 10;
+    }
+    for (int decimals = 1; decimals <= NUMBER_SHORT_DIGITS; decimals++) {
+        plain->down[decimals] = 10 * plain->down[decimals - 1];
+    }
+    return power == 0 && plain->up * 1e7 < 0x1p53;
+}
+
+/* Make rows of bare numbers fast, if all columns may be such. */
+static void prepare_plain(struct batch *batch)
+{
+    size_t count = batch->column_count;
+    struct batch_plain *plain = ARENA_ARRAY(batch->reader->arena, count, struct batch_plain);
+    for (size_t i = 0; i < count; i++) {
+        const struct batch_column *column = &batch->columns[i];
+        plain[i] = (struct batch_plain){.scale = column->scale,
+                                        .factor = column->factor,
+                                        /* whether a zero may be below is for read_row */
+                                        .lowest = column->lowest > 0 ? column->lowest : 0,
+                                        .highest = column->highest,
+                                        .offset = column->offset,
+                                        .is_coc = column->is_coc,
+                                        .behind = i + 1 < count ? batch->separator : '\n'};
+        if (!column->is_plain || !set_factors(&plain[i])) {
+            return;
+        }
+    }
+    batch->plain = plain;
+}
+
 static bool begin(struct batch *batch, const char *format, struct error *error)
 {
     struct text line;
@@ -361,7 +414,11 @@ static bool begin(struct batch *batch, const char *format, struct error *error)
         return false;
     }
     if (batch->format != BATCH_JSONL) {
-        return read_header(batch, line, error) && batch_settle_columns(batch, error);
+        if (!read_header(batch, line, error) || !batch_settle_columns(batch, error)) {
+            return false;
+        }
+        prepare_plain(batch);
+        return true;
     }
     if (!batch_json_header(batch, line, error) || !batch_settle_columns(batch, error)) {
         return false;

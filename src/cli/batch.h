@@ -3,6 +3,7 @@
 #ifndef LENSCALC_CLI_BATCH_H
 #define LENSCALC_CLI_BATCH_H
 
+#include "base/number_short.h"
 #include "cli/arguments.h"
 
 /* What to do with a column of the file. */
@@ -21,6 +22,16 @@ struct batch_column {
     size_t passed;     /* index among the columns handed through */
 };
 
+/* What reading a bare number of a column takes, ready for use. */
+struct batch_plain {
+    double up, down[NUMBER_SHORT_DIGITS + 1]; /* a short number is mantissa x up / down[decimals] */
+    struct number_scale scale; /* of a longer number */
+    double factor, lowest, highest;
+    size_t offset; /* of the value in the input */
+    bool is_coc;
+    char behind; /* what ends the cell */
+};
+
 enum batch_format { BATCH_CSV, BATCH_TSV, BATCH_JSONL };
 
 /* The file while it is read. */
@@ -35,6 +46,7 @@ struct batch {
     size_t input_size;
     struct batch_column *columns;
     size_t column_count, column_capacity;
+    struct batch_plain *plain; /* one a column, if rows of bare numbers can do; else null */
     struct text *passed_names, *passed; /* columns handed through */
     size_t passed_count;
     char *buffer;

@@ -223,6 +223,18 @@ static bool run_stack(const struct input *input, const struct dof_setting *setti
     return true;
 }
 
+/*
+ * With all the rest given, a wish can only be met by the circle of confusion: unless the user
+ * insists on one, that is what is asked for.
+ */
+static bool wants_coc(const struct input *input)
+{
+    const struct dof_targets *t = &input->targets;
+    bool complete = !isnan(input->focal) && !isnan(input->fnumber) && !isnan(input->distance);
+    bool wish = !isnan(t->near) || !isnan(t->far) || !isnan(t->total) || !isnan(t->hyperfocal);
+    return input->sharp.coc.is_fallback && complete && wish;
+}
+
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
@@ -237,11 +249,18 @@ static bool run(const void *data, struct run *run, struct error *error)
     if (input->stack) {
         return run_stack(input, &setting, run, error);
     }
+    bool solves_coc = wants_coc(input);
+    if (solves_coc) {
+        setting.c = NAN;
+    }
     if (!distance_solve(&setting, &input->targets, (enum distance_from)input->from, error) ||
         !dof_compute(&setting, (enum dof_model)input->model, &row.dof, error)) {
         return false;
     }
     fill_row(input, &setting, &row);
+    if (solves_coc) {
+        row.criterion = "solved";
+    }
     row.shot = row.shots = NO_INTEGER;
     return fill_other(input, &row, error) && (run_emit(run, &row), true);
 }

@@ -59,6 +59,11 @@ static bool run(const void *data, struct run *run, struct error *error)
     const struct input *input = data;
     const struct dof_targets targets = {NAN, NAN, NAN, input->hyperfocal, NAN};
     struct dof_setting setting = {input->focal, input->fnumber, 0, INFINITY, input->pupil};
+    if (isnan(input->focal) + isnan(input->fnumber) + isnan(input->hyperfocal) != 1) {
+        return fail(error, ERROR_USAGE,
+                    "give two of --focal-length, --aperture and --hyperfocal, and the third is "
+                    "found");
+    }
     if (!sharpness_resolve(&input->sharp, setting.N, &setting.c, error) ||
         !dof_solve(&setting, &targets, error) || !dof_check(&setting, error)) {
         return false;

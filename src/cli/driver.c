@@ -139,6 +139,7 @@ static bool set_up_report(struct driver *driver, struct error *error)
     report->output = &driver->output;
     report->command = driver->command->name;
     report->digits = (int)driver->common.digits;
+    report->nominal = driver->common.nominal;
     report->units = (enum unit_system)driver->common.units;
     report->many = report->many || driver->is_batch || driver->sweep.total > 1;
     report->has_error_column =
@@ -412,7 +413,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
 {
     const struct command *command = driver->command;
     driver->db.arena = &driver->arena;
-    driver->reader = (struct reader){&driver->db, &driver->arena, false};
+    driver->reader = (struct reader){&driver->db, &driver->arena, false, false};
     driver->run = (struct run){&driver->row_arena, &driver->db, emit, driver};
     if (!arguments_parse(&driver->arguments, command, count, words, &driver->arena, error) ||
         !read_common(driver, error)) {

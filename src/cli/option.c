@@ -202,6 +202,10 @@ static bool read_size(struct text text, struct sensor *size, struct error *error
         !quantity_read(width, &dimension_length, unit, &size->width, NULL, error)) {
         return false;
     }
+    if (unit == NULL) {
+        fail(error, ERROR_USAGE, "the size has no unit");
+        return error_hint(error, "did you mean '%.*smm'?", (int)text.length, text.start);
+    }
     if (!(size->width > 0 && size->height > 0) || isinf(size->width) || isinf(size->height)) {
         return fail(error, ERROR_DOMAIN, "a sensor is wider and higher than 0 mm");
     }
@@ -299,7 +303,8 @@ static bool read_coc(const struct reader *reader, const struct option *option, s
                     option->name, (int)(text.length < 60 ? text.length : 60), text.start);
     }
     *(struct coc_value *)member = (struct coc_value){
-        coc, length ? COC_GIVEN : arena_string(reader->arena, trimmed.start, trimmed.length)};
+        coc, length ? COC_GIVEN : arena_string(reader->arena, trimmed.start, trimmed.length),
+        reader->fallback};
     return true;
 }
 

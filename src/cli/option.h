@@ -19,6 +19,7 @@ struct reader {
     struct lensdb *db;
     struct arena *arena; /* for what the value points to */
     bool nominal;        /* labels of stop series stand for their exact values */
+    bool fallback;       /* the text is what the program assumes, not what the user typed */
 };
 
 /* A kind of value. `read` fills a member of the input struct. */
@@ -47,6 +48,7 @@ struct sensor_value {
 struct coc_value {
     struct coc coc;
     const char *criterion; /* "d/1500"; "given" for a length */
+    bool is_fallback;      /* nobody asked for it: it may be solved for instead */
 };
 
 /* The kind of an option is that of its member, so that table and struct cannot disagree. */

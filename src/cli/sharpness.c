@@ -8,6 +8,9 @@ bool sharpness_resolve(const struct sharpness *a, double fnumber, double *c, str
         *c = a->coc.coc.value;
         return true;
     }
+    if (a->coc.coc.kind == COC_AIRY && isnan(fnumber)) {
+        return fail(error, ERROR_USAGE, "--coc airy needs --aperture");
+    }
     struct coc coc = a->coc.coc;
     struct sensor sensor = a->sensor.size;
     sensor.pitch = isnan(a->pitch) ? sensor.pitch : a->pitch;

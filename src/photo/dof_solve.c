@@ -92,14 +92,12 @@ static bool check_count(const struct problem *p, struct error *error)
     list(unknown, unknown_words, UNKNOWN_WORDS, p->unknown);
     list(given, target_words, TARGET_WORDS, p->open);
     if (have > wanted)
-        return fail(error, ERROR_USAGE,
-                    "too much is given: %s is unknown, and %s is asked for; leave out %u of the "
-                    "settings or of the wishes",
-                    unknown, given, have - wanted);
+        return fail(error, ERROR_USAGE, "too much is given: leave out %u of %s or of the settings",
+                    have - wanted, given);
     return fail(error, ERROR_USAGE,
-                "%s unknown, but only %s given: %u more needed, a setting or one of --near, --far, "
-                "--dof, --hyperfocal, --magnification",
-                unknown, given, wanted - have);
+                "%s missing: give %s, or say what is wanted by --near, --far, --dof, --hyperfocal "
+                "or --magnification",
+                unknown, count_bits(p->unknown) > 1 ? "them" : "it");
 }
 
 static bool undetermined(const struct problem *p, struct error *error)

@@ -129,6 +129,10 @@ static void write_head(struct report *report, const void *row)
     output_printf(report->output, "{\"command\":\"%s\",\"version\":\"%s\",\"assumptions\":{",
                   report->command, LENSCALC_VERSION);
     write_members(report, row, report->assumed, report->assumed_count, false);
+    if (report->nominal) {
+        output_string(report->output, report->assumed_count > 0 ? ",\"stops\":\"nominal\""
+                                                                : "\"stops\":\"nominal\"");
+    }
     output_string(report->output, "},\"rows\":[");
 }
 

@@ -53,6 +53,7 @@ struct report {
     size_t passed_count;
     bool has_error_column;
     bool many;  /* a sweep or a batch: rows lie, even if there is one */
+    bool nominal; /* labels of stop series were read as their exact values */
     int digits; /* significant digits, 0 = as the format does */
     enum unit_system units;
     const char *explain; /* text to print after the rows, or null */

@@ -236,6 +236,10 @@ const char *report_assumptions(const struct report *report, const void *row)
                                 : arena_printf(report->arena, "%s, %s", line, words);
         }
     }
+    if (report->nominal) {
+        line = arena_printf(report->arena, "%s%sstops by their exact values (--nominal)",
+                            line != NULL ? line : "assuming ", line != NULL ? ", " : "");
+    }
     return line;
 }
 
