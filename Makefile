@@ -23,8 +23,7 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -pedantic -We
 FLOATING = -ffp-contract=off -fno-math-errno -fno-trapping-math
 CFLAGS   = -O2
 ALL_CFLAGS = $(STANDARD) $(WARNINGS) $(FLOATING) $(CFLAGS) -Isrc
-# -static-pie is slower to start than a fixed address
-LINK_1   = -static -no-pie
+LINK_1   = -static
 LINK_0   =
 LDFLAGS  =
 
@@ -91,9 +90,10 @@ check:
 check-all: deps
 	@tests/check-all $(BUILD)
 
-# rewrite the expected outputs of tests/cli; the difference is to be reviewed
+# rewrite the expected outputs of tests/cli, README and pages; the difference is to be reviewed
 accept: all
 	@tests/cli/run $(BUILD) --accept
+	@python3 tests/documents/accept.py $(BUILD)
 
 bench: deps all
 	@tests/bench/run $(BUILD)

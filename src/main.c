@@ -29,7 +29,7 @@ static int unknown_command(const char *name)
     for (size_t i = 0; commands[i] != NULL; i++) {
         nearest_offer(&nearest, text_of(commands[i]->name));
     }
-    fail(&error, ERROR_USAGE, "unknown command '%.60s'", name);
+    fail(&error, ERROR_USAGE, "unknown %s '%.60s'", name[0] == '-' ? "option" : "command", name);
     if (nearest.best.start != NULL) {
         error_hint(&error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
     } else {
@@ -55,5 +55,9 @@ int main(int argc, char **argv)
     if (command == NULL) {
         return unknown_command(argv[1]);
     }
-    return command_execute(command, argc - 2, argv + 2, getenv("LENSCALC_DB"));
+    const char *database = getenv("LENSCALC_DB");
+    if (database != NULL && database[0] == '\0') {
+        database = NULL;
+    }
+    return command_execute(command, argc - 2, argv + 2, database);
 }

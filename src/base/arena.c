@@ -32,18 +32,29 @@ static struct arena_block *new_block(struct arena_block *previous, size_t size)
     return block;
 }
 
+/* The next `bytes`, a multiple of ALIGNMENT, as they come. */
+static void *take(struct arena *arena, size_t bytes)
+{
+    if (arena->block == NULL || arena->block->size - arena->block->used < bytes) {
+        arena->block = new_block(arena->block, bytes);
+    }
+    char *memory = arena->block->data + arena->block->used;
+    arena->block->used += bytes;
+    return memory;
+}
+
 void *arena_array(struct arena *arena, size_t count, size_t size)
 {
     if (size > 0 && count > (SIZE_MAX - ALIGNMENT) / size) {
         abort();
     }
     size_t bytes = (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    if (arena->block == NULL || arena->block->size - arena->block->used < bytes) {
-        arena->block = new_block(arena->block, bytes);
-    }
-    char *memory = arena->block->data + arena->block->used;
-    arena->block->used += bytes;
-    return memset(memory, 0, bytes);
+    return memset(take(arena, bytes), 0, bytes);
+}
+
+void *arena_buffer(struct arena *arena, size_t size)
+{
+    return take(arena, (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
 }
 
 char *arena_string(struct arena *arena, const char *start, size_t length)

@@ -25,6 +25,13 @@ struct arena_mark {
  */
 void *arena_array(struct arena *arena, size_t count, size_t size);
 
+/*
+ * The same, not zeroed: pages that are never written to cost nothing.
+ *
+ * Given     size  bytes, a constant of the program
+ */
+void *arena_buffer(struct arena *arena, size_t size);
+
 /* A copy of `length` characters with a NUL behind. */
 char *arena_string(struct arena *arena, const char *start, size_t length);
 

@@ -51,8 +51,7 @@ bool fail_at(struct error *error, enum error_code code, const char *text, size_t
 bool error_locate(struct error *error, const char *source, long line, size_t column);
 
 /* Add the line "did you mean '...'?" or any other advice. Returns false. */
-bool error_hint(struct error *error, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+bool error_hint(struct error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Put words before the message, to say whose text was wrong. Returns false. */
 bool error_prefix(struct error *error, const char *format, ...)

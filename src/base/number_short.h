@@ -40,11 +40,10 @@ static inline uint32_t number_of_eight(uint64_t digits)
 static inline const char *number_read_short(const char *at, struct number_short *number)
 {
     const uint64_t digits = number_load_eight(at) ^ 0x3030303030303030;
-    /* the top bit of each byte that is no digit, right up to the first one that is no point; the
-       eighth never counts as one */
-    const uint64_t tops = 0x8080808080808080;
-    const uint64_t others = (((digits + 0x7676767676767676) | digits) & tops) | (uint64_t)1 << 63;
-    const unsigned first = (unsigned)__builtin_ctzll(others) & ~7U; /* in bits, as all below */
+    /* the top bit of each byte that is no digit; right up to the first one that is no point */
+    const uint64_t others = ((digits + 0x7676767676767676) | digits) & 0x8080808080808080;
+    /* in bits, as all below; with eight digits any place will do */
+    const unsigned first = (unsigned)__builtin_ctzll(others | (uint64_t)1 << 63) & ~7U;
     const unsigned point = (digits >> first & 0xff) == ('.' ^ '0');
     const uint64_t stops = others & (others - point);
     if (stops == 0)

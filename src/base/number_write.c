@@ -12,7 +12,8 @@
 
 enum {
     MOST_DIGITS = 17,
-    FEW_DIGITS = 8, /* one word of characters */
+    FEW_DIGITS = 8,      /* one word of characters */
+    LEAST_EXPONENT = -4, /* of a number written without an exponent */
     FIELD_MASK = 0x7ff,
 };
 
@@ -24,11 +25,22 @@ static const uint64_t tens[] = {
 };
 /* clang-format on */
 
-static const uint64_t ZEROS = 0x3030303030303030; /* eight times '0' */
+static const uint64_t zeros = 0x3030303030303030; /* eight times '0' */
 
-/* 10^(index - 4) */
+/* 10^(index + LEAST_EXPONENT) */
 static const double small_tens[] = {1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2,  1e3,
                                     1e4,  1e5,  1e6,  1e7,  1e8, 1e9, 1e10, 1e11};
+
+/*
+ * Where things stand in a number without exponent, by its decimal exponent - LEAST_EXPONENT. A
+ * table, since branches on it would be guesses; what is written behind the end does no harm.
+ */
+static const struct layout {
+    int ahead; /* characters before the digits: 0. 0.0 0.00 0.000 */
+    int whole; /* digits before the point; 8 for a point behind the end */
+    int least; /* characters from the first digit on */
+} layouts[] = {{5, 8, 0}, {4, 8, 0}, {3, 8, 0}, {2, 8, 0}, {0, 1, 1}, {0, 2, 2},
+               {0, 3, 3}, {0, 4, 4}, {0, 5, 5}, {0, 6, 6}, {0, 7, 7}, {0, 8, 8}};
 
 /* The parts of a finite double other than 0: significand x 2^exponent. */
 struct parts {
@@ -92,8 +104,8 @@ static inline struct characters characters_of(struct decimal decimal)
         digits.count = significant_digits(digits.first);
     else if (digits.last == '0')
         digits.count = 8 + significant_digits(digits.second);
-    digits.first |= ZEROS;
-    digits.second |= ZEROS;
+    digits.first |= zeros;
+    digits.second |= zeros;
     return digits;
 }
 
@@ -146,7 +158,7 @@ static inline char *lay_out(char *to, struct decimal decimal, int precision)
         store_digits(to, &digits);
         return to + exponent + 1;
     }
-    if (exponent < 0 && exponent >= -4) {
+    if (exponent < 0 && exponent >= LEAST_EXPONENT) {
         memcpy(to, "0.000000", 8);
         to += 1 - exponent;
         store_digits(to, &digits);
@@ -295,38 +307,35 @@ static inline char *write_few(char *to, double x, uint64_t bits, int digits)
     if (!(size >= 1e-4 && size < 1e8))
         return NULL;
     int exponent = number_log10_of_power2((int)(bits >> 52 & FIELD_MASK) - 1023);
-    exponent += size >= small_tens[exponent + 1 + 4];
+    exponent += size >= small_tens[exponent + 1 - LEAST_EXPONENT];
     if (exponent >= digits)
         return NULL;
-    const double scaled = size * small_tens[digits - 1 - exponent + 4];
-    const int32_t rounded = (int32_t)(scaled + 0.5);
-    if (!(fabs(scaled - rounded) < 0.5 - 0x1p-26) || (uint64_t)rounded == tens[digits])
+    const double scaled = size * small_tens[digits - 1 - exponent - LEAST_EXPONENT];
+    const double shifted = scaled + 0x1p52; /* its last bits are the rounded integer */
+    uint64_t integer;
+    memcpy(&integer, &shifted, sizeof integer);
+    integer &= 0xffffffff;
+    if (!(fabs(scaled - (shifted - 0x1p52)) < 0.5 - 0x1p-26) || integer == tens[digits])
         return NULL;
 
-    const uint64_t word = eight_digits((uint32_t)rounded * (uint32_t)tens[FEW_DIGITS - digits]);
+    const uint64_t word = eight_digits((uint32_t)(integer * tens[FEW_DIGITS - digits]));
     const int count = significant_digits(word);
-    const uint64_t characters = word | ZEROS;
+    const uint64_t characters = word | zeros;
+    const struct layout layout = layouts[exponent - LEAST_EXPONENT];
     *to = '-';
     to += bits >> 63;
-    if (exponent < 0) {
-        memcpy(to, "0.000000", 8);
-        number_store_eight(to + 1 - exponent, characters);
-        return to + 1 - exponent + count;
-    }
-    /* behind the end there may be anything */
+    memcpy(to, "0.000000", 8);
+    to += layout.ahead;
     number_store_eight(to, characters);
-    number_store_eight(to + exponent + 2, characters >> 8 * exponent >> 8);
-    to[exponent + 1] = '.';
-    return to + (count > exponent + 1 ? count : exponent) + 1;
+    number_store_eight(to + layout.whole + 1, characters >> 4 * layout.whole >> 4 * layout.whole);
+    to[layout.whole] = '.';
+    const int end = count + (count > layout.whole);
+    return to + (end > layout.least ? end : layout.least);
 }
 
-char *number_write_digits(char *to, double x, int digits)
+/* Out of line, so that few digits need not make room for it. */
+__attribute__((noinline)) static char *write_many(char *to, double x, uint64_t bits, int digits)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    char *end = digits <= FEW_DIGITS ? write_few(to, x, bits, digits) : NULL;
-    if (end != NULL)
-        return end;
     bool done;
     char *at = write_special(to, bits, &done);
     if (done)
@@ -335,6 +344,14 @@ char *number_write_digits(char *to, double x, int digits)
     if (!round_to_digits(parts_of(bits), digits, &decimal))
         return write_slowly(to, x, digits);
     return lay_out(at, decimal, digits);
+}
+
+char *number_write_digits(char *to, double x, int digits)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    char *end = digits <= FEW_DIGITS ? write_few(to, x, bits, digits) : NULL;
+    return end != NULL ? end : write_many(to, x, bits, digits);
 }
 
 char *number_write_shortest(char *to, double x)

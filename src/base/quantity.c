@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
+#define COUNT(array)       (sizeof(array) / sizeof((array)[0]))
 #define RADIANS_PER_DEGREE 0.017453292519943295769
 
 static const struct unit number_units[] = {
@@ -96,8 +96,7 @@ static const struct unit rate_units[] = {
 #define UNITS(array) .units = (array), .unit_count = COUNT(array)
 
 const struct dimension dimension_number = {.name = "number", UNITS(number_units)};
-const struct dimension dimension_length = {.name = "length", .fraction = true,
-                                           UNITS(length_units)};
+const struct dimension dimension_length = {.name = "length", .fraction = true, UNITS(length_units)};
 const struct dimension dimension_angle = {.name = "angle", UNITS(angle_units)};
 const struct dimension dimension_time = {
     .name = "time", .fraction = true, .series = "shutters.tsv", UNITS(time_units)};
@@ -111,8 +110,8 @@ const struct dimension dimension_iso = {
     .name = "ISO speed", .prefixes = "iso", .series = "iso.tsv", UNITS(number_units)};
 const struct dimension dimension_ev = {
     .name = "exposure value", .prefixes = "ev", UNITS(number_units)};
-const struct dimension dimension_stops = {.name = "number of stops", .fraction = true,
-                                          UNITS(stops_units)};
+const struct dimension dimension_stops = {
+    .name = "number of stops", .fraction = true, UNITS(stops_units)};
 const struct dimension dimension_luminance = {.name = "luminance", UNITS(luminance_units)};
 const struct dimension dimension_illuminance = {.name = "illuminance", UNITS(illuminance_units)};
 const struct dimension dimension_exposure = {.name = "exposure", UNITS(exposure_units)};
@@ -122,11 +121,12 @@ const struct dimension dimension_frequency = {.name = "spatial frequency", UNITS
 const struct dimension dimension_rate = {.name = "frame rate", UNITS(rate_units)};
 
 const struct dimension *const dimensions[] = {
-    &dimension_length,    &dimension_angle,       &dimension_time,     &dimension_fnumber,
-    &dimension_ratio,     &dimension_vergence,    &dimension_number,   &dimension_iso,
-    &dimension_ev,        &dimension_stops,       &dimension_luminance, &dimension_illuminance,
-    &dimension_exposure,  &dimension_speed,       &dimension_rotation, &dimension_frequency,
-    &dimension_rate,      NULL,
+    &dimension_length,    &dimension_angle,     &dimension_time,
+    &dimension_fnumber,   &dimension_ratio,     &dimension_vergence,
+    &dimension_number,    &dimension_iso,       &dimension_ev,
+    &dimension_stops,     &dimension_luminance, &dimension_illuminance,
+    &dimension_exposure,  &dimension_speed,     &dimension_rotation,
+    &dimension_frequency, &dimension_rate,      NULL,
 };
 
 /* Is `name` one of the blank-separated words? Case counts: mm is not MM, D is not d. */
@@ -302,7 +302,8 @@ static const char *article(const char *noun)
     return strchr("aeiI", noun[0]) != NULL || noun[1] == '-' ? "an" : "a"; /* an f-number */
 }
 
-/* A unit that differs by case; for a slip of one or two letters the usual unit; else the nearest. */
+/* A unit that differs by case; for a slip of one or two letters the usual unit; else the nearest.
+ */
 static const char *meant_unit(const struct reading *reading, struct text name)
 {
     struct nearest nearest = {.typed = name};

@@ -45,7 +45,8 @@ const struct unit *unit_find(const struct dimension *dimension, struct text name
 /* Is it the program's own unit of its dimension? */
 bool unit_is_own(const struct unit *unit);
 
-/* Convert between a unit and the program's own (mm, rad, s, 1/mm). One rounding for decimal units. */
+/* Convert between a unit and the program's own (mm, rad, s, 1/mm). One rounding for decimal units.
+ */
 double unit_to_own(const struct unit *unit, double value);
 double unit_from_own(const struct unit *unit, double value);
 

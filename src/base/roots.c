@@ -23,8 +23,9 @@ static double next_fraction(const struct bracket *k)
 {
     double xi = (k->a - k->b) / (k->c - k->b);
     double phi = (k->fa - k->fb) / (k->fc - k->fb);
-    if (!(phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi))
+    if (!(phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)) {
         return 0.5;
+    }
     double t = k->fa / (k->fb - k->fa) * (k->fc / (k->fb - k->fc)) + (k->c - k->a) / (k->b - k->a) *
                                                                          (k->fa / (k->fc - k->fa)) *
                                                                          (k->fb / (k->fc - k->fb));
@@ -54,21 +55,25 @@ bool root_find(root_function *function, const void *context, double low, double 
     k.fa = function(high, context);
     k.fb = k.fc = function(low, context);
     *root = fabs(k.fa) <= fabs(k.fb) ? high : low;
-    if (k.fa == 0 || k.fb == 0)
+    if (k.fa == 0 || k.fb == 0) {
         return true;
-    if (!opposite(k.fa, k.fb))
+    }
+    if (!opposite(k.fa, k.fb)) {
         return fail(error, ERROR_DOMAIN, "no root between %.15g and %.15g: no change of sign", low,
                     high);
+    }
     double fraction = 0.5;
     for (int step = 0; step < STEP_LIMIT; step++) {
         double x = k.a + fraction * (k.b - k.a), f = function(x, context);
-        if (isnan(f))
+        if (isnan(f)) {
             return fail(error, ERROR_DOMAIN, "root search met no number at %.15g", x);
+        }
         narrow(&k, x, f);
         *root = fabs(k.fa) <= fabs(k.fb) ? k.a : k.b;
         double width = fabs(k.b - k.a), least = 2 * DBL_EPSILON * fabs(*root) + DBL_MIN;
-        if (f == 0 || width <= 2 * least)
+        if (f == 0 || width <= 2 * least) {
             return true;
+        }
         double margin = least / width; /* never land on an end of the bracket */
         fraction = fmin(1 - margin, fmax(margin, next_fraction(&k)));
     }

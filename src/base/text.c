@@ -156,6 +156,12 @@ void nearest_offer(struct nearest *nearest, struct text candidate)
         limit = 1;
     }
     int distance = text_distance(nearest->typed, candidate, limit);
+    /* the beginning of a word is as good as one slip */
+    if (nearest->typed.length >= 3 && nearest->typed.length < candidate.length &&
+        text_distance(nearest->typed, (struct text){candidate.start, nearest->typed.length}, 0) ==
+            0) {
+        distance = 1;
+    }
     /* a word that merely shares a letter count with a very short one is no suggestion */
     if (distance > limit || (size_t)distance >= candidate.length) {
         return;

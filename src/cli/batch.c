@@ -9,7 +9,11 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { BLOCK = 262144, LONGEST_LINE = 256 * 1024 * 1024 };
+enum {
+    BLOCK = 262144,
+    LONGEST_LINE = 256 * 1024 * 1024,
+    BEHIND = 8, /* NULs behind the text stop any number */
+};
 
 /* Make room behind the unread characters, then read on. False at the end of the file or on failure. */
 static bool refill(struct batch *batch, struct error *error)
@@ -24,7 +28,7 @@ static bool refill(struct batch *batch, struct error *error)
             fail(error, ERROR_DATA, "a line is longer than 256 MiB");
             return error_locate(error, batch->source, batch->next_line, 0);
         }
-        char *buffer = realloc(batch->buffer, 2 * batch->capacity);
+        char *buffer = realloc(batch->buffer, 2 * batch->capacity + BEHIND);
         if (buffer == NULL) {
             return fail(error, ERROR_IO, "out of memory reading %s", batch->source);
         }
@@ -45,6 +49,7 @@ static bool refill(struct batch *batch, struct error *error)
     }
     batch->at_end = got == 0;
     batch->end += got;
+    memset(batch->buffer + kept + got, 0, BEHIND);
     return got > 0;
 }
 
@@ -206,11 +211,16 @@ static bool set_cell(struct batch *batch, const struct batch_column *column, str
     return true;
 }
 
-/* Any row: quotes, blanks, units, names. */
+/*
+ * Any row: quotes, blanks, units, names. After a bad cell the others are still looked at: what is
+ * handed through belongs to its row even if that fails.
+ */
 static bool read_row(struct batch *batch, struct text line, void *input, struct error *error)
 {
     struct text rest = line;
+    struct error later;
     size_t cells = 0;
+    bool good = true;
     while (rest.start != NULL) {
         size_t at = (size_t)(rest.start - line.start) + 1;
         struct cell cell;
@@ -219,26 +229,41 @@ static bool read_row(struct batch *batch, struct text line, void *input, struct 
             return row_fail(batch, error, at);
         }
         if (cells < batch->column_count &&
-            !set_cell(batch, &batch->columns[cells], cell.text, at, input, error)) {
-            return false;
+            !set_cell(batch, &batch->columns[cells], cell.text, at, input, good ? error : &later)) {
+            good = false;
         }
         cells++;
     }
-    return cells == batch->column_count || wrong_count(batch, cells, error);
+    return good && (cells == batch->column_count || wrong_count(batch, cells, error));
 }
 
-/* The start of the next cell; null if this one is not a number and nothing else. */
-static inline const char *read_plain(const struct batch_plain *plain, const char *at,
-                                     const char *end, double *value)
+struct plain_number {
+    const char *behind; /* null if the cell is not a number and nothing else */
+    double value;
+};
+
+/* Out of line, so that short numbers need not make room for it. */
+__attribute__((noinline)) static struct plain_number
+read_longer(const struct batch_plain *plain, const char *at, const char *end)
+{
+    struct plain_number number = {NULL, 0};
+    const char *behind = number_read(at, end, plain->scale, &number.value);
+    if (behind != NULL && behind != end && *behind == plain->behind) {
+        number.behind = behind;
+    }
+    return number;
+}
+
+static inline struct plain_number read_plain(const struct batch_plain *plain, const char *at,
+                                             const char *end)
 {
     struct number_short number;
-    const char *after = end - at >= 8 ? number_read_short(at, &number) : NULL;
-    if (after != NULL && *after == plain->behind) {
-        *value = number.mantissa * plain->up / plain->down[number.decimals];
-        return after + 1;
+    const char *behind = number_read_short(at, &number);
+    if (behind == NULL || *behind != plain->behind) {
+        return read_longer(plain, at, end);
     }
-    after = number_read(at, end, plain->scale, value);
-    return after != NULL && after != end && *after == plain->behind ? after + 1 : NULL;
+    double value = number.mantissa * plain->up / plain->down[number.decimals];
+    return (struct plain_number){behind, value};
 }
 
 /*
@@ -251,22 +276,20 @@ static bool take_plain_row(struct batch *batch, void *input)
     const char *at = batch->at;
     const struct batch_plain *plain = batch->plain, *behind = plain + batch->column_count;
     for (; plain < behind; plain++) {
-        double value;
-        at = read_plain(plain, at, batch->end, &value);
-        if (at == NULL) {
-            return false;
-        }
-        value *= plain->factor;
+        struct plain_number number = read_plain(plain, at, batch->end);
+        double value = number.value * plain->factor;
         /* an infinite value may be one that was too large */
-        if (!(value > plain->lowest && value < plain->highest)) {
+        if (number.behind == NULL || !(value > plain->lowest && value < plain->highest)) {
             return false;
         }
+        at = number.behind + 1;
         void *member = (char *)input + plain->offset;
         if (plain->is_coc) {
             struct coc_value *coc = member;
             coc->coc.kind = COC_LENGTH;
             coc->coc.value = value;
             coc->criterion = COC_GIVEN;
+            coc->is_fallback = false;
         } else {
             *(double *)member = value;
         }
@@ -276,6 +299,14 @@ static bool take_plain_row(struct batch *batch, void *input)
     return true;
 }
 
+/* No cell of an earlier row is left when this one is cut short. */
+static void clear_passed(struct batch *batch)
+{
+    for (size_t i = 0; i < batch->passed_count; i++) {
+        batch->passed[i] = (struct text){"", 0};
+    }
+}
+
 enum batch_result batch_next(struct batch *batch, void *input, struct error *error)
 {
     struct text line;
@@ -283,6 +314,7 @@ enum batch_result batch_next(struct batch *batch, void *input, struct error *err
     if (batch->plain != NULL && take_plain_row(batch, input)) {
         return BATCH_ROW;
     }
+    clear_passed(batch);
     if (!next_row(batch, &line, error)) {
         return error->code == ERROR_NONE ? BATCH_END : BATCH_FAILED;
     }
@@ -309,24 +341,22 @@ bool batch_has(const struct batch *batch, const char *option)
     return false;
 }
 
-static bool set_format(struct batch *batch, const char *name, struct text first,
+static bool set_format(struct batch *batch, enum batch_format format, struct text first,
                        struct error *error)
 {
-    if (name == NULL) {
+    bool tabs = first.length > 0 && memchr(first.start, '\t', first.length) != NULL;
+    if (format == BATCH_AUTO) {
         struct text trimmed = text_trim(first);
         bool json = trimmed.length > 0 && trimmed.start[0] == '{';
-        bool tabs = first.length > 0 && memchr(first.start, '\t', first.length) != NULL;
-        batch->format = json ? BATCH_JSONL : tabs ? BATCH_TSV : BATCH_CSV;
-    } else if (strcmp(name, "csv") == 0) {
-        batch->format = BATCH_CSV;
-    } else if (strcmp(name, "tsv") == 0) {
-        batch->format = BATCH_TSV;
-    } else if (strcmp(name, "jsonl") == 0) {
-        batch->format = BATCH_JSONL;
-    } else {
-        return fail(error, ERROR_USAGE, "--batch-format '%s' is none of csv, tsv, jsonl", name);
+        format = json ? BATCH_JSONL : tabs ? BATCH_TSV : BATCH_CSV;
     }
-    batch->separator = batch->format == BATCH_TSV ? '\t' : ',';
+    if (format == BATCH_CSV && memchr(first.start, ',', first.length) == NULL &&
+        memchr(first.start, ';', first.length) != NULL) {
+        fail(error, ERROR_DATA, "the columns seem to be separated by ';': ',' or a tab is wanted");
+        return error_locate(error, batch->source, batch->line, 0);
+    }
+    batch->format = format;
+    batch->separator = format == BATCH_TSV ? '\t' : ',';
     return true;
 }
 
@@ -397,7 +427,7 @@ static void prepare_plain(struct batch *batch)
     batch->plain = plain;
 }
 
-static bool begin(struct batch *batch, const char *format, struct error *error)
+static bool begin(struct batch *batch, enum batch_format format, struct error *error)
 {
     struct text line;
     if (!next_row(batch, &line, error)) {
@@ -429,7 +459,7 @@ static bool begin(struct batch *batch, const char *format, struct error *error)
     return true;
 }
 
-bool batch_open(struct batch *batch, const char *path, const char *format,
+bool batch_open(struct batch *batch, const char *path, enum batch_format format,
                 const struct arguments *arguments, const struct reader *reader,
                 const void *constants, struct error *error)
 {
@@ -446,7 +476,7 @@ bool batch_open(struct batch *batch, const char *path, const char *format,
             return fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
         }
     }
-    batch->buffer = malloc(BLOCK);
+    batch->buffer = malloc(BLOCK + BEHIND);
     if (batch->buffer == NULL) {
         return fail(error, ERROR_IO, "out of memory reading %s", path);
     }

@@ -14,25 +14,26 @@ struct batch_column {
     double factor;
     double lowest, highest; /* a bare number between these is legal without a closer look */
     size_t offset;
-    bool is_plain;     /* a number that needs no lensdb, no prefix */
+    bool is_plain; /* a number that needs no lensdb, no prefix */
     bool is_coc;
-    bool is_ignored;   /* neither input nor handed through */
-    bool is_infinite;  /* a JSON companion: true makes the option infinite */
-    struct text name;  /* as in the file */
-    size_t passed;     /* index among the columns handed through */
+    bool is_ignored;  /* neither input nor handed through */
+    bool is_infinite; /* a JSON companion: true makes the option infinite */
+    struct text name; /* as in the file */
+    size_t passed;    /* index among the columns handed through */
 };
 
 /* What reading a bare number of a column takes, ready for use. */
 struct batch_plain {
     double up, down[NUMBER_SHORT_DIGITS + 1]; /* a short number is mantissa x up / down[decimals] */
-    struct number_scale scale; /* of a longer number */
+    struct number_scale scale;                /* of a longer number */
     double factor, lowest, highest;
     size_t offset; /* of the value in the input */
     bool is_coc;
     char behind; /* what ends the cell */
 };
 
-enum batch_format { BATCH_CSV, BATCH_TSV, BATCH_JSONL };
+/* In the order of batch_format_words; BATCH_AUTO sees it from the first line. */
+enum batch_format { BATCH_AUTO, BATCH_CSV, BATCH_TSV, BATCH_JSONL };
 
 /* The file while it is read. */
 struct batch {
@@ -51,11 +52,11 @@ struct batch {
     size_t passed_count;
     char *buffer;
     size_t capacity;
-    const char *at, *end; /* what is still to read */
-    bool at_end;          /* the file has no more */
+    const char *at, *end;              /* what is still to read */
+    bool at_end;                       /* the file has no more */
     void (*before_read)(void *reader); /* called before the file may keep the program waiting */
     void *waiting;                     /* its argument */
-    long line;            /* of the present row */
+    long line;                         /* of the present row */
     long next_line;
 };
 
@@ -65,12 +66,11 @@ enum batch_result { BATCH_ROW, BATCH_BAD_ROW, BATCH_END, BATCH_FAILED };
  * Open the file and read its header.
  *
  * Given     path      "-" for standard input
- *           format    "csv", "tsv", "jsonl", or null to see from the first line
  *           constants the input struct as the command line left it: the value of empty cells
  * Errors    ERROR_IO; ERROR_DATA with line and column: no header, a column twice, a unit that
  *           does not fit; ERROR_USAGE: a column that is also given as an option
  */
-bool batch_open(struct batch *batch, const char *path, const char *format,
+bool batch_open(struct batch *batch, const char *path, enum batch_format format,
                 const struct arguments *arguments, const struct reader *reader,
                 const void *constants, struct error *error);
 
@@ -91,8 +91,8 @@ bool batch_column_find(const struct batch *batch, struct text name, struct batch
                        struct error *error);
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error);
 bool batch_settle_columns(struct batch *batch, struct error *error);
-bool batch_read_cell(const struct batch *batch, const struct batch_column *column,
-                     struct text cell, void *input, struct error *error);
+bool batch_read_cell(const struct batch *batch, const struct batch_column *column, struct text cell,
+                     void *input, struct error *error);
 bool batch_json_header(struct batch *batch, struct text line, struct error *error);
 bool batch_json_row(struct batch *batch, struct text line, void *input, struct error *error);
 

@@ -21,13 +21,11 @@ static const struct option *option_of(const struct batch *batch, struct text nam
 }
 
 /* "far_is_infinite" beside "far_m" in the rows of another lenscalc. */
-static bool find_companion(const struct batch *batch, struct text name,
-                           struct batch_column *column)
+static bool find_companion(const struct batch *batch, struct text name, struct batch_column *column)
 {
     static const char suffix[] = "_is_infinite";
     size_t length = sizeof suffix - 1;
-    if (name.length <= length ||
-        memcmp(name.start + name.length - length, suffix, length) != 0) {
+    if (name.length <= length || memcmp(name.start + name.length - length, suffix, length) != 0) {
         return false;
     }
     column->option = option_of(batch, (struct text){name.start, name.length - length});
@@ -54,6 +52,28 @@ static const struct option *find_with_unit(const struct batch *batch, struct tex
     const struct unit *found = unit_find(option->dimension, *typed);
     *unit = found != NULL ? found->name : NULL;
     return option;
+}
+
+/* Will the command print a column of this name itself? */
+static bool is_computed(const struct batch *batch, struct text name)
+{
+    const struct sheet *sheet = &batch->arguments->command->sheet;
+    if (text_equal(name, "error")) {
+        return true;
+    }
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        const struct column *column = &sheet->columns[i];
+        size_t length = strlen(column->name);
+        bool begins = name.length >= length && memcmp(name.start, column->name, length) == 0;
+        struct text rest = {name.start + length, begins ? name.length - length : 0};
+        if (begins &&
+            (rest.length == 0 || text_equal(rest, "_is_infinite") ||
+             (column->unit != NULL && rest.start[0] == '_' &&
+              text_equal((struct text){rest.start + 1, rest.length - 1}, column->unit)))) {
+            return true;
+        }
+    }
+    return false;
 }
 
 static void set_scale(struct batch_column *column, const struct reader *reader)
@@ -84,9 +104,10 @@ bool batch_column_find(const struct batch *batch, struct text name, struct batch
     column->option = option_of(batch, name);
     if (column->option == NULL) {
         column->option = find_with_unit(batch, name, &unit, &typed);
-        if (column->option != NULL && unit == NULL) {
-            return fail(error, ERROR_DATA,
-                        "column '%.*s': '%.*s' is no unit of --%s (a %s)",
+        if (column->option != NULL && unit == NULL && is_computed(batch, name)) {
+            column->option = NULL; /* near_diopter of an earlier run is no --near */
+        } else if (column->option != NULL && unit == NULL) {
+            return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is no unit of --%s (a %s)",
                         (int)(name.length < 60 ? name.length : 60), name.start,
                         (int)(typed.length < 20 ? typed.length : 20), typed.start,
                         column->option->name, column->option->dimension->name);
@@ -111,8 +132,7 @@ static bool check_new(const struct batch *batch, const struct batch_column *colu
                            !column->is_infinite && !other->is_infinite;
         if (same_name || same_option) {
             return fail(error, ERROR_DATA, "columns '%.*s' and '%.*s' mean the same",
-                        (int)(other->name.length < 60 ? other->name.length : 60),
-                        other->name.start,
+                        (int)(other->name.length < 60 ? other->name.length : 60), other->name.start,
                         (int)(column->name.length < 60 ? column->name.length : 60),
                         column->name.start);
         }
@@ -156,28 +176,6 @@ static bool has_all_settings(const struct batch *batch)
         }
     }
     return any;
-}
-
-/* Will the command print a column of this name itself? */
-static bool is_computed(const struct batch *batch, struct text name)
-{
-    const struct sheet *sheet = &batch->arguments->command->sheet;
-    if (text_equal(name, "error")) {
-        return true;
-    }
-    for (size_t i = 0; i < sheet->column_count; i++) {
-        const struct column *column = &sheet->columns[i];
-        size_t length = strlen(column->name);
-        bool begins = name.length >= length && memcmp(name.start, column->name, length) == 0;
-        struct text rest = {name.start + length, begins ? name.length - length : 0};
-        if (begins && (rest.length == 0 || text_equal(rest, "_is_infinite") ||
-                       (column->unit != NULL && rest.start[0] == '_' &&
-                        text_equal((struct text){rest.start + 1, rest.length - 1},
-                                   column->unit)))) {
-            return true;
-        }
-    }
-    return false;
 }
 
 /*

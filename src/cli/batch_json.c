@@ -258,8 +258,8 @@ static void reset(struct batch *batch, void *input)
     for (size_t i = 0; i < batch->column_count; i++) {
         const struct option *option = batch->columns[i].option;
         if (option != NULL) {
-            memcpy((char *)input + option->offset,
-                   (const char *)batch->constants + option->offset, option->kind->size);
+            memcpy((char *)input + option->offset, (const char *)batch->constants + option->offset,
+                   option->kind->size);
         } else if (!batch->columns[i].is_ignored) {
             batch->passed[batch->columns[i].passed] = (struct text){"", 0};
         }

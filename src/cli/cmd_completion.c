@@ -26,8 +26,7 @@ static const struct option options[] = {
 typedef void option_writer(const struct command *command, const struct option *option,
                            struct output *output);
 
-static void each_option(const struct command *command, option_writer *write,
-                        struct output *output)
+static void each_option(const struct command *command, option_writer *write, struct output *output)
 {
     for (size_t i = 0; i < command->option_count; i++) {
         write(command, &command->options[i], output);

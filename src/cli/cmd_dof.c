@@ -30,7 +30,8 @@ struct input {
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
     OPTION_APERTURE(struct input, fnumber, OPTION_SETTING),
-    OPTION_DISTANCE(struct input, distance, OPTION_SETTING, "distance of the subject; inf for stars"),
+    OPTION_DISTANCE(struct input, distance, OPTION_SETTING,
+                    "distance of the subject; inf for stars"),
     SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
     OPTION_PUPIL(struct input, pupil),
     OPTION_FROM(struct input, from, distances_from),
@@ -49,8 +50,8 @@ static const struct option options[] = {
      .help = "wanted magnification: 1:2 or 0.5"},
     {OPTION(struct input, stack), .name = "stack",
      .help = "plan a focus stack from --near to --far, one row a shot"},
-    {OPTION(struct input, overlap), .name = "overlap", .dimension = &dimension_ratio,
-     .lowest = 0, .highest = 0.95, .fallback = "0.2", .value = "FRACTION",
+    {OPTION(struct input, overlap), .name = "overlap", .dimension = &dimension_ratio, .lowest = 0,
+     .highest = 0.95, .fallback = "0.2", .value = "FRACTION",
      .help = "part of each shot's depth that the next one covers again, for --stack"},
     {OPTION(struct input, other), .name = "equal-on", .value = "NAME|WxH",
      .help = "focal length and f-number for the same picture on another format"},
@@ -62,6 +63,7 @@ struct row {
     struct dof_setting setting;
     struct dof dof;
     double distance;
+    double wavelength; /* NaN where it does not matter */
     const char *sensor, *criterion, *model, *from;
     long shot, shots;
     const char *other_sensor;
@@ -81,15 +83,19 @@ static const struct column columns[] = {
     {COLUMN(struct row, setting.N), .name = "fnumber", .flags = COLUMN_ECHO, .with = "aperture",
      .symbol = "N", .label = "f-number", .help = "f-number"},
     {COLUMN_LENGTH(distance, "m"), .name = "distance",
-     .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .with = "distance", .label = "distance", .help = "distance of the subject"},
+     .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .with = "distance", .label = "distance",
+     .help = "distance of the subject"},
     {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "sensor", .label = "sensor", .help = "format or camera"},
     {COLUMN_LENGTH(setting.c, "mm"), .name = "coc", .flags = COLUMN_ASSUMED, .symbol = "c",
-     .depends = "coc sensor pitch print viewing acuity wavelength", .label = "circle of confusion",
+     .depends = SHARPNESS_DEPENDS, .label = "circle of confusion",
      .help = "circle of confusion, diameter on the sensor"},
-    {COLUMN(struct row, criterion), .name = "coc_criterion",
-     .symbol = "criterion", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "coc", .label = "criterion",
+    {COLUMN(struct row, criterion), .name = "coc_criterion", .symbol = "criterion",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "coc", .label = "criterion",
      .help = "where the circle of confusion comes from"},
+    {COLUMN_LENGTH(wavelength, "nm"), .name = "wavelength",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "wavelength",
+     .label = "wavelength", .help = "of the light that makes the Airy disc"},
     {COLUMN_LENGTH(dof.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE,
      .symbol = "H", .label = "hyperfocal distance",
      .help = "nearest focus that keeps infinity sharp, from the front principal plane"},
@@ -139,8 +145,8 @@ static const struct column columns[] = {
     {COLUMN(struct row, other_fnumber), .name = "equal_fnumber",
      .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "equal-on", .label = "f-number there",
      .help = "f-number with the same depth of field on the other format"},
-    {COLUMN_LENGTH(other_coc, "mm"), .name = "equal_coc", .flags = COLUMN_EXTRA,
-     .with = "equal-on", .label = "circle of confusion there",
+    {COLUMN_LENGTH(other_coc, "mm"), .name = "equal_coc", .flags = COLUMN_EXTRA, .with = "equal-on",
+     .label = "circle of confusion there",
      .help = "circle of confusion in proportion to the other format"},
     {COLUMN(struct row, setting.P), .name = "pupil_magnification",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .symbol = "P", .depends = "pupil",
@@ -155,19 +161,21 @@ static const struct column columns[] = {
      .help = "distance of the subject from the front principal plane"},
 };
 
-static void fill_row(const struct input *input, const struct dof_setting *setting, struct row *row)
+/* Complete a row that has its setting and what follows from it. */
+static void fill_row(const struct input *input, struct row *row)
 {
-    double offset = distance_offset(setting, (enum distance_from)input->from);
-    row->setting = *setting;
-    row->distance = setting->s + offset;
-    row->dof.near += offset;
-    row->dof.far += offset;
-    row->dof.near_vergence = input->from == FROM_PRINCIPAL ? row->dof.near_vergence
-                                                           : 1 / row->dof.near;
-    row->dof.far_vergence = input->from == FROM_PRINCIPAL ? row->dof.far_vergence
-                                                          : 1 / row->dof.far;
+    row->distance = row->setting.s;
+    if (input->from != FROM_PRINCIPAL) {
+        double offset = distance_offset(&row->setting, (enum distance_from)input->from);
+        row->distance += offset;
+        row->dof.near += offset;
+        row->dof.far += offset;
+        row->dof.near_vergence = 1 / row->dof.near;
+        row->dof.far_vergence = 1 / row->dof.far;
+    }
     row->sensor = input->sharp.sensor.name;
     row->criterion = input->sharp.coc.criterion;
+    row->wavelength = sharpness_wavelength(&input->sharp);
     row->model = dof_models[input->model].word;
     row->from = distances_from[input->from].word;
 }
@@ -191,8 +199,8 @@ static bool fill_other(const struct input *input, struct row *row, struct error 
     return true;
 }
 
-static bool run_stack(const struct input *input, const struct dof_setting *setting,
-                      struct run *run, struct error *error)
+static bool run_stack(const struct input *input, const struct dof_setting *setting, struct run *run,
+                      struct error *error)
 {
     struct dof_plan plan;
     struct row row;
@@ -201,19 +209,19 @@ static bool run_stack(const struct input *input, const struct dof_setting *setti
                     "--stack wants --near and --far, and no --distance of its own");
     }
     if (input->from == FROM_SENSOR || input->model != DOF_EXACT) {
-        return fail(error, ERROR_USAGE, "--stack goes with exact formulas and distances from the "
-                                        "principal plane");
+        return fail(error, ERROR_USAGE,
+                    "--stack goes with exact formulas and distances from the "
+                    "principal plane");
     }
     if (!dof_plan_make(setting, input->targets.near, input->targets.far, input->overlap, &plan,
                        error)) {
         return false;
     }
     for (long i = 0; i < plan.count; i++) {
-        struct dof_setting shot;
-        if (!dof_plan_shot(&plan, i, &shot, &row.dof, error)) {
+        if (!dof_plan_shot(&plan, i, &row.setting, &row.dof, error)) {
             return false;
         }
-        fill_row(input, &shot, &row);
+        fill_row(input, &row);
         row.shot = i + 1;
         row.shots = plan.count;
         if (!fill_other(input, &row, error) || !run_emit(run, &row)) {
@@ -238,26 +246,27 @@ static bool wants_coc(const struct input *input)
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    struct dof_setting setting = {.f = input->focal,
-                                  .N = input->fnumber,
-                                  .s = input->distance,
-                                  .P = input->pupil};
     struct row row;
-    if (!sharpness_resolve(&input->sharp, setting.N, &setting.c, error)) {
+    struct dof_setting *setting = &row.setting;
+    setting->f = input->focal;
+    setting->N = input->fnumber;
+    setting->s = input->distance;
+    setting->P = input->pupil;
+    if (!sharpness_resolve(&input->sharp, setting->N, &setting->c, error)) {
         return false;
     }
     if (input->stack) {
-        return run_stack(input, &setting, run, error);
+        return run_stack(input, setting, run, error);
     }
     bool solves_coc = wants_coc(input);
     if (solves_coc) {
-        setting.c = NAN;
+        setting->c = NAN;
     }
-    if (!distance_solve(&setting, &input->targets, (enum distance_from)input->from, error) ||
-        !dof_compute(&setting, (enum dof_model)input->model, &row.dof, error)) {
+    if (!distance_solve(setting, &input->targets, (enum distance_from)input->from, error) ||
+        !dof_compute(setting, (enum dof_model)input->model, &row.dof, error)) {
         return false;
     }
-    fill_row(input, &setting, &row);
+    fill_row(input, &row);
     if (solves_coc) {
         row.criterion = "solved";
     }
@@ -319,29 +328,32 @@ static bool draw_scale(const void *data, struct svg *svg, struct error *error)
     }
     barrel.focus_diopter = 1000 / setting.s;
     barrel.title = arena_printf(svg->arena, "Depth of field of a %.4g mm lens", setting.f);
-    barrel.subtitle = arena_printf(
-        svg->arena, "focused at %.4g m, f/%.4g, circle of confusion %.4g mm, distances from the "
-                    "front principal plane",
-        setting.s / 1000, setting.N, setting.c);
+    barrel.subtitle =
+        arena_printf(svg->arena,
+                     "focused at %.4g m, f/%.4g, circle of confusion %.4g mm, distances from the "
+                     "front principal plane",
+                     setting.s / 1000, setting.N, setting.c);
     return barrel_draw(&barrel, svg, error);
 }
 
 static const struct explanation explanations[] = {
     {"coc", "c = {criterion}", "criterion of sharpness, see --coc",
      "what counts as sharp is a convention"},
-    {"hyperfocal", "H = {f}^2/({N} {c}) + {f}", "[Ray02] ch. 22; thin lens, exact",
+    {"hyperfocal", "H = {f}^2/({N} {c}) + {f}", "[Ray02]; thin lens, exact",
      "without + f it is low by exactly f"},
     {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
     {"near", "n = {f} (1 - 1/{P}) + {f} (1 + {m}/{P})/({m} + {N} {c}/{f})",
-     "[Ray02] ch. 22, with pupil magnification; from the front principal plane", NULL},
+     "[Ray02], with pupil magnification; from the front principal plane", NULL},
     {"far", "r = {f} (1 - 1/{P}) + {f} (1 + {m}/{P})/({m} - {N} {c}/{f})",
-     "[Ray02] ch. 22, with pupil magnification; infinite where the denominator is not positive",
+     "[Ray02], with pupil magnification; infinite where the denominator is not positive",
      "ill-conditioned near the hyperfocal distance"},
-    {"dof", "T = {front} + {behind}", "front = X e/(1 + e), behind = X e/(1 - e), X = f (1/m + 1/P), "
-                                      "e = N c/(m f)", NULL},
-    {"depth_of_focus", "t = 2 {N} {c} (1 + {m}/{P})", "[Ray02] ch. 22", NULL},
+    {"dof", "T = {front} + {behind}",
+     "front = X e/(1 + e), behind = X e/(1 - e), X = f (1/m + 1/P), "
+     "e = N c/(m f)",
+     NULL},
+    {"depth_of_focus", "t = 2 {N} {c} (1 + {m}/{P})", "[Ray02]", NULL},
     {"blur_at_infinity", "b = {f} {m}/{N}", "similar triangles at the exit pupil", NULL},
-    {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Ray02] ch. 22", NULL},
+    {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Ray02]", NULL},
     {NULL, NULL, NULL, NULL},
 };
 

@@ -10,7 +10,7 @@ struct input {
     double focal, distance, pupil, squeeze;
     struct sensor_value sensor;
     int projection;
-    double horizontal, vertical, diagonal;             /* wanted angles, rad */
+    double horizontal, vertical, diagonal;            /* wanted angles, rad */
     double field_width, field_height, field_diagonal; /* wanted fields, mm */
 };
 
@@ -20,10 +20,9 @@ struct input {
                                        .highest = 6.283185307179586, .value = "ANGLE",             \
                                        .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL
 #define FIELD_GOAL(member_name)                                                                    \
-    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "m",                \
-                                       OPTION_POSITIVE, .value = "LENGTH",                         \
-                                       .flags =                                                    \
-                                           OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL
+    OPTION(struct input, member_name),                                                             \
+        .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .value = "LENGTH",           \
+        .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL
 
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
@@ -75,12 +74,13 @@ static const struct column columns[] = {
      .label = "vertical angle", .help = "full vertical angle of view"},
     {ANGLE(fov.diagonal), .name = "diagonal", .flags = COLUMN_BRIEF, .symbol = "dfov",
      .label = "diagonal angle", .help = "full diagonal angle of view"},
-    {LENGTH(fov.width_at_s, "m"), .name = "field_width", .flags = COLUMN_INFINITE, .with = "distance",
-     .symbol = "W", .label = "field width", .help = "width seen in the plane of focus"},
-    {LENGTH(fov.height_at_s, "m"), .name = "field_height", .flags = COLUMN_INFINITE, .with = "distance",
-     .label = "field height", .help = "height seen in the plane of focus"},
-    {LENGTH(fov.diagonal_at_s, "m"), .name = "field_diagonal", .flags = COLUMN_INFINITE, .with = "distance",
-     .label = "field diagonal", .help = "diagonal seen in the plane of focus"},
+    {LENGTH(fov.width_at_s, "m"), .name = "field_width", .flags = COLUMN_INFINITE,
+     .with = "distance", .symbol = "W", .label = "field width",
+     .help = "width seen in the plane of focus"},
+    {LENGTH(fov.height_at_s, "m"), .name = "field_height", .flags = COLUMN_INFINITE,
+     .with = "distance", .label = "field height", .help = "height seen in the plane of focus"},
+    {LENGTH(fov.diagonal_at_s, "m"), .name = "field_diagonal", .flags = COLUMN_INFINITE,
+     .with = "distance", .label = "field diagonal", .help = "diagonal seen in the plane of focus"},
     {COLUMN(struct row, magnification), .name = "magnification", .symbol = "m",
      .label = "magnification", .help = "size on the sensor over size of the subject"},
     {COLUMN(struct row, fov.kind), .name = "class", .flags = COLUMN_BRIEF, .label = "kind of lens",
@@ -96,8 +96,8 @@ static const struct column columns[] = {
     {COLUMN(struct row, projection), .name = "projection", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "projection", .label = "projection", .help = "how the lens maps angles"},
     {COLUMN(struct row, setting.P), .name = "pupil_magnification", .symbol = "P",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil", .label = "pupil magnification",
-     .help = "diameter of the exit over the entrance pupil"},
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil",
+     .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
     {COLUMN(struct row, setting.squeeze), .name = "squeeze", .symbol = "q",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "squeeze", .label = "squeeze",
      .help = "anamorphic squeeze"},
@@ -117,8 +117,8 @@ static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
     struct row row = {
-        .setting = {(enum projection)input->projection, input->focal, input->distance,
-                    input->pupil, input->squeeze},
+        .setting = {(enum projection)input->projection, input->focal, input->distance, input->pupil,
+                    input->squeeze},
         .width = input->sensor.size.width,
         .height = input->sensor.size.height,
         .sensor = input->sensor.name,
@@ -136,9 +136,9 @@ static bool run(const void *data, struct run *run, struct error *error)
 
 static const struct explanation explanations[] = {
     {"horizontal", "hfov = 2 atan({q} {w}/(2 {f} (1 + {m}/{P})))",
-     "[Ray02] ch. 24; rectilinear, breathing included",
+     "[Ray02]; rectilinear, breathing included",
      "the other projections: f t, 2 f sin(t/2), 2 f tan(t/2), f sin t in place of f tan t"},
-    {"vertical", "vfov = 2 atan({h}/(2 {f} (1 + {m}/{P})))", "[Ray02] ch. 24; rectilinear", NULL},
+    {"vertical", "vfov = 2 atan({h}/(2 {f} (1 + {m}/{P})))", "[Ray02]; rectilinear", NULL},
     {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
     {"field_width", "W = {q} {w}/{m}", "similar triangles", "rectilinear only"},
     {NULL, NULL, NULL, NULL},
@@ -149,7 +149,7 @@ static const struct example examples[] = {
     {"fov -f 14,20,24,28,35,50,85,135,200", "the classes of lenses on 35 mm film"},
     {"fov -f 100mm -s 40cm", "how much is in the picture close up"},
     {"fov --horizontal 90deg", "the focal length for an angle"},
-    {"fov -f 8mm --projection equisolid", "a fisheye"},
+    {"fov -f 8mm --projection equisolid --sensor mft", "a fisheye"},
     {"fov -f 50mm --squeeze 2 --sensor scope", "anamorphic cinema"},
     {NULL, NULL},
 };

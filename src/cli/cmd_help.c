@@ -9,8 +9,8 @@ struct input {
 };
 
 static const struct option options[] = {
-    {OPTION(struct input, topic), .name = "topic", .value = "COMMAND", .flags = OPTION_OPERAND,
-     .help = "the command to explain; without it all commands are listed"},
+    {OPTION(struct input, topic), .name = "topic", .value = "COMMAND|TOPIC",
+     .flags = OPTION_OPERAND, .help = "the command or topic to explain; without it all are listed"},
 };
 
 static bool unknown(const char *topic, struct error *error)
@@ -19,7 +19,10 @@ static bool unknown(const char *topic, struct error *error)
     for (size_t i = 0; commands[i] != NULL; i++) {
         nearest_offer(&nearest, text_of(commands[i]->name));
     }
-    fail(error, ERROR_USAGE, "there is no command '%.60s' to explain", topic);
+    for (const struct topic_text *at = help_topics; at->name != NULL; at++) {
+        nearest_offer(&nearest, text_of(at->name));
+    }
+    fail(error, ERROR_USAGE, "there is no command or topic '%.60s'", topic);
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
     }
@@ -34,6 +37,11 @@ static bool print(const void *data, struct output *output, struct error *error)
         help_write_overview(output);
         return true;
     }
+    const struct topic_text *topic = help_topic_find(input->topic);
+    if (topic != NULL) {
+        output_printf(output, "%s: %s\n\n%s", topic->name, topic->summary, topic->text);
+        return true;
+    }
     const struct command *command = command_find(text_of(input->topic));
     if (command == NULL) {
         return unknown(input->topic, error);
@@ -46,13 +54,14 @@ static bool print(const void *data, struct output *output, struct error *error)
 static const struct example examples[] = {
     {"help", "all commands"},
     {"help dof", "one command"},
+    {"help ranges", "a topic: values, ranges, output, batch or status"},
     {NULL, NULL},
 };
 
 const struct command command_help = {
     .name = "help",
     .group = "tool",
-    .summary = "explain a command",
+    .summary = "explain a command or a topic",
     .examples = examples,
     .options = options,
     .option_count = sizeof options / sizeof options[0],

@@ -24,7 +24,7 @@ static const struct option options[] = {
 };
 
 struct row {
-    double focal, fnumber, coc, pupil, hyperfocal, near;
+    double focal, fnumber, coc, pupil, wavelength, hyperfocal, near;
     const char *sensor, *criterion;
 };
 
@@ -39,19 +39,22 @@ static const struct column columns[] = {
     {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "sensor", .label = "sensor", .help = "format or camera"},
     {LENGTH(coc, "mm"), .name = "coc", .flags = COLUMN_ASSUMED, .symbol = "c",
-     .depends = "coc sensor pitch print viewing acuity wavelength", .label = "circle of confusion",
+     .depends = SHARPNESS_DEPENDS, .label = "circle of confusion",
      .help = "circle of confusion, diameter on the sensor"},
     {COLUMN(struct row, criterion), .name = "coc_criterion", .symbol = "criterion",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "coc", .label = "criterion",
      .help = "where the circle of confusion comes from"},
+    {LENGTH(wavelength, "nm"), .name = "wavelength",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "wavelength",
+     .label = "wavelength", .help = "of the light that makes the Airy disc"},
     {LENGTH(hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "H", .label = "hyperfocal distance",
      .help = "nearest focus that keeps infinity sharp, from the front principal plane"},
     {LENGTH(near, "m"), .name = "near", .flags = COLUMN_INFINITE | COLUMN_BRIEF, .symbol = "n",
      .label = "near limit there", .help = "near limit when focused at the hyperfocal distance"},
     {COLUMN(struct row, pupil), .name = "pupil_magnification", .symbol = "P",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil", .label = "pupil magnification",
-     .help = "diameter of the exit over the entrance pupil"},
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil",
+     .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
 };
 
 static bool run(const void *data, struct run *run, struct error *error)
@@ -73,6 +76,7 @@ static bool run(const void *data, struct run *run, struct error *error)
         .fnumber = setting.N,
         .coc = setting.c,
         .pupil = setting.P,
+        .wavelength = sharpness_wavelength(&input->sharp),
         .hyperfocal = dof_hyperfocal(setting.f, setting.N, setting.c),
         .near = dof_near_at_hyperfocal(setting.f, setting.N, setting.c, setting.P),
         .sensor = input->sharp.sensor.name,
@@ -85,10 +89,10 @@ static bool run(const void *data, struct run *run, struct error *error)
 static const struct explanation explanations[] = {
     {"coc", "c = {criterion}", "criterion of sharpness, see --coc",
      "what counts as sharp is a convention"},
-    {"hyperfocal", "H = {f}^2/({N} {c}) + {f}", "[Ray02] ch. 22; thin lens, exact",
+    {"hyperfocal", "H = {f}^2/({N} {c}) + {f}", "[Ray02]; thin lens, exact",
      "without + f it is low by exactly f"},
     {"near", "n = {f} (1 - 1/{P}) + ({f} + {f}/{P} {N} {c}/{f})/(2 {N} {c}/{f})",
-     "[Ray02] ch. 22; near limit at m = N c/f", "H/2 exactly where P is 1"},
+     "[Ray02]; near limit at m = N c/f", "H/2 exactly where P is 1"},
     {NULL, NULL, NULL, NULL},
 };
 

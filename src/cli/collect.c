@@ -70,8 +70,8 @@ const char *axis_value(const struct collection *collection, const struct axis *a
     if (option->kind != &kind_quantity) {
         return arena_printf(collection->arena, "%zu", i + 1);
     }
-    double value = axis->unit != NULL ? unit_from_own(axis->unit, axis_number(axis, i))
-                                      : axis_number(axis, i);
+    double value =
+        axis->unit != NULL ? unit_from_own(axis->unit, axis_number(axis, i)) : axis_number(axis, i);
     if (with_unit && option->dimension == &dimension_fnumber) {
         return arena_printf(collection->arena, "f/%.4g", value);
     }

@@ -13,7 +13,7 @@ struct collection {
     const struct sheet *sheet;
     struct arena *arena;
     enum unit_system units;
-    char *rows;    /* sweep->total rows of sheet->row_size */
+    char *rows;     /* sweep->total rows of sheet->row_size */
     bool *is_there; /* one a combination: false = failed or no row */
 };
 
@@ -62,7 +62,7 @@ bool cross_table_write(const struct collection *collection, const char *specific
  *
  * Errors    ERROR_USAGE: nothing is swept, or columns of different dimensions; as plot_draw
  */
-bool collection_plot(const struct collection *collection, const char *columns,
-                     const char *subtitle, struct svg *svg, struct error *error);
+bool collection_plot(const struct collection *collection, const char *columns, const char *subtitle,
+                     struct svg *svg, struct error *error);
 
 #endif

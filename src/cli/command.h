@@ -39,8 +39,8 @@ struct example {
 
 struct command {
     const char *name;
-    const char *group;   /* "photography" */
-    const char *summary; /* one line */
+    const char *group;              /* "photography" */
+    const char *summary;            /* one line */
     const struct example *examples; /* ends with null */
     const struct option *options;
     size_t option_count;
@@ -73,8 +73,8 @@ const struct command *command_find(struct text name);
 /* The options of every command, and the struct they fill. */
 struct common {
     bool explain, csv, tsv, json, jsonl, nominal, force, fail_fast, help;
-    const char *format, *columns, *output, *lensdb, *batch, *batch_format, *table, *plot;
-    int units;
+    const char *columns, *output, *lensdb, *batch, *table, *plot;
+    int format, batch_format, units;
     long digits;
 };
 

@@ -10,11 +10,32 @@ static const struct word unit_words[] = {
     {NULL, NULL},
 };
 
+/* In the order of formats[]. */
+static const struct word format_words[] = {
+    {"text", "aligned table with units"},
+    {"csv", "comma-separated values"},
+    {"tsv", "tab-separated values"},
+    {"json", "one JSON object"},
+    {"jsonl", "one JSON object a row"},
+    {"markdown", "table for a document"},
+    {"html", "page to print"},
+    {NULL, NULL},
+};
+
+/* In the order of enum batch_format. */
+static const struct word batch_format_words[] = {
+    {"auto", "as the first line looks"},
+    {"csv", "comma-separated values"},
+    {"tsv", "tab-separated values"},
+    {"jsonl", "one JSON object a row"},
+    {NULL, NULL},
+};
+
 #define COMMON(member_name) OPTION(struct common, member_name)
 
 const struct option common_options[] = {
-    {COMMON(format), .name = "format", .value = "FORMAT", .fallback = "text",
-     .help = "text, csv, tsv, json, jsonl, markdown or html"},
+    {COMMON(format), .name = "format", .value = "FORMAT", .words = format_words, .fallback = "text",
+     .help = "how to print"},
     {COMMON(csv), .name = "csv", .help = "short for --format csv"},
     {COMMON(tsv), .name = "tsv", .help = "short for --format tsv"},
     {COMMON(json), .name = "json", .help = "short for --format json"},
@@ -34,8 +55,8 @@ const struct option common_options[] = {
      .help = "f-numbers, times and ISO are labels of stop series: use their exact values"},
     {COMMON(batch), .name = "batch", .value = "FILE", .flags = OPTION_FILE,
      .help = "read inputs as rows from FILE, or from standard input with -"},
-    {COMMON(batch_format), .name = "batch-format", .value = "FORMAT",
-     .help = "csv, tsv or jsonl (otherwise seen from the first line)"},
+    {COMMON(batch_format), .name = "batch-format", .value = "FORMAT", .words = batch_format_words,
+     .fallback = "auto", .help = "what the rows of --batch are"},
     {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},
     {COMMON(force), .name = "force", .help = "sweep even over more than a million rows"},
     {COMMON(output), .name = "output", .letter = 'o', .value = "FILE", .flags = OPTION_FILE,

@@ -60,7 +60,8 @@ static bool read_specification(const struct collection *collection, const char *
                     "--table wants exactly two options with several values, here are %zu",
                     collection->sweep->axis_count);
     }
-    return collection_columns(collection, names, '+', &cross->values, &cross->value_count, error);
+    return collection_columns(collection, names, '+', &cross->values, &cross->value_count, error) ||
+           error_prefix(error, "--table: ");
 }
 
 bool cross_table_check(const struct collection *collection, const char *specification,
@@ -86,8 +87,7 @@ static int compare(const void *a, const void *b)
 }
 
 /* One unit for the whole table: that of the median value. */
-static const struct unit *table_unit(const struct collection *collection,
-                                     const struct shown *shown)
+static const struct unit *table_unit(const struct collection *collection, const struct shown *shown)
 {
     size_t total = collection->sweep->total, count = 0;
     double *values = ARENA_ARRAY(collection->arena, total, double);
@@ -107,8 +107,8 @@ static const struct unit *table_unit(const struct collection *collection,
 /* The column in metres, so that readable_unit may choose feet and inches or millimetres. */
 static struct shown for_people(const struct collection *collection, struct shown shown)
 {
-    if (shown.column->unit != NULL && shown.unit != NULL &&
-        collection->units == UNITS_IMPERIAL && strcmp(shown.unit->name, "ft") == 0) {
+    if (shown.column->unit != NULL && shown.unit != NULL && collection->units == UNITS_IMPERIAL &&
+        strcmp(shown.unit->name, "ft") == 0) {
         shown.unit = unit_find(shown.column->dimension, text_of(shown.column->unit));
     }
     return shown;
@@ -120,7 +120,7 @@ static const char *unit_words(const struct shown *shown, const struct unit *unit
         return "";
     }
     return strcmp(unit->name, "ft") == 0 && strcmp(shown->unit->name, "m") == 0 ? "ft in"
-                                                                                  : unit->label;
+                                                                                : unit->label;
 }
 
 static bool is_machine(const struct report *report)
@@ -172,11 +172,21 @@ static const char *axis_head(const struct collection *collection, const struct a
     return unit ? arena_printf(collection->arena, "%s (%s)", label, axis->unit->label) : label;
 }
 
+/* "distance_m": the output column that repeats the axis, in the unit of its values. */
+static const char *machine_name(const struct collection *collection, const struct axis *axis)
+{
+    const char *name = axis->option->column != NULL ? axis->option->column : axis->option->name;
+    bool unit = axis->unit != NULL && axis->unit->name[0] != '\0';
+    return unit ? arena_printf(collection->arena, "%s_%s", name, axis->unit->name) : name;
+}
+
 static void write_head(const struct collection *collection, const struct cross *cross,
                        const struct report *report, struct grid *grid)
 {
     grid_add_row(grid);
-    grid_set(grid, 0, axis_head(collection, cross->down));
+    grid_set(grid, 0,
+             is_machine(report) ? machine_name(collection, cross->down)
+                                : axis_head(collection, cross->down));
     for (size_t j = 0; j < cross->across->count; j++) {
         const char *value = axis_value(collection, cross->across, j, true);
         if (!is_machine(report)) {
@@ -185,8 +195,9 @@ static void write_head(const struct collection *collection, const struct cross *
         }
         for (size_t k = 0; k < cross->value_count; k++) {
             grid_set(grid, 1 + j * cross->value_count + k,
-                     arena_printf(collection->arena, "%s %s=%s", cross->values[k].name,
-                                  cross->across->option->name, value));
+                     arena_printf(collection->arena, "%s_%s_%s", cross->values[k].name,
+                                  machine_name(collection, cross->across),
+                                  axis_value(collection, cross->across, j, false)));
         }
     }
 }
@@ -240,10 +251,9 @@ bool cross_table_write(const struct collection *collection, const char *specific
     struct grid grid = build(collection, &cross, report);
     if (!is_machine(report)) {
         const void *row = collection_first_row(collection);
-        grid.title = arena_printf(collection->arena, "%s by %s and %s",
-                                  value_words(collection, &cross),
-                                  axis_label(collection, cross.down),
-                                  axis_label(collection, cross.across));
+        grid.title =
+            arena_printf(collection->arena, "%s by %s and %s", value_words(collection, &cross),
+                         axis_label(collection, cross.down), axis_label(collection, cross.across));
         grid.note = row != NULL ? report_assumptions(report, row) : NULL;
     }
     write_grid(report, &grid);

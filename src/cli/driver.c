@@ -91,25 +91,12 @@ static bool choose_format(struct driver *driver, struct error *error)
     if (shorts + arguments_given(&driver->arguments, "format") > 1) {
         return fail(error, ERROR_USAGE, "more than one output format is given");
     }
-    const char *name = common->csv     ? "csv"
-                       : common->tsv   ? "tsv"
-                       : common->json  ? "json"
-                       : common->jsonl ? "jsonl"
-                                       : common->format;
-    struct nearest nearest = {.typed = text_of(name)};
-    for (size_t i = 0; formats[i] != NULL; i++) {
-        if (strcmp(formats[i]->name, name) == 0) {
-            driver->report.format = formats[i];
-            return true;
-        }
-        nearest_offer(&nearest, text_of(formats[i]->name));
-    }
-    fail(error, ERROR_USAGE,
-         "--format '%s' is none of text, csv, tsv, json, jsonl, markdown, html", name);
-    if (nearest.best.start != NULL) {
-        error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
-    }
-    return false;
+    driver->report.format = common->csv     ? &format_csv
+                            : common->tsv   ? &format_tsv
+                            : common->json  ? &format_json
+                            : common->jsonl ? &format_jsonl
+                                            : formats[common->format];
+    return true;
 }
 
 static bool is_for_people(const struct report *report)
@@ -142,12 +129,13 @@ static bool set_up_report(struct driver *driver, struct error *error)
     report->nominal = driver->common.nominal;
     report->units = (enum unit_system)driver->common.units;
     report->many = report->many || driver->is_batch || driver->sweep.total > 1;
-    report->has_error_column =
-        (driver->is_batch || driver->sweep.total > 1) && driver->common.columns == NULL &&
-        (report->format == &format_csv || report->format == &format_tsv);
+    report->has_error_column = (driver->is_batch || driver->sweep.total > 1) &&
+                               driver->common.columns == NULL &&
+                               (report->format == &format_csv || report->format == &format_tsv);
     report->passed_names = driver->batch.passed_names;
     report->passed_count = driver->batch.passed_count;
     struct selection selection = {.columns = driver->common.columns,
+                                  .many = driver->is_batch || driver->sweep.total > 1,
                                   .layout = !is_for_people(report) ? SELECT_ALL
                                             : report->many         ? SELECT_TABLE
                                                                    : SELECT_LIST,
@@ -161,6 +149,11 @@ static bool set_up_report(struct driver *driver, struct error *error)
 static bool set_up_collection(struct driver *driver, struct error *error)
 {
     const struct common *common = &driver->common;
+    if (common->plot != NULL && driver->sweep.total == 1 && !driver->is_batch) {
+        return fail(error, ERROR_USAGE,
+                    "--plot wants an option with several values, such as a "
+                    "range");
+    }
     driver->collects = common->table != NULL || common->plot != NULL;
     if (!driver->collects) {
         return true;
@@ -182,8 +175,7 @@ static bool set_up_collection(struct driver *driver, struct error *error)
     if (common->table != NULL && (format == &format_json || format == &format_jsonl)) {
         return fail(error, ERROR_USAGE, "--table is for text, csv, tsv, markdown and html");
     }
-    return common->table == NULL ||
-           cross_table_check(&driver->collection, common->table, error);
+    return common->table == NULL || cross_table_check(&driver->collection, common->table, error);
 }
 
 static void begin(struct driver *driver)
@@ -290,10 +282,10 @@ static void flush_before_read(void *driver)
 static bool run_batch(struct driver *driver, struct error *error)
 {
     size_t rows = 0;
+    const struct arena_mark mark = arena_mark(&driver->row_arena);
     driver->batch.before_read = flush_before_read;
     driver->batch.waiting = driver;
     for (;; rows++) {
-        struct arena_mark mark = arena_mark(&driver->row_arena);
         enum batch_result result = batch_next(&driver->batch, driver->input, error);
         if (result == BATCH_END) {
             break;
@@ -307,6 +299,7 @@ static bool run_batch(struct driver *driver, struct error *error)
                 error_locate(error, driver->batch.source, driver->batch.line, 0);
             }
             if (driver->common.fail_fast) {
+                error->code = driver->good > 0 ? ERROR_ROWS : error->code;
                 return false;
             }
             emit_failure(driver, error);
@@ -315,7 +308,9 @@ static bool run_batch(struct driver *driver, struct error *error)
         if (driver->output.failure != 0) {
             break;
         }
-        show_progress(driver, rows, false);
+        if (rows % PROGRESS_ROWS == 0) {
+            show_progress(driver, rows, false);
+        }
     }
     show_progress(driver, rows, true);
     return true;
@@ -346,8 +341,8 @@ static const char *plot_subtitle(const struct driver *driver)
         struct error ignored;
         bool given = (column->flags & COLUMN_ECHO) != 0 && column->with != NULL &&
                      asked_given(driver, column->with) && !asked_varied(driver, column->with);
-        if (given && report_find_column(report->sheet, text_of(column->name), report->arena,
-                                        &shown, &ignored)) {
+        if (given && report_find_column(report->sheet, text_of(column->name), report->arena, &shown,
+                                        &ignored)) {
             line = add_words(report, line, &shown, row);
         }
     }
@@ -366,18 +361,31 @@ static bool write_plot(struct driver *driver, struct error *error)
            output_file(driver->common.plot, svg.data, svg.length, &driver->arena, error);
 }
 
+static const char *drawing_path(const struct driver *driver, const struct drawing *drawing)
+{
+    return *(const char **)(void *)((char *)driver->input + drawing->offset);
+}
+
+static bool check_drawings(const struct driver *driver, struct error *error)
+{
+    const struct drawing *drawing = driver->command->drawings;
+    for (; drawing != NULL && drawing->option != NULL; drawing++) {
+        if (drawing_path(driver, drawing) != NULL && driver->report.many) {
+            return fail(error, ERROR_USAGE, "--%s draws one answer: no lists, ranges or --batch",
+                        drawing->option);
+        }
+    }
+    return true;
+}
+
 /* The drawings that options of this command ask for. */
 static bool write_drawings(struct driver *driver, struct error *error)
 {
     const struct drawing *drawing = driver->command->drawings;
     for (; drawing != NULL && drawing->option != NULL; drawing++) {
-        const char *path = *(const char **)(void *)((char *)driver->input + drawing->offset);
+        const char *path = drawing_path(driver, drawing);
         if (path == NULL) {
             continue;
-        }
-        if (driver->is_batch || driver->sweep.total > 1) {
-            return fail(error, ERROR_USAGE, "--%s draws one answer: no lists, ranges or --batch",
-                        drawing->option);
         }
         struct svg svg = {.arena = &driver->arena};
         if (!drawing->draw(driver->input, &svg, error) ||
@@ -419,8 +427,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
         !read_common(driver, error)) {
         return false;
     }
-    driver->db.directory =
-        driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
+    driver->db.directory = driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
     driver->reader.nominal = driver->common.nominal;
     driver->input = arena_array(&driver->arena, 1, command->input_size);
     return true;
@@ -444,19 +451,21 @@ static bool ask(struct driver *driver, struct error *error)
     driver->is_batch = common->batch != NULL;
     if (driver->is_batch) {
         if (driver->sweep.total > 1) {
-            return fail(error, ERROR_USAGE, "--batch and options with several values exclude each "
-                                            "other");
+            return fail(error, ERROR_USAGE,
+                        "--batch and options with several values exclude each "
+                        "other");
         }
         void *constants = arena_array(&driver->arena, 1, command->input_size);
         memcpy(constants, driver->input, command->input_size);
         /* what the header needs lies below the first row's mark and stays */
         driver->reader.arena = &driver->row_arena;
-        if (!batch_open(&driver->batch, common->batch, common->batch_format, &driver->arguments,
-                        &driver->reader, constants, error)) {
+        if (!batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
+                        &driver->arguments, &driver->reader, constants, error)) {
             return false;
         }
     }
     return set_up_report(driver, error) && set_up_collection(driver, error) &&
+           check_drawings(driver, error) &&
            output_open(&driver->output, common->output, &driver->arena, error) &&
            (driver->is_open = true);
 }

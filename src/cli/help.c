@@ -70,9 +70,10 @@ void help_write(const struct command *command, struct output *output, struct are
     for (size_t i = 0; i < common_option_count; i++) {
         write_option(&common_options[i], output, arena);
     }
-    output_printf(output, "\nUnits may always be written (50mm 10ft 5ft6in 1/125s); a list 1.4,2,2.8 "
-                          "or a range 1..10:0.5\nsweeps an option. More in lenscalc-%s(1) and "
-                          "lenscalc(1).\n",
+    output_printf(output,
+                  "\nUnits may always be written (50mm 10ft 5ft6in 1/125s); a list 1.4,2,2.8 "
+                  "or a range 1..10:0.5\nsweeps an option. More in lenscalc-%s(1) and "
+                  "lenscalc(1).\n",
                   command->name);
 }
 
@@ -102,6 +103,10 @@ void help_write_overview(struct output *output)
             output_printf(output, "\n%s:\n", group);
         }
         output_printf(output, "  %-12s %s\n", commands[i]->name, commands[i]->summary);
+    }
+    output_string(output, "\ntopics (lenscalc help TOPIC):\n");
+    for (const struct topic_text *topic = help_topics; topic->name != NULL; topic++) {
+        output_printf(output, "  %-12s %s\n", topic->name, topic->summary);
     }
     output_string(output, "\nFor example:\n"
                           "  lenscalc dof -f 50mm -N 2.8 -s 3m\n"

@@ -14,6 +14,16 @@ void help_write(const struct command *command, struct output *output, struct are
 /* What there is: all commands by group. */
 void help_write_overview(struct output *output);
 
+/* What all commands have in common, by topic; ends with a null name. */
+struct topic_text {
+    const char *name, *summary, *text;
+};
+
+extern const struct topic_text help_topics[];
+
+/* The topic of this name; null if there is none. */
+const struct topic_text *help_topic_find(const char *name);
+
 /* Short help for who typed the name alone, on standard error. */
 void help_short(void);
 

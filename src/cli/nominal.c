@@ -67,8 +67,8 @@ static bool no_label(const struct neighbours *around, struct error *error)
     return fail(error, ERROR_USAGE, "no label of a stop series, as --nominal wants%s", words);
 }
 
-bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double label, double *exact,
-                 struct error *error)
+bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double label,
+                   double *exact, struct error *error)
 {
     struct neighbours around = {0};
     for (size_t i = 0; i < SERIES; i++) {
@@ -108,8 +108,8 @@ static void collect(struct lensdb *db, const struct series *series, size_t from,
 }
 
 bool nominal_between(struct lensdb *db, const struct dimension *dimension, const char *name,
-                   double first, double last, bool exact, double **values, size_t *count,
-                   struct error *error)
+                     double first, double last, bool exact, double **values, size_t *count,
+                     struct error *error)
 {
     *count = 0;
     error->code = ERROR_NONE;

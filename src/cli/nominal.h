@@ -13,8 +13,8 @@
  *
  * Errors    ERROR_USAGE: no series has this label; the neighbours are named
  */
-bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double label, double *exact,
-                 struct error *error);
+bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double label,
+                   double *exact, struct error *error);
 
 /*
  * All labels between two labels of one series, in the order from first to last.
@@ -26,7 +26,7 @@ bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double 
  * Errors    ERROR_USAGE: no such series, or an end is none of its labels
  */
 bool nominal_between(struct lensdb *db, const struct dimension *dimension, const char *series,
-                   double first, double last, bool exact, double **values, size_t *count,
-                   struct error *error);
+                     double first, double last, bool exact, double **values, size_t *count,
+                     struct error *error);
 
 #endif

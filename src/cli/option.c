@@ -119,8 +119,8 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
     return true;
 }
 
-static bool read_choice(const struct reader *reader, const struct option *option,
-                        struct text text, void *member, struct error *error)
+static bool read_choice(const struct reader *reader, const struct option *option, struct text text,
+                        void *member, struct error *error)
 {
     (void)reader;
     struct nearest nearest = {.typed = text_trim(text)};
@@ -181,6 +181,7 @@ static bool read_count(const struct reader *reader, const struct option *option,
                     (int)(text.length < 60 ? text.length : 60), text.start);
     }
     if (!option_check_range(option, value, error)) {
+        error->code = ERROR_USAGE; /* a count is no physics */
         return false;
     }
     *(long *)member = (long)value;

@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/quantity.h"
+#include "cli/option_light.h"
 #include "file/lensdb.h"
 #include "photo/format.h"
 
@@ -32,12 +33,12 @@ struct option_kind {
 };
 
 extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
-    kind_sensor, kind_coc;
+    kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series;
 
 /* A sensor as the user named it. */
 struct sensor_value {
-    struct sensor size; /* mm */
-    const char *name;   /* as printed: "35mm (36 x 24 mm)" */
+    struct sensor size;     /* mm */
+    const char *name;       /* as printed: "35mm (36 x 24 mm)" */
     const char *pitch_note; /* what to know of the pixel pitch; null = nothing */
 };
 
@@ -60,7 +61,11 @@ struct coc_value {
         bool: &kind_flag,                                                                          \
         const char *: &kind_text,                                                                  \
         struct sensor_value: &kind_sensor,                                                         \
-        struct coc_value: &kind_coc)
+        struct coc_value: &kind_coc,                                                               \
+        struct loss_value: &kind_loss,                                                             \
+        struct film_value: &kind_film,                                                             \
+        struct scene_value: &kind_scene,                                                           \
+        struct series_value: &kind_series)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
 

@@ -8,8 +8,7 @@
 #include <math.h>
 
 /* A length or number above 0 and finite. */
-#define OPTION_POSITIVE                                                                            \
-    .lowest = 0, .highest = INFINITY
+#define OPTION_POSITIVE .lowest = 0, .highest = INFINITY
 
 #define OPTION_FOCAL_LENGTH(S, member, more)                                                       \
     {                                                                                              \
@@ -41,8 +40,9 @@
                            .dimension = &dimension_length, .unit = "mm", .lowest = 0,              \
                            .highest = INFINITY, .flags = OPTION_NO_INFINITY | (more),              \
                            .fallback = (fallback_text), .value = "LENGTH",                         \
-                           .help = "circle of confusion: a diameter, d/1500 of the sensor's "      \
-                                   "diagonal, 2px, airy, or print"                                 \
+                           .help = "circle of confusion: a diameter, d/1500 (part of the "         \
+                                   "sensor's diagonal), 2px (pixels), airy (the disc of "          \
+                                   "diffraction), print (seen on a print)"                         \
     }
 
 #define OPTION_SENSOR(S, member)                                                                   \

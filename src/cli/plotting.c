@@ -31,12 +31,14 @@ static bool choose_x(const struct collection *collection, struct layout *layout,
         stride *= axis->count;
     }
     if (layout->x == NULL) {
-        return fail(error, ERROR_USAGE, "--plot wants an option with several values, such as a "
-                                        "range");
+        return fail(error, ERROR_USAGE,
+                    "--plot wants an option with several values, such as a "
+                    "range");
     }
     layout->groups = sweep->total / layout->x->count;
     if (layout->groups * layout->shown_count > 64) {
-        return fail(error, ERROR_USAGE, "--plot would draw %zu curves: at most 64 can be told apart",
+        return fail(error, ERROR_USAGE,
+                    "--plot would draw %zu curves: at most 64 can be told apart",
                     layout->groups * layout->shown_count);
     }
     return true;
@@ -87,8 +89,8 @@ static const char *group_words(const struct collection *collection, const struct
     return words;
 }
 
-static double *curve(const struct collection *collection, const struct layout *layout,
-                     size_t group, const struct shown *shown)
+static double *curve(const struct collection *collection, const struct layout *layout, size_t group,
+                     const struct shown *shown)
 {
     double *y = ARENA_ARRAY(collection->arena, layout->x->count, double);
     for (size_t i = 0; i < layout->x->count; i++) {
@@ -117,7 +119,7 @@ static void add_curves(const struct collection *collection, const struct layout 
             one->y = curve(collection, layout, g, &layout->shown[k]);
             one->style = groups > 1 ? g : k;
             /* near and far of a group look alike: one label is enough */
-            one->label = groups == 1 ? column_label(&layout->shown[k])
+            one->label = groups == 1                        ? column_label(&layout->shown[k])
                          : k + 1 == columns || columns == 1 ? group_words(collection, layout, g)
                                                             : NULL;
         }
@@ -152,8 +154,8 @@ static const char *title_words(const struct collection *collection, const struct
     return words;
 }
 
-bool collection_plot(const struct collection *collection, const char *columns,
-                     const char *subtitle, struct svg *svg, struct error *error)
+bool collection_plot(const struct collection *collection, const char *columns, const char *subtitle,
+                     struct svg *svg, struct error *error)
 {
     struct layout layout = {0};
     if (columns == NULL) {

@@ -21,3 +21,8 @@ bool sharpness_resolve(const struct sharpness *a, double fnumber, double *c, str
     coc.fnumber = fnumber;
     return coc_resolve(&coc, &sensor, c, error);
 }
+
+double sharpness_wavelength(const struct sharpness *a)
+{
+    return a->coc.coc.kind == COC_AIRY ? a->wavelength : NAN;
+}

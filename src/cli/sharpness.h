@@ -9,10 +9,10 @@
 struct sharpness {
     struct coc_value coc;
     struct sensor_value sensor;
-    double pitch;           /* mm; NaN = that of the sensor */
-    double print, viewing;  /* mm */
-    double acuity;          /* line pairs per mm at 25 cm */
-    double wavelength;      /* mm */
+    double pitch;          /* mm; NaN = that of the sensor */
+    double print, viewing; /* mm */
+    double acuity;         /* line pairs per mm at 25 cm */
+    double wavelength;     /* mm */
 };
 
 /* Initialisers of the options for a member of that type in a command's input. */
@@ -21,6 +21,10 @@ struct sharpness {
         OPTION_PITCH(S, member.pitch), OPTION_PRINT(S, member.print),                              \
         OPTION_VIEWING(S, member.viewing), OPTION_ACUITY(S, member.acuity),                        \
         OPTION_WAVELENGTH(S, member.wavelength)
+
+/* What the circle of confusion follows from; with a wish it may be the unknown of every row. */
+#define SHARPNESS_DEPENDS                                                                          \
+    "coc sensor pitch print viewing acuity wavelength +near +far +dof +hyperfocal"
 
 /*
  * The circle of confusion.
@@ -31,5 +35,8 @@ struct sharpness {
  */
 bool sharpness_resolve(const struct sharpness *sharpness, double fnumber, double *c,
                        struct error *error);
+
+/* The wavelength, mm, where the criterion follows from it; else NaN. */
+double sharpness_wavelength(const struct sharpness *sharpness);
 
 #endif

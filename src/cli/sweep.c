@@ -100,13 +100,20 @@ static bool split_range(struct text text, struct range *range)
     return true;
 }
 
+/* Say which option's range was wrong, before what was wrong with one of its numbers. */
+static bool blame(const struct values *values, struct text text, struct error *error)
+{
+    return error_prefix(error, "bad range in --%s, '%.*s': ", values->option->name,
+                        (int)(text.length < 60 ? text.length : 60), text.start);
+}
+
 static bool read_number(const struct values *values, struct text text, const struct unit *unit,
                         double *number, const struct unit **typed, struct error *error)
 {
     if (quantity_read(text, values->option->dimension, unit, number, typed, error)) {
         return true;
     }
-    return error_prefix(error, "bad range in --%s: ", values->option->name);
+    return blame(values, text, error);
 }
 
 /* Both ends; a bare end takes the unit of the other one. */
@@ -118,7 +125,8 @@ static bool read_ends(const struct values *values, struct range *range, struct e
         return false;
     }
     range->unit = right != NULL ? right : left != NULL ? left : usual;
-    if (left == NULL && !read_number(values, range->first, range->unit, &range->from, NULL, error)) {
+    if (left == NULL &&
+        !read_number(values, range->first, range->unit, &range->from, NULL, error)) {
         return false;
     }
     if (right == NULL && !read_number(values, range->last, range->unit, &range->to, NULL, error)) {
@@ -133,8 +141,7 @@ static bool read_ends(const struct values *values, struct range *range, struct e
 static bool add_steps(struct values *values, const struct range *range, struct error *error)
 {
     double step = unit_to_own(range->unit, 1);
-    if (range->kind == ':' &&
-        !read_number(values, range->tail, range->unit, &step, NULL, error)) {
+    if (range->kind == ':' && !read_number(values, range->tail, range->unit, &step, NULL, error)) {
         return false;
     }
     double span = range->to - range->from;
@@ -163,7 +170,7 @@ static bool add_factors(struct values *values, const struct range *range, struct
 {
     double factor;
     if (!quantity_read(range->tail, &dimension_number, NULL, &factor, NULL, error)) {
-        return error_prefix(error, "bad range in --%s: ", values->option->name);
+        return blame(values, range->text, error);
     }
     double ratio = range->to / range->from;
     if (!(range->from > 0 && range->to > 0)) {
@@ -177,7 +184,11 @@ static bool add_factors(struct values *values, const struct range *range, struct
         return too_many(values->option, error);
     }
     for (size_t i = 0; i <= (size_t)steps; i++) {
-        if (!add_number(values, range->from * pow(factor, (double)i), error)) {
+        double value = range->from * pow(factor, (double)i);
+        if (fabs(value - range->to) <= 1e-9 * range->to) {
+            value = range->to; /* the end as it was typed */
+        }
+        if (!add_number(values, value, error)) {
             return false;
         }
     }
@@ -188,7 +199,7 @@ static bool add_points(struct values *values, const struct range *range, struct 
 {
     double count;
     if (!quantity_read(range->tail, &dimension_number, NULL, &count, NULL, error)) {
-        return error_prefix(error, "bad range in --%s: ", values->option->name);
+        return blame(values, range->text, error);
     }
     if (!(count >= 2) || count != floor(count)) {
         return range_fail(values, range, "'#' wants a whole number of points, 2 or more", error);
@@ -198,8 +209,9 @@ static bool add_points(struct values *values, const struct range *range, struct 
     }
     size_t last = (size_t)count - 1;
     for (size_t i = 0; i <= last; i++) {
-        double at = i == last ? range->to
-                              : range->from + (double)i * ((range->to - range->from) / (double)last);
+        double at = i == last
+                        ? range->to
+                        : range->from + (double)i * ((range->to - range->from) / (double)last);
         if (!add_number(values, at, error)) {
             return false;
         }
@@ -223,8 +235,8 @@ static bool add_series(struct values *values, const struct range *range, bool *a
         return name == NULL || range_fail(values, range, "it has no stop series", error);
     }
     if (!nominal_between(values->reader->db, dimension, name, range->from, range->to,
-                       values->reader->nominal, &stops, &count, error)) {
-        return error_prefix(error, "bad range in --%s: ", values->option->name);
+                         values->reader->nominal, &stops, &count, error)) {
+        return blame(values, range->text, error);
     }
     for (size_t i = 0; i < count; i++) {
         if (!add_number(values, stops[i], error)) {

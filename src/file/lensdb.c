@@ -125,8 +125,8 @@ static size_t column_or_none(const struct tsv *tsv, const char *name)
     return tsv_column(tsv, name, &column, &ignored) ? column : TSV_MOST_COLUMNS;
 }
 
-bool lensdb_sensors_open(struct lensdb_sensors *sensors, struct lensdb *db,
-                         enum lensdb_place place, bool cameras, struct error *error)
+bool lensdb_sensors_open(struct lensdb_sensors *sensors, struct lensdb *db, enum lensdb_place place,
+                         bool cameras, struct error *error)
 {
     const char *file = cameras ? "cameras.tsv" : "formats.tsv";
     sensors->place = place;
@@ -266,7 +266,6 @@ static bool search_table(struct lensdb *db, enum lensdb_place place, bool camera
     }
     while (search->quality < 2 && lensdb_sensors_next(&sensors, &sensor, error)) {
         int quality = answers_to(&sensor, search->name);
-        nearest_offer(&search->nearest, sensor.name);
         if (quality == 1 && search->quality == 1) {
             search->ambiguous = true;
             search->second = sensor;
@@ -278,9 +277,37 @@ static bool search_table(struct lensdb *db, enum lensdb_place place, bool camera
     return search->quality == 2 || error->code == ERROR_NONE;
 }
 
-static bool not_found(const struct search *search, struct error *error)
+/* Offer all names of one table to the search for the nearest. */
+static void offer_names(struct lensdb *db, enum lensdb_place place, bool cameras,
+                        struct nearest *nearest)
+{
+    struct lensdb_sensors sensors;
+    struct lensdb_sensor sensor;
+    struct error ignored;
+    if (!lensdb_sensors_open(&sensors, db, place, cameras, &ignored)) {
+        return;
+    }
+    while (lensdb_sensors_next(&sensors, &sensor, &ignored)) {
+        nearest_offer(nearest, sensor.name);
+        while (sensor.aliases.start != NULL && sensor.aliases.length > 0) {
+            nearest_offer(nearest, text_cut(&sensor.aliases, ','));
+        }
+        if (cameras) {
+            nearest_offer(nearest,
+                          text_of(arena_printf(db->arena, "%.*s %.*s", (int)sensor.maker.length,
+                                               sensor.maker.start, (int)sensor.name.length,
+                                               sensor.name.start)));
+        }
+    }
+}
+
+static bool not_found(struct lensdb *db, struct search *search, struct error *error)
 {
     struct text name = search->name;
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
+        offer_names(db, place, false, &search->nearest);
+        offer_names(db, place, true, &search->nearest);
+    }
     fail(error, ERROR_USAGE, "there is no format or camera '%.*s'",
          (int)(name.length < 80 ? name.length : 80), name.start);
     if (search->nearest.best.start != NULL) {
@@ -297,14 +324,15 @@ bool lensdb_find_sensor(struct lensdb *db, struct text name, struct lensdb_senso
                         struct error *error)
 {
     struct search search = {.name = text_trim(name), .nearest = {.typed = text_trim(name)}};
-    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES && search.quality == 0; place++) {
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES && search.quality == 0;
+         place++) {
         if (!search_table(db, place, false, &search, error) ||
             (search.quality == 0 && !search_table(db, place, true, &search, error))) {
             return false;
         }
     }
     if (search.quality == 0) {
-        return not_found(&search, error);
+        return not_found(db, &search, error);
     }
     if (search.ambiguous && search.quality == 1) {
         return fail(error, ERROR_USAGE, "'%.*s' is a camera of %.*s and of %.*s: say which",

@@ -36,7 +36,7 @@ struct lensdb_sensor {
     struct text name;  /* of the format, or the camera's model */
     struct text aliases;
     struct text class, pitch_from, confidence, source;
-    struct sensor size; /* pitch in mm, NaN if unknown */
+    struct sensor size;              /* pitch in mm, NaN if unknown */
     double pixels_wide, pixels_high; /* NaN if unknown */
     enum lensdb_place place;
 };
@@ -50,8 +50,8 @@ struct lensdb_sensors {
         confidence, source;
 };
 
-bool lensdb_sensors_open(struct lensdb_sensors *sensors, struct lensdb *db,
-                         enum lensdb_place place, bool cameras, struct error *error);
+bool lensdb_sensors_open(struct lensdb_sensors *sensors, struct lensdb *db, enum lensdb_place place,
+                         bool cameras, struct error *error);
 
 /* The next one; false at the end with error->code ERROR_NONE, or for a bad row. */
 bool lensdb_sensors_next(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
@@ -70,8 +70,8 @@ bool lensdb_find_sensor(struct lensdb *db, struct text name, struct lensdb_senso
 /* One label of a stop series and its exact value. */
 struct lensdb_stop {
     struct text label, note;
-    double value; /* the label as a number, in the program's own unit */
-    double exact; /* 2^(step/2d), 2^(-step/d) s or 3.125 x 2^(step/d) */
+    double value;      /* the label as a number, in the program's own unit */
+    double exact;      /* 2^(step/2d), 2^(-step/d) s or 3.125 x 2^(step/d) */
     int step, divisor; /* d: 1 full, 2 half, 3 third stops */
 };
 

@@ -59,10 +59,11 @@ struct diffraction_optimum {
  * Formula   N_eff = N (1 + m/P), l the wavelength in mm. Airy diameter 2 x 1.2196698912665045 l
  *           N_eff (first zero of J1 3.8317059702075123 over pi), cut-off 1/(l N_eff), Rayleigh =
  *           Airy radius, Sparrow 0.94715525270918554 l N_eff (where I''(r/2) = 0 for I = (2
- * J1(x)/x)^2) Source    Born and Wolf, Principles of Optics, 8.5.2; Sparrow, Astrophys. J. 44
- * (1916) 76 Errors    values outside the ranges of struct diffraction_setting Limits    scalar,
- * paraxial: below f/1.4 or so use N_eff = 1/(2 sin theta'); f/64 at 500 nm gives the radius 0.03903
- * mm with the exact constant, 0.03904 with 1.22
+ *           J1(x)/x)^2)
+ * Source    Born and Wolf, Principles of Optics, 8.5.2; Sparrow, Astrophys. J. 44 (1916) 76
+ * Errors    values outside the ranges of struct diffraction_setting
+ * Limits    scalar, paraxial: below f/1.4 or so use N_eff = 1/(2 sin theta'); f/64 at 500 nm gives
+ *           the radius 0.03903 mm with the exact constant, 0.03904 with 1.22
  */
 bool diffraction_compute(const struct diffraction_setting *setting, struct diffraction *result,
                          struct error *error);
@@ -79,7 +80,7 @@ bool diffraction_compute(const struct diffraction_setting *setting, struct diffr
  * Errors    nu below 0, a setting out of range
  * Limits    the product of lens and defocus is an approximation, good for a blur well above or well
  *           below the Airy disc; in between Hopkins' integral is some percent higher. Past a zero
- * of the defocus factor contrast is reversed; the modulus is given
+ *           of the defocus factor contrast is reversed; the modulus is given
  */
 bool diffraction_mtf_at(const struct diffraction_setting *setting, double nu,
                         struct diffraction_mtf *mtf, struct error *error);
@@ -139,7 +140,8 @@ bool diffraction_focus_spread(double f, double near, double far, double *spread,
  *
  * Given     diameter of the entrance pupil, mm, > 0 (f/N); wavelength um
  * Formula   Rayleigh 1.2196698912665045 l/D, Sparrow 0.94715525270918554 l/D, Dawes 116
- * arcsec/D(mm) Source    Dawes 1867, an empirical rule for two equal stars, whatever the wavelength
+ *           arcsec/D(mm)
+ * Source    Dawes 1867, an empirical rule for two equal stars, whatever the wavelength
  * Errors    values out of range
  */
 bool diffraction_resolve(double diameter, double wavelength, struct diffraction_angles *angles,

@@ -23,7 +23,7 @@ extern const struct word distances_from[DISTANCES_FROM + 1];
  * Given     setting  complete
  * Result    mm: 0; for the sensor the image distance v = f s/(s - f) (the lens stands between);
  *           for the entrance pupil -f(1 - 1/P)
- * Source    [Ray02] ch. 22, thin lens
+ * Source    [Ray02], thin lens
  */
 double distance_offset(const struct dof_setting *setting, enum distance_from from);
 

@@ -72,7 +72,8 @@ static inline void limits(const struct dof_setting *a, double e, double p, struc
     double unit = finite ? 1 : m, weight = finite ? eps : e;
     double subject = finite ? s : d->image, room = finite ? X : f + fp * m;
     double den = unit + weight, num = subject + q * weight;
-    double C = -room * weight / (den * num), S = subject * unit * (1 - ep) / (den * num);
+    double scale = 1 / (den * num);
+    double C = -room * weight * scale, S = subject * unit * (1 - ep) * scale;
     d->hyperfocal = f / e + f;
     d->near = num / den;
     d->near_vergence = den / num;
@@ -81,7 +82,8 @@ static inline void limits(const struct dof_setting *a, double e, double p, struc
     d->image_near = ep < 1 ? f + f * ((m + e) / (1 - ep)) : INFINITY;
 
     if (finite) {
-        double rest = 1 - eps, scale = 1 / (rest * (s - q * eps));
+        double rest = 1 - eps;
+        scale = 1 / (rest * (s - q * eps));
         double behind = X * eps / rest;
         C = X * eps * scale;
         S = s * (1 + ep) * scale;

@@ -14,45 +14,53 @@ static bool check_range(const struct dof_setting *a, double near, double far, do
 {
     struct dof_setting anywhere = *a;
     anywhere.s = INFINITY;
-    if (!dof_check(&anywhere, error))
+    if (!dof_check(&anywhere, error)) {
         return false;
-    if (!(near > a->f))
+    }
+    if (!(near > a->f)) {
         return fail(error, ERROR_DOMAIN,
                     "near limit %.15g mm lies within the focal length %.15g mm: no real image",
                     near, a->f);
-    if (!(near < far))
+    }
+    if (!(near < far)) {
         return fail(error, ERROR_DOMAIN,
                     "near limit %.15g mm must lie before the far limit %.15g mm", near, far);
-    if (!(overlap >= 0 && overlap <= 0.95))
+    }
+    if (!(overlap >= 0 && overlap <= 0.95)) {
         return fail(error, ERROR_DOMAIN, "overlap %.15g must be 0 to 0.95", overlap);
+    }
     double h = a->N * a->c / a->f / a->P;
-    if (!(h > 0))
+    if (!(h > 0)) {
         return fail(error, ERROR_DOMAIN,
                     "circle of confusion %.15g mm must be above 0 mm: without blur no number of "
                     "shots is enough",
                     a->c);
-    if (!(h < 1))
+    }
+    if (!(h < 1)) {
         return fail(error, ERROR_DOMAIN,
                     "circle of confusion %.15g mm must be below the pupil's %.15g mm: any focus "
                     "covers everything",
                     a->c, a->f * a->P / a->N);
+    }
     return true;
 }
 
 bool dof_plan_make(const struct dof_setting *setting, double near, double far, double overlap,
                    struct dof_plan *plan, struct error *error)
 {
-    if (!check_range(setting, near, far, overlap, error))
+    if (!check_range(setting, near, far, overlap, error)) {
         return false;
+    }
     double f = setting->f, P = setting->P, h = setting->N * setting->c / f / P;
     /* Z'/f of the first and the last focus */
     double first = (f / (near - f) + P) * (1 - h), last = (f / (far - f) + P) * (1 + h);
     double way = log(last / first), step = log1p(-(1 - overlap) * 2 * h / (1 + h));
     double steps = way < 0 ? ceil(way / step - COUNT_TOLERANCE) : 0;
-    if (!(steps < DOF_PLAN_LIMIT))
+    if (!(steps < DOF_PLAN_LIMIT)) {
         return fail(error, ERROR_DOMAIN,
                     "%.15g shots are needed from %.15g mm to %.15g mm; at most %d are planned",
                     steps + 1, near, far, (int)DOF_PLAN_LIMIT);
+    }
     plan->setting = *setting;
     plan->count = (long)steps + 1;
     plan->first = plan->count > 1 ? first : sqrt(first * last);
@@ -63,8 +71,9 @@ bool dof_plan_make(const struct dof_setting *setting, double near, double far, d
 bool dof_plan_shot(const struct dof_plan *plan, long index, struct dof_setting *shot,
                    struct dof *dof, struct error *error)
 {
-    if (index < 0 || index >= plan->count)
+    if (index < 0 || index >= plan->count) {
         return fail(error, ERROR_DOMAIN, "shot %ld must be 0 to %ld", index, plan->count - 1);
+    }
     double f = plan->setting.f;
     double m =
         (plan->first - plan->setting.P) + plan->first * expm1(plan->log_step * (double)index);
@@ -76,10 +85,12 @@ bool dof_plan_shot(const struct dof_plan *plan, long index, struct dof_setting *
 bool dof_equal(const struct dof_setting *setting, double k, struct dof_setting *other,
                struct error *error)
 {
-    if (!dof_check(setting, error))
+    if (!dof_check(setting, error)) {
         return false;
-    if (!(k > 0 && k < INFINITY))
+    }
+    if (!(k > 0 && k < INFINITY)) {
         return fail(error, ERROR_DOMAIN, "ratio of formats %.15g must be above 0 and finite", k);
+    }
     double f = setting->f, s = setting->s;
     struct dof_setting b = *setting;
     b.f = s < INFINITY ? k * f * (s / (s - f + k * f)) : k * f;
@@ -87,16 +98,19 @@ bool dof_equal(const struct dof_setting *setting, double k, struct dof_setting *
     b.N = setting->N * (b.f / f);
     if (setting->P != 1 && setting->c > 0) { /* 1 as typed: not a computed value */
         struct dof d;
-        if (!dof_compute(setting, DOF_EXACT, &d, error))
+        if (!dof_compute(setting, DOF_EXACT, &d, error)) {
             return false;
+        }
         struct dof_targets same = {NAN, NAN, NAN, NAN, NAN};
-        if (d.total < INFINITY)
+        if (d.total < INFINITY) {
             same.total = d.total;
-        else
+        } else {
             same.near = d.near;
+        }
         b.N = NAN;
-        if (!dof_solve(&b, &same, error))
+        if (!dof_solve(&b, &same, error)) {
             return false;
+        }
     }
     *other = b;
     return dof_check(other, error);

@@ -26,15 +26,16 @@ struct dof_plan {
  *           near, far  mm from the front principal plane; f < near < far; far may be inf
  *           overlap    0 .. 0.95, the part of a shot's image-side depth of focus (image_near -
  *                      image_far) that the next shot covers again, at least
- * Result    plan       for dof_plan_shot. The first shot's near limit is `near`, the last one's far
- *                      limit is `far`, and the steps between are equal ratios; spreading them
- * evenly makes the overlap a little larger than asked. One shot that covers more than is wanted has
- * its surplus divided evenly. Formula   Z' = f(m + P) image from exit pupil, h = N c/(f P): a shot
- * covers Z'/(1 + h) .. Z'/(1 - h). Overlap o: ratio of successive Z' = 1 - (1 - o) 2h/(1 + h)
+ * Result    plan for dof_plan_shot. The first shot's near limit is `near`, the last one's far limit
+ *           is `far`, and the steps between are equal ratios; spreading them evenly makes the
+ *           overlap a little larger than asked. One shot that covers more than is wanted has its
+ *           surplus divided evenly.
+ * Formula   Z' = f(m + P) image from exit pupil, h = N c/(f P): a shot covers Z'/(1 + h) .. Z'/(1 -
+ *           h). Overlap o: ratio of successive Z' = 1 - (1 - o) 2h/(1 + h)
  * Source    Derived here: photo/dof.h, image side
  * Errors    as dof_check; near <= f, near >= far; overlap out of range; c = 0; N c >= f P, where
- * any focus covers everything; more than DOF_PLAN_LIMIT shots Limits    The lens moves as a whole
- * (f and P keep their values).
+ *           any focus covers everything; more than DOF_PLAN_LIMIT shots
+ * Limits    The lens moves as a whole (f and P keep their values).
  */
 bool dof_plan_make(const struct dof_setting *setting, double near, double far, double overlap,
                    struct dof_plan *plan, struct error *error);

@@ -3,12 +3,9 @@
 #include "photo/dof_solve.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/roots.h"
-
-enum unknown { FOCAL = 1, FNUMBER = 2, DISTANCE = 4, COC = 8, PRODUCT = FNUMBER | COC };
-enum target { NEAR = 1, FAR = 2, TOTAL = 4, HYPERFOCAL = 8, MAGNIFICATION = 16 };
+#include "photo/dof_problem.h"
 
 /* How far the setting found may miss a target, relative, times the target's condition. */
 #define TOLERANCE 1e-9
@@ -16,174 +13,6 @@ enum target { NEAR = 1, FAR = 2, TOTAL = 4, HYPERFOCAL = 8, MAGNIFICATION = 16 }
 /* The focal lengths tried, each so much shorter than the last: 13 decades. */
 #define SCAN_RATIO 0.9
 enum { SCAN_STEPS = 300 };
-
-/* The bits of a set, as the options that a user knows. */
-struct bit_word {
-    unsigned bit;
-    const char *word;
-};
-
-static const struct bit_word unknown_words[] = {
-    {FOCAL, "--focal-length"}, {FNUMBER, "--aperture"}, {DISTANCE, "--distance"}, {COC, "--coc"}};
-
-static const struct bit_word target_words[] = {{NEAR, "--near"},
-                                               {FAR, "--far"},
-                                               {TOTAL, "--dof"},
-                                               {HYPERFOCAL, "--hyperfocal"},
-                                               {MAGNIFICATION, "--magnification"}};
-
-enum { UNKNOWN_WORDS = 4, TARGET_WORDS = 5, LIST_LENGTH = 96 };
-
-/* What is still unknown and what is still unused. */
-struct problem {
-    struct dof_setting a;
-    struct dof_targets t;
-    unsigned unknown;
-    unsigned open;
-};
-
-static unsigned count_bits(unsigned set)
-{
-    unsigned count = 0;
-    for (; set; set &= set - 1)
-        count++;
-    return count;
-}
-
-/* Write the words of a set, "--near, --far"; "nothing" for the empty one. */
-static const char *list(char to[LIST_LENGTH], const struct bit_word *words, int count, unsigned set)
-{
-    to[0] = '\0';
-    for (int i = 0; i < count; i++) {
-        if (!(set & words[i].bit))
-            continue;
-        if (to[0])
-            strncat(to, ", ", LIST_LENGTH - strlen(to) - 1);
-        strncat(to, words[i].word, LIST_LENGTH - strlen(to) - 1);
-    }
-    return to[0] ? to : "nothing";
-}
-
-static bool has(const struct problem *p, unsigned targets)
-{
-    return (p->open & targets) == targets;
-}
-
-/* -- asking for the right number of things -- */
-
-static void collect(struct problem *p)
-{
-    const double setting[UNKNOWN_WORDS] = {p->a.f, p->a.N, p->a.s, p->a.c};
-    const double target[TARGET_WORDS] = {p->t.near, p->t.far, p->t.total, p->t.hyperfocal,
-                                         p->t.magnification};
-    for (int i = 0; i < UNKNOWN_WORDS; i++)
-        p->unknown |= isnan(setting[i]) ? unknown_words[i].bit : 0;
-    for (int i = 0; i < TARGET_WORDS; i++)
-        p->open |= isnan(target[i]) ? 0 : target_words[i].bit;
-}
-
-/* Too many or too few targets for the unknowns. */
-static bool check_count(const struct problem *p, struct error *error)
-{
-    char unknown[LIST_LENGTH], given[LIST_LENGTH];
-    unsigned wanted = count_bits(p->unknown), have = count_bits(p->open);
-    if (wanted == have)
-        return true;
-    list(unknown, unknown_words, UNKNOWN_WORDS, p->unknown);
-    list(given, target_words, TARGET_WORDS, p->open);
-    if (have > wanted)
-        return fail(error, ERROR_USAGE, "too much is given: leave out %u of %s or of the settings",
-                    have - wanted, given);
-    return fail(error, ERROR_USAGE,
-                "%s missing: give %s, or say what is wanted by --near, --far, --dof, --hyperfocal "
-                "or --magnification",
-                unknown, count_bits(p->unknown) > 1 ? "them" : "it");
-}
-
-static bool undetermined(const struct problem *p, struct error *error)
-{
-    char unknown[LIST_LENGTH], given[LIST_LENGTH];
-    if ((p->unknown & PRODUCT) == PRODUCT)
-        return fail(error, ERROR_USAGE,
-                    "--aperture and --coc act as a product only: give one of them");
-    list(unknown, unknown_words, UNKNOWN_WORDS, p->unknown);
-    list(given, target_words, TARGET_WORDS, p->open);
-    return fail(error, ERROR_USAGE, "%s cannot be found from %s and the other settings", unknown,
-                given);
-}
-
-/* -- values outside their range -- */
-
-static bool check_target(double x, bool legal, const char *name, const char *range,
-                         struct error *error)
-{
-    if (isnan(x) || legal)
-        return true;
-    return fail(error, ERROR_DOMAIN, "%s %.15g must be %s", name, x, range);
-}
-
-static bool check_targets(const struct dof_targets *t, struct error *error)
-{
-    if (t->near >= t->far)
-        return fail(error, ERROR_DOMAIN,
-                    "near limit %.15g mm must lie before the far limit %.15g mm", t->near, t->far);
-    return check_target(t->near, t->near > 0 && t->near < INFINITY, "near limit, mm,",
-                        "above 0 and finite", error) &&
-           check_target(t->far, t->far > 0, "far limit, mm,", "above 0", error) &&
-           check_target(t->total, t->total > 0, "depth of field, mm,", "above 0", error) &&
-           check_target(t->hyperfocal, t->hyperfocal > 0 && t->hyperfocal < INFINITY,
-                        "hyperfocal distance, mm,", "above 0 and finite", error) &&
-           check_target(t->magnification, t->magnification >= 0 && t->magnification < INFINITY,
-                        "magnification", "0 or more and finite", error);
-}
-
-/* The known settings, the unknown ones replaced by something legal. */
-static bool check_known(const struct problem *p, struct error *error)
-{
-    struct dof_setting a = p->a;
-    if (p->unknown & FOCAL)
-        a.f = a.s < INFINITY && a.s > 0 ? a.s / 2 : 1;
-    if (p->unknown & FNUMBER)
-        a.N = 1;
-    if (p->unknown & DISTANCE)
-        a.s = INFINITY;
-    if (p->unknown & COC)
-        a.c = 1;
-    if (!(p->unknown & DISTANCE) && (p->unknown & FOCAL) && !(a.s > 0))
-        return fail(error, ERROR_DOMAIN, "distance %.15g mm must be above 0 mm", a.s);
-    if (!(a.c > 0) && ((p->unknown & FNUMBER) || has(p, HYPERFOCAL)))
-        return fail(error, ERROR_DOMAIN,
-                    "circle of confusion %.15g mm must be above 0 mm to have a depth of field",
-                    a.c);
-    if (a.s == INFINITY && !(p->unknown & DISTANCE) && has(p, MAGNIFICATION))
-        return fail(error, ERROR_DOMAIN,
-                    "distance inf has magnification 0 with every lens: it must be finite");
-    return dof_check(&a, error);
-}
-
-/* A limit of the depth of field that has no real image, or lies on the wrong side. */
-static bool check_limits(const struct problem *p, struct error *error)
-{
-    if (!(p->unknown & FOCAL) && p->t.near <= p->a.f)
-        return fail(error, ERROR_DOMAIN,
-                    "near limit %.15g mm lies within the focal length %.15g mm: no real image",
-                    p->t.near, p->a.f);
-    if (!(p->unknown & DISTANCE) && p->t.near >= p->a.s)
-        return fail(error, ERROR_DOMAIN,
-                    "near limit %.15g mm must lie before the distance %.15g mm", p->t.near, p->a.s);
-    if (!(p->unknown & DISTANCE) && p->t.far <= p->a.s && p->a.s < INFINITY)
-        return fail(error, ERROR_DOMAIN, "far limit %.15g mm must lie behind the distance %.15g mm",
-                    p->t.far, p->a.s);
-    if (!(p->unknown & FOCAL) && p->t.far <= p->a.f)
-        return fail(error, ERROR_DOMAIN,
-                    "far limit %.15g mm lies within the focal length %.15g mm: no real image",
-                    p->t.far, p->a.f);
-    if (!(p->unknown & FOCAL) && p->t.hyperfocal <= p->a.f)
-        return fail(error, ERROR_DOMAIN,
-                    "hyperfocal distance %.15g mm must be above the focal length %.15g mm",
-                    p->t.hyperfocal, p->a.f);
-    return true;
-}
 
 /* -- what follows directly -- */
 
@@ -196,10 +25,11 @@ static void settle(struct problem *p, unsigned unknown, unsigned target)
 /* The f-number or the circle of confusion from N c. */
 static void set_product(struct problem *p, double Nc)
 {
-    if (p->unknown & FNUMBER)
+    if (p->unknown & FNUMBER) {
         p->a.N = Nc / p->a.c;
-    else
+    } else {
         p->a.c = Nc / p->a.N;
+    }
     settle(p, PRODUCT, 0);
 }
 
@@ -217,18 +47,21 @@ static double focal_from_hyperfocal(double H, double Nc)
 /* Any two of near, far and depth become near and far. */
 static bool join_limits(struct problem *p, struct error *error)
 {
-    if (has(p, NEAR | FAR | TOTAL))
+    if (problem_has(p, NEAR | FAR | TOTAL)) {
         return fail(error, ERROR_USAGE, "--near, --far, --dof: give two of them, not three");
-    if (has(p, NEAR | TOTAL))
+    }
+    if (problem_has(p, NEAR | TOTAL)) {
         p->t.far = p->t.near + p->t.total;
-    else if (has(p, FAR | TOTAL)) {
+    } else if (problem_has(p, FAR | TOTAL)) {
         p->t.near = p->t.far - p->t.total;
-        if (!(p->t.near > 0))
+        if (!(p->t.near > 0)) {
             return fail(error, ERROR_DOMAIN,
                         "depth of field %.15g mm must be below the far limit %.15g mm, both finite",
                         p->t.total, p->t.far);
-    } else
+        }
+    } else {
         return true;
+    }
     p->open = (p->open & ~(unsigned)TOTAL) | NEAR | FAR;
     return true;
 }
@@ -239,19 +72,21 @@ static void settle_direct(struct problem *p)
     for (int pass = 0; pass < 2; pass++) {
         unsigned mine = p->unknown & (FOCAL | DISTANCE);
         double m = p->t.magnification;
-        if (has(p, MAGNIFICATION) && count_bits(mine) == 1) {
-            if (mine == DISTANCE)
+        if (problem_has(p, MAGNIFICATION) && problem_count(mine) == 1) {
+            if (mine == DISTANCE) {
                 p->a.s = p->a.f + p->a.f / m;
-            else
+            } else {
                 p->a.f = p->a.s * (m / (1 + m));
+            }
             settle(p, mine, MAGNIFICATION);
         }
         mine = p->unknown & (FOCAL | PRODUCT);
-        if (has(p, HYPERFOCAL) && count_bits(mine) == 1) {
-            if (mine == FOCAL)
+        if (problem_has(p, HYPERFOCAL) && problem_count(mine) == 1) {
+            if (mine == FOCAL) {
                 p->a.f = focal_from_hyperfocal(p->t.hyperfocal, p->a.N * p->a.c);
-            else
+            } else {
                 set_product(p, p->a.f * (p->a.f / (p->t.hyperfocal - p->a.f)));
+            }
             settle(p, mine, HYPERFOCAL);
         }
     }
@@ -268,8 +103,9 @@ static struct pair pair_of(double f, double P, double near, double far)
 {
     double q = f - f / P, a = near - q, b = far - q;
     double half = f / 2 * (1 / a + 1 / b), rest = 1 - half / P;
-    if (!(a > 0 && rest > 0))
+    if (!(a > 0 && rest > 0)) {
         return (struct pair){INFINITY, INFINITY};
+    }
     double m = half / rest;
     double between = far < INFINITY ? (far - near) / a / b : 1 / a;
     return (struct pair){m, f / 2 * (1 + m / P) * between};
@@ -278,11 +114,12 @@ static struct pair pair_of(double f, double P, double near, double far)
 static bool solve_pair(struct problem *p, struct error *error)
 {
     struct pair x = pair_of(p->a.f, p->a.P, p->t.near, p->t.far);
-    if (!(x.m < INFINITY))
+    if (!(x.m < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
                     "limits %.15g mm and %.15g mm are too near for the focal length %.15g mm: no "
                     "real image between them",
                     p->t.near, p->t.far, p->a.f);
+    }
     set_magnification(p, x.m);
     set_product(p, x.e * p->a.f);
     settle(p, 0, NEAR | FAR);
@@ -295,10 +132,12 @@ static bool solve_pair(struct problem *p, struct error *error)
 static double magnification_for(const struct problem *p)
 {
     double f = p->a.f, P = p->a.P, e = p->a.N * p->a.c / f, q = f - f / P;
-    if (has(p, NEAR))
+    if (problem_has(p, NEAR)) {
         return (f - (p->t.near - q) * e) / (p->t.near - f);
-    if (has(p, FAR))
+    }
+    if (problem_has(p, FAR)) {
         return p->t.far < INFINITY ? (f + (p->t.far - q) * e) / (p->t.far - f) : e;
+    }
     double T = p->t.total, g = f * e / P;
     return T < INFINITY ? g / T + sqrt(g / T * (g / T) + e * e + 2 * f * e / T) : e;
 }
@@ -306,15 +145,17 @@ static double magnification_for(const struct problem *p)
 static bool solve_distance(struct problem *p, struct error *error)
 {
     double m = magnification_for(p), f = p->a.f;
-    if (!(m >= 0 && m < INFINITY))
+    if (!(m >= 0 && m < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
                     "near limit %.15g mm must lie between the focal length %.15g mm and %.15g mm, "
                     "where it lies with the lens at infinity",
                     p->t.near, f, f - f / p->a.P + f / (p->a.N * p->a.c / f));
-    if (!(m > 0) && !has(p, NEAR))
+    }
+    if (!(m > 0) && !problem_has(p, NEAR)) {
         return fail(error, ERROR_DOMAIN,
                     "circle of confusion %.15g mm must be above 0 mm: it gives no depth of field",
                     p->a.c);
+    }
     set_magnification(p, m);
     settle(p, 0, NEAR | FAR | TOTAL);
     return true;
@@ -324,19 +165,22 @@ static bool solve_distance(struct problem *p, struct error *error)
 static double blur_for(const struct problem *p)
 {
     double f = p->a.f, s = p->a.s, q = f - f / p->a.P, m = f / (s - f), X = s - f + f / p->a.P;
-    if (has(p, NEAR))
+    if (problem_has(p, NEAR)) {
         return s < INFINITY ? m * (s - p->t.near) / (p->t.near - q) : f / (p->t.near - q);
-    if (has(p, FAR))
+    }
+    if (problem_has(p, FAR)) {
         return p->t.far < INFINITY ? m * (p->t.far - s) / (p->t.far - q) : m;
+    }
     return p->t.total < INFINITY ? m * (p->t.total / (X + hypot(X, p->t.total))) : m;
 }
 
 static bool solve_blur(struct problem *p, struct error *error)
 {
-    if (!(p->a.s < INFINITY) && !has(p, NEAR))
+    if (!(p->a.s < INFINITY) && !problem_has(p, NEAR)) {
         return fail(error, ERROR_DOMAIN,
                     "distance inf has no far limit and no finite depth: it must be finite, or give "
                     "--near");
+    }
     set_product(p, blur_for(p) * p->a.f);
     settle(p, 0, NEAR | FAR | TOTAL);
     return true;
@@ -349,9 +193,10 @@ static struct dof_setting complete(const struct problem *p, double f)
 {
     struct dof_setting a = p->a;
     a.f = f;
-    if (has(p, MAGNIFICATION))
+    if (problem_has(p, MAGNIFICATION)) {
         a.s = f + f / p->t.magnification;
-    if (has(p, HYPERFOCAL)) {
+    }
+    if (problem_has(p, HYPERFOCAL)) {
         a.c = 1;
         a.N = f * (f / (p->t.hyperfocal - f));
     }
@@ -361,8 +206,9 @@ static struct dof_setting complete(const struct problem *p, double f)
 /* (value - wanted)/(value + wanted): the sign of the difference, never beyond +-1. */
 static double compare(double value, double wanted)
 {
-    if (!(value > 0))
+    if (!(value > 0)) {
         return -1;
+    }
     return value < INFINITY ? (value - wanted) / (value + wanted) : 1;
 }
 
@@ -370,10 +216,12 @@ static double pair_residual(double f, const void *context)
 {
     const struct problem *p = context;
     struct pair x = pair_of(f, p->a.P, p->t.near, p->t.far);
-    if (has(p, MAGNIFICATION))
+    if (problem_has(p, MAGNIFICATION)) {
         return compare(x.m, p->t.magnification);
-    if (has(p, HYPERFOCAL))
+    }
+    if (problem_has(p, HYPERFOCAL)) {
         return compare(f / x.e + f, p->t.hyperfocal);
+    }
     return compare(x.e * f, p->a.N * p->a.c);
 }
 
@@ -383,25 +231,31 @@ static double single_residual(double f, const void *context)
     struct dof_setting a = complete(p, f);
     struct error ignored;
     struct dof d;
-    if (!dof_compute(&a, DOF_EXACT, &d, &ignored))
+    if (!dof_compute(&a, DOF_EXACT, &d, &ignored)) {
         return 1;
-    if (has(p, NEAR))
+    }
+    if (problem_has(p, NEAR)) {
         return compare(d.near, p->t.near);
-    return has(p, FAR) ? compare(d.far, p->t.far) : compare(d.total, p->t.total);
+    }
+    return problem_has(p, FAR) ? compare(d.far, p->t.far) : compare(d.total, p->t.total);
 }
 
 /* The longest focal length worth a look. */
 static double longest_focal(const struct problem *p)
 {
     double longest = 1e9;
-    if (!(p->unknown & DISTANCE))
+    if (!(p->unknown & DISTANCE)) {
         longest = fmin(longest, nextafter(p->a.s, 0));
-    if (has(p, HYPERFOCAL))
+    }
+    if (problem_has(p, HYPERFOCAL)) {
         longest = fmin(longest, nextafter(p->t.hyperfocal, 0));
-    if (has(p, NEAR)) /* a nearer limit would have no real image */
+    }
+    if (problem_has(p, NEAR)) { /* a nearer limit would have no real image */
         longest = fmin(longest, nextafter(p->t.near, 0));
-    if (has(p, FAR))
+    }
+    if (problem_has(p, FAR)) {
         longest = fmin(longest, nextafter(p->t.far, 0));
+    }
     return longest;
 }
 
@@ -423,10 +277,12 @@ static bool sink(struct dip *dip, const struct problem *p, root_function *residu
             *(upper ? &dip->low : &dip->high) = dip->middle;
             dip->middle = probe;
             dip->least = fabs(value);
-        } else
+        } else {
             *(upper ? &dip->high : &dip->low) = probe;
-        if (crossed)
+        }
+        if (crossed) {
             return true;
+        }
     }
     return false;
 }
@@ -438,14 +294,17 @@ static bool search_focal(struct problem *p, root_function *residual, struct erro
     struct dip dip = {.least = INFINITY};
     for (int i = 0; i < SCAN_STEPS; i++) {
         double low = high * SCAN_RATIO, value = residual(low, p);
-        if ((value <= 0) != (sign <= 0))
+        if ((value <= 0) != (sign <= 0)) {
             return root_find(residual, p, low, high, &p->a.f, error);
-        if (fabs(value) < dip.least)
+        }
+        if (fabs(value) < dip.least) {
             dip = (struct dip){low * SCAN_RATIO, low, high, fabs(value)};
+        }
         high = low;
     }
-    if (sink(&dip, p, residual, sign))
+    if (sink(&dip, p, residual, sign)) {
         return root_find(residual, p, dip.middle, dip.high, &p->a.f, error);
+    }
     return fail(error, ERROR_DOMAIN, "no focal length from 0 to %.15g mm meets these conditions",
                 longest);
 }
@@ -453,19 +312,21 @@ static bool search_focal(struct problem *p, root_function *residual, struct erro
 /* Infinity shall be sharp: s = H, no search needed. */
 static bool solve_focal_at_hyperfocal(struct problem *p, struct error *error)
 {
-    if (has(p, HYPERFOCAL)) {
-        if (!(p->unknown & DISTANCE))
-            return undetermined(p, error);
+    if (problem_has(p, HYPERFOCAL)) {
+        if (!(p->unknown & DISTANCE)) {
+            return problem_undetermined(p, error);
+        }
         p->a.s = p->t.hyperfocal;
         settle(p, DISTANCE, FAR | TOTAL);
         settle_direct(p);
         return true;
     }
     double Nc = p->a.N * p->a.c;
-    if (has(p, MAGNIFICATION))
+    if (problem_has(p, MAGNIFICATION)) {
         p->a.f = Nc / p->t.magnification; /* m = e */
-    else
+    } else {
         p->a.f = focal_from_hyperfocal(p->a.s, Nc);
+    }
     settle(p, FOCAL, FAR | TOTAL);
     settle_direct(p);
     return true;
@@ -473,15 +334,19 @@ static bool solve_focal_at_hyperfocal(struct problem *p, struct error *error)
 
 static bool solve_focal_single(struct problem *p, struct error *error)
 {
-    if ((p->unknown & DISTANCE) && !has(p, MAGNIFICATION) &&
-        !(has(p, HYPERFOCAL) && (p->t.far == INFINITY || p->t.total == INFINITY)))
-        return undetermined(p, error);
-    if ((p->unknown & PRODUCT) && !has(p, HYPERFOCAL))
-        return undetermined(p, error);
-    if (p->t.far == INFINITY || p->t.total == INFINITY)
+    if ((p->unknown & DISTANCE) && !problem_has(p, MAGNIFICATION) &&
+        !(problem_has(p, HYPERFOCAL) && (p->t.far == INFINITY || p->t.total == INFINITY))) {
+        return problem_undetermined(p, error);
+    }
+    if ((p->unknown & PRODUCT) && !problem_has(p, HYPERFOCAL)) {
+        return problem_undetermined(p, error);
+    }
+    if (p->t.far == INFINITY || p->t.total == INFINITY) {
         return solve_focal_at_hyperfocal(p, error);
-    if (!search_focal(p, single_residual, error))
+    }
+    if (!search_focal(p, single_residual, error)) {
         return false;
+    }
     settle(p, FOCAL, NEAR | FAR | TOTAL);
     settle_direct(p);
     return true;
@@ -490,14 +355,17 @@ static bool solve_focal_single(struct problem *p, struct error *error)
 static bool solve_focal_pair(struct problem *p, struct error *error)
 {
     unsigned rest = p->open & (HYPERFOCAL | MAGNIFICATION);
-    if (!(p->unknown & DISTANCE) || (!rest && (p->unknown & PRODUCT)))
-        return undetermined(p, error);
-    if (!search_focal(p, pair_residual, error))
+    if (!(p->unknown & DISTANCE) || (!rest && (p->unknown & PRODUCT))) {
+        return problem_undetermined(p, error);
+    }
+    if (!search_focal(p, pair_residual, error)) {
         return false;
+    }
     struct pair x = pair_of(p->a.f, p->a.P, p->t.near, p->t.far);
     set_magnification(p, x.m);
-    if (p->unknown & PRODUCT)
+    if (p->unknown & PRODUCT) {
         set_product(p, x.e * p->a.f);
+    }
     settle(p, FOCAL, NEAR | FAR | rest);
     return true;
 }
@@ -507,16 +375,21 @@ static bool solve_focal_pair(struct problem *p, struct error *error)
 static bool solve_rest(struct problem *p, struct error *error)
 {
     unsigned limits = p->open & (NEAR | FAR | TOTAL), others = p->open & ~limits;
-    if ((p->unknown & PRODUCT) == PRODUCT || (!limits && p->open))
-        return undetermined(p, error);
-    if (p->unknown & FOCAL)
+    if ((p->unknown & PRODUCT) == PRODUCT || (!limits && p->open)) {
+        return problem_undetermined(p, error);
+    }
+    if (p->unknown & FOCAL) {
         return limits == (NEAR | FAR) ? solve_focal_pair(p, error) : solve_focal_single(p, error);
-    if (others)
-        return undetermined(p, error);
-    if (limits == (NEAR | FAR) && (p->unknown & DISTANCE) && (p->unknown & PRODUCT))
+    }
+    if (others) {
+        return problem_undetermined(p, error);
+    }
+    if (limits == (NEAR | FAR) && (p->unknown & DISTANCE) && (p->unknown & PRODUCT)) {
         return solve_pair(p, error);
-    if (count_bits(limits) != 1 || count_bits(p->unknown) != 1)
-        return p->open ? undetermined(p, error) : true;
+    }
+    if (problem_count(limits) != 1 || problem_count(p->unknown) != 1) {
+        return p->open ? problem_undetermined(p, error) : true;
+    }
     return p->unknown == DISTANCE ? solve_distance(p, error) : solve_blur(p, error);
 }
 
@@ -527,20 +400,23 @@ static void include_infinity(struct problem *p, unsigned solved)
     struct error ignored;
     struct dof d;
     double *which = solved & DISTANCE ? &a->s : solved & FNUMBER ? &a->N : &a->c;
-    if (!(solved & ~(unsigned)FOCAL))
+    if (!(solved & ~(unsigned)FOCAL)) {
         which = &a->f;
+    }
     double end = which == &a->f ? 0 : INFINITY;
     for (int step = 0; step < 16; step++) {
-        if (!dof_compute(a, DOF_EXACT, &d, &ignored) || !(d.far < INFINITY))
+        if (!dof_compute(a, DOF_EXACT, &d, &ignored) || !(d.far < INFINITY)) {
             return;
+        }
         *which = nextafter(*which, end);
     }
 }
 
 static bool met(double value, double wanted, double condition)
 {
-    if (isnan(wanted) || value == wanted)
+    if (isnan(wanted) || value == wanted) {
         return true;
+    }
     return fabs(value - wanted) <= TOLERANCE * condition * fabs(wanted);
 }
 
@@ -548,8 +424,9 @@ static bool met(double value, double wanted, double condition)
 static bool verify(const struct problem *p, struct error *error)
 {
     struct dof d;
-    if (!dof_compute(&p->a, DOF_EXACT, &d, error))
+    if (!dof_compute(&p->a, DOF_EXACT, &d, error)) {
         return false;
+    }
     const struct dof_targets *t = &p->t;
     double near = d.near_condition < INFINITY ? d.near_condition : 1;
     double far = d.far_condition < INFINITY ? d.far_condition : 1;
@@ -557,8 +434,9 @@ static bool verify(const struct problem *p, struct error *error)
     double depth = p->a.s < INFINITY ? far + p->a.s / d.total : far;
     if (met(d.near, t->near, near) && met(d.far, t->far, far) &&
         met(d.total, t->total, depth * focus) && met(d.hyperfocal, t->hyperfocal, 1) &&
-        met(d.magnification, t->magnification, focus))
+        met(d.magnification, t->magnification, focus)) {
         return true;
+    }
     return fail(error, ERROR_DOMAIN,
                 "no setting meets all of these: the nearest, %.15g mm f/%.15g at %.15g mm with "
                 "circle of confusion %.15g mm, is sharp from %.15g mm to %.15g mm",
@@ -568,18 +446,22 @@ static bool verify(const struct problem *p, struct error *error)
 bool dof_solve(struct dof_setting *setting, const struct dof_targets *targets, struct error *error)
 {
     struct problem p = {.a = *setting, .t = *targets};
-    collect(&p);
+    problem_collect(&p);
     unsigned solved = p.unknown;
-    if (!check_count(&p, error) || !check_targets(&p.t, error) || !check_known(&p, error) ||
-        !join_limits(&p, error))
+    if (!problem_check_count(&p, error) || !problem_check_targets(&p.t, error) ||
+        !problem_check_known(&p, error) || !join_limits(&p, error)) {
         return false;
+    }
     settle_direct(&p);
-    if (!check_limits(&p, error) || !solve_rest(&p, error))
+    if (!problem_check_limits(&p, error) || !solve_rest(&p, error)) {
         return false;
-    if (targets->far == INFINITY || targets->total == INFINITY)
+    }
+    if (targets->far == INFINITY || targets->total == INFINITY) {
         include_infinity(&p, solved);
-    if (!verify(&p, error))
+    }
+    if (!verify(&p, error)) {
         return false;
+    }
     *setting = p.a;
     return true;
 }

@@ -36,12 +36,13 @@ struct dof_targets {
  *           f from near, far or total: a bracketed root, the other unknowns following from f; where
  *           two focal lengths do (possible with m or H given), the longer one
  * Source    Derived here: near = q + f(1 + m/P)/(m + e), far likewise with m - e, solved for what
- * is unknown; pinned by the round trips in tests/unit/test_dof_solve.c Errors    ERROR_USAGE: more
- * or fewer targets than unknowns, or targets that do not fix them (N and c enter as a product
- * only); ERROR_DOMAIN: a value outside its range, near >= far, near <= f, near >= s, far <= s, no
- * real image, no solution Limits    Exact formulas only (DOF_EXACT). A target above infinity's
- * threshold (far = inf, total = inf) is met at that threshold, s = H. A distance within the focal
- * length that a blur disc of the order of the pupil could still cover (e >= P) is refused.
+ *           is unknown; pinned by the round trips in tests/unit/test_dof_solve.c
+ * Errors    ERROR_USAGE: more or fewer targets than unknowns, or targets that do not fix them (N
+ *           and c enter as a product only); ERROR_DOMAIN: a value outside its range, near >= far,
+ *           near <= f, near >= s, far <= s, no real image, no solution
+ * Limits    Exact formulas only (DOF_EXACT). A target above infinity's threshold (far = inf, total
+ *           = inf) is met at that threshold, s = H. A distance within the focal length that a blur
+ *           disc of the order of the pupil could still cover (e >= P) is refused.
  */
 bool dof_solve(struct dof_setting *setting, const struct dof_targets *targets, struct error *error);
 

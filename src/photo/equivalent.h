@@ -60,14 +60,17 @@ bool equivalent_ratio(const struct equivalent_format *from, const struct equival
  *           k        size of the other format over the original's, > 0 (equivalent_ratio)
  *           keep     see enum equivalent_keep
  * Result    same subject plane, same distance from the entrance pupil (perspective), same framing
- * by the measure; c scales with the format, that is with the same print Formula   m' = k m; X = f
- * (1/m + 1/P) kept: f' = k f (1 + m/P)/(1 + k m/P), k f at infinity. Picture: N' = N f'/f (same
- * pupil; eps = N c/(m f) is kept, dof.h), so N_eff' = k N_eff and ISO' = k^2 ISO exactly, at any
- * distance. Exposure: N_eff' = N_eff, ISO' = ISO; total light k^2 times, 2 log2 k stops Source
- * James, Equivalence (josephjamesphotography.com) for infinity; at finite distance derived here
- * from the constancy of X and m'/m; test_equivalent.c pins it with dof's formulas Errors    values
- * outside their ranges Limits    the same subject distance from the principal plane would give
- * another perspective; both lenses are taken to have the same P
+ *           by the measure; c scales with the format, that is with the same print
+ * Formula   m' = k m; X = f (1/m + 1/P) kept: f' = k f (1 + m/P)/(1 + k m/P), k f at infinity.
+ *           Picture: N' = N f'/f (same pupil; eps = N c/(m f) is kept, dof.h), so N_eff' = k N_eff
+ *           and ISO' = k^2 ISO exactly, at any distance. Exposure: N_eff' = N_eff, ISO' = ISO;
+ *           total light k^2 times, 2 log2 k stops
+ * Source    James, Equivalence (josephjamesphotography.com) for infinity; at finite distance
+ *           derived here from the constancy of X and m'/m; test_equivalent.c pins it with dof's
+ *           formulas
+ * Errors    values outside their ranges
+ * Limits    the same subject distance from the principal plane would give another perspective; both
+ *           lenses are taken to have the same P
  */
 bool equivalent_compute(const struct equivalent_setting *setting, double k,
                         enum equivalent_keep keep, struct equivalent *result, struct error *error);

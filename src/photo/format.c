@@ -11,8 +11,9 @@ const struct coc coc_default = {.kind = COC_DIAGONAL, .value = 1500};
 
 static bool check_positive(double x, const char *name, struct error *error)
 {
-    if (!(x > 0 && x < INFINITY))
+    if (!(x > 0 && x < INFINITY)) {
         return fail(error, ERROR_DOMAIN, "%s %.15g must be above 0 and finite", name, x);
+    }
     return true;
 }
 
@@ -38,9 +39,10 @@ static bool coc_length(const struct coc *coc, const struct sensor *sensor, doubl
 {
     (void)sensor;
     *c = coc->value;
-    if (!(coc->value >= 0 && coc->value < INFINITY))
+    if (!(coc->value >= 0 && coc->value < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
                     "circle of confusion %.15g mm must be 0 mm or more and finite", coc->value);
+    }
     return true;
 }
 
@@ -55,10 +57,11 @@ static bool coc_pixels(const struct coc *coc, const struct sensor *sensor, doubl
                        struct error *error)
 {
     *c = coc->value * sensor->pitch;
-    if (isnan(sensor->pitch))
+    if (isnan(sensor->pitch)) {
         return fail(error, ERROR_DOMAIN,
                     "a circle of confusion in pixels needs the pixel pitch: give --pitch, or a "
                     "camera with a known one as --sensor");
+    }
     return check_positive(coc->value, "circle of confusion, pixels,", error);
 }
 
@@ -89,7 +92,8 @@ bool coc_resolve(const struct coc *coc, const struct sensor *sensor, double *c, 
                                                    [COC_PIXELS] = coc_pixels,
                                                    [COC_PRINT] = coc_print,
                                                    [COC_AIRY] = coc_airy};
-    if (coc->kind != COC_LENGTH && !sensor_check(sensor, error))
+    if (coc->kind != COC_LENGTH && !sensor_check(sensor, error)) {
         return false;
+    }
     return rule[coc->kind](coc, sensor, c, error);
 }

@@ -41,9 +41,9 @@ enum coc_kind {
 struct coc {
     enum coc_kind kind;
     double value;
-    double viewing; /* viewing distance, mm; COC_PRINT only, as the next two */
-    double acuity;  /* resolving power of the eye at 250 mm, line pairs per mm */
-    double print;   /* long side of the print, mm */
+    double viewing;             /* viewing distance, mm; COC_PRINT only, as the next two */
+    double acuity;              /* resolving power of the eye at 250 mm, line pairs per mm */
+    double print;               /* long side of the print, mm */
     double wavelength, fnumber; /* mm, 1; COC_AIRY only */
 };
 

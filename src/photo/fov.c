@@ -83,8 +83,9 @@ static const struct rule rules[PROJECTIONS] = {
 
 static bool check_positive(double x, const char *name, struct error *error)
 {
-    if (!(x > 0 && x < INFINITY))
+    if (!(x > 0 && x < INFINITY)) {
         return fail(error, ERROR_DOMAIN, "%s %.15g must be above 0 and finite", name, x);
+    }
     return true;
 }
 
@@ -93,13 +94,15 @@ bool fov_angle(enum projection projection, double scale, double dimension, doubl
 {
     const struct rule *rule = &rules[projection];
     if (!check_positive(scale, "focal length, mm,", error) ||
-        !check_positive(dimension, "sensor dimension, mm,", error))
+        !check_positive(dimension, "sensor dimension, mm,", error)) {
         return false;
+    }
     double x = dimension / 2 / scale;
-    if (!(x <= rule->largest_height))
+    if (!(x <= rule->largest_height)) {
         return fail(error, ERROR_DOMAIN,
                     "image height %.15g mm lies beyond the edge of the %s projection, %.15g mm",
                     dimension / 2, projections[projection].word, rule->largest_height * scale);
+    }
     *angle = 2 * rule->half(x);
     return true;
 }
@@ -108,20 +111,23 @@ static bool check_setting(const struct fov_setting *a, struct error *error)
 {
     if (!check_positive(a->f, "focal length, mm,", error) ||
         !check_positive(a->P, "pupil magnification", error) ||
-        !check_positive(a->squeeze, "anamorphic squeeze", error))
+        !check_positive(a->squeeze, "anamorphic squeeze", error)) {
         return false;
-    if (!(a->s > a->f))
+    }
+    if (!(a->s > a->f)) {
         return fail(error, ERROR_DOMAIN,
                     "distance %.15g mm lies within the focal length %.15g mm: no real image", a->s,
                     a->f);
+    }
     return true;
 }
 
 bool fov_compute(const struct fov_setting *setting, const struct sensor *sensor, struct fov *fov,
                  struct error *error)
 {
-    if (!check_setting(setting, error) || !sensor_check(sensor, error))
+    if (!check_setting(setting, error) || !sensor_check(sensor, error)) {
         return false;
+    }
     struct sensor wide = *sensor;
     wide.width *= setting->squeeze;
     enum projection projection = setting->projection;
@@ -134,8 +140,9 @@ bool fov_compute(const struct fov_setting *setting, const struct sensor *sensor,
     fov->diagonal_at_s = diagonal * unit;
     if (!fov_angle(projection, scale, wide.width, &fov->horizontal, error) ||
         !fov_angle(projection, scale, wide.height, &fov->vertical, error) ||
-        !fov_angle(projection, scale, diagonal, &fov->diagonal, error))
+        !fov_angle(projection, scale, diagonal, &fov->diagonal, error)) {
         return false;
+    }
     fov->kind = fov_kind(fov->diagonal);
     return true;
 }
@@ -143,8 +150,10 @@ bool fov_compute(const struct fov_setting *setting, const struct sensor *sensor,
 static bool check_angle(enum projection projection, double angle, struct error *error)
 {
     const struct rule *rule = &rules[projection];
-    if (angle > 0 && (angle < rule->largest_angle || (angle <= rule->largest_angle && !rule->open)))
+    if (angle > 0 &&
+        (angle < rule->largest_angle || (angle <= rule->largest_angle && !rule->open))) {
         return true;
+    }
     return fail(error, ERROR_DOMAIN,
                 "angle of view %.15g deg must be above 0 and %s %.15g deg (%s)", angle * (180 / PI),
                 rule->open ? "below" : "at most", rule->largest_angle * (180 / PI),
@@ -155,16 +164,20 @@ bool fov_focal_length(enum projection projection, double dimension, double angle
                       double P, double *f, struct error *error)
 {
     if (!check_positive(dimension, "sensor dimension, mm,", error) ||
-        !check_positive(P, "pupil magnification", error) || !check_angle(projection, angle, error))
+        !check_positive(P, "pupil magnification", error) ||
+        !check_angle(projection, angle, error)) {
         return false;
-    if (!(s > 0))
+    }
+    if (!(s > 0)) {
         return fail(error, ERROR_DOMAIN, "distance %.15g mm must be above 0 mm", s);
+    }
     double scale = dimension / 2 / rules[projection].height(angle / 2);
     if (s < INFINITY) {
         double b = P * (s + scale), root = hypot(P * (s - scale), 2 * sqrt(P * scale * s));
         *f = 2 * P * (scale / (b + root)) * s;
-    } else
+    } else {
         *f = scale;
+    }
     return check_positive(*f, "focal length, mm,", error);
 }
 
@@ -173,8 +186,9 @@ bool fov_focal_length_for_field(double dimension, double field, double s, double
 {
     if (!check_positive(dimension, "sensor dimension, mm,", error) ||
         !check_positive(field, "field width, mm,", error) ||
-        !check_positive(s, "distance, mm,", error))
+        !check_positive(s, "distance, mm,", error)) {
         return false;
+    }
     *f = s * (dimension / (field + dimension));
     return true;
 }
@@ -192,8 +206,9 @@ static bool solve_goal(const struct fov_setting *a, const struct goal *goal, dou
         return fov_focal_length(a->projection, goal->dimension, goal->wanted, a->s, a->P, f, error);
     }
     if (a->projection != RECTILINEAR || !(a->s < INFINITY)) {
-        return fail(error, ERROR_DOMAIN, "a wanted field needs a rectilinear lens and a finite "
-                                         "--distance");
+        return fail(error, ERROR_DOMAIN,
+                    "a wanted field needs a rectilinear lens and a finite "
+                    "--distance");
     }
     return fov_focal_length_for_field(goal->dimension, goal->wanted, a->s, f, error);
 }
@@ -208,8 +223,8 @@ bool fov_solve(const struct fov_setting *setting, const struct sensor *sensor,
     wide.width *= setting->squeeze;
     double diagonal = sensor_diagonal(&wide);
     const struct goal all[] = {
-        {goals->horizontal, wide.width, false}, {goals->vertical, wide.height, false},
-        {goals->diagonal, diagonal, false},     {goals->field_width, wide.width, true},
+        {goals->horizontal, wide.width, false},   {goals->vertical, wide.height, false},
+        {goals->diagonal, diagonal, false},       {goals->field_width, wide.width, true},
         {goals->field_height, wide.height, true}, {goals->field_diagonal, diagonal, true},
     };
     const struct goal *found = NULL;
@@ -235,8 +250,10 @@ const char *fov_kind(double diagonal)
         double below; /* deg */
         const char *word;
     } kinds[] = {{20, "narrow"}, {40, "medium"}, {60, "normal"}, {90, "wide"}};
-    for (int i = 0; i < 4; i++)
-        if (diagonal * (180 / PI) < kinds[i].below)
+    for (int i = 0; i < 4; i++) {
+        if (diagonal * (180 / PI) < kinds[i].below) {
             return kinds[i].word;
+        }
+    }
     return "ultra-wide";
 }

@@ -62,10 +62,12 @@ bool panorama_focal(double angle, double m, double P, double width, double *f, s
  *
  * Given     frame (any projection: fisheye angles may be put in), goal
  * Formula   closed turn: ceil(2 pi/(h (1 - o))), step 2 pi/columns. Arc A: ceil((A - h o)/(h (1 -
- * o))), at least 1, step (A - h)/(columns - 1). Overlap achieved 1 - step/h. Rows likewise with the
- * vertical angle Source    lenscalc.7, photography Errors    ranges; more than a million frames a
- * row Limits all rows have the columns of the horizon, enough for zenith and nadir; panorama_row_at
- * says how few will do up there. A quotient within 1e-9 of a whole number counts as it
+ *           o))), at least 1, step (A - h)/(columns - 1). Overlap achieved 1 - step/h. Rows
+ *           likewise with the vertical angle
+ * Source    lenscalc.7, photography
+ * Errors    ranges; more than a million frames a row
+ * Limits    all rows have the columns of the horizon, enough for zenith and nadir; panorama_row_at
+ *           says how few will do up there. A quotient within 1e-9 of a whole number counts as it
  */
 bool panorama_plan(const struct panorama_frame *frame, const struct panorama_goal *goal,
                    struct panorama *plan, struct error *error);
@@ -79,12 +81,13 @@ bool panorama_overlap(const struct panorama_frame *frame, double arc, int column
  * One row of a rectilinear many-row panorama.
  *
  * Given     frame, goal, plan; middle, the elevation of the panorama's middle, rad; index 0
- * (lowest) to rows - 1 Formula   elevation e, row step r: half-way to the row nearer the horizon
- * the frame's side reaches cos(|e| - r/2)/cos(r/2) forward and spans the azimuth 2 atan(tan(h/2)
- * cos(r/2)/cos(|e| - r/2)), its least in the band that is this row's own; columns as panorama_plan
- * over this angle; 1 with the zenith or nadir in the middle Source    geometry, derived here;
- * test_panorama.c turns edge points Errors    index out of range; elevation beyond 90 degrees;
- * frame not below 180 degrees
+ *           (lowest) to rows - 1
+ * Formula   elevation e, row step r: half-way to the row nearer the horizon the frame's side
+ *           reaches cos(|e| - r/2)/cos(r/2) forward and spans the azimuth 2 atan(tan(h/2)
+ *           cos(r/2)/cos(|e| - r/2)), its least in the band that is this row's own; columns as
+ *           panorama_plan over this angle; 1 with the zenith or nadir in the middle
+ * Source    geometry, derived here; test_panorama.c turns edge points
+ * Errors    index out of range; elevation beyond 90 degrees; frame not below 180 degrees
  */
 bool panorama_row_at(const struct panorama_frame *frame, const struct panorama_goal *goal,
                      const struct panorama *plan, double middle, int index,

@@ -90,16 +90,17 @@ struct tilt_drawing {
  *
  * Given     see struct tilt_given
  * Formula   J = f/sin(a); tan(psi) = sin a/(cos a - f/v'), so v' = f sin(psi)/sin(psi - a);
- * straight ahead u = f/(cos a - f/v'). Limits: cot(psi) +- (J/H0)(f/v'), that is f/v' replaced by
- *           (f/v')(1 -+ N c/f) in A: images in the planes v'/(1 -+ N c/f), parallel to the sensor,
- *           therefore through the same hinge line. Lines A u - B y = f stay finite at a = 0
+ *           straight ahead u = f/(cos a - f/v'). Limits: cot(psi) +- (J/H0)(f/v'), that is f/v'
+ *           replaced by (f/v')(1 -+ N c/f) in A: images in the planes v'/(1 -+ N c/f), parallel to
+ *           the sensor, therefore through the same hinge line. Lines A u - B y = f stay finite at a
+ *           = 0
  * Source    Merklinger, Focusing the View Camera (1993), hinge rule and p. 126; Scheimpflug, GB
  *           patent 1196/1904
  * Errors    ERROR_USAGE: not one of tilt and hinge, or not one of image, distance and angle.
  *           ERROR_DOMAIN: |tilt| of 90 degrees or more; |J| below f; distance within f/cos(a);
- * angle outside a .. 180 degrees; an angle without tilt; c not below the aperture f/N Limits thin
- * lens, P = 1. The blur is c measured along the tilt axis (exact there, test_tilt.c traces it);
- * across it the patch is an ellipse, shorter by about cos(tilt)
+ *           angle outside a .. 180 degrees; an angle without tilt; c not below the aperture f/N
+ *           Limits thin lens, P = 1. The blur is c measured along the tilt axis (exact there,
+ *           test_tilt.c traces it); across it the patch is an ellipse, shorter by about cos(tilt)
  */
 bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct error *error);
 
@@ -166,7 +167,7 @@ bool tilt_shift_limit(double f, double image, double circle, double width, doubl
  *
  * Given     camera solved; view
  * Result    sharp, near and far lie in 0 <= u <= u_max, y_min <= y <= y_max; front_focal is the
- * plane that meets the lens's parallel to the sensor in the hinge line
+ *           plane that meets the lens's parallel to the sensor in the hinge line
  */
 void tilt_draw(const struct tilt *camera, const struct tilt_view *view,
                struct tilt_drawing *drawing);

@@ -7,8 +7,8 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/number.h"
-#include "report/plot.h"
 #include "report/svg.h"
+#include "report/ticks.h"
 
 /* Where things lie on the page, px. */
 static const double MARGIN = 24, SCALE_LEFT = 76, SCALE_RIGHT = 852;
@@ -58,16 +58,18 @@ static bool is_free(const struct row *row, double middle, double width, double g
 {
     double from = middle - width / 2, to = middle + width / 2;
     for (size_t i = 0; i < row->count; i++) {
-        if (from < row->to[i] + gap && to > row->from[i] - gap)
+        if (from < row->to[i] + gap && to > row->from[i] - gap) {
             return false;
+        }
     }
     return row->count < SPANS;
 }
 
 static void occupy(struct row *row, double middle, double width)
 {
-    if (row->count == SPANS)
+    if (row->count == SPANS) {
         return;
+    }
     row->from[row->count] = middle - width / 2;
     row->to[row->count++] = middle + width / 2;
 }
@@ -76,8 +78,9 @@ static void occupy(struct row *row, double middle, double width)
 static bool claim(struct row *row, double middle, double width, double gap)
 {
     bool free = is_free(row, middle, width, gap);
-    if (free)
+    if (free) {
         occupy(row, middle, width);
+    }
     return free;
 }
 
@@ -95,8 +98,9 @@ static const char *number_text(struct arena *arena, double x)
 static double nearest_of(const struct barrel *barrel)
 {
     double nearest = barrel->nearest_diopter;
-    for (size_t i = 0; !(barrel->nearest_diopter > 0) && i < barrel->mark_count; i++)
+    for (size_t i = 0; !(barrel->nearest_diopter > 0) && i < barrel->mark_count; i++) {
         nearest = fmax(nearest, 1.1 * barrel->marks[i].near_diopter);
+    }
     return nearest;
 }
 
@@ -115,39 +119,47 @@ static struct scale scale_of(const struct barrel *barrel, double nearest)
 
 static bool check_mark(const struct barrel_mark *mark, double focus, struct error *error)
 {
-    if (!(mark->fnumber > 0 && isfinite(mark->fnumber)))
+    if (!(mark->fnumber > 0 && isfinite(mark->fnumber))) {
         return fail(error, ERROR_DOMAIN, "f-number %g of a barrel mark is not above 0",
                     mark->fnumber);
+    }
     /* rounding may put the limits of a tiny aperture on the wrong side of the focus */
     double slack = 1e-9 * focus;
-    if (!(mark->near_diopter >= focus - slack && isfinite(mark->near_diopter)))
+    if (!(mark->near_diopter >= focus - slack && isfinite(mark->near_diopter))) {
         return fail(error, ERROR_DOMAIN, "near limit of f/%g, %g 1/m, is behind the focus, %g 1/m",
                     mark->fnumber, mark->near_diopter, focus);
-    if (!(mark->far_diopter <= focus + slack && isfinite(mark->far_diopter)))
+    }
+    if (!(mark->far_diopter <= focus + slack && isfinite(mark->far_diopter))) {
         return fail(error, ERROR_DOMAIN,
                     "far limit of f/%g, %g 1/m, is in front of the focus, %g 1/m", mark->fnumber,
                     mark->far_diopter, focus);
+    }
     return true;
 }
 
 static bool check_barrel(const struct barrel *barrel, struct error *error)
 {
     double focus = barrel->focus_diopter, nearest = barrel->nearest_diopter;
-    if (!(focus >= 0 && isfinite(focus)))
+    if (!(focus >= 0 && isfinite(focus))) {
         return fail(error, ERROR_DOMAIN, "focus of %g 1/m is not 0 or above", focus);
-    if (barrel->chosen >= barrel->mark_count)
+    }
+    if (barrel->chosen >= barrel->mark_count) {
         return fail(error, ERROR_DOMAIN, "barrel mark %zu of %zu cannot be chosen",
                     barrel->chosen + 1, barrel->mark_count);
-    for (size_t i = 0; i < barrel->mark_count; i++) {
-        if (!check_mark(&barrel->marks[i], focus, error))
-            return false;
     }
-    if (!(nearest >= 0 && isfinite(nearest)) || (nearest > 0 && nearest < focus))
+    for (size_t i = 0; i < barrel->mark_count; i++) {
+        if (!check_mark(&barrel->marks[i], focus, error)) {
+            return false;
+        }
+    }
+    if (!(nearest >= 0 && isfinite(nearest)) || (nearest > 0 && nearest < focus)) {
         return fail(error, ERROR_DOMAIN, "closest distance at %g 1/m is behind the focus, %g 1/m",
                     nearest, focus);
-    if (!(nearest_of(barrel) > 1e-9 && nearest_of(barrel) < 1e9))
+    }
+    if (!(nearest_of(barrel) > 1e-9 && nearest_of(barrel) < 1e9)) {
         return fail(error, ERROR_DOMAIN, "barrel scale of %g 1/m is not within 1e-9 .. 1e9",
                     nearest_of(barrel));
+    }
     return true;
 }
 
@@ -186,8 +198,9 @@ static void engrave_distance(struct svg *svg, const struct scale *scale,
     double gap = rank < CLOSELY_SET ? LABEL_GAP : WIDE_GAP;
     bool room = claim(numbers, x, svg_text_width(text, 15), gap);
     bool tick = rank < ALWAYS_TICKED && is_free(ticks, x, 0, TICK_GAP);
-    if (!room && !tick)
+    if (!room && !tick) {
         return;
+    }
     occupy(ticks, x, 0);
     engrave(svg, row, x, room ? text : NULL, 15);
 }
@@ -206,8 +219,9 @@ static void engrave_row(struct svg *svg, const struct scale *scale, double neare
         /* four decades are far more than a barrel has room for */
         for (double decade = floor(log10(closest)), i = 0; i < 5; i++) {
             double distance = leading_digits[rank] * pow(10, decade + i);
-            if (distance >= closest * (1 - 1e-9))
+            if (distance >= closest * (1 - 1e-9)) {
                 engrave_distance(svg, scale, row, distance, rank, &numbers, &ticks);
+            }
         }
     }
     svg_text(svg,
@@ -253,8 +267,9 @@ static void draw_mark(struct svg *svg, double x, const char *text, enum svg_anch
                               .anchor = anchor,
                               .colour = chosen ? BLUE : "#222",
                               .bold = chosen};
-    if (text)
+    if (text) {
         svg_text(svg, &label, text);
+    }
 }
 
 /* Take the places of a pair in one row: both or none, but only those on the scale. */
@@ -280,15 +295,18 @@ static void draw_pair(struct svg *svg, const struct scale *scale, const struct b
     double width = svg_text_width(text, 15);
     bool room = claim_pair(&pairs->numbers, scale, limit, width, LABEL_GAP / 2);
     bool ticked = claim_pair(&pairs->ticks, scale, limit, 0, PAIR_GAP);
-    if (!room && !ticked && !chosen)
+    if (!room && !ticked && !chosen) {
         return;
+    }
     for (size_t i = 0; i < 2; i++) {
         double x = position(scale, limit[i]);
         enum svg_anchor outward = i == 0 ? SVG_END : SVG_START;
-        if (!on_scale(scale, limit[i]))
+        if (!on_scale(scale, limit[i])) {
             continue;
-        if (chosen && !room)
+        }
+        if (chosen && !room) {
             occupy(&pairs->numbers, x + (i == 0 ? -1 : 1) * (width / 2 + 4), width);
+        }
         draw_mark(svg, x, room || chosen ? text : NULL, room ? SVG_MIDDLE : outward, chosen);
     }
 }
@@ -299,8 +317,9 @@ static size_t next_mark(const struct barrel *barrel, double limit)
     size_t next = barrel->mark_count;
     for (size_t i = 0; i < barrel->mark_count; i++) {
         double N = barrel->marks[i].fnumber;
-        if (N < limit && (next == barrel->mark_count || N > barrel->marks[next].fnumber))
+        if (N < limit && (next == barrel->mark_count || N > barrel->marks[next].fnumber)) {
             next = i;
+        }
     }
     return next;
 }
@@ -316,8 +335,9 @@ static void draw_pairs(struct svg *svg, const struct scale *scale, const struct 
     svg_group_begin(svg, &(struct svg_style){.stroke = "#222", .width = 1.3});
     for (size_t i = next_mark(barrel, INFINITY); i < barrel->mark_count;
          i = next_mark(barrel, barrel->marks[i].fnumber)) {
-        if (i != barrel->chosen)
+        if (i != barrel->chosen) {
             draw_pair(svg, scale, &barrel->marks[i], false, &pairs);
+        }
     }
     svg_group_end(svg);
 }
@@ -358,19 +378,20 @@ static void draw_rings(struct svg *svg, const struct scale *scale, const struct 
 
 static void draw_axis(struct svg *svg, const struct scale *scale)
 {
-    struct plot_ticks ticks;
-    plot_ticks_linear(scale->right_diopter, scale->left_diopter, &ticks);
+    struct ticks ticks;
+    ticks_linear(scale->right_diopter, scale->left_diopter, &ticks);
     svg_group_begin(svg, &(struct svg_style){.stroke = "#555", .width = 1});
     svg_line(svg, MARGIN, AXIS, BARREL_WIDTH - MARGIN, AXIS);
     for (size_t i = 0; i < ticks.count; i++) {
         double x = position(scale, ticks.value[i]);
-        if (!on_scale(scale, ticks.value[i]))
+        if (!on_scale(scale, ticks.value[i])) {
             continue;
+        }
         svg_line(svg, x, AXIS, x, AXIS + 5);
         svg_text(svg,
                  &(struct svg_label){
                      .x = x, .y = AXIS + 19, .size = 12, .anchor = SVG_MIDDLE, .colour = "#444"},
-                 plot_tick_text(svg->arena, &ticks, i));
+                 ticks_text(svg->arena, &ticks, i));
     }
     svg_group_end(svg);
     svg_text(svg,
@@ -385,8 +406,9 @@ static void draw_axis(struct svg *svg, const struct scale *scale)
 /* "3 m (9.84 ft)", or the infinity sign. */
 static const char *distance_text(struct arena *arena, double diopter)
 {
-    if (!(diopter > 1e-9))
+    if (!(diopter > 1e-9)) {
         return "∞";
+    }
     return arena_printf(arena, "%s m (%s ft)", number_text(arena, 1 / diopter),
                         number_text(arena, 1 / diopter / METRES_IN_FOOT));
 }
@@ -423,8 +445,9 @@ static void draw_words(struct svg *svg, const struct barrel *barrel)
 
 bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *error)
 {
-    if (!check_barrel(barrel, error))
+    if (!check_barrel(barrel, error)) {
         return false;
+    }
     double nearest = nearest_of(barrel);
     struct scale scale = scale_of(barrel, nearest);
     svg_begin(svg, BARREL_WIDTH, BARREL_HEIGHT, barrel->title);

@@ -42,8 +42,8 @@ static void write_value(struct report *report, const void *row, const struct sho
     switch (shown->column->type) {
     case COLUMN_NUMBER:
         output_advance(report->output,
-                       shown_write_number(output_reserve(report->output, NUMBER_LENGTH), row,
-                                          shown, report->digits));
+                       shown_write_number(output_reserve(report->output, NUMBER_LENGTH), row, shown,
+                                          report->digits));
         break;
     case COLUMN_INTEGER:
         if (!row_is_absent(row, shown->column)) {
@@ -130,6 +130,9 @@ static void write_cells(struct report *report, const void *row, const struct tex
         if (row != NULL) {
             write_value(report, row, &report->shown[i]);
         }
+    }
+    if (row == NULL && cells == 1 && !report->has_error_column) {
+        output_string(report->output, "\"\""); /* an empty line would be no row */
     }
     if (report->has_error_column) {
         output_string(report->output, cells > 0 ? (char[]){separator, '\0'} : "");

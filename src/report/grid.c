@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+enum { NOTE_WIDTH = 79 };
+
 struct grid grid_new(struct arena *arena, size_t columns, size_t head_rows)
 {
     struct grid grid = {.arena = arena, .columns = columns, .head_rows = head_rows};
@@ -106,7 +108,8 @@ void grid_write_text(const struct grid *grid, struct output *output, bool with_h
         output_character(output, '\n');
     }
     if (grid->note != NULL) {
-        output_printf(output, "\n%s\n", grid->note);
+        output_character(output, '\n');
+        output_wrapped(output, grid->note, NOTE_WIDTH);
     }
 }
 
@@ -139,8 +142,8 @@ static void write_markdown_row(const struct grid *grid, struct output *output, s
     output_character(output, '|');
     for (size_t j = 0; j < grid->columns; j++) {
         output_character(output, ' ');
-        write_markdown_cell(output, row < grid->head_rows ? joined_head(grid, j)
-                                                          : cell(grid, row, j));
+        write_markdown_cell(output,
+                            row < grid->head_rows ? joined_head(grid, j) : cell(grid, row, j));
         output_string(output, " |");
     }
     output_character(output, '\n');

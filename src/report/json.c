@@ -9,8 +9,12 @@
 /* Length of the UTF-8 sequence at `at`, 0 if it is none (RFC 3629). */
 static size_t utf8_length(const unsigned char *at, size_t room)
 {
-    size_t length = at[0] < 0x80 ? 1 : at[0] < 0xc2 ? 0 : at[0] < 0xe0 ? 2 : at[0] < 0xf0 ? 3 :
-                    at[0] < 0xf5 ? 4 : 0;
+    size_t length = at[0] < 0x80   ? 1
+                    : at[0] < 0xc2 ? 0
+                    : at[0] < 0xe0 ? 2
+                    : at[0] < 0xf0 ? 3
+                    : at[0] < 0xf5 ? 4
+                                   : 0;
     if (length == 0 || length > room) {
         return 0;
     }
@@ -39,6 +43,8 @@ static void write_string(struct output *output, const char *start, size_t length
         if (c == '"' || c == '\\') {
             output_character(output, '\\');
             output_character(output, (char)c);
+        } else if (c == '\n' || c == '\t') {
+            output_string(output, c == '\n' ? "\\n" : "\\t");
         } else if (c < 0x20) {
             output_printf(output, "\\u%04x", c);
         } else {
@@ -117,7 +123,8 @@ static void write_object(struct report *report, const void *row, const struct te
     write_members(report, row, report->shown, report->shown_count, report->passed_count > 0);
     if (failure != NULL) {
         output_string(report->output, report->shown_count + report->passed_count > 0
-                                          ? ",\"error\":" : "\"error\":");
+                                          ? ",\"error\":"
+                                          : "\"error\":");
         write_string(report->output, failure->message, strlen(failure->message));
     }
     output_character(report->output, '}');

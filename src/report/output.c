@@ -39,12 +39,12 @@ static int open_beside(struct output *output, const char *path, struct arena *ar
 bool output_open(struct output *output, const char *path, struct arena *arena, struct error *error)
 {
     *output = (struct output){.descriptor = STDOUT_FILENO, .path = path, .size = BUFFER_SIZE};
-    output->buffer = arena_array(arena, BUFFER_SIZE, 1);
+    output->buffer = arena_buffer(arena, BUFFER_SIZE);
     if (path == NULL) {
         return true;
     }
-    output->descriptor = is_plain_or_new(path) ? open_beside(output, path, arena)
-                                               : open(path, O_WRONLY | O_CLOEXEC);
+    output->descriptor =
+        is_plain_or_new(path) ? open_beside(output, path, arena) : open(path, O_WRONLY | O_CLOEXEC);
     if (output->descriptor < 0) {
         return fail(error, ERROR_IO, "cannot write %s: %s", path, strerror(errno));
     }
@@ -110,6 +110,31 @@ void output_spaces(struct output *output, size_t count)
     while (count-- > 0) {
         output_character(output, ' ');
     }
+}
+
+/* Characters up to the next blank or the end of the line; bytes that continue one do not count. */
+static size_t word_width(const char *text)
+{
+    size_t width = 0;
+    for (; *text != '\0' && *text != ' ' && *text != '\n'; text++) {
+        width += ((unsigned char)*text & 0xc0) != 0x80;
+    }
+    return width;
+}
+
+void output_wrapped(struct output *output, const char *text, size_t width)
+{
+    size_t column = 0;
+    for (; *text != '\0'; text++) {
+        if (*text == ' ' && column + 1 + word_width(text + 1) > width) {
+            output_character(output, '\n');
+            column = 0;
+            continue;
+        }
+        output_character(output, *text);
+        column = *text == '\n' ? 0 : column + (((unsigned char)*text & 0xc0) != 0x80);
+    }
+    output_character(output, '\n');
 }
 
 void output_printf(struct output *output, const char *format, ...)

@@ -26,8 +26,7 @@ struct output {
  *           arena   owns buffer and names
  * Errors    ERROR_IO: the file cannot be made
  */
-bool output_open(struct output *output, const char *path, struct arena *arena,
-                 struct error *error);
+bool output_open(struct output *output, const char *path, struct arena *arena, struct error *error);
 
 /* Room for `length` characters (at most OUTPUT_RESERVE): write there, then output_advance. */
 enum { OUTPUT_RESERVE = 4096 };
@@ -37,6 +36,8 @@ void output_advance(struct output *output, const char *end);
 void output_text(struct output *output, const char *start, size_t length);
 void output_string(struct output *output, const char *string);
 void output_character(struct output *output, char c);
+/* A text broken at blanks into lines of at most `width` characters; ends with a line feed. */
+void output_wrapped(struct output *output, const char *text, size_t width);
 void output_spaces(struct output *output, size_t count);
 void output_printf(struct output *output, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -7,8 +7,8 @@
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "base/number.h"
 #include "report/svg.h"
+#include "report/ticks.h"
 
 static const double NUMBER_SIZE = 12, LABEL_SIZE = 13, TITLE_SIZE = 17; /* px */
 static const double HUGEST = 1e200, TINIEST = 1e-200;
@@ -32,7 +32,7 @@ struct axis {
     bool log;
     double low, high;   /* values at the ends */
     double start, stop; /* px, where they lie */
-    struct plot_ticks ticks;
+    struct ticks ticks;
 };
 
 struct frame {
@@ -46,136 +46,17 @@ struct points {
     size_t count;
 };
 
-/* -------- ticks -------- */
-
-static double smallest_step(double range, double intervals)
-{
-    double raw = range / intervals;
-    double decade = pow(10, floor(log10(raw)));
-    double ratio = raw / decade * (1 - 1e-9); /* so that 1.0000000001 is still 1 */
-    return decade * (ratio <= 1 ? 1 : ratio <= 2 ? 2 : ratio <= 5 ? 5 : 10);
-}
-
-static void widen(double *low, double *high)
-{
-    double size = fmax(fabs(*low), fabs(*high));
-    if (*high - *low > 1e-9 * size)
-        return;
-    double margin = size > 0 ? 0.1 * size : 1;
-    *low -= margin;
-    *high += margin;
-}
-
-void plot_ticks_linear(double low, double high, struct plot_ticks *ticks)
-{
-    widen(&low, &high);
-    double step = smallest_step(high - low, 8);
-    double first = floor(low / step + 1e-6), last = ceil(high / step - 1e-6);
-    *ticks = (struct plot_ticks){.step = step};
-    for (double i = first; i <= last && ticks->count < PLOT_TICKS; i++)
-        ticks->value[ticks->count++] = i * step + 0.0;
-}
-
-/* The n-th of ..., 0.1, 0.2, 0.5, 1, 2, 5, 10, ...; the zeroth is 1. */
-static double one_two_five(double n)
-{
-    static const double mantissa[] = {1, 2, 5};
-    double decade = floor(n / 3);
-    return mantissa[(int)(n - 3 * decade)] * pow(10, decade);
-}
-
-static double one_two_five_below(double x)
-{
-    double n = 3 * floor(log10(x)) - 3;
-    while (one_two_five(n + 1) <= x * (1 + 1e-9))
-        n++;
-    return n;
-}
-
-void plot_ticks_log(double low, double high, struct plot_ticks *ticks)
-{
-    if (high < 4 * low) {
-        plot_ticks_linear(low, high, ticks);
-        return;
-    }
-    double below = one_two_five_below(low), above = one_two_five_below(high);
-    if (one_two_five(above) < high * (1 - 1e-9))
-        above++;
-    double stride = 1, first = below, last = above;
-    while ((last - first) / stride > PLOT_TICKS - 1) {
-        stride = stride < 3 ? 3 : stride + 3; /* whole decades */
-        first = floor(below / stride) * stride;
-        last = ceil(above / stride) * stride;
-    }
-    *ticks = (struct plot_ticks){.step = 0};
-    for (double n = first; n <= last; n += stride)
-        ticks->value[ticks->count++] = one_two_five(n);
-}
-
-/* -------- numbers as text -------- */
-
-/* x with a fixed number of decimals and a true minus sign. */
-static const char *fixed_text(struct arena *arena, double x, int decimals)
-{
-    char digits[NUMBER_LENGTH + 1] = "";
-    char zeros[] = "0000000000000000";
-    *number_write_digits(digits, fabs(x), 12) = '\0';
-    const char *point = strchr(digits, '.');
-    int missing = decimals - (point ? (int)strlen(point + 1) : 0);
-    missing = missing < 0 || strchr(digits, 'e') ? 0 : missing > 15 ? 15 : missing;
-    return arena_printf(arena, "%s%s%s%.*s", x < 0 ? "−" : "", digits,
-                        missing > 0 && !point ? "." : "", missing, zeros);
-}
-
-static const char *superscript(struct arena *arena, int exponent)
-{
-    static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    const char *text = "";
-    for (int rest = exponent < 0 ? -exponent : exponent; rest > 0 || !*text; rest /= 10)
-        text = arena_printf(arena, "%s%s", digit[rest % 10], text);
-    return exponent < 0 ? arena_printf(arena, "⁻%s", text) : text;
-}
-
-/* floor(log10(x)), where 999.9999999 counts as 1000. */
-static int exponent_of(double x)
-{
-    return (int)floor(log10(x * (1 + 1e-9)));
-}
-
-static const char *power_text(struct arena *arena, double x, int exponent, int decimals)
-{
-    const char *power = superscript(arena, exponent);
-    double mantissa = x / pow(10, exponent);
-    if (fabs(mantissa - 1) < 1e-9 && decimals == 0)
-        return arena_printf(arena, "10%s", power);
-    return arena_printf(arena, "%s×10%s", fixed_text(arena, mantissa, decimals), power);
-}
-
-const char *plot_tick_text(struct arena *arena, const struct plot_ticks *ticks, size_t i)
-{
-    double x = ticks->value[i];
-    double first = fabs(ticks->value[0]), last = fabs(ticks->value[ticks->count - 1]);
-    double greatest = fmax(first, last);
-    bool linear = ticks->step > 0;
-    if (!(fabs(x) > 0))
-        return "0";
-    int place = linear ? exponent_of(ticks->step) : 0; /* of the last digit written */
-    if (greatest >= 0.999e6 || greatest < 1e-3 || (!linear && first < 0.999e-4)) {
-        int exponent = exponent_of(linear ? greatest : fabs(x));
-        return power_text(arena, x, exponent, linear && place < exponent ? exponent - place : 0);
-    }
-    return fixed_text(arena, x, place < 0 ? -place : 0);
-}
-
 /* -------- values and axes -------- */
 
 /* A value as it can be drawn: NaN = gap, +-inf = off the edge. */
 static double drawable(double v, bool log)
 {
-    if (log && !(v > 0))
+    if (log && !(v > 0)) {
         return NAN;
-    if (fabs(v) > HUGEST)
+    }
+    if (fabs(v) > HUGEST) {
         return copysign(INFINITY, v);
+    }
     return fabs(v) < TINIEST ? (log ? NAN : 0) : v;
 }
 
@@ -186,8 +67,9 @@ static double x_at(const struct plot *plot, size_t i)
 
 static double y_at(const struct plot *plot, const double *y, size_t i)
 {
-    if (!isfinite(x_at(plot, i)))
+    if (!isfinite(x_at(plot, i))) {
         return NAN;
+    }
     bool over = plot->y_limit > 0 && y[i] > plot->y_limit;
     return over ? INFINITY : drawable(y[i], plot->log_y);
 }
@@ -206,10 +88,12 @@ static bool find_range(const struct plot *plot, struct axis *x, struct axis *y)
     for (size_t i = 0; i < plot->count; i++) {
         for (size_t s = 0; s < plot->series_count; s++) {
             double v = y_at(plot, plot->series[s].y, i);
-            if (!isnan(v))
+            if (!isnan(v)) {
                 include(x, x_at(plot, i));
-            if (isfinite(v))
+            }
+            if (isfinite(v)) {
                 include(y, v);
+            }
         }
     }
     return y->low <= y->high;
@@ -233,10 +117,11 @@ static double page_at(const struct axis *axis, double v)
 
 static void choose_ticks(struct axis *axis, double low, double high)
 {
-    if (axis->log)
-        plot_ticks_log(low, high, &axis->ticks);
-    else
-        plot_ticks_linear(low, high, &axis->ticks);
+    if (axis->log) {
+        ticks_log(low, high, &axis->ticks);
+    } else {
+        ticks_linear(low, high, &axis->ticks);
+    }
 }
 
 /* The y axis reaches from tick to tick. */
@@ -253,8 +138,9 @@ static void keep_ticks_inside(struct axis *axis)
     size_t kept = 0;
     for (size_t i = 0; i < axis->ticks.count; i++) {
         double v = axis->ticks.value[i];
-        if (v >= axis->low - slack && v <= axis->high + slack)
+        if (v >= axis->low - slack && v <= axis->high + slack) {
             axis->ticks.value[kept++] = v;
+        }
     }
     axis->ticks.count = kept;
 }
@@ -262,11 +148,11 @@ static void keep_ticks_inside(struct axis *axis)
 /* The x axis ends where the data end. */
 static void set_x_axis(struct axis *x)
 {
-    widen(&x->low, &x->high);
+    ticks_widen(&x->low, &x->high);
     choose_ticks(x, x->low, x->high);
     keep_ticks_inside(x);
     if (x->ticks.count < 3) { /* a short logarithmic axis between two round numbers */
-        plot_ticks_linear(x->low, x->high, &x->ticks);
+        ticks_linear(x->low, x->high, &x->ticks);
         keep_ticks_inside(x);
     }
 }
@@ -276,17 +162,20 @@ static void set_x_axis(struct axis *x)
 static void draw_minor(struct svg *svg, const struct frame *frame, const struct axis *axis)
 {
     double decades = log10(axis->high) - log10(axis->low);
-    if (!axis->log || decades > 6)
+    if (!axis->log || decades > 6) {
         return;
+    }
     for (double decade = floor(log10(axis->low)); decade <= log10(axis->high); decade++) {
         for (int digit = 1; digit <= 9; digit++) {
             double v = digit * pow(10, decade), at = page_at(axis, v);
-            if (v < axis->low || v > axis->high)
+            if (v < axis->low || v > axis->high) {
                 continue;
-            if (axis == &frame->x)
+            }
+            if (axis == &frame->x) {
                 svg_line(svg, at, frame->y.start, at, frame->y.stop);
-            else
+            } else {
                 svg_line(svg, frame->x.start, at, frame->x.stop, at);
+            }
         }
     }
 }
@@ -296,8 +185,9 @@ static void draw_grid(struct svg *svg, const struct plot *plot, const struct fra
     const struct axis *x = &frame->x, *y = &frame->y;
     svg_group_begin(svg, &(struct svg_style){.stroke = "#eee", .width = 0.7});
     draw_minor(svg, frame, y);
-    if (!plot->x_ticks)
+    if (!plot->x_ticks) {
         draw_minor(svg, frame, x);
+    }
     svg_group_end(svg);
     svg_group_begin(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8});
     for (size_t i = 0; i < y->ticks.count; i++) {
@@ -317,8 +207,9 @@ static void draw_x_tick(struct svg *svg, const struct frame *frame, double at, c
 {
     double half = svg_text_width(text, NUMBER_SIZE) / 2, bottom = frame->y.start;
     svg_line(svg, at, bottom, at, bottom + 5);
-    if (at - half < *clear || at + half > PLOT_WIDTH)
+    if (at - half < *clear || at + half > PLOT_WIDTH) {
         return;
+    }
     svg_text(
         svg,
         &(struct svg_label){.x = at, .y = bottom + 19, .size = NUMBER_SIZE, .anchor = SVG_MIDDLE},
@@ -330,13 +221,15 @@ static void draw_x_numbers(struct svg *svg, const struct plot *plot, const struc
 {
     const struct axis *x = &frame->x;
     double clear = 0;
-    for (size_t i = 0; !plot->x_ticks && i < x->ticks.count; i++)
-        draw_x_tick(svg, frame, page_at(x, x->ticks.value[i]),
-                    plot_tick_text(svg->arena, &x->ticks, i), &clear);
+    for (size_t i = 0; !plot->x_ticks && i < x->ticks.count; i++) {
+        draw_x_tick(svg, frame, page_at(x, x->ticks.value[i]), ticks_text(svg->arena, &x->ticks, i),
+                    &clear);
+    }
     for (size_t i = 0; plot->x_ticks && i < plot->x_tick_count; i++) {
         double v = plot->x_ticks[i], slack = 1e-9 * (x->high - x->low);
-        if (v >= x->low - slack && v <= x->high + slack)
-            draw_x_tick(svg, frame, page_at(x, v), fixed_text(svg->arena, v, 0), &clear);
+        if (v >= x->low - slack && v <= x->high + slack) {
+            draw_x_tick(svg, frame, page_at(x, v), ticks_fixed(svg->arena, v, 0), &clear);
+        }
     }
 }
 
@@ -353,7 +246,7 @@ static void draw_axes(struct svg *svg, const struct plot *plot, const struct fra
         svg_text(svg,
                  &(struct svg_label){
                      .x = x->start - 9, .y = at + 4, .size = NUMBER_SIZE, .anchor = SVG_END},
-                 plot_tick_text(svg->arena, &y->ticks, i));
+                 ticks_text(svg->arena, &y->ticks, i));
     }
     svg_group_end(svg);
 }
@@ -396,14 +289,17 @@ static size_t thin(const struct plot *plot, const double *y, size_t from, size_t
         size_t end = to - start < stretch ? to : start + stretch, least = start, greatest = start;
         for (size_t i = start; i < end; i++) {
             double v = y_at(plot, y, i);
-            if (isnan(y_at(plot, y, least)) || v < y_at(plot, y, least))
+            if (isnan(y_at(plot, y, least)) || v < y_at(plot, y, least)) {
                 least = i;
-            if (isnan(y_at(plot, y, greatest)) || v > y_at(plot, y, greatest))
+            }
+            if (isnan(y_at(plot, y, greatest)) || v > y_at(plot, y, greatest)) {
                 greatest = i;
+            }
         }
         index[count++] = least < greatest ? least : greatest;
-        if (least != greatest)
+        if (least != greatest) {
             index[count++] = least < greatest ? greatest : least;
+        }
     }
     return count;
 }
@@ -430,10 +326,12 @@ static struct points trace(const struct plot *plot, const struct frame *frame, c
         double v = y_at(plot, y, index[i]);
         double x = page_at(&frame->x, x_at(plot, index[i]));
         double off = (isinf(v) ? v : before) > 0 ? frame->y.stop : frame->y.start;
-        if (isinf(v) && isfinite(before))
+        if (isinf(v) && isfinite(before)) {
             add_point(&points, before_x, off);
-        if (isinf(before) && isfinite(v))
+        }
+        if (isinf(before) && isfinite(v)) {
             add_point(&points, x, off);
+        }
         double inside = isnan(v) ? NAN : page_at(&frame->y, v);
         add_point(&points, x, !isinf(v) ? inside : edge ? off : NAN);
         before = v;
@@ -447,10 +345,12 @@ static void draw_area(struct svg *svg, const struct points *low, const struct po
     size_t count = low->count + high->count;
     struct points area = {ARENA_ARRAY(svg->arena, count, double),
                           ARENA_ARRAY(svg->arena, count, double), 0};
-    for (size_t i = 0; i < high->count; i++)
+    for (size_t i = 0; i < high->count; i++) {
         add_point(&area, high->x[i], high->y[i]);
-    for (size_t i = low->count; i-- > 0;)
+    }
+    for (size_t i = low->count; i-- > 0;) {
         add_point(&area, low->x[i], low->y[i]);
+    }
     svg_polygon(svg, area.x, area.y, area.count);
 }
 
@@ -461,8 +361,9 @@ static void draw_band(struct svg *svg, const struct plot *plot, const struct fra
     const double *low = plot->series[band->low].y, *high = plot->series[band->high].y;
     size_t start = 0;
     for (size_t i = 0; i <= plot->count; i++) {
-        if (i < plot->count && !isnan(y_at(plot, low, i)) && !isnan(y_at(plot, high, i)))
+        if (i < plot->count && !isnan(y_at(plot, low, i)) && !isnan(y_at(plot, high, i))) {
             continue;
+        }
         if (i - start > 1 && i - start > plot->count / STRETCHES) {
             struct points below = trace(plot, frame, low, start, i, true, svg->arena);
             struct points above = trace(plot, frame, high, start, i, true, svg->arena);
@@ -487,11 +388,13 @@ static struct svg_style line_of(size_t style)
 static void draw_arrow(struct svg *svg, struct frame *frame, double x, bool up)
 {
     for (size_t i = 0; i < frame->arrow_count; i++) {
-        if (fabs(frame->arrow_x[i] - x) < 12)
+        if (fabs(frame->arrow_x[i] - x) < 12) {
             return;
+        }
     }
-    if (frame->arrow_count == ARROWS)
+    if (frame->arrow_count == ARROWS) {
         return;
+    }
     frame->arrow_x[frame->arrow_count++] = x;
     svg_path(svg, x, up ? frame->y.stop : frame->y.start,
              up ? "M-4.5 0L0 -9 4.5 0z" : "M-4.5 -9L0 0 4.5 -9z");
@@ -510,9 +413,10 @@ static void draw_arrows(struct svg *svg, const struct plot *plot, struct frame *
     for (size_t i = 0; i + 1 < plot->count; i++) {
         double a = y_at(plot, y, i), b = y_at(plot, y, i + 1);
         bool leaves = isfinite(a) && isinf(b), returns = isinf(a) && isfinite(b);
-        if (leaves || returns)
+        if (leaves || returns) {
             draw_arrow(svg, frame, page_at(&frame->x, x_at(plot, leaves ? i : i + 1)),
                        (leaves ? b : a) > 0);
+        }
     }
 }
 
@@ -521,8 +425,9 @@ static void draw_dots(struct svg *svg, const struct plot *plot, const struct fra
 {
     for (size_t i = 0; i < plot->count; i++) {
         double v = y_at(plot, y, i);
-        if (isfinite(v))
+        if (isfinite(v)) {
             svg_circle(svg, page_at(&frame->x, x_at(plot, i)), page_at(&frame->y, v), 3.2);
+        }
     }
 }
 
@@ -549,8 +454,9 @@ static void draw_curves(struct svg *svg, const struct plot *plot, struct frame *
         const char *colour = colour_of(plot->series[s].style);
         svg_group_begin(svg, &(struct svg_style){.fill = colour, .stroke = "#fff"});
         draw_arrows(svg, plot, frame, plot->series[s].y);
-        if (plot->count <= DOTS_MAX)
+        if (plot->count <= DOTS_MAX) {
             draw_dots(svg, plot, frame, plot->series[s].y);
+        }
         svg_group_end(svg);
     }
 }
@@ -568,10 +474,12 @@ static double end_of(const struct plot *plot, const struct frame *frame, const d
     const struct axis *axis = &frame->y;
     for (size_t i = plot->count; i-- > 0;) {
         double v = y_at(plot, y, i);
-        if (isinf(v))
+        if (isinf(v)) {
             return v > 0 ? axis->stop : axis->start;
-        if (!isnan(v))
+        }
+        if (!isnan(v)) {
             return page_at(axis, v);
+        }
     }
     return axis->start;
 }
@@ -581,12 +489,14 @@ static size_t collect_keys(const struct plot *plot, const struct frame *frame, s
 {
     size_t count = 0;
     for (size_t s = 0; s < plot->series_count; s++) {
-        if (!plot->series[s].label)
+        if (!plot->series[s].label) {
             continue;
+        }
         struct key key = {&plot->series[s], end_of(plot, frame, plot->series[s].y)};
         size_t at = count++;
-        for (; at > 0 && keys[at - 1].y > key.y; at--)
+        for (; at > 0 && keys[at - 1].y > key.y; at--) {
             keys[at] = keys[at - 1];
+        }
         keys[at] = key;
     }
     return count;
@@ -630,11 +540,12 @@ static void draw_keys(struct svg *svg, const struct plot *plot, const struct fra
 
 /* -------- the page -------- */
 
-static double widest_number(struct svg *svg, const struct plot_ticks *ticks)
+static double widest_number(struct svg *svg, const struct ticks *ticks)
 {
     double width = 0;
-    for (size_t i = 0; i < ticks->count; i++)
-        width = fmax(width, svg_text_width(plot_tick_text(svg->arena, ticks, i), NUMBER_SIZE));
+    for (size_t i = 0; i < ticks->count; i++) {
+        width = fmax(width, svg_text_width(ticks_text(svg->arena, ticks, i), NUMBER_SIZE));
+    }
     return width;
 }
 
@@ -642,8 +553,9 @@ static double widest_label(const struct plot *plot)
 {
     double width = 0;
     for (size_t s = 0; s < plot->series_count; s++) {
-        if (plot->series[s].label)
+        if (plot->series[s].label) {
             width = fmax(width, svg_text_width(plot->series[s].label, NUMBER_SIZE));
+        }
     }
     return width;
 }
@@ -661,9 +573,10 @@ static void set_frame(struct svg *svg, const struct plot *plot, struct frame *fr
 bool plot_draw(const struct plot *plot, struct svg *svg, struct error *error)
 {
     struct frame frame = {.x.log = plot->log_x, .y.log = plot->log_y};
-    if (!find_range(plot, &frame.x, &frame.y))
+    if (!find_range(plot, &frame.x, &frame.y)) {
         return fail(error, ERROR_DOMAIN, "nothing to plot: no value is finite%s",
                     plot->log_x || plot->log_y ? " and positive" : "");
+    }
     set_x_axis(&frame.x);
     set_y_axis(&frame.y);
     set_frame(svg, plot, &frame);

@@ -44,34 +44,6 @@ struct plot {
     bool log_x, log_y;
 };
 
-/* Ticks of an axis, ascending. */
-#define PLOT_TICKS 12
-struct plot_ticks {
-    double value[PLOT_TICKS];
-    size_t count;
-    double step; /* between two ticks; 0 on a logarithmic axis */
-};
-
-/*
- * Round numbers for a linear axis: multiples of 1, 2 or 5 x 10^n.
- *
- * Given     low, high  the range, low <= high, absolute values 0 or 1e-200 .. 1e200
- * Result    4 to 11 ticks, the first at or below low, the last at or above high. A range below
- *           1e-9 of the values is widened to 10 % on both sides
- */
-void plot_ticks_linear(double low, double high, struct plot_ticks *ticks);
-
-/*
- * Round numbers for a logarithmic axis: 1, 2 and 5 in every decade as long as at most 12 are
- * needed, then decades, then every second decade and so on; below a factor of 4 as a linear axis.
- *
- * Given     low, high  the range, 1e-200 <= low <= high <= 1e200
- */
-void plot_ticks_log(double low, double high, struct plot_ticks *ticks);
-
-/* How tick i is written: the same number of decimals on all, powers of ten where shorter. */
-const char *plot_tick_text(struct arena *arena, const struct plot_ticks *ticks, size_t i);
-
 /* Set log_x and log_y: all finite values are positive and the largest is over 50 times the least.
  */
 void plot_choose_axes(struct plot *plot);

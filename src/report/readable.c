@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { TYPED_DIGITS = 9 };
+
 static const struct unit *length_unit(const char *name)
 {
     return unit_find(&dimension_length, text_of(name));
@@ -40,8 +42,8 @@ static const struct unit *imperial_length(double typical)
     return length_unit(typical < 1e7 || isinf(typical) || isnan(typical) ? "ft" : "mi");
 }
 
-const struct unit *readable_unit(const struct shown *shown, enum unit_system system,
-                                 double typical, bool fixed)
+const struct unit *readable_unit(const struct shown *shown, enum unit_system system, double typical,
+                                 bool fixed)
 {
     if (fixed || shown->unit == NULL || shown->column->dimension != &dimension_length) {
         return shown->unit;
@@ -117,12 +119,12 @@ static int certain_digits(const void *row, const struct column *column, int digi
     return certain < digits ? (int)floor(certain) : digits;
 }
 
-/* Does a number of at most six digits stand for it, as for most that people type? */
+/* Does a number of at most nine digits stand for it, as for most that people type? */
 static bool is_short(double value)
 {
     char digits[40];
     double again = 0;
-    snprintf(digits, sizeof digits, "%.6g", value);
+    snprintf(digits, sizeof digits, "%.*g", TYPED_DIGITS, value);
     sscanf(digits, "%lf", &again);
     return fabs(again - value) <= 1e-13 * fabs(value);
 }
@@ -141,15 +143,14 @@ static void write_number(char *to, size_t room, const void *row, const struct sh
         certain = 1;
         used = (size_t)snprintf(to, room, "~");
     }
-    if (unit != NULL && strcmp(unit->name, "ft") == 0 &&
-        strcmp(shown->unit->name, "m") == 0) {
+    if (unit != NULL && strcmp(unit->name, "ft") == 0 && strcmp(shown->unit->name, "m") == 0) {
         write_feet(to + used, room - used, value, certain);
         return;
     }
     double converted = unit != NULL ? unit_from_own(unit, value) : value;
     bool typed = (shown->column->flags & COLUMN_ECHO) != 0 && is_short(converted);
-    write_significant(to + used, room - used, converted, typed && certain < 6 ? 6 : certain,
-                      !typed);
+    write_significant(to + used, room - used, converted,
+                      typed && certain < TYPED_DIGITS ? TYPED_DIGITS : certain, !typed);
 }
 
 void readable_value(char *to, size_t room, const void *row, const struct shown *shown,

@@ -14,8 +14,8 @@
  *           fixed    the user named the unit: keep it
  * Result    the unit; null for a plain number
  */
-const struct unit *readable_unit(const struct shown *shown, enum unit_system system,
-                                 double typical, bool fixed);
+const struct unit *readable_unit(const struct shown *shown, enum unit_system system, double typical,
+                                 bool fixed);
 
 /*
  * Write the value of a column in words for people: `digits` significant digits, no exponent in

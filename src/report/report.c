@@ -91,7 +91,8 @@ static struct shown show(const struct column *column, const struct unit *unit, s
 
 static struct shown show_usual(const struct column *column, struct arena *arena)
 {
-    const struct unit *unit = column->unit != NULL ? find_unit(column, text_of(column->unit)) : NULL;
+    const struct unit *unit =
+        column->unit != NULL ? find_unit(column, text_of(column->unit)) : NULL;
     return show(column, unit, arena);
 }
 
@@ -119,17 +120,35 @@ static bool names_column(struct text name, const struct column *column, struct a
     return false;
 }
 
+/* The column is there, the unit behind its name is not. */
+static bool no_such_unit(const struct column *column, struct text name, struct error *error)
+{
+    size_t length = strlen(column->name) + 1;
+    return fail(error, ERROR_USAGE, "column '%s' is a %s: it cannot be printed in '%.*s'",
+                column->name, column->dimension->name, (int)(name.length - length),
+                name.start + length);
+}
+
 bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,
                         struct shown *shown, struct error *error)
 {
     struct nearest nearest = {.typed = name};
+    const struct column *other_unit = NULL;
     for (size_t i = 0; i < sheet->column_count; i++) {
         const struct column *column = &sheet->columns[i];
         if (names_column(name, column, arena, shown)) {
             return true;
         }
+        size_t length = strlen(column->name);
+        if (column->dimension != NULL && name.length > length && name.start[length] == '_' &&
+            memcmp(name.start, column->name, length) == 0) {
+            other_unit = other_unit != NULL ? other_unit : column;
+        }
         nearest_offer(&nearest, text_of(show_usual(column, arena).name));
         nearest_offer(&nearest, text_of(column->name));
+    }
+    if (other_unit != NULL) {
+        return no_such_unit(other_unit, name, error);
     }
     fail(error, ERROR_USAGE, "there is no column '%.*s'",
          (int)(name.length < 60 ? name.length : 60), name.start);
@@ -183,9 +202,10 @@ static bool depends_on_varied(const struct column *column, const struct selectio
     struct text rest = text_of(column->depends != NULL ? column->depends : "");
     while (rest.start != NULL) {
         struct text word = text_cut(&rest, ' ');
-        char option[40] = {0};
-        memcpy(option, word.start, word.length < sizeof option ? word.length : sizeof option - 1);
-        if (selection->varied(selection->asked, option)) {
+        char name[40] = {0};
+        memcpy(name, word.start, word.length < sizeof name ? word.length : sizeof name - 1);
+        if (name[0] == '+' ? selection->many && selection->given(selection->asked, name + 1)
+                           : selection->varied(selection->asked, name)) {
             return true;
         }
     }

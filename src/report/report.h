@@ -52,9 +52,9 @@ struct report {
     const struct text *passed_names; /* columns of a batch that are handed through */
     size_t passed_count;
     bool has_error_column;
-    bool many;  /* a sweep or a batch: rows lie, even if there is one */
+    bool many;    /* a sweep or a batch: rows lie, even if there is one */
     bool nominal; /* labels of stop series were read as their exact values */
-    int digits; /* significant digits, 0 = as the format does */
+    int digits;   /* significant digits, 0 = as the format does */
     enum unit_system units;
     const char *explain; /* text to print after the rows, or null */
     size_t rows;         /* printed so far */
@@ -63,7 +63,8 @@ struct report {
 
 /* The columns to print, and which options shape them. */
 struct selection {
-    const char *columns;                              /* --columns, or null for the usual ones */
+    const char *columns; /* --columns, or null for the usual ones */
+    bool many;           /* rows of a sweep or a batch */
     enum { SELECT_ALL, SELECT_LIST, SELECT_TABLE } layout; /* machine; one answer; many rows */
     bool (*given)(const void *asked, const char *option);  /* was this option given? */
     bool (*varied)(const void *asked, const char *option); /* does it change from row to row? */

@@ -16,8 +16,9 @@ static void put_bytes(struct svg *svg, const char *start, size_t length)
     if (svg->capacity - svg->length <= length) {
         size_t capacity = 2 * (svg->capacity + length) + FIRST_CAPACITY;
         char *data = ARENA_ARRAY(svg->arena, capacity, char);
-        if (svg->length > 0)
+        if (svg->length > 0) {
             memcpy(data, svg->data, svg->length);
+        }
         svg->data = data;
         svg->capacity = capacity;
     }
@@ -61,14 +62,17 @@ static void put_colour(struct svg *svg, const char *name, const char *value)
 static size_t character_length(const char *at)
 {
     const unsigned char *byte = (const unsigned char *)at;
-    if (byte[0] < 0x80)
+    if (byte[0] < 0x80) {
         return byte[0] >= 0x20 || byte[0] == '\t' || byte[0] == '\n';
+    }
     size_t length = byte[0] >= 0xf0 ? 4 : byte[0] >= 0xe0 ? 3 : 2;
-    if (byte[0] < 0xc2 || byte[0] > 0xf4)
+    if (byte[0] < 0xc2 || byte[0] > 0xf4) {
         return 0;
+    }
     for (size_t i = 1; i < length; i++) {
-        if ((byte[i] & 0xc0) != 0x80)
+        if ((byte[i] & 0xc0) != 0x80) {
             return 0;
+        }
     }
     bool overlong = (byte[0] == 0xe0 && byte[1] < 0xa0) || (byte[0] == 0xf0 && byte[1] < 0x90);
     bool surrogate = byte[0] == 0xed && byte[1] > 0x9f;
@@ -106,20 +110,24 @@ static void put_escaped(struct svg *svg, const char *text, size_t length)
 static double character_width(const char *at)
 {
     unsigned char byte = (unsigned char)*at;
-    if ((byte & 0xc0) == 0x80)
+    if ((byte & 0xc0) == 0x80) {
         return 0; /* the rest of a character that is counted already */
-    if (byte >= 'A' && byte <= 'Z')
+    }
+    if (byte >= 'A' && byte <= 'Z') {
         return 0.7;
-    if (strchr(" .,:;'|!()[]ijltfr/", byte))
+    }
+    if (strchr(" .,:;'|!()[]ijltfr/", byte)) {
         return 0.37;
+    }
     return byte == 'm' || byte == 'w' || byte == '%' || byte >= 0xe2 ? 0.9 : 0.63;
 }
 
 double svg_text_width(const char *text, double size)
 {
     double width = 0;
-    for (; *text; text++)
+    for (; *text; text++) {
         width += character_width(text) * size;
+    }
     return width;
 }
 
@@ -129,11 +137,13 @@ static size_t fitting_length(const char *text, double size, double width)
     size_t length = 0;
     for (double used = 0; text[length]; length++) {
         used += character_width(text + length) * size;
-        if (used > width)
+        if (used > width) {
             break;
+        }
     }
-    while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80)
+    while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80) {
         length--;
+    }
     return length;
 }
 
@@ -154,8 +164,9 @@ void svg_begin(struct svg *svg, double width, double height, const char *title)
     put_number(svg, height);
     put(svg, "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"none\" "
              "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>");
-    if (title)
+    if (title) {
         put_escaped(svg, title, strlen(title));
+    }
     put(svg, "</title>\n");
     svg_group_begin(svg, &(struct svg_style){.fill = "#fff"});
     svg_rect(svg, 0, 0, width, height);
@@ -172,12 +183,15 @@ void svg_group_begin(struct svg *svg, const struct svg_style *style)
     put(svg, "<g");
     put_colour(svg, "fill", style->fill);
     put_colour(svg, "stroke", style->stroke);
-    if (style->width > 0)
+    if (style->width > 0) {
         put_attribute(svg, "stroke-width", style->width);
-    if (style->dash)
+    }
+    if (style->dash) {
         put_colour(svg, "stroke-dasharray", style->dash);
-    if (style->opacity > 0)
+    }
+    if (style->opacity > 0) {
         put_attribute(svg, "opacity", style->opacity);
+    }
     put(svg, ">\n");
 }
 
@@ -200,8 +214,9 @@ void svg_group_end(struct svg *svg)
 
 void svg_line(struct svg *svg, double x1, double y1, double x2, double y2)
 {
-    if (!all_finite(x1, y1, x2, y2))
+    if (!all_finite(x1, y1, x2, y2)) {
         return;
+    }
     put(svg, "<line");
     put_attribute(svg, "x1", x1);
     put_attribute(svg, "y1", y1);
@@ -212,8 +227,9 @@ void svg_line(struct svg *svg, double x1, double y1, double x2, double y2)
 
 void svg_rect(struct svg *svg, double x, double y, double width, double height)
 {
-    if (!all_finite(x, y, width, height) || width < 0 || height < 0)
+    if (!all_finite(x, y, width, height) || width < 0 || height < 0) {
         return;
+    }
     put(svg, "<rect");
     put_attribute(svg, "x", x);
     put_attribute(svg, "y", y);
@@ -224,8 +240,9 @@ void svg_rect(struct svg *svg, double x, double y, double width, double height)
 
 void svg_circle(struct svg *svg, double x, double y, double radius)
 {
-    if (!all_finite(x, y, radius, 0) || radius < 0)
+    if (!all_finite(x, y, radius, 0) || radius < 0) {
         return;
+    }
     put(svg, "<circle");
     put_attribute(svg, "cx", x);
     put_attribute(svg, "cy", y);
@@ -241,8 +258,9 @@ static void put_run(struct svg *svg, const double *x, const double *y, size_t co
         put(svg, " ");
         put_number(svg, y[i]);
     }
-    if (count == 1)
+    if (count == 1) {
         put(svg, "h0"); /* round line ends make a dot of it */
+    }
 }
 
 /* One path of all runs of finite points, each followed by `ending`. */
@@ -252,8 +270,9 @@ static void put_runs(struct svg *svg, const double *x, const double *y, size_t c
     size_t start = 0;
     bool open = false;
     for (size_t i = 0; i <= count; i++) {
-        if (i < count && isfinite(x[i]) && isfinite(y[i]))
+        if (i < count && isfinite(x[i]) && isfinite(y[i])) {
             continue;
+        }
         if (i > start) {
             put(svg, open ? "" : "<path d=\"");
             put_run(svg, x + start, y + start, i - start);
@@ -277,8 +296,9 @@ void svg_polygon(struct svg *svg, const double *x, const double *y, size_t count
 
 void svg_path(struct svg *svg, double x, double y, const char *words)
 {
-    if (!all_finite(x, y, 0, 0))
+    if (!all_finite(x, y, 0, 0)) {
         return;
+    }
     put(svg, "<path transform=\"translate(");
     put_number(svg, x);
     put(svg, " ");
@@ -302,8 +322,9 @@ static void put_rotation(struct svg *svg, const struct svg_label *label)
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
 {
     static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
-    if (!all_finite(label->x, label->y, label->size, label->rotation))
+    if (!all_finite(label->x, label->y, label->size, label->rotation)) {
         return;
+    }
     put(svg, "<text");
     put_attribute(svg, "x", label->x);
     put_attribute(svg, "y", label->y);
@@ -312,8 +333,9 @@ void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
     put(svg, label->bold ? " font-weight=\"bold\"" : "");
     put_colour(svg, "fill", label->colour ? label->colour : "#000");
     put(svg, " stroke=\"none\"");
-    if (fabs(label->rotation) > 0)
+    if (fabs(label->rotation) > 0) {
         put_rotation(svg, label);
+    }
     put(svg, ">");
     bool fits = !(label->width > 0) || svg_text_width(text, label->size) <= label->width;
     double room = label->width - label->size; /* beside the ellipsis */

@@ -36,8 +36,8 @@ enum column_flag {
 
 /* One column. Numbers are in the program's own units in the row, in `unit` in the output. */
 struct column {
-    const char *name; /* without the unit: "near" */
-    const char *unit; /* the unit of machine output: "m"; null = none */
+    const char *name;                  /* without the unit: "near" */
+    const char *unit;                  /* the unit of machine output: "m"; null = none */
     const struct dimension *dimension; /* null = plain number */
     enum column_type type;
     size_t offset;
@@ -46,7 +46,8 @@ struct column {
     const char *label;   /* in words, for people: "near limit" */
     const char *help;    /* one sentence */
     const char *with;    /* of an echo: the option it repeats; else the option that brings it */
-    const char *depends; /* COLUMN_ASSUMED: the options it follows from, separated by blanks */
+    const char *depends; /* COLUMN_ASSUMED: the options it follows from, separated by blanks; one
+                            with '+' before it makes it follow from all others when given */
     size_t condition;    /* offset of the number's condition (a double), 0 = none */
 };
 

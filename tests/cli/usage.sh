@@ -6,4 +6,6 @@ for words in '-f 50 -f 60' '-f 50 -N 4 -s 3 extra' '-f 50 -N 4 -s' '--csv=1' '--
 done
 lenscalc help nothing
 echo "status $?"
-lenscalc
+lenscalc 2> short
+echo "status $?"
+head -n 1 short

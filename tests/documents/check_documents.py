@@ -29,6 +29,7 @@ import re
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import ROOT, Checks, Program
 
@@ -238,4 +239,5 @@ def main():
     checks.finish()
 
 
-main()
+if __name__ == "__main__":
+    main()

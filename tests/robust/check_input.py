@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
 
@@ -69,7 +70,7 @@ class Tester:
 
 
 def check_values(tester):
-    """The values of the issue, on the command line and in a cell of line 3."""
+    """What is no value, on the command line and in a cell of line 3."""
     bad = {"nan": "nan", "-nan": "nan", "1e999": "too large", "-1e999": "too large",
            "1e-999": "too small", "-0": "out of range", "0": "out of range", "-1": "out of range",
            "3s": "time", "3kg": "unknown unit", "3nn": "unknown unit", "0x10": "", "x": "",
@@ -194,8 +195,14 @@ def check_huge(tester):
             ("1000 columns", b"f,N,s," + b",".join(b"c%d" % i for i in range(1000)) + b"\n50,4,3" +
              b",1" * 1000 + b"\n", (0, 4)),
             ("1e6 commas", HEADER + b"," * 10**6 + b"\n", (1,)),
+            # a bad row that moves the buffer, behind a row whose note lay there
+            ("a bad row behind a note", b"f,N,s,note\n50,2.8,3,hello\nbad,2.8," + b"7" * 400000 +
+             b",x\n", (3,)),
             ("a line of 32 MB", HEADER + b"z" * (32 * MEGABYTE) + b"\n", (1,))):
         result = tester.batch(what, content, statuses)
+        if what.startswith("a bad row"):
+            last = result.stdout.splitlines()[-1]
+            tester.checks.check(b"hello" not in last, f"{what}: the note of another row: {last}")
         if b"note" in content and statuses == (0,):
             tester.checks.check(len(result.stdout) > 10**6, f"{what}: the note is cut")
 

@@ -17,6 +17,7 @@ import re
 import sys
 from fractions import Fraction
 
+sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import ROOT, SHARED, Checks, Program
 
@@ -152,6 +153,8 @@ def check_thin(program, checks, path):
 
 def cells_of(output, form):
     """{name: text} of the one row that a call printed; texts are as printed."""
+    if output == "":
+        return {}
     if form in ("csv", "tsv"):
         names, values = list(csv.reader(io.StringIO(output, newline=""),
                                         delimiter="\t" if form == "tsv" else ","))
@@ -168,6 +171,9 @@ def check_formats(program, checks, rows):
         for form in ("csv", "tsv", "json", "jsonl"):
             result = single_call(program, row, "--format", form)
             texts[form] = cells_of(result.stdout.decode(), form)
+        if not checks.check(all(texts.values()), f"row {row['id']}: no answer in "
+                                                 f"{[form for form in texts if not texts[form]]}"):
+            continue
         reference = {name: value for name, value in texts["csv"].items() if name != "error"}
         for form in ("tsv", "json", "jsonl"):
             for name, value in reference.items():
@@ -203,6 +209,46 @@ def check_text(program, checks, row, reference):
         exact, value = float(reference[column]), float(number) * scale
         checks.check(value == exact or abs(value / exact - 1) <= 6e-4 if exact else value == 0,
                      f"row {row['id']} {column}: text '{number} {unit}', csv {exact!r}")
+
+
+def check_feed(program, checks):
+    """The rows that dof writes are rows that dof and fov read: the same answers again."""
+    for form in ("csv", "tsv", "jsonl"):
+        first = program.run("dof", "-f", "35,50mm", "-N", "2.8,8", "-s", "1.5,3m,inf", "--format",
+                            form)
+        for command in ("dof", "fov", "hyperfocal"):
+            again = program.run(command, "--batch", "-", "--format", form, stdin=first.stdout)
+            checks.check(again.returncode == 0, f"dof --{form} | {command} --batch -: status "
+                                                f"{again.returncode}: {again.stderr.decode()[:200]}")
+            if command == "dof":
+                def numbers(output):
+                    rows = ([json.loads(line) for line in output.splitlines()]
+                            if form == "jsonl" else list(csv.DictReader(
+                                output.splitlines(), delimiter="\t" if form == "tsv" else ",")))
+                    return [{name: row.get(name) for name in ("focal_mm", "fnumber", "distance_m",
+                                                              "coc_mm", "near_m", "far_m", "dof_m")}
+                            for row in rows]
+                checks.check(numbers(first.stdout.decode()) == numbers(again.stdout.decode()),
+                             f"dof --{form} | dof --batch - changes the numbers")
+
+
+def check_pinned(program, checks):
+    """Names that scripts outside rely on."""
+    answer = json.loads(program.run("dof", "-f", "50mm", "-N", "2.8", "-s", "3m", "--sensor",
+                                    "35mm", "--json").stdout)
+    for key in ("command", "version", "assumptions", "rows"):
+        checks.check(key in answer, f"dof --json has no key {key}")
+    for key in ("sensor", "coc_mm", "coc_criterion", "pupil_magnification", "model",
+                "distance_from"):
+        checks.check(key in answer["assumptions"], f"dof --json: assumptions has no key {key}")
+    for key in ("focal_mm", "fnumber", "distance_m", "coc_mm", "hyperfocal_m", "near_m", "far_m",
+                "front_m", "behind_m", "dof_m", "magnification"):
+        checks.check(isinstance(answer["rows"][0].get(key), (int, float)),
+                     f"dof --json: no number {key}")
+    airy = json.loads(program.run("dof", "-f", "50mm", "-N", "2.8", "-s", "3m", "-c", "airy",
+                                  "--json").stdout)
+    checks.check(airy["assumptions"].get("wavelength_nm") == 550,
+                 "dof -c airy --json: assumptions has no wavelength_nm")
 
 
 def check_digits(program, checks, rows):
@@ -279,6 +325,8 @@ def main():
     good = [row for row in read_table(own) if row["status"] == "ok"]
     check_formats(program, checks, good[::17])
     check_digits(program, checks, good)
+    check_feed(program, checks)
+    check_pinned(program, checks)
     checks.finish()
 
 

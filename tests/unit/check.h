@@ -24,8 +24,8 @@ static inline void check_at(bool passed, const char *file, int line, const char 
 #define CHECK(condition) check_at((condition), __FILE__, __LINE__, #condition)
 
 /* |actual - expected| <= tolerance; infinities must be equal; NaN fails. */
-static inline void check_near_at(double actual, double expected, double tolerance,
-                                 const char *file, int line, const char *what)
+static inline void check_near_at(double actual, double expected, double tolerance, const char *file,
+                                 int line, const char *what)
 {
     bool equal = isinf(expected) ? actual == expected : fabs(actual - expected) <= tolerance;
     if (equal) {

@@ -1,7 +1,7 @@
 /* tests/unit/test_distance_from.c - distances from sensor and pupil. */
 /* SPDX-License-Identifier: MIT */
-#include "photo/distance_from.h"
 #include "check.h"
+#include "photo/distance_from.h"
 
 static const struct dof_targets no_targets = {NAN, NAN, NAN, NAN, NAN};
 

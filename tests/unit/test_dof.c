@@ -47,8 +47,9 @@ static int split(char *line, char *cell[COLUMNS])
     for (char *at = line; at && count < COLUMNS; count++) {
         cell[count] = at;
         at = strchr(at, '\t');
-        if (at)
+        if (at) {
             *at++ = '\0';
+        }
     }
     return count;
 }
@@ -75,8 +76,9 @@ static void check_column(char *const cell[], enum column column, double value, d
         return;
     }
     double error = fabs(value / truth - 1) / (DBL_EPSILON * condition);
-    if (error > worst[column])
+    if (error > worst[column]) {
         worst[column] = error;
+    }
     CHECK_RELATIVE(value, truth, units * DBL_EPSILON * condition, what);
 }
 
@@ -103,8 +105,9 @@ static void check_row(char *const cell[])
     }
     bool done = dof_compute(&a, DOF_EXACT, &d, &error);
     CHECK(done);
-    if (!done)
+    if (!done) {
         return;
+    }
     /* s is rounded to double before s - f is formed: condition s/(s - f) */
     double focus = a.s < INFINITY ? a.s / (a.s - a.f) : 1;
     double kn = isnan(number(cell[KAPPA_NEAR])) ? 4 : number(cell[KAPPA_NEAR]);
@@ -127,10 +130,12 @@ static void check_row(char *const cell[])
     /* the kappas are printed with 4 digits, for P = 1; near infinity they are conditioned too */
     a.P = 1;
     CHECK(dof_compute(&a, DOF_EXACT, &d, &error));
-    if (!isnan(number(cell[KAPPA_NEAR])))
+    if (!isnan(number(cell[KAPPA_NEAR]))) {
         CHECK_RELATIVE(d.near_condition, number(cell[KAPPA_NEAR]), 6e-4, cell[ID]);
-    if (!isnan(number(cell[KAPPA_FAR])))
+    }
+    if (!isnan(number(cell[KAPPA_FAR]))) {
         CHECK_RELATIVE(d.far_condition, kf, 6e-4 + 16 * DBL_EPSILON * kf, cell[ID]);
+    }
 }
 
 static void test_truth(void)
@@ -138,15 +143,18 @@ static void test_truth(void)
     FILE *file = fopen("tests/truth/dof.tsv", "r");
     char line[2048], *cell[COLUMNS];
     CHECK(file != NULL);
-    if (!file)
+    if (!file) {
         return;
+    }
     while (fgets(line, sizeof line, file)) {
-        if (line[0] == '#' || strncmp(line, "id\t", 3) == 0)
+        if (line[0] == '#' || strncmp(line, "id\t", 3) == 0) {
             continue;
+        }
         int count = split(line, cell);
         CHECK(count == COLUMNS);
-        if (count == COLUMNS)
+        if (count == COLUMNS) {
             check_row(cell);
+        }
     }
     fclose(file);
     CHECK(rows == 187);
@@ -165,8 +173,9 @@ static void test_thin(void)
     int count = 0;
     CHECK(file != NULL);
     while (file && fgets(line, sizeof line, file)) {
-        if (line[0] == '#' || line[0] == 'f' || split(line, cell) != 9)
+        if (line[0] == '#' || line[0] == 'f' || split(line, cell) != 9) {
             continue;
+        }
         struct dof_setting a = {number(cell[0]), number(cell[1]), number(cell[2]), number(cell[3]),
                                 1};
         struct error error;
@@ -179,8 +188,9 @@ static void test_thin(void)
         CHECK_RELATIVE(d.image, number(cell[7]), 4 * DBL_EPSILON, "image");
         CHECK_RELATIVE(d.magnification, -number(cell[8]), 8 * DBL_EPSILON, "m");
     }
-    if (file)
+    if (file) {
         fclose(file);
+    }
     CHECK(count == 40);
 }
 
@@ -249,8 +259,9 @@ static void test_conditions(void)
             far += fabs(x.far - y.far) / (2 * h * d.far);
         }
         CHECK_RELATIVE(d.near_condition, near, 1e-6, "near condition");
-        if (d.far < INFINITY)
+        if (d.far < INFINITY) {
             CHECK_RELATIVE(d.far_condition, far, 1e-6, "far condition");
+        }
     }
 }
 
@@ -272,8 +283,9 @@ static void test_models(void)
     struct dof_setting a = {50, 2, 0.05, 1e9, 1};
     struct error error;
     CHECK(!dof_compute(&a, DOF_CLOSE_UP, &d, &error));
-    for (int i = 0; i < DOF_MODELS; i++)
+    for (int i = 0; i < DOF_MODELS; i++) {
         CHECK(dof_models[i].word && dof_models[i].help);
+    }
 }
 
 static void test_refusals(void)
@@ -319,18 +331,22 @@ static void check_plan(struct dof_setting a, double near, double far, double ove
             double common = before.image_near - before.image_far;
             double kept = (d.image_near - before.image_far) / common;
             CHECK(kept >= overlap - 1e-7); /* of differences of nearby image distances */
-        } else if (plan.count > 1)
+        } else if (plan.count > 1) {
             CHECK_RELATIVE(d.near, near, 1e-11, "first near");
-        else
+        } else {
             CHECK(d.near <= near && d.far >= far);
+        }
         before = d;
     }
-    if (made && plan.count > 1 && far < INFINITY)
+    if (made && plan.count > 1 && far < INFINITY) {
         CHECK_RELATIVE(d.far, far, 1e-9, "last far");
-    if (made && far == INFINITY)
+    }
+    if (made && far == INFINITY) {
         CHECK(d.far > 1e12);
-    if (made)
+    }
+    if (made) {
         CHECK(!dof_plan_shot(&plan, plan.count, &shot, &d, &error));
+    }
 }
 
 static void test_plan(void)
@@ -373,12 +389,15 @@ static void check_equal(struct dof_setting a, double k)
     CHECK(dof_compute(&a, DOF_EXACT, &d, &error) && dof_compute(&b, DOF_EXACT, &e, &error));
     CHECK(b.s == a.s);
     CHECK_RELATIVE(e.magnification, k * d.magnification, 1e-12, "framing");
-    if (d.total < INFINITY)
+    if (d.total < INFINITY) {
         CHECK_RELATIVE(e.total, d.total, 1e-11 * d.far_condition, "equal total");
-    if (a.P == 1 || d.total == INFINITY)
+    }
+    if (a.P == 1 || d.total == INFINITY) {
         CHECK_RELATIVE(e.near, d.near, 1e-12, "equal near");
-    if (a.P == 1)
+    }
+    if (a.P == 1) {
         CHECK_RELATIVE(b.N, a.N * b.f / a.f, 4 * DBL_EPSILON, "equal f/N rule");
+    }
 }
 
 static void test_equal(void)

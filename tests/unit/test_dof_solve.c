@@ -91,25 +91,31 @@ static void check_way(int way, const struct dof_setting *a, const struct dof *d)
     struct dof e;
     forget(&b, ways[way].unknown);
     if (!dof_solve(&b, &t, &error) || !dof_compute(&b, DOF_EXACT, &e, &error)) {
-        if (!unsolved[way]++)
+        if (!unsolved[way]++) {
             printf("way %d: f %.17g N %.17g c %.17g s %.17g P %.17g: %s\n", way, a->f, a->N, a->c,
                    a->s, a->P, error.message);
+        }
         return;
     }
     /* targets are met to 1e-9 of their condition; the depth is that of s / total more */
     double depth = a->s < INFINITY && d->far < INFINITY ? a->s / d->total + d->far_condition : 1;
     double focus = a->s < INFINITY ? a->s / (a->s - a->f) : 1;
     double far = d->far < INFINITY ? d->far_condition : 1;
-    if (ways[way].targets & NEAR)
+    if (ways[way].targets & NEAR) {
         CHECK_RELATIVE(e.near, d->near, 1e-9 * d->near_condition, "near");
-    if (ways[way].targets & FAR)
+    }
+    if (ways[way].targets & FAR) {
         CHECK_RELATIVE(e.far, d->far, 1e-9 * far, "far");
-    if (ways[way].targets & TOTAL)
+    }
+    if (ways[way].targets & TOTAL) {
         CHECK_RELATIVE(e.total, d->total, 1e-9 * depth * focus, "total");
-    if (ways[way].targets & HYPERFOCAL)
+    }
+    if (ways[way].targets & HYPERFOCAL) {
         CHECK_RELATIVE(e.hyperfocal, d->hyperfocal, 1e-9, "hyperfocal");
-    if (ways[way].targets & MAGNIFICATION)
+    }
+    if (ways[way].targets & MAGNIFICATION) {
         CHECK_NEAR(e.magnification, d->magnification, 1e-9 * focus * d->magnification, "m");
+    }
     CHECK(b.P == a->P);
 }
 
@@ -126,18 +132,24 @@ static void test_round_trips(void)
         a.s = a.f * (1 + 0.05 * pow(20000, uniform(&state)));
         a.P = i % 2 ? 1 : pow(10, 2 * uniform(&state) - 1);
         /* near within f has no real image and is refused as a target */
-        if (!dof_compute(&a, DOF_EXACT, &d, &error) || !(d.near > a.f))
+        if (!dof_compute(&a, DOF_EXACT, &d, &error) || !(d.near > a.f)) {
             continue;
-        for (int way = 0; way < WAYS; way++)
-            if (d.far < INFINITY || !(ways[way].targets & (FAR | TOTAL)))
+        }
+        for (int way = 0; way < WAYS; way++) {
+            if (d.far < INFINITY || !(ways[way].targets & (FAR | TOTAL))) {
                 check_way(way, &a, &d);
+            }
+        }
     }
-    for (int way = 0; way < WAYS; way++)
+    for (int way = 0; way < WAYS; way++) {
         CHECK(unsolved[way] == 0);
-    for (int way = 0; way < WAYS; way++)
-        if (unsolved[way])
+    }
+    for (int way = 0; way < WAYS; way++) {
+        if (unsolved[way]) {
             printf("way %d (unknown %u, targets %u): %d unsolved\n", way, ways[way].unknown,
                    ways[way].targets, unsolved[way]);
+        }
+    }
 }
 
 static const struct dof_targets nothing = {NAN, NAN, NAN, NAN, NAN};
@@ -210,8 +222,8 @@ static void test_refusals(void)
         enum error_code code;
         const char *part; /* of the message */
     } bad[] = {
-        {{50, no, 0.03, no, 1}, {2000, no, no, no, no}, ERROR_USAGE, "--aperture, --distance unkn"},
-        {{50, 4, 0.03, no, 1}, {2000, 3000, no, no, no}, ERROR_USAGE, "too much is given"},
+        {{50, no, 0.03, no, 1}, {2000, no, no, no, no}, ERROR_USAGE, "--aperture, --distance miss"},
+        {{50, 4, 0.03, no, 1}, {2000, 3000, no, no, no}, ERROR_USAGE, "nothing is left"},
         {{50, no, no, 2000, 1}, {1900, no, no, 9000, no}, ERROR_USAGE, "product only"},
         {{50, 4, 0.03, no, 1}, {no, no, no, 9000, no}, ERROR_USAGE, "--distance cannot be found"},
         {{50, no, 0.03, 2000, 1}, {no, no, no, no, 0.1}, ERROR_USAGE, "--aperture cannot be found"},

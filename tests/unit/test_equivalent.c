@@ -1,5 +1,4 @@
-/* tests/unit/test_equivalent.c - equivalent lenses against published examples and dof's formulas.
- */
+/* tests/unit/test_equivalent.c - equivalent lenses, published examples and dof's formulas. */
 /* SPDX-License-Identifier: MIT */
 #include "photo/equivalent.h"
 

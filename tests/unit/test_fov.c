@@ -110,7 +110,7 @@ static void test_inverse(void)
     static const double distance[] = {100, 300, 5000, 1e9, INFINITY};
     static const double pupil[] = {0.2, 0.5, 1, 2, 5};
     struct error error;
-    for (int projection = 0; projection < PROJECTIONS; projection++)
+    for (int projection = 0; projection < PROJECTIONS; projection++) {
         for (int i = 0; i < 25; i++) {
             double s = distance[i / 5], P = pupil[i % 5], f = 0, wanted = 55 * DEGREE;
             CHECK(fov_focal_length((enum projection)projection, 36, wanted, s, P, &f, &error));
@@ -118,6 +118,7 @@ static void test_inverse(void)
             struct fov fov = view((enum projection)projection, f, s, P, 1);
             CHECK_RELATIVE(fov.horizontal, wanted, 64 * DBL_EPSILON, "angle put back");
         }
+    }
     double f = 0;
     CHECK(fov_focal_length_for_field(36, 1200, 3000, &f, &error));
     CHECK_RELATIVE(view(RECTILINEAR, f, 3000, 1, 1).width_at_s, 1200.0, 1e-13, "field put back");
@@ -154,16 +155,27 @@ static void test_format(void)
     CHECK_RELATIVE(resolved((struct coc){.kind = COC_PIXELS, .value = 2}, small), 0.008, 1e-15,
                    "two pixels");
     /* 5 lp/mm at 25 cm, 360 mm print of 36 mm: enlarged 10 times, 0.02 mm; twice from 50 cm */
-    struct coc print = {COC_PRINT, 0, 250, 5, 360};
+    struct coc print = {.kind = COC_PRINT, .viewing = 250, .acuity = 5, .print = 360};
     CHECK_RELATIVE(resolved(print, full_frame), 0.02, 4 * DBL_EPSILON, "print");
     print.viewing = 500;
     CHECK_RELATIVE(resolved(print, full_frame), 0.04, 4 * DBL_EPSILON, "print from 50 cm");
     struct sensor tall = {24, 36, NAN};
     CHECK_RELATIVE(resolved(print, tall), 0.04, 4 * DBL_EPSILON, "long side of a tall picture");
 
-    const struct coc bad[] = {{COC_LENGTH, -1, 0, 0, 0}, {COC_DIAGONAL, 0, 0, 0, 0},
-                              {COC_PIXELS, 2, 0, 0, 0},  {COC_PRINT, 0, 250, 0, 360},
-                              {COC_PRINT, 0, 0, 5, 360}, {COC_LENGTH, NAN, 0, 0, 0}};
+    /* the lecture's slide: f/64 at 0.5 um has the Airy radius 1.22 x 64 x 0.5 um = 0.03904 mm */
+    struct coc airy = {.kind = COC_AIRY, .wavelength = 500e-6, .fnumber = 64};
+    CHECK_NEAR(resolved(airy, full_frame), 2 * 0.03904, 3e-5, "Airy disc");
+
+    const struct coc bad[] = {
+        {.kind = COC_LENGTH, .value = -1},
+        {.kind = COC_DIAGONAL, .value = 0},
+        {.kind = COC_PIXELS, .value = 2},
+        {.kind = COC_PRINT, .viewing = 250, .acuity = 0, .print = 360},
+        {.kind = COC_PRINT, .viewing = 0, .acuity = 5, .print = 360},
+        {.kind = COC_LENGTH, .value = NAN},
+        {.kind = COC_AIRY, .wavelength = 500e-6, .fnumber = 0},
+        {.kind = COC_AIRY, .wavelength = 0, .fnumber = 8},
+    };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         struct error error;
         double c;

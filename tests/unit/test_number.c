@@ -85,9 +85,11 @@ static void big_divide(struct big *big, uint32_t divisor)
 
 static int big_top_bit(const struct big *big)
 {
-    for (int i = 32 * BIG_WORDS - 1; i >= 0; i--)
-        if (big->word[i / 32] >> (i % 32) & 1)
+    for (int i = 32 * BIG_WORDS - 1; i >= 0; i--) {
+        if (big->word[i / 32] >> (i % 32) & 1) {
             return i;
+        }
+    }
     return -1;
 }
 
@@ -96,8 +98,9 @@ static bool is_top_of(struct number_power power, const struct big *big)
 {
     const int top = big_top_bit(big);
     uint128 bits = 0;
-    for (int i = top; i > top - 128; i--)
+    for (int i = top; i > top - 128; i--) {
         bits = bits << 1 | (i >= 0 ? big->word[i / 32] >> (i % 32) & 1 : 0);
+    }
     return bits == ((uint128)power.high << 64 | power.low);
 }
 
@@ -356,8 +359,9 @@ static void test_read_random(void)
     char text[1200];
     for (int i = 0; i < RANDOM_CASES; i++) {
         const double x = double_from_bits(random_bits(&state));
-        if (!isfinite(x))
+        if (!isfinite(x)) {
             continue;
+        }
         snprintf(text, sizeof text, "%.*e", (int)(random_bits(&state) % 22), x);
         check_named(same_bits(read_scaled(text, 1, 0), strtod(text, NULL)), "wrong value of", text);
     }
@@ -369,12 +373,14 @@ static void test_read_random(void)
     }
     for (int i = 0; i < RANDOM_CASES / 50; i++) {
         uint64_t bits = random_bits(&state) >> 1;
-        if (i % 4 == 0)
+        if (i % 4 == 0) {
             bits >>= 11; /* subnormal */
+        }
         const double x = double_from_bits(bits);
         const double next = double_from_bits(bits + 1);
-        if (!isfinite(next) || fabs(x) > 1e300)
+        if (!isfinite(next) || fabs(x) > 1e300) {
             continue;
+        }
         /* x, and its tie with the next one where a long double holds it; then one digit more */
         const long double tie = ((long double)x + (long double)next) / 2;
         snprintf(text, sizeof text, "%.770Le", i % 2 ? (long double)x : tie);
@@ -394,8 +400,9 @@ static void write_text(char *text, double x, int digits)
     char *end = digits == 0 ? number_write_shortest(text, x) : number_write_digits(text, x, digits);
     const bool fits = end - text <= NUMBER_LENGTH && text[NUMBER_LENGTH] == '#';
     CHECK(fits);
-    if (fits)
+    if (fits) {
         *end = '\0';
+    }
 }
 
 static void check_digits(double x, int digits)
@@ -450,8 +457,9 @@ static void test_write_digits_random(void)
     uint64_t state = 2;
     for (int i = 0; i < RANDOM_CASES; i++) {
         const double x = double_from_bits(random_bits(&state));
-        if (!isnan(x))
+        if (!isnan(x)) {
             check_digits(x, 1 + (int)(random_bits(&state) % 17));
+        }
     }
     /* ordinary sizes, with few decimals and then many ties: multiples of 2^-k and of 5 x 10^k */
     for (int i = 0; i < RANDOM_CASES; i++) {
@@ -469,8 +477,9 @@ static int count_digits(const char *text)
 {
     int count = 0, zeros = 0;
     for (const char *c = text; *c != '\0' && *c != 'e'; c++) {
-        if (*c < '0' || *c > '9' || (count == 0 && *c == '0'))
+        if (*c < '0' || *c > '9' || (count == 0 && *c == '0')) {
             continue;
+        }
         count++;
         zeros = *c == '0' ? zeros + 1 : 0;
     }
@@ -494,8 +503,9 @@ static void check_shortest(double x)
     }
     snprintf(other, sizeof other, "%.*e", count - 1, x);
     snprintf(form, sizeof form, "%.*Le", count - 1, strtold(text, NULL));
-    if (same_bits(strtod(other, NULL), x))
+    if (same_bits(strtod(other, NULL), x)) {
         check_named(strcmp(form, other) == 0, "not the nearest", text);
+    }
 }
 
 /* The literals are the shortest and nearest forms by construction, layout as in number.h. */
@@ -555,11 +565,13 @@ static void test_write_shortest_random(void)
     uint64_t state = 3;
     for (int i = 0; i < RANDOM_CASES; i++) {
         uint64_t bits = random_bits(&state);
-        if (i % 16 == 0)
+        if (i % 16 == 0) {
             bits &= ~((uint64_t)0x7ff << 52);
+        }
         const double x = double_from_bits(bits);
-        if (isfinite(x) && x != 0)
+        if (isfinite(x) && x != 0) {
             check_shortest(x);
+        }
     }
     for (int i = 0; i < RANDOM_CASES; i++) {
         const double size = (double)(1 + random_integer(&state));

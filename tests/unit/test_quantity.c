@@ -104,8 +104,8 @@ static void check_good(void)
             unit = unit_find(good[i].dimension, text_of(good[i].unit));
             CHECK(unit != NULL);
         }
-        bool read = quantity_read(text_of(good[i].text), good[i].dimension, unit, &value, NULL,
-                                  &error);
+        bool read =
+            quantity_read(text_of(good[i].text), good[i].dimension, unit, &value, NULL, &error);
         check_at(read, __FILE__, __LINE__, good[i].text);
         CHECK_NEAR(value, good[i].expected, good[i].tolerance, good[i].text);
         CHECK(!signbit(value) || value < 0);
@@ -138,8 +138,8 @@ static void check_round_trips(void)
                 struct error error;
                 double value;
                 char text[NUMBER_LENGTH + 1];
-                CHECK(quantity_read(text_of(numbers[i]), dimensions[d], unit, &value, NULL,
-                                    &error));
+                CHECK(
+                    quantity_read(text_of(numbers[i]), dimensions[d], unit, &value, NULL, &error));
                 *quantity_write(text, value, unit) = '\0';
                 CHECK_TEXT(text, numbers[i]);
             }

@@ -12,9 +12,9 @@ static const struct {
     const char *a, *b;
     int distance;
 } pairs[] = {
-    {"", "", 0},           {"dof", "dof", 0},    {"dof", "DOF", 0},      {"dof", "dfo", 1},
-    {"dof", "do", 1},      {"dof", "doff", 1},   {"kitten", "sitting", 3}, {"abc", "", 3},
-    {"flaw", "lawn", 2},   {"ca", "abc", 3},     {"aperture", "apreture", 1},
+    {"", "", 0},         {"dof", "dof", 0},  {"dof", "DOF", 0},           {"dof", "dfo", 1},
+    {"dof", "do", 1},    {"dof", "doff", 1}, {"kitten", "sitting", 3},    {"abc", "", 3},
+    {"flaw", "lawn", 2}, {"ca", "abc", 3},   {"aperture", "apreture", 1},
 };
 
 static void check_distance(void)

@@ -1,4 +1,4 @@
-/* report/text.c - aligned tables for people: plain text, markdown and HTML. */
+/* report/text_format.c - aligned tables for people: plain text, markdown and HTML. */
 /* SPDX-License-Identifier: MIT */
 #include "report/grid.h"
 #include "report/readable.h"
@@ -11,7 +11,7 @@
  * The units and widths of a table are chosen from its first rows, so these wait until so many have
  * come; later ones are printed as they come, in the same layout, and memory does not grow.
  */
-enum { ROWS_LOOKED_AT = 512, DIGITS = 4, CELL = 256 };
+enum { ROWS_LOOKED_AT = 512, DIGITS = 4, CELL = 256, LINE_WIDTH = 79 };
 
 struct kept {
     void *row; /* null: failed */
@@ -25,7 +25,7 @@ struct text_state {
     bool has_layout;
     const struct unit **units; /* one a shown column */
     size_t *widths;
-    bool *is_empty; /* columns without a value in the rows looked at */
+    bool *is_empty;    /* columns without a value in the rows looked at */
     bool has_failures; /* among the rows looked at: then there is a column for the reasons */
     struct arena scratch;
 };
@@ -166,8 +166,9 @@ static struct grid new_grid(struct report *report, struct arena *arena)
     struct grid grid = grid_new(arena, cell_count(report), has_units(report) ? 2 : 1);
     grid_add_row(&grid);
     for (size_t i = 0; i < report->passed_count; i++) {
-        grid_set(&grid, i, arena_string(arena, report->passed_names[i].start,
-                                        report->passed_names[i].length));
+        grid_set(
+            &grid, i,
+            arena_string(arena, report->passed_names[i].start, report->passed_names[i].length));
     }
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct column *column = report->shown[i].column;
@@ -294,8 +295,9 @@ static void write_list(struct report *report)
         char cell[CELL];
         readable_value(cell, sizeof cell, row, shown, state->units[i], digits_of(report));
         grid_add_row(&grid);
-        grid_set(&grid, 0, shown->column->label != NULL ? shown->column->label
-                                                        : spaced(report->arena, shown->name));
+        grid_set(&grid, 0,
+                 shown->column->label != NULL ? shown->column->label
+                                              : spaced(report->arena, shown->name));
         grid_set(&grid, 1, cell);
         const char *unit = label_of_unit(shown, state->units[i]);
         grid_set(&grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
@@ -363,7 +365,8 @@ static void write_line(struct report *report, const char *line)
     if (line != NULL && report->format == &format_html) {
         grid_html_paragraph(report->output, line);
     } else if (line != NULL) {
-        output_printf(report->output, "\n%s\n", line);
+        output_character(report->output, '\n');
+        output_wrapped(report->output, line, LINE_WIDTH);
     }
 }
 
@@ -374,7 +377,11 @@ static void text_end(struct report *report)
         write_kept(report);
     }
     write_line(report, report_assumptions(report, first_good_row(state)));
-    write_line(report, report->explain);
+    if (report->explain != NULL && report->format != &format_html) {
+        output_printf(report->output, "\n%s\n", report->explain); /* formulas keep their lines */
+    } else {
+        write_line(report, report->explain);
+    }
     if (report->format == &format_html) {
         grid_html_end(report->output);
     }

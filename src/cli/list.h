@@ -1,0 +1,47 @@
+/* cli/list.h - the topics of lenscalc list. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_LIST_H
+#define LENSCALC_CLI_LIST_H
+
+#include "cli/command.h"
+
+struct list_input {
+    int topic;
+    const char *search, *kind;
+};
+
+/* A list being made. */
+struct list {
+    const struct list_input *input;
+    struct run *run;
+    size_t found;
+};
+
+/* One thing to list: its rows and where they come from. */
+struct topic {
+    struct sheet sheet;
+    bool (*list)(struct list *list, struct error *error);
+};
+
+#define LIST_SHEET(columns, type) {columns, sizeof columns / sizeof columns[0], sizeof(type)}
+
+/* A text that lives as long as a row; null where it is empty. */
+const char *list_string(const struct list *list, struct text text);
+
+/*
+ * Is the row wanted? It must be of the kind that is asked for, and one of the texts must contain
+ * what is searched for. Null texts contain nothing.
+ */
+bool list_matches(const struct list *list, const char *kind, const char *const *texts,
+                  size_t count);
+
+/* Hand out one row. */
+void list_row(struct list *list, const void *row);
+
+/* Where a row of the database comes from: "own" or "embedded". */
+const char *list_place(enum lensdb_place place);
+
+extern const struct topic topic_formats, topic_cameras, topic_films, topic_scenes, topic_filters,
+    topic_stops, topic_units, topic_commands, topic_options;
+
+#endif

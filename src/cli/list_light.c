@@ -1,0 +1,207 @@
+/* cli/list_light.c - lenscalc list: films, scenes and filters. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/list.h"
+#include "file/lensdb_facts.h"
+
+#include <math.h>
+
+#define STOPS(S, member) COLUMN(S, member), .dimension = &dimension_stops, .unit = "stops"
+#define TIME(S, member)  COLUMN(S, member), .dimension = &dimension_time, .unit = "s"
+
+#define ORIGIN(S)                                                                                  \
+    {COLUMN(S, confidence), .name = "confidence", .flags = COLUMN_BRIEF, .label = "confidence",    \
+     .help = "published or sourced, third-party, approx, or recall (from memory)"},                \
+        {COLUMN(S, source), .name = "source", .flags = COLUMN_BRIEF, .label = "source",            \
+         .help = "where the figures are from"},                                                    \
+        {COLUMN(S, place), .name = "database", .label = "database",                                \
+         .help = "embedded, or the user's own folder"}
+
+struct film_row {
+    const char *film, *maker, *model, *confidence, *source, *note, *place;
+    double onset, longest, at_1, at_10, at_100;
+};
+
+static const struct column film_columns[] = {
+    {COLUMN(struct film_row, film), .name = "film", .flags = COLUMN_BRIEF, .label = "film",
+     .help = "maker and film"},
+    {COLUMN(struct film_row, maker), .name = "maker", .label = "maker", .help = "of the film"},
+    {TIME(struct film_row, onset), .name = "onset", .flags = COLUMN_ECHO, .label = "onset",
+     .help = "no correction up to here"},
+    {TIME(struct film_row, longest), .name = "longest", .flags = COLUMN_INFINITE | COLUMN_ECHO,
+     .label = "longest", .help = "longest metered time the source covers; inf where none is stated"},
+    {TIME(struct film_row, at_1), .name = "for_1", .flags = COLUMN_BRIEF | COLUMN_ECHO,
+     .label = "for 1 s", .help = "corrected time for a metered second"},
+    {TIME(struct film_row, at_10), .name = "for_10", .flags = COLUMN_BRIEF, .label = "for 10 s",
+     .help = "corrected time for 10 s"},
+    {TIME(struct film_row, at_100), .name = "for_100", .flags = COLUMN_BRIEF,
+     .label = "for 100 s", .help = "corrected time for 100 s"},
+    {COLUMN(struct film_row, model), .name = "model", .flags = COLUMN_BRIEF, .label = "model",
+     .help = "how the correction is published"},
+    ORIGIN(struct film_row),
+    {COLUMN(struct film_row, note), .name = "note", .label = "note",
+     .help = "remarks and conflicts"},
+};
+
+/* The model in words. */
+static const char *model_words(const struct list *list, const struct reciprocity *model)
+{
+    struct arena *arena = list->run->arena;
+    switch (model->model) {
+    case RECIPROCITY_POWER:
+        return arena_printf(arena, "t^%.6g above %.6g s", model->p, model->onset);
+    case RECIPROCITY_GAINER:
+        return arena_printf(arena, "t + %.6g t^1.62", model->a);
+    case RECIPROCITY_TABLE:
+        return arena_printf(arena, "%d points, %.6g s to %.6g s", model->points, model->onset,
+                            model->valid_to);
+    case RECIPROCITY_NONE:
+        break;
+    }
+    return arena_printf(arena, "none up to %.6g s", model->valid_to);
+}
+
+/* The corrected time; NaN beyond what the source covers. */
+static double corrected(const struct reciprocity *model, double metered)
+{
+    double time;
+    struct error ignored;
+    return reciprocity_corrected(model, metered, &time, &ignored) ? time : NAN;
+}
+
+static bool list_film(struct list *list, const struct lensdb_film *film, struct error *error)
+{
+    struct reciprocity model;
+    if (!lensdb_film_model(film, &model, error)) {
+        return false;
+    }
+    struct film_row row = {
+        .film = arena_printf(list->run->arena, "%.*s%s%.*s", (int)film->maker.length,
+                             film->maker.start, film->maker.length > 0 ? " " : "",
+                             (int)film->name.length, film->name.start),
+        .maker = list_string(list, film->maker),
+        .model = model_words(list, &model),
+        .confidence = list_string(list, film->status),
+        .source = list_string(list, film->source),
+        .note = list_string(list, film->note),
+        .place = list_place(film->place),
+        .onset = model.onset,
+        .longest = model.valid_to,
+        .at_1 = corrected(&model, 1),
+        .at_10 = corrected(&model, 10),
+        .at_100 = corrected(&model, 100),
+    };
+    if (list_matches(list, row.maker, (const char *[]){row.film, row.source}, 2)) {
+        list_row(list, &row);
+    }
+    return true;
+}
+
+static bool list_films(struct list *list, struct error *error)
+{
+    for (int place = 0; place < LENSDB_PLACES; place++) {
+        struct lensdb_facts facts;
+        struct lensdb_film film;
+        bool open = lensdb_films_open(&facts, list->run->db, (enum lensdb_place)place, error);
+        while (open && lensdb_films_next(&facts, &film, error)) {
+            if (!list_film(list, &film, error)) {
+                return false;
+            }
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return true;
+}
+
+struct scene_row {
+    const char *scene, *meaning, *confidence, *source, *place;
+    double ev100;
+};
+
+static const struct column scene_columns[] = {
+    {COLUMN(struct scene_row, scene), .name = "scene", .flags = COLUMN_BRIEF, .label = "scene",
+     .help = "name to ask by"},
+    {COLUMN(struct scene_row, ev100), .name = "ev100", .flags = COLUMN_BRIEF | COLUMN_ECHO,
+     .label = "EV at ISO 100", .help = "exposure value at ISO 100"},
+    {COLUMN(struct scene_row, meaning), .name = "meaning", .flags = COLUMN_BRIEF,
+     .label = "meaning", .help = "in words, with ranges and conflicts"},
+    ORIGIN(struct scene_row),
+};
+
+static bool list_scenes(struct list *list, struct error *error)
+{
+    for (int place = 0; place < LENSDB_PLACES; place++) {
+        struct lensdb_facts facts;
+        struct lensdb_scene scene;
+        bool open = lensdb_scenes_open(&facts, list->run->db, (enum lensdb_place)place, error);
+        while (open && lensdb_scenes_next(&facts, &scene, error)) {
+            struct scene_row row = {
+                .scene = list_string(list, scene.name),
+                .meaning = list_string(list, scene.scene),
+                .confidence = list_string(list, scene.confidence),
+                .source = list_string(list, scene.source),
+                .place = list_place(scene.place),
+                .ev100 = scene.ev100,
+            };
+            if (list_matches(list, NULL, (const char *[]){row.scene, row.meaning}, 2)) {
+                list_row(list, &row);
+            }
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return true;
+}
+
+struct filter_row {
+    const char *filter, *kind, *confidence, *source, *place;
+    double factor, stops, used;
+};
+
+static const struct column filter_columns[] = {
+    {COLUMN(struct filter_row, filter), .name = "filter", .flags = COLUMN_BRIEF,
+     .label = "filter", .help = "name to ask by"},
+    {COLUMN(struct filter_row, kind), .name = "kind", .flags = COLUMN_BRIEF, .label = "kind",
+     .help = "what it is for; bw: contrast in black and white"},
+    {COLUMN(struct filter_row, factor), .name = "factor", .flags = COLUMN_BRIEF | COLUMN_ECHO,
+     .label = "factor", .help = "published factor of the exposure time"},
+    {STOPS(struct filter_row, stops), .name = "published", .flags = COLUMN_ECHO,
+     .label = "published stops", .help = "published stops to open up"},
+    {STOPS(struct filter_row, used), .name = "loss", .flags = COLUMN_BRIEF, .label = "light lost",
+     .help = "what --filter takes: log2 of the factor where there is one"},
+    ORIGIN(struct filter_row),
+};
+
+static bool list_filters(struct list *list, struct error *error)
+{
+    for (int place = 0; place < LENSDB_PLACES; place++) {
+        struct lensdb_facts facts;
+        struct lensdb_filter filter;
+        bool open = lensdb_filters_open(&facts, list->run->db, (enum lensdb_place)place, error);
+        while (open && lensdb_filters_next(&facts, &filter, error)) {
+            struct filter_row row = {
+                .filter = list_string(list, filter.name),
+                .kind = list_string(list, filter.kind),
+                .confidence = list_string(list, filter.confidence),
+                .source = list_string(list, filter.source),
+                .place = list_place(filter.place),
+                .factor = filter.factor,
+                .stops = filter.stops,
+                .used = lensdb_filter_stops(&filter),
+            };
+            if (list_matches(list, row.kind, (const char *[]){row.filter, row.kind}, 2)) {
+                list_row(list, &row);
+            }
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return true;
+}
+
+const struct topic topic_films = {LIST_SHEET(film_columns, struct film_row), list_films};
+const struct topic topic_scenes = {LIST_SHEET(scene_columns, struct scene_row), list_scenes};
+const struct topic topic_filters = {LIST_SHEET(filter_columns, struct filter_row), list_filters};

@@ -1,0 +1,196 @@
+/* cli/list_program.c - lenscalc list: stop series, units, commands, options. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/list.h"
+
+#include <math.h>
+
+/* Stop series. */
+struct stop_row {
+    const char *quantity, *series, *label, *note;
+    double exact, off;
+};
+
+static const struct column stop_columns[] = {
+    {COLUMN(struct stop_row, quantity), .name = "quantity", .flags = COLUMN_BRIEF,
+     .label = "quantity", .help = "f-number, time in s, or ISO"},
+    {COLUMN(struct stop_row, series), .name = "series", .flags = COLUMN_BRIEF, .label = "series",
+     .help = "full, half or third stops"},
+    {COLUMN(struct stop_row, label), .name = "label", .flags = COLUMN_BRIEF, .label = "label",
+     .help = "as lenses and cameras print it"},
+    {COLUMN(struct stop_row, exact), .name = "exact", .flags = COLUMN_BRIEF, .label = "exact",
+     .help = "the value --nominal puts in its place"},
+    {COLUMN(struct stop_row, off), .name = "label_error_stops", .flags = COLUMN_BRIEF,
+     .label = "label is off by", .help = "light by the label over light by the exact value, stops"},
+    {COLUMN(struct stop_row, note), .name = "note", .label = "note", .help = "remark"},
+};
+
+static bool list_series(struct list *list, const char *file, const char *quantity,
+                        double stops_per_octave, const char *series, struct error *error)
+{
+    struct lensdb_stop *stops;
+    size_t count;
+    if (!lensdb_stops(list->run->db, file, series, &stops, &count, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        struct stop_row row = {
+            .quantity = quantity,
+            .series = series,
+            .label = list_string(list, stops[i].label),
+            .note = list_string(list, stops[i].note),
+            .exact = stops[i].exact,
+            .off = stops_per_octave * log2(stops[i].value / stops[i].exact) + 0.0,
+        };
+        if (list_matches(list, series, (const char *[]){row.label, quantity, series}, 3)) {
+            list_row(list, &row);
+        }
+    }
+    return true;
+}
+
+static bool list_stops(struct list *list, struct error *error)
+{
+    static const struct {
+        const char *file, *quantity;
+        double stops_per_octave; /* a larger f-number passes less light */
+    } quantities[] = {
+        {"fstops.tsv", "f-number", -2}, {"shutters.tsv", "time", 1}, {"iso.tsv", "iso", 1}};
+    static const char *const series[] = {"full", "half", "third"};
+    for (size_t i = 0; i < 3; i++) {
+        for (size_t j = 0; j < 3; j++) {
+            if (!list_series(list, quantities[i].file, quantities[i].quantity,
+                             quantities[i].stops_per_octave, series[j], error)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* Units. */
+struct unit_row {
+    const char *dimension, *unit, *spellings, *help;
+    double value;
+};
+
+static const struct column unit_columns[] = {
+    {COLUMN(struct unit_row, dimension), .name = "dimension", .flags = COLUMN_BRIEF,
+     .label = "dimension", .help = "what it measures"},
+    {COLUMN(struct unit_row, unit), .name = "unit", .flags = COLUMN_BRIEF, .label = "unit",
+     .help = "as it is typed, and as it ends the name of a column"},
+    {COLUMN(struct unit_row, spellings), .name = "spellings", .flags = COLUMN_BRIEF,
+     .label = "also typed", .help = "other spellings"},
+    {COLUMN(struct unit_row, value), .name = "value", .flags = COLUMN_BRIEF | COLUMN_ECHO,
+     .label = "value", .help = "in the first unit of its dimension"},
+    {COLUMN(struct unit_row, help), .name = "help", .flags = COLUMN_BRIEF, .label = "meaning",
+     .help = "in words"},
+};
+
+static bool list_units(struct list *list, struct error *error)
+{
+    (void)error;
+    for (size_t i = 0; dimensions[i] != NULL; i++) {
+        for (size_t j = 0; j < dimensions[i]->unit_count; j++) {
+            const struct unit *unit = &dimensions[i]->units[j];
+            struct unit_row row = {dimensions[i]->name, unit->name, unit->spellings, unit->help,
+                                   unit_to_own(unit, 1)};
+            if (unit->name[0] != '\0' &&
+                list_matches(list, row.dimension,
+                        (const char *[]){row.dimension, row.unit, row.spellings, row.help}, 4)) {
+                list_row(list, &row);
+            }
+        }
+    }
+    return true;
+}
+
+/* Commands and their options. */
+struct command_row {
+    const char *command, *group, *summary;
+};
+
+static const struct column command_columns[] = {
+    {COLUMN(struct command_row, command), .name = "command", .flags = COLUMN_BRIEF,
+     .label = "command", .help = "its name"},
+    {COLUMN(struct command_row, group), .name = "group", .flags = COLUMN_BRIEF, .label = "group",
+     .help = "what it is about"},
+    {COLUMN(struct command_row, summary), .name = "summary", .flags = COLUMN_BRIEF,
+     .label = "summary", .help = "what it does"},
+};
+
+static bool list_commands(struct list *list, struct error *error)
+{
+    (void)error;
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        struct command_row row = {commands[i]->name, commands[i]->group, commands[i]->summary};
+        if (list_matches(list, row.group, (const char *[]){row.command, row.summary}, 2)) {
+            list_row(list, &row);
+        }
+    }
+    return true;
+}
+
+struct option_row {
+    const char *command, *option, *letter, *value, *unit, *range, *fallback, *help;
+};
+
+#define OF_OPTION(member) COLUMN(struct option_row, member)
+
+static const struct column option_columns[] = {
+    {OF_OPTION(command), .name = "command", .flags = COLUMN_BRIEF, .label = "command",
+     .help = "whose option it is; all = of every command"},
+    {OF_OPTION(option), .name = "option", .flags = COLUMN_BRIEF, .label = "option",
+     .help = "its name"},
+    {OF_OPTION(letter), .name = "letter", .flags = COLUMN_BRIEF, .label = "letter",
+     .help = "its short form"},
+    {OF_OPTION(value), .name = "value", .flags = COLUMN_BRIEF, .label = "value",
+     .help = "what it takes"},
+    {OF_OPTION(unit), .name = "unit", .flags = COLUMN_BRIEF, .label = "unit",
+     .help = "unit of a bare number"},
+    {OF_OPTION(range), .name = "range", .flags = COLUMN_BRIEF, .label = "range",
+     .help = "legal range"},
+    {OF_OPTION(fallback), .name = "default", .flags = COLUMN_BRIEF, .label = "default",
+     .help = "what it is if not given"},
+    {OF_OPTION(help), .name = "help", .flags = COLUMN_BRIEF, .label = "help",
+     .help = "what it is for"},
+};
+
+static void list_option(struct list *list, const char *command, const struct option *option)
+{
+    const struct unit *unit = option_unit(option);
+    const char *range = option_range(option, list->run->arena);
+    struct option_row row = {
+        .command = command,
+        .option = arena_printf(list->run->arena, "--%s", option->name),
+        .letter =
+            option->letter != '\0' ? arena_printf(list->run->arena, "-%c", option->letter) : NULL,
+        .value = option->value,
+        .unit = unit != NULL && unit->name[0] != '\0' ? unit->name : NULL,
+        .range = range[0] != '\0' ? range : NULL,
+        .fallback = option->fallback,
+        .help = option->help,
+    };
+    if (list_matches(list, command, (const char *[]){command, row.option}, 2)) {
+        list_row(list, &row);
+    }
+}
+
+static bool list_options(struct list *list, struct error *error)
+{
+    (void)error;
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        for (size_t j = 0; j < commands[i]->option_count; j++) {
+            list_option(list, commands[i]->name, &commands[i]->options[j]);
+        }
+    }
+    for (size_t j = 0; j < common_option_count; j++) {
+        list_option(list, "all", &common_options[j]);
+    }
+    return true;
+}
+
+const struct topic topic_stops = {LIST_SHEET(stop_columns, struct stop_row), list_stops};
+const struct topic topic_units = {LIST_SHEET(unit_columns, struct unit_row), list_units};
+const struct topic topic_commands = {LIST_SHEET(command_columns, struct command_row),
+                                     list_commands};
+const struct topic topic_options = {LIST_SHEET(option_columns, struct option_row), list_options};

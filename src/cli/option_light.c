@@ -1,0 +1,260 @@
+/* cli/option_light.c - read values of light: filters, films, scenes, series of stops. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/option_light.h"
+
+#include "cli/option.h"
+#include "file/lensdb_facts.h"
+#include "photo/stops.h"
+
+#include <math.h>
+#include <string.h>
+
+static int shown_length(struct text text)
+{
+    return (int)(text.length < 60 ? text.length : 60);
+}
+
+static const char *string(const struct reader *reader, struct text text)
+{
+    return arena_string(reader->arena, text.start, text.length);
+}
+
+static bool is_digit(char c)
+{
+    return (c >= '0' && c <= '9') || c == '.';
+}
+
+static bool bad_filter(const struct option *option, struct text piece, const char *what,
+                       struct error *error)
+{
+    return fail(error, ERROR_DOMAIN, "--%s '%.*s': %s", option->name, shown_length(piece),
+                piece.start, what);
+}
+
+static bool read_number(const struct option *option, struct text piece, struct text number,
+                        const struct dimension *dimension, double *value, struct error *error)
+{
+    return quantity_read(number, dimension, NULL, value, NULL, error) ||
+           error_prefix(error, "bad value in --%s '%.*s': ", option->name, shown_length(piece),
+                        piece.start);
+}
+
+/* A factor by which light is divided: ND8, 8x. */
+static bool read_factor(const struct option *option, struct text piece, struct text number,
+                        double *stops, struct error *error)
+{
+    double factor;
+    if (!read_number(option, piece, number, &dimension_number, &factor, error)) {
+        return false;
+    }
+    *stops = stops_from_factor(factor);
+    return (factor >= 1 && factor <= 1e30) ||
+           bad_filter(option, piece, "a filter factor is 1 to 1e30", error);
+}
+
+/* ND with a decimal point is a density, without one a factor. */
+static bool read_neutral(const struct option *option, struct text piece, double *stops,
+                         struct error *error)
+{
+    struct text number = text_trim((struct text){piece.start + 2, piece.length - 2});
+    double density;
+    if (memchr(number.start, '.', number.length) == NULL) {
+        return read_factor(option, piece, number, stops, error);
+    }
+    if (!read_number(option, piece, number, &dimension_number, &density, error)) {
+        return false;
+    }
+    *stops = stops_from_density(density);
+    return (density >= 0 && density <= 30) ||
+           bad_filter(option, piece, "a density is 0 to 30", error);
+}
+
+static bool read_stops(const struct option *option, struct text piece, double *stops,
+                       struct error *error)
+{
+    const struct unit *typed;
+    if (!quantity_read(piece, &dimension_stops, NULL, stops, &typed, error)) {
+        return error_prefix(error, "bad value in --%s '%.*s': ", option->name,
+                            shown_length(piece), piece.start);
+    }
+    /* a column of a batch may say the unit for all its cells */
+    if (typed == NULL && option->unit == NULL) {
+        fail(error, ERROR_USAGE, "--%s '%.*s' may be stops, a factor or a density", option->name,
+             shown_length(piece), piece.start);
+        return error_hint(error, "write %.*sstops, %.*sx or ND%.*s (ND0.9 is a density, ND8 a "
+                                 "factor)", shown_length(piece), piece.start, shown_length(piece),
+                          piece.start, shown_length(piece), piece.start);
+    }
+    return (*stops >= 0 && *stops <= 100) ||
+           bad_filter(option, piece, "a loss of light is 0 to 100 stops", error);
+}
+
+static bool read_named(const struct reader *reader, const struct option *option,
+                       struct text piece, double *stops, struct error *error)
+{
+    struct lensdb_filter filter;
+    if (!lensdb_find_filter(reader->db, piece, &filter, error)) {
+        return error_prefix(error, "--%s: ", option->name);
+    }
+    *stops = lensdb_filter_stops(&filter);
+    return true;
+}
+
+static bool read_one_filter(const struct reader *reader, const struct option *option,
+                            struct text piece, double *stops, struct error *error)
+{
+    if (piece.length == 0) {
+        return fail(error, ERROR_USAGE, "--%s has an empty item", option->name);
+    }
+    bool neutral = piece.length > 2 && text_same((struct text){piece.start, 2}, "nd");
+    if (neutral && (is_digit(piece.start[2]) || piece.start[2] == ' ')) {
+        return read_neutral(option, piece, stops, error);
+    }
+    if (!is_digit(piece.start[0]) && piece.start[0] != '-') {
+        return read_named(reader, option, piece, stops, error);
+    }
+    size_t last = piece.length - 1;
+    if (piece.start[last] == 'x' || piece.start[last] == 'X') {
+        return read_factor(option, piece, (struct text){piece.start, last}, stops, error);
+    }
+    return read_stops(option, piece, stops, error);
+}
+
+/* The first filter of a sum; a name may hold a '+' itself ("polarizer-b+w-low"). */
+static struct text first_filter(const struct reader *reader, struct text sum)
+{
+    struct lensdb_filter filter;
+    struct error ignored;
+    struct text piece = sum;
+    while (memchr(piece.start, '+', piece.length) != NULL &&
+           !lensdb_find_filter(reader->db, piece, &filter, &ignored)) {
+        while (piece.start[--piece.length] != '+') {
+        }
+    }
+    return piece;
+}
+
+static bool read_loss(const struct reader *reader, const struct option *option, struct text text,
+                      void *member, struct error *error)
+{
+    struct text rest = text_trim(text);
+    double sum = 0;
+    bool more = true;
+    while (more) {
+        struct text piece = first_filter(reader, rest);
+        double stops;
+        if (!read_one_filter(reader, option, text_trim(piece), &stops, error)) {
+            return false;
+        }
+        sum += stops;
+        more = piece.length < rest.length;
+        rest = more ? (struct text){piece.start + piece.length + 1,
+                                    rest.length - piece.length - 1} : rest;
+    }
+    *(struct loss_value *)member = (struct loss_value){
+        sum, arena_printf(reader->arena, "%.*s (%.4g stops)", shown_length(text_trim(text)),
+                          text_trim(text).start, sum)};
+    return true;
+}
+
+static bool read_film(const struct reader *reader, const struct option *option, struct text text,
+                      void *member, struct error *error)
+{
+    struct lensdb_film film;
+    struct reciprocity *model = ARENA_NEW(reader->arena, struct reciprocity);
+    if (!lensdb_find_film(reader->db, text, &film, error)) {
+        return error_prefix(error, "--%s: ", option->name);
+    }
+    if (!lensdb_film_model(&film, model, error)) {
+        return false;
+    }
+    *(struct film_value *)member = (struct film_value){
+        .model = model,
+        .name = arena_printf(reader->arena, "%.*s %.*s", (int)film.maker.length,
+                             film.maker.start, (int)film.name.length, film.name.start),
+        .source = arena_printf(reader->arena, "%.*s: %.*s", (int)film.status.length,
+                               film.status.start, (int)film.source.length, film.source.start)};
+    return true;
+}
+
+static bool read_scene(const struct reader *reader, const struct option *option, struct text text,
+                       void *member, struct error *error)
+{
+    struct lensdb_scene scene;
+    if (!lensdb_find_scene(reader->db, text, &scene, error)) {
+        return error_prefix(error, "--%s: ", option->name);
+    }
+    *(struct scene_value *)member = (struct scene_value){
+        .ev100 = scene.ev100,
+        .name = string(reader, scene.name),
+        .source = arena_printf(reader->arena, "%.*s: %.*s", (int)scene.confidence.length,
+                               scene.confidence.start, (int)scene.source.length,
+                               scene.source.start)};
+    return true;
+}
+
+/* The labels of a series by their steps. */
+static bool load_labels(const struct reader *reader, const char *file, const char *series,
+                        const struct stop_labels **loaded, struct error *error)
+{
+    struct lensdb_stop *stops;
+    size_t count;
+    if (!lensdb_stops(reader->db, file, series, &stops, &count, error)) {
+        return false;
+    }
+    int first = count > 0 ? stops[0].step : 0, last = count > 0 ? first : -1;
+    for (size_t i = 1; i < count; i++) {
+        first = stops[i].step < first ? stops[i].step : first;
+        last = stops[i].step > last ? stops[i].step : last;
+    }
+    struct stop_labels *labels = ARENA_NEW(reader->arena, struct stop_labels);
+    *labels = (struct stop_labels){.first = first, .count = last - first + 1};
+    labels->labels = ARENA_ARRAY(reader->arena, (size_t)labels->count + 1, const char *);
+    labels->values = ARENA_ARRAY(reader->arena, (size_t)labels->count + 1, double);
+    for (size_t i = 0; i < count; i++) {
+        labels->labels[stops[i].step - first] = string(reader, stops[i].label);
+        labels->values[stops[i].step - first] = stops[i].value;
+    }
+    *loaded = labels;
+    return true;
+}
+
+static bool read_series(const struct reader *reader, const struct option *option,
+                        struct text text, void *member, struct error *error)
+{
+    static const char *const names[] = {"full", "half", "third"};
+    struct series_value series = {0};
+    for (int i = 0; i < 3 && series.per_stop == 0; i++) {
+        if (text_same(text_trim(text), names[i])) {
+            series.per_stop = i + 1;
+        }
+    }
+    if (series.per_stop == 0) {
+        return fail(error, ERROR_USAGE, "--%s '%.*s' is none of full, half, third", option->name,
+                    shown_length(text), text.start);
+    }
+    const char *name = names[series.per_stop - 1];
+    if (!load_labels(reader, "fstops.tsv", name, &series.fnumbers, error) ||
+        !load_labels(reader, "shutters.tsv", name, &series.times, error)) {
+        return false;
+    }
+    *(struct series_value *)member = series;
+    return true;
+}
+
+int stop_labels_nearest(const struct stop_labels *labels, double stops, int per_stop)
+{
+    double place = rint(stops * per_stop) - labels->first;
+    return place >= 0 && place < labels->count && labels->labels[(int)place] != NULL ? (int)place
+                                                                                    : -1;
+}
+
+const char *stop_labels_text(const struct stop_labels *labels, int place)
+{
+    return place >= 0 ? labels->labels[place] : NULL;
+}
+
+const struct option_kind kind_loss = {"loss", sizeof(struct loss_value), true, read_loss};
+const struct option_kind kind_film = {"film", sizeof(struct film_value), true, read_film};
+const struct option_kind kind_scene = {"scene", sizeof(struct scene_value), true, read_scene};
+const struct option_kind kind_series = {"series", sizeof(struct series_value), false, read_series};

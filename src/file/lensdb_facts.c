@@ -1,0 +1,387 @@
+/* file/lensdb_facts.c - films, scenes and filters of lensdb. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lensdb_facts.h"
+
+#include "base/number.h"
+#include "photo/stops.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A table's file and columns; the first `required` of them must be there. */
+struct layout {
+    const char *file;
+    size_t required, count;
+    const char *columns[LENSDB_FACT_COLUMNS];
+};
+
+enum { FILM_NAME, FILM_MODEL, FILM_PARAMETERS, FILM_ONSET, FILM_VALID_TO, FILM_MAKER, FILM_STATUS,
+       FILM_SOURCE, FILM_NOTE };
+static const struct layout films = {"films.tsv", 4, 9,
+                                    {"film", "model", "parameters", "onset_s", "valid_to_s",
+                                     "maker", "status", "source", "note"}};
+
+enum { SCENE_NAME, SCENE_EV100, SCENE_SCENE, SCENE_CONFIDENCE, SCENE_SOURCE };
+static const struct layout scenes = {"scenes.tsv", 2, 5,
+                                     {"name", "ev100", "scene", "confidence", "source"}};
+
+enum { FILTER_NAME, FILTER_FACTOR, FILTER_STOPS, FILTER_KIND, FILTER_CONFIDENCE, FILTER_SOURCE };
+static const struct layout filters = {"filters.tsv", 1, 6,
+                                      {"name", "factor", "stops", "kind", "confidence", "source"}};
+
+static bool open_table(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+                       const struct layout *layout, struct error *error)
+{
+    facts->place = place;
+    if (!lensdb_open(db, place, layout->file, &facts->tsv, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < layout->count; i++) {
+        struct error missing;
+        if (!tsv_column(&facts->tsv, layout->columns[i], &facts->columns[i], &missing)) {
+            facts->columns[i] = TSV_MOST_COLUMNS;
+            if (i < layout->required) {
+                *error = missing;
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static struct text cell_of(const struct lensdb_facts *facts, size_t column)
+{
+    size_t at = facts->columns[column];
+    return at < TSV_MOST_COLUMNS ? facts->tsv.cells[at] : (struct text){"", 0};
+}
+
+/* A number within a range; NaN where the table has none. */
+static bool number_of(const struct lensdb_facts *facts, size_t column, double low, double high,
+                      double *value, struct error *error)
+{
+    size_t at = facts->columns[column];
+    *value = NAN;
+    if (at >= TSV_MOST_COLUMNS) {
+        return true;
+    }
+    if (!tsv_number(&facts->tsv, at, value, error)) {
+        return false;
+    }
+    if (*value < low || *value > high) {
+        return tsv_fail(&facts->tsv, at, error, "is out of range");
+    }
+    return true;
+}
+
+bool lensdb_films_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+                       struct error *error)
+{
+    return open_table(facts, db, place, &films, error);
+}
+
+bool lensdb_films_next(struct lensdb_facts *facts, struct lensdb_film *film, struct error *error)
+{
+    if (!tsv_next(&facts->tsv, error)) {
+        return false;
+    }
+    *film = (struct lensdb_film){.maker = cell_of(facts, FILM_MAKER),
+                                 .name = cell_of(facts, FILM_NAME),
+                                 .model = cell_of(facts, FILM_MODEL),
+                                 .parameters = cell_of(facts, FILM_PARAMETERS),
+                                 .status = cell_of(facts, FILM_STATUS),
+                                 .source = cell_of(facts, FILM_SOURCE),
+                                 .note = cell_of(facts, FILM_NOTE),
+                                 .place = facts->place,
+                                 .file = facts->tsv.source,
+                                 .line = facts->tsv.line};
+    if (!number_of(facts, FILM_ONSET, 0, 1e9, &film->onset, error) ||
+        !number_of(facts, FILM_VALID_TO, 0, 1e9, &film->valid_to, error)) {
+        return false;
+    }
+    film->onset = isnan(film->onset) ? 0 : film->onset;
+    return true;
+}
+
+bool lensdb_scenes_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+                        struct error *error)
+{
+    return open_table(facts, db, place, &scenes, error);
+}
+
+bool lensdb_scenes_next(struct lensdb_facts *facts, struct lensdb_scene *scene,
+                        struct error *error)
+{
+    if (!tsv_next(&facts->tsv, error)) {
+        return false;
+    }
+    *scene = (struct lensdb_scene){.name = cell_of(facts, SCENE_NAME),
+                                   .scene = cell_of(facts, SCENE_SCENE),
+                                   .confidence = cell_of(facts, SCENE_CONFIDENCE),
+                                   .source = cell_of(facts, SCENE_SOURCE),
+                                   .place = facts->place};
+    if (!number_of(facts, SCENE_EV100, -100, 100, &scene->ev100, error)) {
+        return false;
+    }
+    return !isnan(scene->ev100) ||
+           tsv_fail(&facts->tsv, facts->columns[SCENE_EV100], error, "is missing");
+}
+
+bool lensdb_filters_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+                         struct error *error)
+{
+    return open_table(facts, db, place, &filters, error);
+}
+
+bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filter,
+                         struct error *error)
+{
+    if (!tsv_next(&facts->tsv, error)) {
+        return false;
+    }
+    *filter = (struct lensdb_filter){.name = cell_of(facts, FILTER_NAME),
+                                     .kind = cell_of(facts, FILTER_KIND),
+                                     .confidence = cell_of(facts, FILTER_CONFIDENCE),
+                                     .source = cell_of(facts, FILTER_SOURCE),
+                                     .place = facts->place};
+    if (!number_of(facts, FILTER_FACTOR, 1, 1e30, &filter->factor, error) ||
+        !number_of(facts, FILTER_STOPS, 0, 100, &filter->stops, error)) {
+        return false;
+    }
+    return !isnan(filter->factor) || !isnan(filter->stops) ||
+           tsv_fail(&facts->tsv, facts->columns[FILTER_NAME], error,
+                    "has neither factor nor stops");
+}
+
+double lensdb_filter_stops(const struct lensdb_filter *filter)
+{
+    return isnan(filter->factor) ? filter->stops : stops_from_factor(filter->factor);
+}
+
+/* Cut the next word off a name: blanks, '/', ',' and parentheses are between words. */
+static bool next_word(struct text *rest, struct text *word)
+{
+    static const char between[] = " /,()";
+    while (rest->length > 0 && memchr(between, rest->start[0], sizeof between - 1) != NULL) {
+        *rest = (struct text){rest->start + 1, rest->length - 1};
+    }
+    size_t length = 0;
+    while (length < rest->length &&
+           memchr(between, rest->start[length], sizeof between - 1) == NULL) {
+        length++;
+    }
+    *word = (struct text){rest->start, length};
+    *rest = (struct text){rest->start + length, rest->length - length};
+    return length > 0;
+}
+
+static bool has_word(struct text name, struct text wanted)
+{
+    struct text word;
+    while (next_word(&name, &word)) {
+        if (text_same_name(word, wanted)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Are all typed words among the maker's and those of one of the names between commas? */
+static bool has_all_words(const struct lensdb_film *film, struct text typed)
+{
+    struct text names = film->name;
+    while (names.start != NULL) {
+        struct text name = text_cut(&names, ','), rest = typed, word;
+        bool all = true, any = false;
+        while (all && next_word(&rest, &word)) {
+            bool here = has_word(name, word);
+            any = any || here;
+            all = here || has_word(film->maker, word);
+        }
+        if (all && any) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_called(const struct lensdb_film *film, struct text typed)
+{
+    struct text rest = typed;
+    if (text_same_name(film->name, typed)) {
+        return true;
+    }
+    for (size_t i = 1; film->maker.length > 0 && i < typed.length; i++) {
+        if (text_same_name((struct text){typed.start, i}, film->maker)) {
+            rest = (struct text){typed.start + i, typed.length - i};
+            return text_same_name(film->name, text_trim(rest));
+        }
+    }
+    return false;
+}
+
+/* Films that answer to a name; the words name all of them. */
+struct candidates {
+    struct text typed;
+    struct nearest nearest;
+    struct lensdb_film first;
+    size_t count;
+    char words[400];
+};
+
+static int shown_length(struct text text, size_t most)
+{
+    return (int)(text.length < most ? text.length : most);
+}
+
+static void add_candidate(struct candidates *found, const struct lensdb_film *film)
+{
+    size_t used = strlen(found->words);
+    if (found->count++ == 0) {
+        found->first = *film;
+    }
+    snprintf(found->words + used, sizeof found->words - used, "%s'%.*s %.*s' (%.*s)",
+             used > 0 ? ", " : "", shown_length(film->maker, 30), film->maker.start,
+             shown_length(film->name, 40), film->name.start, shown_length(film->source, 48),
+             film->source.start);
+}
+
+static bool search_films(struct lensdb *db, enum lensdb_place place,
+                         bool (*answers)(const struct lensdb_film *film, struct text typed),
+                         struct candidates *found, struct error *error)
+{
+    struct lensdb_facts facts;
+    struct lensdb_film film;
+    if (!lensdb_films_open(&facts, db, place, error)) {
+        return error->code == ERROR_NONE;
+    }
+    while (lensdb_films_next(&facts, &film, error)) {
+        nearest_offer(&found->nearest, film.name);
+        if (answers(&film, found->typed)) {
+            add_candidate(found, &film);
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+static bool unknown(const char *what, const char *topic, struct nearest *nearest,
+                    struct error *error)
+{
+    struct text typed = nearest->typed;
+    fail(error, ERROR_USAGE, "there is no %s '%.*s'", what, shown_length(typed, 80), typed.start);
+    if (nearest->best.start != NULL) {
+        return error_hint(error, "did you mean '%.*s'?", (int)nearest->best.length,
+                          nearest->best.start);
+    }
+    return error_hint(error, "see 'lenscalc list %s'", topic);
+}
+
+bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *film,
+                      struct error *error)
+{
+    struct text typed = text_trim(name);
+    struct candidates found = {.typed = typed, .nearest = {.typed = typed}};
+    if (!search_films(db, LENSDB_USER, is_called, &found, error) ||
+        (found.count == 0 && !search_films(db, LENSDB_EMBEDDED, is_called, &found, error)) ||
+        (found.count == 0 && !search_films(db, LENSDB_USER, has_all_words, &found, error)) ||
+        (found.count == 0 && !search_films(db, LENSDB_EMBEDDED, has_all_words, &found, error))) {
+        return false;
+    }
+    if (found.count == 0) {
+        return unknown("film", "films", &found.nearest, error);
+    }
+    if (found.count > 1) {
+        fail(error, ERROR_USAGE, "'%.*s' names %zu films: %s", shown_length(typed, 60),
+             typed.start, found.count, found.words);
+        return error_hint(error, "say which by its full name; see 'lenscalc list films'");
+    }
+    *film = found.first;
+    return true;
+}
+
+static void add_point(struct reciprocity *model, double metered, double stops)
+{
+    model->metered[model->points] = metered;
+    model->corrected[model->points++] = metered * exp2(stops);
+}
+
+/* "0:0;120:0.5": stops that hold from that time to the next one, the last to valid_to. */
+static bool read_steps(const struct lensdb_film *film, struct reciprocity *model,
+                       struct error *error)
+{
+    const struct number_scale plain = {1, 0};
+    struct text rest = film->parameters;
+    double stops = 0;
+    *model = (struct reciprocity){.model = RECIPROCITY_TABLE, .valid_to = film->valid_to};
+    while (rest.start != NULL) {
+        struct text item = text_cut(&rest, ';');
+        const char *end = item.start + item.length, *colon;
+        double from, more;
+        colon = number_read(item.start, end, plain, &from);
+        if (colon == NULL || colon == end || *colon != ':' ||
+            number_read(colon + 1, end, plain, &more) != end || !(more >= stops) ||
+            model->points + 3 > RECIPROCITY_POINTS || !(from < film->valid_to) ||
+            (model->points > 0 && !(from > model->metered[model->points - 1]))) {
+            return fail(error, ERROR_DATA, "'%.*s' is no ascending list of TIME:STOPS up to "
+                        "valid_to_s", shown_length(film->parameters, 60), film->parameters.start);
+        }
+        if (from > 0) {
+            add_point(model, nextafter(from, 0), stops); /* the step before ends here */
+            add_point(model, from, more);
+        }
+        stops = more;
+    }
+    add_point(model, film->valid_to, stops);
+    model->onset = model->metered[0];
+    return true;
+}
+
+bool lensdb_film_model(const struct lensdb_film *film, struct reciprocity *model,
+                       struct error *error)
+{
+    bool read = text_equal(film->model, "step")
+                    ? read_steps(film, model, error)
+                    : reciprocity_parse(film->model, film->parameters, film->onset,
+                                        film->valid_to, model, error);
+    return read || error_locate(error, film->file, film->line, 0);
+}
+
+bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene *scene,
+                       struct error *error)
+{
+    struct nearest nearest = {.typed = text_trim(name)};
+    for (int place = 0; place < LENSDB_PLACES; place++) {
+        struct lensdb_facts facts;
+        bool open = lensdb_scenes_open(&facts, db, (enum lensdb_place)place, error);
+        while (open && lensdb_scenes_next(&facts, scene, error)) {
+            if (text_same_name(scene->name, nearest.typed)) {
+                return true;
+            }
+            nearest_offer(&nearest, scene->name);
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return unknown("scene", "scenes", &nearest, error);
+}
+
+bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filter *filter,
+                        struct error *error)
+{
+    struct nearest nearest = {.typed = text_trim(name)};
+    for (int place = 0; place < LENSDB_PLACES; place++) {
+        struct lensdb_facts facts;
+        bool open = lensdb_filters_open(&facts, db, (enum lensdb_place)place, error);
+        while (open && lensdb_filters_next(&facts, filter, error)) {
+            if (text_same_name(filter->name, nearest.typed)) {
+                return true;
+            }
+            nearest_offer(&nearest, filter->name);
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return unknown("filter", "filters", &nearest, error);
+}

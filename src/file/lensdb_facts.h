@@ -1,0 +1,85 @@
+/* file/lensdb_facts.h - films, scenes and filters of lensdb. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_LENSDB_FACTS_H
+#define LENSCALC_FILE_LENSDB_FACTS_H
+
+#include "file/lensdb.h"
+#include "photo/reciprocity.h"
+
+enum { LENSDB_FACT_COLUMNS = 9 };
+
+/* A table of facts being read. */
+struct lensdb_facts {
+    struct tsv tsv;
+    enum lensdb_place place;
+    size_t columns[LENSDB_FACT_COLUMNS]; /* TSV_MOST_COLUMNS where a user's table has none */
+};
+
+/* One source on the reciprocity failure of a film. Texts point into the database. */
+struct lensdb_film {
+    struct text maker, name;
+    struct text model, parameters; /* as photo/reciprocity.h reads them, and "step" */
+    double onset, valid_to;        /* s; valid_to is NaN where none is stated */
+    struct text status, source, note;
+    enum lensdb_place place;
+    const char *file; /* where it stands, for messages */
+    long line;
+};
+
+/* A typical scene and the light in it. */
+struct lensdb_scene {
+    struct text name, scene, confidence, source;
+    double ev100;
+    enum lensdb_place place;
+};
+
+/* A filter and the light it takes. */
+struct lensdb_filter {
+    struct text name, kind, confidence, source;
+    double factor, stops; /* as published; NaN where not, but not both */
+    enum lensdb_place place;
+};
+
+/*
+ * Begin to read a table, and read its rows one by one.
+ *
+ * Result    open: false with ERROR_NONE if that place has no such table; next: false at the end
+ *           with ERROR_NONE
+ * Errors    ERROR_DATA with line and column: a bad row; as lensdb_open
+ */
+bool lensdb_films_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+                       struct error *error);
+bool lensdb_films_next(struct lensdb_facts *facts, struct lensdb_film *film, struct error *error);
+bool lensdb_scenes_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+                        struct error *error);
+bool lensdb_scenes_next(struct lensdb_facts *facts, struct lensdb_scene *scene,
+                        struct error *error);
+bool lensdb_filters_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+                         struct error *error);
+bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filter,
+                         struct error *error);
+
+/*
+ * Find a film: by maker and name or name alone, the user's films first; else by words of its name
+ * ("Portra 400" is in "Portra 160/400, Ektar 100").
+ *
+ * Errors    ERROR_USAGE: no such film, with a suggestion; several films or sources of that name,
+ *           which are listed: nothing decides between conflicting sources but the user
+ */
+bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *film,
+                      struct error *error);
+
+/* The film's correction as numbers. ERROR_DATA with file and line if the table cannot be read. */
+bool lensdb_film_model(const struct lensdb_film *film, struct reciprocity *model,
+                       struct error *error);
+
+/* Find by name, the user's own first. ERROR_USAGE with a suggestion if there is none. */
+bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene *scene,
+                       struct error *error);
+bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filter *filter,
+                        struct error *error);
+
+/* Stops of light that a filter takes: by its factor where one is published. */
+double lensdb_filter_stops(const struct lensdb_filter *filter);
+
+#endif

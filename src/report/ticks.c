@@ -1,0 +1,135 @@
+/* report/ticks.c - round numbers along an axis, and how they are written. */
+/* SPDX-License-Identifier: MIT */
+#include "report/ticks.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/number.h"
+
+static double smallest_step(double range, double intervals)
+{
+    double raw = range / intervals;
+    double decade = pow(10, floor(log10(raw)));
+    double ratio = raw / decade * (1 - 1e-9); /* so that 1.0000000001 is still 1 */
+    return decade * (ratio <= 1 ? 1 : ratio <= 2 ? 2 : ratio <= 5 ? 5 : 10);
+}
+
+void ticks_widen(double *low, double *high)
+{
+    double size = fmax(fabs(*low), fabs(*high));
+    if (*high - *low > 1e-9 * size) {
+        return;
+    }
+    double margin = size > 0 ? 0.1 * size : 1;
+    *low -= margin;
+    *high += margin;
+}
+
+void ticks_linear(double low, double high, struct ticks *ticks)
+{
+    ticks_widen(&low, &high);
+    double step = smallest_step(high - low, 8);
+    double first = floor(low / step + 1e-6), last = ceil(high / step - 1e-6);
+    *ticks = (struct ticks){.step = step};
+    for (double i = first; i <= last && ticks->count < TICKS_MOST; i++) {
+        ticks->value[ticks->count++] = i * step + 0.0;
+    }
+}
+
+/* The n-th of ..., 0.1, 0.2, 0.5, 1, 2, 5, 10, ...; the zeroth is 1. */
+static double one_two_five(double n)
+{
+    static const double mantissa[] = {1, 2, 5};
+    double decade = floor(n / 3);
+    return mantissa[(int)(n - 3 * decade)] * pow(10, decade);
+}
+
+static double one_two_five_below(double x)
+{
+    double n = 3 * floor(log10(x)) - 3;
+    while (one_two_five(n + 1) <= x * (1 + 1e-9)) {
+        n++;
+    }
+    return n;
+}
+
+void ticks_log(double low, double high, struct ticks *ticks)
+{
+    if (high < 4 * low) {
+        ticks_linear(low, high, ticks);
+        return;
+    }
+    double below = one_two_five_below(low), above = one_two_five_below(high);
+    if (one_two_five(above) < high * (1 - 1e-9)) {
+        above++;
+    }
+    double stride = 1, first = below, last = above;
+    while ((last - first) / stride > TICKS_MOST - 1) {
+        stride = stride < 3 ? 3 : stride + 3; /* whole decades */
+        first = floor(below / stride) * stride;
+        last = ceil(above / stride) * stride;
+    }
+    *ticks = (struct ticks){.step = 0};
+    for (double n = first; n <= last; n += stride) {
+        ticks->value[ticks->count++] = one_two_five(n);
+    }
+}
+
+/* x with a fixed number of decimals and a true minus sign. */
+const char *ticks_fixed(struct arena *arena, double x, int decimals)
+{
+    char digits[NUMBER_LENGTH + 1] = "";
+    char zeros[] = "0000000000000000";
+    *number_write_digits(digits, fabs(x), 12) = '\0';
+    const char *point = strchr(digits, '.');
+    int missing = decimals - (point ? (int)strlen(point + 1) : 0);
+    missing = missing < 0 || strchr(digits, 'e') ? 0 : missing > 15 ? 15 : missing;
+    return arena_printf(arena, "%s%s%s%.*s", x < 0 ? "−" : "", digits,
+                        missing > 0 && !point ? "." : "", missing, zeros);
+}
+
+static const char *superscript(struct arena *arena, int exponent)
+{
+    static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    const char *text = "";
+    for (int rest = exponent < 0 ? -exponent : exponent; rest > 0 || !*text; rest /= 10) {
+        text = arena_printf(arena, "%s%s", digit[rest % 10], text);
+    }
+    return exponent < 0 ? arena_printf(arena, "⁻%s", text) : text;
+}
+
+/* floor(log10(x)), where 999.9999999 counts as 1000. */
+static int exponent_of(double x)
+{
+    return (int)floor(log10(x * (1 + 1e-9)));
+}
+
+static const char *power_text(struct arena *arena, double x, int exponent, int decimals)
+{
+    const char *power = superscript(arena, exponent);
+    double mantissa = x / pow(10, exponent);
+    if (fabs(mantissa - 1) < 1e-9 && decimals == 0) {
+        return arena_printf(arena, "10%s", power);
+    }
+    return arena_printf(arena, "%s×10%s", ticks_fixed(arena, mantissa, decimals), power);
+}
+
+const char *ticks_text(struct arena *arena, const struct ticks *ticks, size_t i)
+{
+    double x = ticks->value[i];
+    double first = fabs(ticks->value[0]), last = fabs(ticks->value[ticks->count - 1]);
+    double greatest = fmax(first, last);
+    bool linear = ticks->step > 0;
+    if (!(fabs(x) > 0)) {
+        return "0";
+    }
+    int place = linear ? exponent_of(ticks->step) : 0; /* of the last digit written */
+    if (greatest >= 0.999e6 || greatest < 1e-3 || (!linear && first < 0.999e-4)) {
+        int exponent = exponent_of(linear ? greatest : fabs(x));
+        return power_text(arena, x, exponent, linear && place < exponent ? exponent - place : 0);
+    }
+    return ticks_fixed(arena, x, place < 0 ? -place : 0);
+}

@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""tests/documents/accept.py - rewrite the outputs of all examples in README and man pages.
+
+The conventions are those of check_documents.py. The difference is to be reviewed like any other:
+this pins how things look, never what is true. Usage: tests/documents/accept.py BUILD [FILE...]
+"""
+# SPDX-License-Identifier: MIT
+
+import glob
+import os
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from check_documents import NOT_RUN, examples_of, page_blocks, readme_blocks
+from harness import ROOT, Program
+
+
+def escape(line):
+    """A line of output as roff source."""
+    line = line.replace("\\", "\\e").replace("-", "\\-").replace("'", "\\(aq")
+    return "\\&" + line if line.startswith((".", "\\(aq")) else line
+
+
+def rewrite(program, path):
+    page = path.startswith("man/")
+    with open(path, encoding="utf-8") as file:
+        lines = file.read().split("\n")
+    blocks = list((page_blocks if page else readme_blocks)("\n".join(lines)))
+    edits = []
+    for start, block in blocks:
+        indent = "" if page or lines[start - 1].startswith("$ ") else "    "
+        with tempfile.TemporaryDirectory(prefix="lenscalc-doc-") as folder:
+            for number, command, expected in examples_of(start, block):
+                if command.split()[0] in NOT_RUN:
+                    continue
+                output = program.shell(command, folder).stdout.decode().rstrip("\n").split("\n")
+                first = number + command.count("\n")
+                edits.append((first, first + len(expected),
+                              [escape(line) if page else (indent + line if line else line)
+                               for line in output if output != [""]]))
+    for first, last, output in reversed(edits):
+        lines[first:last] = output
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines))
+
+
+def main():
+    os.chdir(ROOT)
+    program = Program(sys.argv[1])
+    for path in sys.argv[2:] or ["README"] + sorted(glob.glob("man/*.[157]")):
+        rewrite(program, path)
+
+
+main()
