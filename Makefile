@@ -17,10 +17,11 @@ JOBS    = 2
 
 # -ffp-contract=off: the same bits on every x86, with or without FMA
 # -fno-math-errno -fno-trapping-math: sqrt and comparisons inline; nobody reads errno or FP flags
+# -fno-tree-slp-vectorize: pairs of doubles loaded right after being stored one by one would stall
 # no -ffast-math: it deletes the NaN tests; no -march=native: one binary for all machines
 STANDARD = -std=c17 -D_POSIX_C_SOURCE=200809L
 WARNINGS = -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -pedantic -Werror
-FLOATING = -ffp-contract=off -fno-math-errno -fno-trapping-math
+FLOATING = -ffp-contract=off -fno-math-errno -fno-trapping-math -fno-tree-slp-vectorize
 CFLAGS   = -O2
 ALL_CFLAGS = $(STANDARD) $(WARNINGS) $(FLOATING) $(CFLAGS) -Isrc
 LINK_1   = -static

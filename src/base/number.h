@@ -3,6 +3,8 @@
 #ifndef LENSCALC_BASE_NUMBER_H
 #define LENSCALC_BASE_NUMBER_H
 
+#include <stdbool.h>
+
 /* The longest text a number_write function writes (no NUL is written). */
 #define NUMBER_LENGTH 32
 
@@ -47,5 +49,11 @@ char *number_write_digits(char *to, double x, int digits);
  * Source    Giulietti, The Schubfach way to render doubles, 2020.
  */
 char *number_write_shortest(char *to, double x);
+
+/*
+ * Does x need more than `digits` digits, 1 to 17, to be read back as the same double? Multiplying
+ * by a power of ten in the text does not change the answer. False for 0, inf and NaN.
+ */
+bool number_needs_more(double x, int digits);
 
 #endif

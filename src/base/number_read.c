@@ -30,16 +30,14 @@ struct decimal {
 };
 
 /* By exponent + 22: what to multiply and to divide by; one of the two is 1. */
-static const double multipliers[] = {1,    1,    1,    1,    1,    1,    1,    1,    1,
-                                     1,    1,    1,    1,    1,    1,    1,    1,    1,
-                                     1,    1,    1,    1,    1,    1e1,  1e2,  1e3,  1e4,
-                                     1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13,
-                                     1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-static const double divisors[] = {1e22, 1e21, 1e20, 1e19, 1e18, 1e17, 1e16, 1e15, 1e14,
-                                  1e13, 1e12, 1e11, 1e10, 1e9,  1e8,  1e7,  1e6,  1e5,
-                                  1e4,  1e3,  1e2,  1e1,  1,    1,    1,    1,    1,
-                                  1,    1,    1,    1,    1,    1,    1,    1,    1,
-                                  1,    1,    1,    1,    1,    1,    1,    1,    1};
+static const double multipliers[] = {
+    1,   1,   1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,
+    1,   1,   1,    1,    1,    1,    1,    1,    1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+    1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+static const double divisors[] = {
+    1e22, 1e21, 1e20, 1e19, 1e18, 1e17, 1e16, 1e15, 1e14, 1e13, 1e12, 1e11, 1e10, 1e9, 1e8,
+    1e7,  1e6,  1e5,  1e4,  1e3,  1e2,  1e1,  1,    1,    1,    1,    1,    1,    1,   1,
+    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,   1};
 
 static inline bool is_digit(char c)
 {
@@ -50,8 +48,9 @@ static inline bool is_digit(char c)
 static inline const char *read_digits(const char *at, const char *end, uint64_t *mantissa)
 {
     uint64_t all = *mantissa;
-    for (; at < end && is_digit(*at); at++)
+    for (; at < end && is_digit(*at); at++) {
         all = all * 10 + (uint64_t)(*at - '0');
+    }
     *mantissa = all;
     return at;
 }
@@ -62,14 +61,17 @@ static const char *read_exponent(const char *at, const char *end, ptrdiff_t *exp
     const ptrdiff_t enough = PTRDIFF_MAX / 100; /* outweighs the digits of any text in memory */
     const char *digit = at + 1;
     bool negative = digit < end && *digit == '-';
-    if (digit < end && (*digit == '-' || *digit == '+'))
+    if (digit < end && (*digit == '-' || *digit == '+')) {
         digit++;
-    if (digit == end || !is_digit(*digit))
+    }
+    if (digit == end || !is_digit(*digit)) {
         return at;
+    }
 
     ptrdiff_t typed = 0;
-    for (; digit < end && is_digit(*digit); digit++)
+    for (; digit < end && is_digit(*digit); digit++) {
         typed = typed < enough ? typed * 10 + (*digit - '0') : typed;
+    }
     *exponent += negative ? -typed : typed;
     return digit;
 }
@@ -77,8 +79,9 @@ static const char *read_exponent(const char *at, const char *end, ptrdiff_t *exp
 /* `at` is behind the sign. */
 static const char *read_infinity(const char *at, const char *end, bool negative, double *value)
 {
-    if (end - at < 3 || memcmp(at, "inf", 3) != 0)
+    if (end - at < 3 || memcmp(at, "inf", 3) != 0) {
         return NULL;
+    }
     *value = negative ? -INFINITY : INFINITY;
     return at + 3;
 }
@@ -86,8 +89,9 @@ static const char *read_infinity(const char *at, const char *end, bool negative,
 static void skip_leading_zeros(struct decimal *decimal)
 {
     const char *at = decimal->first;
-    while (at < decimal->end && (*at == '0' || *at == '.'))
+    while (at < decimal->end && (*at == '0' || *at == '.')) {
         at++;
+    }
     bool point_ahead = at <= decimal->point && decimal->point < decimal->end;
     decimal->first = at;
     decimal->count = decimal->end - at - point_ahead;
@@ -123,8 +127,9 @@ static bool round_to_double(uint64_t factor, unsigned unknown, int power, int sh
         drop += 1 - field;
         field = 1;
     }
-    if (drop > 63)
+    if (drop > 63) {
         return false;
+    }
 
     uint64_t bits;
     if (!number_round_high(high, unknown + 2, drop, &bits)) {
@@ -133,15 +138,18 @@ static bool round_to_double(uint64_t factor, unsigned unknown, int power, int sh
             product.slack = (uint128)(unknown + 1) << 64;
             product.exact = false;
         }
-        if (!number_round(product, drop + 64, &bits))
+        if (!number_round(product, drop + 64, &bits)) {
             return false;
+        }
     }
-    if (field < 2047)
+    if (field < 2047) {
         bits += (uint64_t)(field - 1) << 52;
-    if (field >= 2047 || bits >= (uint64_t)2047 << 52)
+    }
+    if (field >= 2047 || bits >= (uint64_t)2047 << 52) {
         *value = INFINITY;
-    else
+    } else {
         memcpy(value, &bits, sizeof bits);
+    }
     return true;
 }
 
@@ -151,8 +159,9 @@ static bool round_to_double(uint64_t factor, unsigned unknown, int power, int sh
  */
 static bool read_wide(uint64_t mantissa, bool more, unsigned multiplier, int power, double *value)
 {
-    if (power < NUMBER_POWER_MIN || power > NUMBER_POWER_MAX)
+    if (power < NUMBER_POWER_MIN || power > NUMBER_POWER_MAX) {
         return false;
+    }
 
     /* the first 64 bits of mantissa x multiplier */
     const uint128 whole = (uint128)mantissa * multiplier;
@@ -164,8 +173,9 @@ static bool read_wide(uint64_t mantissa, bool more, unsigned multiplier, int pow
     }
     const int shift = 64 - __builtin_clzll(high);
     const uint64_t factor = (uint64_t)(whole >> shift);
-    if (unknown == 0 && whole != (uint128)factor << shift)
+    if (unknown == 0 && whole != (uint128)factor << shift) {
         unknown = 1;
+    }
     return round_to_double(factor, unknown, power, shift, value);
 }
 
@@ -181,21 +191,24 @@ static int multiply_digits(struct decimal *decimal, unsigned multiplier, char *k
     bool others = false;
     for (const char *at = decimal->end; index > 0;) {
         if (at > decimal->first) {
-            if (--at == decimal->point)
+            if (--at == decimal->point) {
                 continue;
+            }
             carry += (uint64_t)(*at - '0') * multiplier;
         }
         const char digit = (char)(carry % 10);
         carry /= 10;
         index--;
-        if (index < KEPT_DIGITS)
+        if (index < KEPT_DIGITS) {
             kept[index] = (char)('0' + digit);
-        else
+        } else {
             others = others || digit != 0;
+        }
     }
     const ptrdiff_t count = decimal->count + MULTIPLIER_DIGITS;
-    if (count <= KEPT_DIGITS)
+    if (count <= KEPT_DIGITS) {
         return (int)count;
+    }
     decimal->exponent += count - KEPT_DIGITS - 1;
     kept[KEPT_DIGITS] = others ? '1' : '0';
     return KEPT_DIGITS + 1;
@@ -215,25 +228,31 @@ static double read_hard(struct decimal decimal, unsigned multiplier)
 {
     const bool counted = decimal.count <= WORD_DIGITS;
     skip_leading_zeros(&decimal);
-    if (decimal.count == 0)
+    if (decimal.count == 0) {
         return 0;
+    }
 
     /* 10^(magnitude - 1) <= digits x 10^exponent < 10^magnitude */
     const ptrdiff_t magnitude = decimal.count + decimal.exponent;
-    if (magnitude > 309)
+    if (magnitude > 309) {
         return INFINITY;
-    if (magnitude < -324 - MULTIPLIER_DIGITS)
+    }
+    if (magnitude < -324 - MULTIPLIER_DIGITS) {
         return 0;
+    }
 
     ptrdiff_t left_out = 0;
-    if (decimal.count > WORD_DIGITS)
+    if (decimal.count > WORD_DIGITS) {
         left_out = decimal.count - WORD_DIGITS;
+    }
     uint64_t mantissa = decimal.mantissa;
-    if (!counted && left_out > 0)
+    if (!counted && left_out > 0) {
         mantissa = leading_digits(&decimal);
+    }
     double value;
-    if (read_wide(mantissa, left_out > 0, multiplier, (int)(decimal.exponent + left_out), &value))
+    if (read_wide(mantissa, left_out > 0, multiplier, (int)(decimal.exponent + left_out), &value)) {
         return value;
+    }
     return read_long(decimal, multiplier);
 }
 
@@ -242,8 +261,9 @@ static inline bool read_exactly(uint64_t mantissa, unsigned multiplier, ptrdiff_
                                 double *value)
 {
     const uint128 whole = (uint128)mantissa * multiplier;
-    if (whole > (uint64_t)1 << 53 || exponent < -22 || exponent > 22)
+    if (whole > (uint64_t)1 << 53 || exponent < -22 || exponent > 22) {
         return false;
+    }
     *value = (double)(int64_t)whole * multipliers[exponent + 22] / divisors[exponent + 22];
     return true;
 }
@@ -253,8 +273,9 @@ __attribute__((noinline)) static const char *read_any(const char *at, const char
                                                       struct number_scale scale, double *value)
 {
     const bool negative = at < end && *at == '-';
-    if (at < end && (*at == '-' || *at == '+'))
+    if (at < end && (*at == '-' || *at == '+')) {
         at++;
+    }
 
     struct decimal decimal = {.first = at};
     decimal.point = decimal.end = read_digits(at, end, &decimal.mantissa);
@@ -264,18 +285,21 @@ __attribute__((noinline)) static const char *read_any(const char *at, const char
         decimal.exponent = decimal.point + 1 - decimal.end;
         decimal.count -= decimal.exponent;
     }
-    if (decimal.count == 0)
+    if (decimal.count == 0) {
         return read_infinity(at, end, negative, value);
+    }
 
     const char *behind = decimal.end;
-    if (behind < end && (*behind == 'e' || *behind == 'E'))
+    if (behind < end && (*behind == 'e' || *behind == 'E')) {
         behind = read_exponent(behind, end, &decimal.exponent);
+    }
     decimal.exponent += scale.power;
 
     double magnitude;
     if (decimal.count > WORD_DIGITS ||
-        !read_exactly(decimal.mantissa, scale.multiplier, decimal.exponent, &magnitude))
+        !read_exactly(decimal.mantissa, scale.multiplier, decimal.exponent, &magnitude)) {
         magnitude = read_hard(decimal, scale.multiplier);
+    }
     *value = negative ? -magnitude : magnitude;
     return behind;
 }
@@ -284,12 +308,14 @@ const char *number_read(const char *at, const char *end, struct number_scale sca
 {
     struct number_short number;
     const char *after = end - at >= 8 ? number_read_short(at, &number) : NULL;
-    if (after == NULL || (*after | 0x20) == 'e')
+    if (after == NULL || (*after | 0x20) == 'e') {
         return read_any(at, end, scale, value);
+    }
     const uint64_t whole = (uint64_t)number.mantissa * scale.multiplier;
     const int power = scale.power - (int)number.decimals;
-    if (whole > (uint64_t)1 << 53 || power < -22 || power > 22)
+    if (whole > (uint64_t)1 << 53 || power < -22 || power > 22) {
         return read_any(at, end, scale, value);
+    }
     *value = (double)(int64_t)whole * multipliers[power + 22] / divisors[power + 22];
     return after;
 }

@@ -68,8 +68,9 @@ static inline struct parts parts_of(uint64_t bits)
 {
     const uint64_t fraction = bits & (((uint64_t)1 << 52) - 1);
     const int field = (int)(bits >> 52) & FIELD_MASK;
-    if (field == 0)
+    if (field == 0) {
         return (struct parts){fraction, -1074, false};
+    }
     return (struct parts){fraction | (uint64_t)1 << 52, field - 1075, fraction == 0 && field > 1};
 }
 
@@ -100,10 +101,11 @@ static inline struct characters characters_of(struct decimal decimal)
     const uint32_t behind = (uint32_t)(all % 1000000000);
     struct characters digits = {eight_digits((uint32_t)(all / 1000000000)),
                                 eight_digits(behind / 10), (char)('0' + behind % 10), MOST_DIGITS};
-    if (behind == 0)
+    if (behind == 0) {
         digits.count = significant_digits(digits.first);
-    else if (digits.last == '0')
+    } else if (digits.last == '0') {
         digits.count = 8 + significant_digits(digits.second);
+    }
     digits.first |= zeros;
     digits.second |= zeros;
     return digits;
@@ -138,8 +140,9 @@ static char *write_exponent(char *to, int exponent)
     *to++ = 'e';
     *to++ = exponent < 0 ? '-' : '+';
     const unsigned size = (unsigned)(exponent < 0 ? -exponent : exponent);
-    if (size >= 100)
+    if (size >= 100) {
         *to++ = (char)('0' + size / 100);
+    }
     *to++ = (char)('0' + size / 10 % 10);
     *to++ = (char)('0' + size % 10);
     return to;
@@ -200,8 +203,9 @@ static inline bool round_to_digits(struct parts parts, int digits, struct decima
     const int drop = -1 - number_log2_of_power10(power) - exponent;
     const uint64_t high = number_multiply_high(factor, power);
     if (!number_round_high(high, 2, drop, &decimal->integer) &&
-        !number_round(number_multiply(factor, power), drop + 64, &decimal->integer))
+        !number_round(number_multiply(factor, power), drop + 64, &decimal->integer)) {
         return false;
+    }
     if (decimal->integer == tens[digits]) {
         decimal->integer /= 10;
         decimal->exponent++;
@@ -248,14 +252,16 @@ static struct decimal find_shortest(struct parts x)
     const uint64_t floor_tens = floor / 10 * 10;
     const bool tens_below = lower <= 4 * floor_tens;
     const bool tens_above = 4 * floor_tens + 40 <= upper;
-    if (floor >= 10 && tens_below != tens_above)
+    if (floor >= 10 && tens_below != tens_above) {
         return (struct decimal){floor_tens + (tens_above ? 10 : 0), 0, k};
+    }
 
     const bool below = lower <= 4 * floor;
     const bool above = 4 * floor + 4 <= upper;
     bool up = above;
-    if (below == above) /* the nearer one, of two equally near ones the even */
+    if (below == above) { /* the nearer one, of two equally near ones the even */
         up = value > 4 * floor + 2 || (value == 4 * floor + 2 && (floor & 1) != 0);
+    }
     return (struct decimal){floor + up, 0, k};
 }
 
@@ -275,10 +281,12 @@ static inline char *write_special(char *to, uint64_t bits, bool *done)
     const uint64_t magnitude = bits & ~((uint64_t)1 << 63);
     const uint64_t infinity = (uint64_t)FIELD_MASK << 52;
     *done = magnitude == 0 || magnitude >= infinity;
-    if (magnitude > infinity)
+    if (magnitude > infinity) {
         return to;
-    if (bits != magnitude)
+    }
+    if (bits != magnitude) {
         *to++ = '-';
+    }
     if (magnitude == infinity) {
         memcpy(to, "inf", 3);
         return to + 3;
@@ -304,19 +312,22 @@ static char *write_slowly(char *to, double x, int digits)
 static inline char *write_few(char *to, double x, uint64_t bits, int digits)
 {
     const double size = fabs(x);
-    if (!(size >= 1e-4 && size < 1e8))
+    if (!(size >= 1e-4 && size < 1e8)) {
         return NULL;
+    }
     int exponent = number_log10_of_power2((int)(bits >> 52 & FIELD_MASK) - 1023);
     exponent += size >= small_tens[exponent + 1 - LEAST_EXPONENT];
-    if (exponent >= digits)
+    if (exponent >= digits) {
         return NULL;
+    }
     const double scaled = size * small_tens[digits - 1 - exponent - LEAST_EXPONENT];
     const double shifted = scaled + 0x1p52; /* its last bits are the rounded integer */
     uint64_t integer;
     memcpy(&integer, &shifted, sizeof integer);
     integer &= 0xffffffff;
-    if (!(fabs(scaled - (shifted - 0x1p52)) < 0.5 - 0x1p-26) || integer == tens[digits])
+    if (!(fabs(scaled - (shifted - 0x1p52)) < 0.5 - 0x1p-26) || integer == tens[digits]) {
         return NULL;
+    }
 
     const uint64_t word = eight_digits((uint32_t)(integer * tens[FEW_DIGITS - digits]));
     const int count = significant_digits(word);
@@ -338,11 +349,13 @@ __attribute__((noinline)) static char *write_many(char *to, double x, uint64_t b
 {
     bool done;
     char *at = write_special(to, bits, &done);
-    if (done)
+    if (done) {
         return at;
+    }
     struct decimal decimal;
-    if (!round_to_digits(parts_of(bits), digits, &decimal))
+    if (!round_to_digits(parts_of(bits), digits, &decimal)) {
         return write_slowly(to, x, digits);
+    }
     return lay_out(at, decimal, digits);
 }
 
@@ -360,7 +373,21 @@ char *number_write_shortest(char *to, double x)
     memcpy(&bits, &x, sizeof bits);
     bool done;
     char *at = write_special(to, bits, &done);
-    if (done)
+    if (done) {
         return at;
+    }
     return lay_out(at, with_length(find_shortest(parts_of(bits))), MOST_DIGITS);
+}
+
+bool number_needs_more(double x, int digits)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    const uint64_t size = bits & ~((uint64_t)1 << 63);
+    if (size == 0 || size >= (uint64_t)FIELD_MASK << 52) {
+        return false;
+    }
+    const struct decimal decimal = with_length(find_shortest(parts_of(size)));
+    const int over = decimal.length - digits;
+    return over > 0 && decimal.integer % tens[over] != 0;
 }

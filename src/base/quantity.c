@@ -548,9 +548,13 @@ char *quantity_write(char *to, double value, const struct unit *unit)
         return number_write_shortest(to, value);
     }
     double converted = unit_from_own(unit, value);
-    char *end = number_write_digits(to, converted, 15);
-    if (reads_back(to, end, unit, value)) {
-        return end;
+    /* where only the decimal point moves, the number of digits stays: no need to try in vain */
+    bool decimal = unit->factor == 1 && unit->scale.multiplier == 1;
+    if (!decimal || !number_needs_more(value, 15)) {
+        char *end = number_write_digits(to, converted, 15);
+        if (reads_back(to, end, unit, value)) {
+            return end;
+        }
     }
     return number_write_shortest(to, converted);
 }

@@ -15,7 +15,7 @@ enum {
     BEHIND = 8, /* NULs behind the text stop any number */
 };
 
-/* Make room behind the unread characters, then read on. False at the end of the file or on failure. */
+/* Make room behind the unread characters, then read on. False at the end or on failure. */
 static bool refill(struct batch *batch, struct error *error)
 {
     size_t kept = (size_t)(batch->end - batch->at);
@@ -117,8 +117,8 @@ static bool next_row(struct batch *batch, struct text *line, struct error *error
     return false;
 }
 
-bool batch_read_cell(const struct batch *batch, const struct batch_column *column,
-                     struct text cell, void *input, struct error *error)
+bool batch_read_cell(const struct batch *batch, const struct batch_column *column, struct text cell,
+                     void *input, struct error *error)
 {
     char *member = (char *)input + column->option->offset;
     if (column->is_infinite) {
@@ -243,8 +243,8 @@ struct plain_number {
 };
 
 /* Out of line, so that short numbers need not make room for it. */
-__attribute__((noinline)) static struct plain_number
-read_longer(const struct batch_plain *plain, const char *at, const char *end)
+__attribute__((noinline)) static struct plain_number read_longer(const struct batch_plain *plain,
+                                                                 const char *at, const char *end)
 {
     struct plain_number number = {NULL, 0};
     const char *behind = number_read(at, end, plain->scale, &number.value);

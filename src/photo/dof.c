@@ -15,20 +15,25 @@ const struct word dof_models[DOF_MODELS + 1] = {
 /* The refusals of dof_check; apart, so that the checks in the hot path are one branch. */
 static bool refuse(const struct dof_setting *a, struct error *error)
 {
-    if (!(a->f > 0 && a->f < INFINITY))
+    if (!(a->f > 0 && a->f < INFINITY)) {
         return fail(error, ERROR_DOMAIN, "focal length %.15g mm must be above 0 mm and finite",
                     a->f);
-    if (!(a->N > 0 && a->N < INFINITY))
+    }
+    if (!(a->N > 0 && a->N < INFINITY)) {
         return fail(error, ERROR_DOMAIN, "f-number %.15g must be above 0 and finite", a->N);
-    if (!(a->c >= 0 && a->c < INFINITY))
+    }
+    if (!(a->c >= 0 && a->c < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
                     "circle of confusion %.15g mm must be 0 mm or more and finite", a->c);
-    if (!(a->P > 0 && a->P < INFINITY))
+    }
+    if (!(a->P > 0 && a->P < INFINITY)) {
         return fail(error, ERROR_DOMAIN, "pupil magnification %.15g must be above 0 and finite",
                     a->P);
-    if (isnan(a->s))
+    }
+    if (isnan(a->s)) {
         return fail(error, ERROR_DOMAIN, "distance is not a number; it must be above %.15g mm",
                     a->f);
+    }
     return fail(error, ERROR_DOMAIN,
                 "distance %.15g mm lies within the focal length %.15g mm: no real image", a->s,
                 a->f);
@@ -122,8 +127,9 @@ static inline bool exact(const struct dof_setting *a, struct dof *d)
 /* Image distance of a plane at x from the front principal plane; inf when it is not real. */
 static double conjugate(double f, double x)
 {
-    if (!(x > f))
+    if (!(x > f)) {
         return INFINITY;
+    }
     return f + f * (f / (x - f));
 }
 
@@ -141,11 +147,12 @@ static void popular_limits(const struct dof_setting *a, struct dof *d)
 static bool close_up_limits(const struct dof_setting *a, struct dof *d, struct error *error)
 {
     double m = d->magnification, half = a->N * a->c * (1 + m) / (m * m);
-    if (!(half < a->s))
+    if (!(half < a->s)) {
         return fail(error, ERROR_DOMAIN,
                     "the close-up formula puts the near limit behind the lens at %.15g mm; it "
                     "needs a distance below the hyperfocal %.15g mm",
                     a->s, d->hyperfocal);
+    }
     d->front = d->behind = half;
     d->near = a->s - half;
     d->far = a->s + half;
@@ -156,14 +163,18 @@ static bool close_up_limits(const struct dof_setting *a, struct dof *d, struct e
 static bool short_cut(const struct dof_setting *a, enum dof_model model, struct dof *d,
                       struct error *error)
 {
-    if (!(a->N * a->c / a->f > 0))
+    if (!(a->N * a->c / a->f > 0)) {
         return true; /* without blur all models agree */
-    if (model == DOF_CLOSE_UP && !close_up_limits(a, d, error))
+    }
+    if (model == DOF_CLOSE_UP && !close_up_limits(a, d, error)) {
         return false;
-    if (model != DOF_CLOSE_UP)
+    }
+    if (model != DOF_CLOSE_UP) {
         d->hyperfocal = a->f / (a->N * a->c / a->f);
-    if (model == DOF_POPULAR)
+    }
+    if (model == DOF_POPULAR) {
         popular_limits(a, d);
+    }
     d->total = d->front + d->behind;
     d->near_vergence = 1 / d->near;
     d->far_vergence = 1 / d->far;
@@ -180,10 +191,12 @@ bool dof_check(const struct dof_setting *setting, struct error *error)
 bool dof_compute(const struct dof_setting *setting, enum dof_model model, struct dof *dof,
                  struct error *error)
 {
-    if (!legal(setting))
+    if (!legal(setting)) {
         return refuse(setting, error);
-    if (model == DOF_EXACT)
+    }
+    if (model == DOF_EXACT) {
         return exact(setting, dof) || refuse_range(setting, error);
+    }
     struct dof_setting thin = *setting;
     thin.P = 1;
     return (exact(&thin, dof) || refuse_range(setting, error)) &&

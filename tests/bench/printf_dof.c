@@ -14,8 +14,7 @@ static void print_row(double f, double N, double s, double c, int digits)
     double gap = s - f, m = f / gap, e = N * c / f, eps = e * gap / f;
     double near = eps < 1 ? s / (1 + eps) : (f + f * m) / (m + e);
     double far = eps < 1 ? s + (gap + f) * eps / (1 - eps) : INFINITY;
-    printf("%.*g,%.*g,%.*g\n", digits, (f / e + f) / 1000, digits, near / 1000, digits,
-           far / 1000);
+    printf("%.*g,%.*g,%.*g\n", digits, (f / e + f) / 1000, digits, near / 1000, digits, far / 1000);
 }
 
 int main(int argc, char **argv)
