@@ -1,5 +1,8 @@
 /* report/output.c - buffered writing to standard output or to a file that appears whole. */
 /* SPDX-License-Identifier: MIT */
+#ifdef __linux__
+#define _GNU_SOURCE /* O_TMPFILE */
+#endif
 #include "report/output.h"
 
 #include <errno.h>
@@ -20,18 +23,58 @@ static bool is_plain_or_new(const char *path)
     return stat(path, &status) != 0 || S_ISREG(status.st_mode);
 }
 
-/* A new file beside `path`, with the permissions that the path has or would get. */
+/* The permissions that a file of this name has or would get. */
+static mode_t mode_of(const char *path)
+{
+    struct stat status;
+    mode_t mask = umask(0);
+    umask(mask);
+    return stat(path, &status) == 0 ? status.st_mode & 07777 : 0666 & ~mask;
+}
+
+/*
+ * A file without a name in the folder of `path`: whatever ends the program, nothing of it is left.
+ * -1 where the system knows no such files.
+ */
+static int open_nameless(const char *path, struct arena *arena)
+{
+#ifdef O_TMPFILE
+    const char *slash = strrchr(path, '/');
+    const char *folder = slash == NULL   ? "."
+                         : slash == path ? "/"
+                                         : arena_string(arena, path, (size_t)(slash - path));
+    if (access("/proc/self/fd", F_OK) == 0) {
+        return open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    }
+#else
+    (void)path;
+    (void)arena;
+#endif
+    return -1;
+}
+
+/* Give the nameless file the name `beside`, so that it can be renamed to its path. */
+static bool name_nameless(const struct output *output)
+{
+    char link[64];
+    snprintf(link, sizeof link, "/proc/self/fd/%d", output->descriptor);
+    return linkat(AT_FDCWD, link, AT_FDCWD, output->beside, AT_SYMLINK_FOLLOW) == 0;
+}
+
+/* A new file that becomes `path` at the end. */
 static int open_beside(struct output *output, const char *path, struct arena *arena)
 {
-    output->beside = arena_printf(arena, "%s.XXXXXX", path);
-    int descriptor = mkstemp(output->beside);
+    int descriptor = open_nameless(path, arena);
+    output->is_nameless = descriptor >= 0;
+    if (output->is_nameless) {
+        output->beside = arena_printf(arena, "%s.%ld", path, (long)getpid());
+    } else {
+        output->beside = arena_printf(arena, "%s.XXXXXX", path);
+        descriptor = mkstemp(output->beside);
+    }
     if (descriptor >= 0) {
-        struct stat status;
-        mode_t mask = umask(0);
-        umask(mask);
-        mode_t mode = stat(path, &status) == 0 ? status.st_mode & 07777 : 0666 & ~mask;
         /* a file system without permissions is no reason to fail */
-        (void)!fchmod(descriptor, mode);
+        (void)!fchmod(descriptor, mode_of(path));
     }
     return descriptor;
 }
@@ -152,6 +195,10 @@ void output_printf(struct output *output, const char *format, ...)
 bool output_close(struct output *output, bool keep, struct error *error)
 {
     output_flush(output);
+    if (output->is_nameless && keep && output->failure == 0) {
+        output->is_nameless = !name_nameless(output);
+        output->failure = output->is_nameless ? errno : 0;
+    }
     /* close reports what a network file system could not store */
     if (output->path != NULL && close(output->descriptor) != 0 && output->failure == 0) {
         output->failure = errno;
@@ -161,7 +208,7 @@ bool output_close(struct output *output, bool keep, struct error *error)
         output->failure = errno;
         whole = false;
     }
-    if (output->beside != NULL && !whole) {
+    if (output->beside != NULL && !whole && !output->is_nameless) {
         unlink(output->beside);
     }
     if (output->failure != 0) {

@@ -14,7 +14,8 @@ struct output {
     int descriptor;
     int failure;      /* errno of the first failed write, 0 = none */
     const char *path; /* null = standard output */
-    char *beside;     /* the file being written, renamed to `path` at the end; null for stdout */
+    char *beside;     /* the name from which it is renamed to `path`; null for stdout */
+    bool is_nameless; /* the file has no name before it is complete */
     char *buffer;
     size_t used, size;
 };
