@@ -1,0 +1,184 @@
+/* base/units.c - dimensions and their units. */
+/* SPDX-License-Identifier: MIT */
+#include "base/units.h"
+
+#include <string.h>
+
+#define COUNT(array)       (sizeof(array) / sizeof((array)[0]))
+#define RADIANS_PER_DEGREE 0.017453292519943295769
+
+static const struct unit number_units[] = {
+    {"", "", {1, 0}, 1, NULL, "plain number"},
+};
+
+static const struct unit length_units[] = {
+    {"mm", "mm", {1, 0}, 1, NULL, "millimetre"},
+    {"nm", "nm", {1, -6}, 1, NULL, "nanometre"},
+    {"um", "um", {1, -3}, 1, "\xc2\xb5m \xce\xbcm", "micrometre"},
+    {"cm", "cm", {1, 1}, 1, NULL, "centimetre"},
+    {"m", "m", {1, 3}, 1, NULL, "metre"},
+    {"km", "km", {1, 6}, 1, NULL, "kilometre"},
+    {"in", "in", {254, -1}, 1, "\" \xe2\x80\xb3 inch", "inch, 25.4 mm"},
+    {"ft", "ft", {3048, -1}, 1, "' \xe2\x80\xb2 feet foot", "foot, 304.8 mm"},
+    {"yd", "yd", {9144, -1}, 1, NULL, "yard, 914.4 mm"},
+    {"mi", "mi", {1609344, 0}, 1, "mile miles", "mile, 1609.344 m"},
+};
+
+static const struct unit angle_units[] = {
+    {"rad", "rad", {1, 0}, 1, NULL, "radian"},
+    {"mrad", "mrad", {1, -3}, 1, NULL, "milliradian"},
+    {"deg", "deg", {1, 0}, RADIANS_PER_DEGREE, "\xc2\xb0 degree degrees", "degree"},
+    {"arcmin", "arcmin", {1, 0}, RADIANS_PER_DEGREE / 60, NULL, "minute of arc"},
+    {"arcsec", "arcsec", {1, 0}, RADIANS_PER_DEGREE / 3600, NULL, "second of arc"},
+};
+
+static const struct unit time_units[] = {
+    {"s", "s", {1, 0}, 1, "sec", "second"},
+    {"ns", "ns", {1, -9}, 1, NULL, "nanosecond"},
+    {"us", "us", {1, -6}, 1, "\xc2\xb5s \xce\xbcs", "microsecond"},
+    {"ms", "ms", {1, -3}, 1, NULL, "millisecond"},
+    {"min", "min", {60, 0}, 1, NULL, "minute, 60 s"},
+    {"h", "h", {3600, 0}, 1, NULL, "hour, 3600 s"},
+};
+
+static const struct unit ratio_units[] = {
+    {"", "", {1, 0}, 1, "x X", "times"},
+    {"percent", "%", {1, -2}, 1, "%", "hundredth"},
+};
+
+static const struct unit vergence_units[] = {
+    {"per_mm", "1/mm", {1, 0}, 1, "/mm", "per millimetre"},
+    {"diopter", "dpt", {1, -3}, 1, "dpt D dioptre dioptres diopters", "dioptre, 1/m"},
+};
+
+static const struct unit stops_units[] = {
+    {"stops", "stops", {1, 0}, 1, "stop EV ev", "factor of two in light"},
+};
+
+static const struct unit luminance_units[] = {
+    {"cd_m2", "cd/m2", {1, 0}, 1, "cd/m2 cd/m^2 nt nit nits", "candela per square metre"},
+    {"fL", "fL", {1, 0}, 3.4262590996353905, "ftL", "foot-lambert"},
+};
+
+static const struct unit illuminance_units[] = {
+    {"lx", "lx", {1, 0}, 1, "lux", "lux"},
+    {"fc", "fc", {1, 0}, 10.763910416709722, "ftc", "foot-candle, lumen per square foot"},
+};
+
+static const struct unit exposure_units[] = {
+    {"lx_s", "lx s", {1, 0}, 1, "lxs", "lux second"},
+};
+
+static const struct unit speed_units[] = {
+    {"mm_s", "mm/s", {1, 0}, 1, "mm/s", "millimetre per second"},
+    {"m_s", "m/s", {1, 3}, 1, "m/s", "metre per second"},
+    {"km_h", "km/h", {1, 3}, 1 / 3.6, "km/h kph kmh", "kilometre per hour"},
+    {"mph", "mph", {44704, -2}, 1, NULL, "mile per hour"},
+    {"kn", "kn", {1852, 3}, 1 / 3600.0, "knot knots", "knot, 1852 m per hour"},
+    {"ft_s", "ft/s", {3048, -1}, 1, "ft/s", "foot per second"},
+};
+
+static const struct unit rotation_units[] = {
+    {"rad_s", "rad/s", {1, 0}, 1, "rad/s", "radian per second"},
+    {"deg_s", "deg/s", {1, 0}, RADIANS_PER_DEGREE, "deg/s \xc2\xb0/s", "degree per second"},
+    {"rpm", "rpm", {6, 0}, RADIANS_PER_DEGREE, "1/min", "turn per minute"},
+};
+
+static const struct unit frequency_units[] = {
+    {"per_mm", "1/mm", {1, 0}, 1, "/mm lp/mm cycles/mm", "cycle or line pair per millimetre"},
+};
+
+static const struct unit rate_units[] = {
+    {"fps", "fps", {1, 0}, 1, "Hz hz", "frame per second"},
+};
+
+#define UNITS(array) .units = (array), .unit_count = COUNT(array)
+
+const struct dimension dimension_number = {.name = "number", UNITS(number_units)};
+const struct dimension dimension_length = {.name = "length", .fraction = true, UNITS(length_units)};
+const struct dimension dimension_angle = {.name = "angle", UNITS(angle_units)};
+const struct dimension dimension_time = {
+    .name = "time", .fraction = true, .series = "shutters.tsv", UNITS(time_units)};
+const struct dimension dimension_fnumber = {
+    .name = "f-number", .prefixes = "f/ f t/ t", .series = "fstops.tsv", UNITS(number_units)};
+const struct dimension dimension_ratio = {
+    .name = "ratio", .fraction = true, .ratio = true, UNITS(ratio_units)};
+const struct dimension dimension_vergence = {.name = "vergence", UNITS(vergence_units)};
+
+const struct dimension dimension_iso = {
+    .name = "ISO speed", .prefixes = "iso", .series = "iso.tsv", UNITS(number_units)};
+const struct dimension dimension_ev = {
+    .name = "exposure value", .prefixes = "ev", UNITS(number_units)};
+const struct dimension dimension_stops = {
+    .name = "number of stops", .fraction = true, UNITS(stops_units)};
+const struct dimension dimension_luminance = {.name = "luminance", UNITS(luminance_units)};
+const struct dimension dimension_illuminance = {.name = "illuminance", UNITS(illuminance_units)};
+const struct dimension dimension_exposure = {.name = "exposure", UNITS(exposure_units)};
+const struct dimension dimension_speed = {.name = "speed", UNITS(speed_units)};
+const struct dimension dimension_rotation = {.name = "rate of rotation", UNITS(rotation_units)};
+const struct dimension dimension_frequency = {.name = "spatial frequency", UNITS(frequency_units)};
+const struct dimension dimension_rate = {.name = "frame rate", UNITS(rate_units)};
+
+const struct dimension *const dimensions[] = {
+    &dimension_length,    &dimension_angle,     &dimension_time,
+    &dimension_fnumber,   &dimension_ratio,     &dimension_vergence,
+    &dimension_number,    &dimension_iso,       &dimension_ev,
+    &dimension_stops,     &dimension_luminance, &dimension_illuminance,
+    &dimension_exposure,  &dimension_speed,     &dimension_rotation,
+    &dimension_frequency, &dimension_rate,      NULL,
+};
+
+/* Is `name` one of the blank-separated words? Case counts: mm is not MM, D is not d. */
+static bool is_spelling(const char *words, struct text name)
+{
+    struct text rest = text_of(words != NULL ? words : "");
+    while (rest.start != NULL) {
+        struct text word = text_cut(&rest, ' ');
+        if (word.length == name.length && memcmp(word.start, name.start, name.length) == 0) {
+            return word.length > 0;
+        }
+    }
+    return false;
+}
+
+const struct unit *unit_find(const struct dimension *dimension, struct text name)
+{
+    for (size_t i = 0; i < dimension->unit_count; i++) {
+        const struct unit *unit = &dimension->units[i];
+        if (text_equal(name, unit->name) || is_spelling(unit->spellings, name)) {
+            return unit;
+        }
+    }
+    return NULL;
+}
+
+/* 10^n for 0 <= n <= 9, exact. */
+static double power_of_ten(int n)
+{
+    static const double powers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+    return powers[n];
+}
+
+bool unit_is_own(const struct unit *unit)
+{
+    return unit->scale.multiplier == 1 && unit->scale.power == 0 && unit->factor == 1;
+}
+
+double unit_to_own(const struct unit *unit, double value)
+{
+    int power = unit->scale.power;
+    double scaled = value * unit->scale.multiplier;
+    scaled = power >= 0 ? scaled * power_of_ten(power) : scaled / power_of_ten(-power);
+    return scaled * unit->factor;
+}
+
+double unit_from_own(const struct unit *unit, double value)
+{
+    int power = unit->scale.power;
+    double scaled = value / unit->factor;
+    if (power < 0) {
+        scaled *= power_of_ten(-power);
+        return scaled / unit->scale.multiplier;
+    }
+    return scaled / (unit->scale.multiplier * power_of_ten(power));
+}
