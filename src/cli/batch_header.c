@@ -33,25 +33,29 @@ static bool find_companion(const struct batch *batch, struct text name, struct b
     return column->is_infinite;
 }
 
-/* Split "focal_length_mm" into the option and its unit. */
+/* Split "focal_length_mm" or "speed_m_s" into the option and its unit, at any '_'. */
 static const struct option *find_with_unit(const struct batch *batch, struct text name,
                                            const char **unit, struct text *typed)
 {
-    size_t at = name.length;
-    while (at > 0 && name.start[at - 1] != '_') {
-        at--;
+    const struct option *without_unit = NULL;
+    for (size_t at = 1; at + 1 < name.length; at++) {
+        if (name.start[at] != '_') {
+            continue;
+        }
+        const struct option *option = option_of(batch, (struct text){name.start, at});
+        struct text behind = {name.start + at + 1, name.length - at - 1};
+        if (option == NULL || option->dimension == NULL) {
+            continue;
+        }
+        const struct unit *found = unit_find(option->dimension, behind);
+        *typed = behind;
+        if (found != NULL) {
+            *unit = found->name;
+            return option;
+        }
+        without_unit = option;
     }
-    if (at < 2) {
-        return NULL;
-    }
-    *typed = (struct text){name.start + at, name.length - at};
-    const struct option *option = option_of(batch, (struct text){name.start, at - 1});
-    if (option == NULL || option->dimension == NULL) {
-        return NULL;
-    }
-    const struct unit *found = unit_find(option->dimension, *typed);
-    *unit = found != NULL ? found->name : NULL;
-    return option;
+    return without_unit;
 }
 
 /* Will the command print a column of this name itself? */
@@ -66,7 +70,7 @@ static bool is_computed(const struct batch *batch, struct text name)
         size_t length = strlen(column->name);
         bool begins = name.length >= length && memcmp(name.start, column->name, length) == 0;
         struct text rest = {name.start + length, begins ? name.length - length : 0};
-        if (begins &&
+        if (begins && (column->flags & COLUMN_EXTRA) == 0 &&
             (rest.length == 0 || text_equal(rest, "_is_infinite") ||
              (column->unit != NULL && rest.start[0] == '_' &&
               text_equal((struct text){rest.start + 1, rest.length - 1}, column->unit)))) {

@@ -7,8 +7,7 @@ const char *list_string(const struct list *list, struct text text)
     return text.length == 0 ? NULL : arena_string(list->run->arena, text.start, text.length);
 }
 
-bool list_matches(const struct list *list, const char *kind, const char *const *texts,
-                    size_t count)
+bool list_matches(const struct list *list, const char *kind, const char *const *texts, size_t count)
 {
     const struct list_input *input = list->input;
     if (input->kind != NULL &&

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/collect.h"
 
+#include <math.h>
 #include <string.h>
 
 bool collection_open(struct collection *collection, size_t most, const char *option,
@@ -53,22 +54,29 @@ const char *axis_label(const struct collection *collection, const struct axis *a
     return axis->option->name;
 }
 
+/* Is a time one that people write as 1/125? */
+static bool is_fraction(double value)
+{
+    double whole = round(1 / value);
+    return value < 0.3 && whole < 1e6 && fabs(whole * value - 1) < 1e-12;
+}
+
 const char *axis_value(const struct collection *collection, const struct axis *axis, size_t i,
                        bool with_unit)
 {
     const struct option *option = axis->option;
     const char *member = axis->values + i * option->kind->size;
-    if (option->kind == &kind_choice) {
-        return option->words[*(const int *)(const void *)member].word;
-    }
-    if (option->kind == &kind_sensor) {
-        return ((const struct sensor_value *)(const void *)member)->name;
+    const char *name = option->kind->name_of != NULL ? option->kind->name_of(option, member) : NULL;
+    if (name != NULL) {
+        return name;
     }
     if (option->kind == &kind_count) {
         return arena_printf(collection->arena, "%ld", *(const long *)(const void *)member);
     }
-    if (option->kind != &kind_quantity) {
-        return arena_printf(collection->arena, "%zu", i + 1);
+    if (option->kind == &kind_coc) {
+        return arena_printf(collection->arena, "%.6g%s",
+                            ((const struct coc_value *)(const void *)member)->coc.value,
+                            with_unit ? " mm" : "");
     }
     double value =
         axis->unit != NULL ? unit_from_own(axis->unit, axis_number(axis, i)) : axis_number(axis, i);
@@ -76,6 +84,10 @@ const char *axis_value(const struct collection *collection, const struct axis *a
         return arena_printf(collection->arena, "f/%.4g", value);
     }
     bool unit = with_unit && axis->unit != NULL && axis->unit->label[0] != '\0';
+    if (option->dimension == &dimension_time && is_fraction(value)) {
+        return arena_printf(collection->arena, "1/%.0f%s%s", 1 / value, unit ? " " : "",
+                            unit ? axis->unit->label : "");
+    }
     return arena_printf(collection->arena, "%.6g%s%s", value, unit ? " " : "",
                         unit ? axis->unit->label : "");
 }

@@ -321,6 +321,9 @@ static const char *add_words(const struct report *report, const char *line,
                              const struct shown *shown, const void *row)
 {
     enum { LONGEST = 90 };
+    if (row_is_absent(row, shown->column)) {
+        return line;
+    }
     const char *words = report_words(report, shown, row);
     if (line == NULL) {
         return words;

@@ -49,8 +49,8 @@
 
 #define COLUMN_NOMINAL_TIME(S, member)                                                             \
     {                                                                                              \
-        COLUMN(S, member), .name = "nominal_time", .flags = COLUMN_BRIEF,                          \
-                           .label = "nearest time", .help = "nearest time of the series, in s"     \
+        COLUMN(S, member), .name = "nominal_time", .flags = COLUMN_BRIEF, .label = "nearest time", \
+                           .help = "nearest time of the series, in s"                              \
     }
 
 #endif

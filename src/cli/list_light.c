@@ -13,8 +13,10 @@
      .help = "published or sourced, third-party, approx, or recall (from memory)"},                \
         {COLUMN(S, source), .name = "source", .flags = COLUMN_BRIEF, .label = "source",            \
          .help = "where the figures are from"},                                                    \
-        {COLUMN(S, place), .name = "database", .label = "database",                                \
-         .help = "embedded, or the user's own folder"}
+    {                                                                                              \
+        COLUMN(S, place), .name = "database", .label = "database",                                 \
+                          .help = "embedded, or the user's own folder"                             \
+    }
 
 struct film_row {
     const char *film, *maker, *model, *confidence, *source, *note, *place;
@@ -28,13 +30,14 @@ static const struct column film_columns[] = {
     {TIME(struct film_row, onset), .name = "onset", .flags = COLUMN_ECHO, .label = "onset",
      .help = "no correction up to here"},
     {TIME(struct film_row, longest), .name = "longest", .flags = COLUMN_INFINITE | COLUMN_ECHO,
-     .label = "longest", .help = "longest metered time the source covers; inf where none is stated"},
+     .label = "longest",
+     .help = "longest metered time the source covers; inf where none is stated"},
     {TIME(struct film_row, at_1), .name = "for_1", .flags = COLUMN_BRIEF | COLUMN_ECHO,
      .label = "for 1 s", .help = "corrected time for a metered second"},
     {TIME(struct film_row, at_10), .name = "for_10", .flags = COLUMN_BRIEF, .label = "for 10 s",
      .help = "corrected time for 10 s"},
-    {TIME(struct film_row, at_100), .name = "for_100", .flags = COLUMN_BRIEF,
-     .label = "for 100 s", .help = "corrected time for 100 s"},
+    {TIME(struct film_row, at_100), .name = "for_100", .flags = COLUMN_BRIEF, .label = "for 100 s",
+     .help = "corrected time for 100 s"},
     {COLUMN(struct film_row, model), .name = "model", .flags = COLUMN_BRIEF, .label = "model",
      .help = "how the correction is published"},
     ORIGIN(struct film_row),
@@ -161,8 +164,8 @@ struct filter_row {
 };
 
 static const struct column filter_columns[] = {
-    {COLUMN(struct filter_row, filter), .name = "filter", .flags = COLUMN_BRIEF,
-     .label = "filter", .help = "name to ask by"},
+    {COLUMN(struct filter_row, filter), .name = "filter", .flags = COLUMN_BRIEF, .label = "filter",
+     .help = "name to ask by"},
     {COLUMN(struct filter_row, kind), .name = "kind", .flags = COLUMN_BRIEF, .label = "kind",
      .help = "what it is for; bw: contrast in black and white"},
     {COLUMN(struct filter_row, factor), .name = "factor", .flags = COLUMN_BRIEF | COLUMN_ECHO,

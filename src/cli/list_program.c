@@ -96,7 +96,8 @@ static bool list_units(struct list *list, struct error *error)
                                    unit_to_own(unit, 1)};
             if (unit->name[0] != '\0' &&
                 list_matches(list, row.dimension,
-                        (const char *[]){row.dimension, row.unit, row.spellings, row.help}, 4)) {
+                             (const char *[]){row.dimension, row.unit, row.spellings, row.help},
+                             4)) {
                 list_row(list, &row);
             }
         }

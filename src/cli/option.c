@@ -309,10 +309,35 @@ static bool read_coc(const struct reader *reader, const struct option *option, s
     return true;
 }
 
-const struct option_kind kind_quantity = {"quantity", sizeof(double), true, read_quantity};
-const struct option_kind kind_choice = {"choice", sizeof(int), true, read_choice};
-const struct option_kind kind_flag = {"flag", sizeof(bool), false, read_flag};
-const struct option_kind kind_text = {"text", sizeof(const char *), false, read_text};
-const struct option_kind kind_count = {"count", sizeof(long), true, read_count};
-const struct option_kind kind_sensor = {"sensor", sizeof(struct sensor_value), true, read_sensor};
-const struct option_kind kind_coc = {"coc", sizeof(struct coc_value), true, read_coc};
+static const char *coc_name(const struct option *option, const void *member)
+{
+    (void)option;
+    const struct coc_value *coc = member;
+    return coc->coc.kind == COC_LENGTH ? NULL : coc->criterion;
+}
+
+static const char *choice_name(const struct option *option, const void *member)
+{
+    return option->words[*(const int *)member].word;
+}
+
+static const char *sensor_name(const struct option *option, const void *member)
+{
+    (void)option;
+    return ((const struct sensor_value *)member)->name;
+}
+
+static const char *text_name(const struct option *option, const void *member)
+{
+    (void)option;
+    return *(const char *const *)member;
+}
+
+const struct option_kind kind_quantity = {"quantity", sizeof(double), true, read_quantity, NULL};
+const struct option_kind kind_choice = {"choice", sizeof(int), true, read_choice, choice_name};
+const struct option_kind kind_flag = {"flag", sizeof(bool), false, read_flag, NULL};
+const struct option_kind kind_text = {"text", sizeof(const char *), false, read_text, text_name};
+const struct option_kind kind_count = {"count", sizeof(long), true, read_count, NULL};
+const struct option_kind kind_sensor = {"sensor", sizeof(struct sensor_value), true, read_sensor,
+                                        sensor_name};
+const struct option_kind kind_coc = {"coc", sizeof(struct coc_value), true, read_coc, coc_name};

@@ -30,6 +30,8 @@ struct option_kind {
     bool is_list; /* may be swept */
     bool (*read)(const struct reader *reader, const struct option *option, struct text text,
                  void *member, struct error *error);
+    /* The value's name, where it has one ("exact", "35mm (36 x 24 mm)"); null: it has none. */
+    const char *(*name_of)(const struct option *option, const void *member);
 };
 
 extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,

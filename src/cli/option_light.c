@@ -19,6 +19,22 @@ static const char *string(const struct reader *reader, struct text text)
     return arena_string(reader->arena, text.start, text.length);
 }
 
+/* "published: Kodak F-4017"; null where the table says neither. */
+static const char *join(const struct reader *reader, struct text status, struct text source)
+{
+    if (status.length == 0 && source.length == 0) {
+        return NULL;
+    }
+    return arena_printf(reader->arena, "%.*s%s%.*s", (int)status.length, status.start,
+                        status.length > 0 ? ": " : "", (int)source.length, source.start);
+}
+
+/* What was looked for is not there: say by which option. */
+static bool blame(const struct option *option, struct error *error)
+{
+    return error->code == ERROR_USAGE && error_prefix(error, "--%s: ", option->name);
+}
+
 static bool is_digit(char c)
 {
     return (c >= '0' && c <= '9') || c == '.';
@@ -74,27 +90,29 @@ static bool read_stops(const struct option *option, struct text piece, double *s
 {
     const struct unit *typed;
     if (!quantity_read(piece, &dimension_stops, NULL, stops, &typed, error)) {
-        return error_prefix(error, "bad value in --%s '%.*s': ", option->name,
-                            shown_length(piece), piece.start);
+        return error_prefix(error, "bad value in --%s '%.*s': ", option->name, shown_length(piece),
+                            piece.start);
     }
     /* a column of a batch may say the unit for all its cells */
     if (typed == NULL && option->unit == NULL) {
         fail(error, ERROR_USAGE, "--%s '%.*s' may be stops, a factor or a density", option->name,
              shown_length(piece), piece.start);
-        return error_hint(error, "write %.*sstops, %.*sx or ND%.*s (ND0.9 is a density, ND8 a "
-                                 "factor)", shown_length(piece), piece.start, shown_length(piece),
-                          piece.start, shown_length(piece), piece.start);
+        return error_hint(error,
+                          "write %.*sstops, %.*sx or ND%.*s (ND0.9 is a density, ND8 a "
+                          "factor)",
+                          shown_length(piece), piece.start, shown_length(piece), piece.start,
+                          shown_length(piece), piece.start);
     }
     return (*stops >= 0 && *stops <= 100) ||
            bad_filter(option, piece, "a loss of light is 0 to 100 stops", error);
 }
 
-static bool read_named(const struct reader *reader, const struct option *option,
-                       struct text piece, double *stops, struct error *error)
+static bool read_named(const struct reader *reader, const struct option *option, struct text piece,
+                       double *stops, struct error *error)
 {
     struct lensdb_filter filter;
     if (!lensdb_find_filter(reader->db, piece, &filter, error)) {
-        return error_prefix(error, "--%s: ", option->name);
+        return blame(option, error);
     }
     *stops = lensdb_filter_stops(&filter);
     return true;
@@ -148,8 +166,8 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
         }
         sum += stops;
         more = piece.length < rest.length;
-        rest = more ? (struct text){piece.start + piece.length + 1,
-                                    rest.length - piece.length - 1} : rest;
+        rest = more ? (struct text){piece.start + piece.length + 1, rest.length - piece.length - 1}
+                    : rest;
     }
     *(struct loss_value *)member = (struct loss_value){
         sum, arena_printf(reader->arena, "%.*s (%.4g stops)", shown_length(text_trim(text)),
@@ -163,17 +181,16 @@ static bool read_film(const struct reader *reader, const struct option *option, 
     struct lensdb_film film;
     struct reciprocity *model = ARENA_NEW(reader->arena, struct reciprocity);
     if (!lensdb_find_film(reader->db, text, &film, error)) {
-        return error_prefix(error, "--%s: ", option->name);
+        return blame(option, error);
     }
     if (!lensdb_film_model(&film, model, error)) {
         return false;
     }
     *(struct film_value *)member = (struct film_value){
         .model = model,
-        .name = arena_printf(reader->arena, "%.*s %.*s", (int)film.maker.length,
-                             film.maker.start, (int)film.name.length, film.name.start),
-        .source = arena_printf(reader->arena, "%.*s: %.*s", (int)film.status.length,
-                               film.status.start, (int)film.source.length, film.source.start)};
+        .name = arena_printf(reader->arena, "%.*s %.*s", (int)film.maker.length, film.maker.start,
+                             (int)film.name.length, film.name.start),
+        .source = join(reader, film.status, film.source)};
     return true;
 }
 
@@ -182,45 +199,64 @@ static bool read_scene(const struct reader *reader, const struct option *option,
 {
     struct lensdb_scene scene;
     if (!lensdb_find_scene(reader->db, text, &scene, error)) {
-        return error_prefix(error, "--%s: ", option->name);
+        return blame(option, error);
     }
-    *(struct scene_value *)member = (struct scene_value){
-        .ev100 = scene.ev100,
-        .name = string(reader, scene.name),
-        .source = arena_printf(reader->arena, "%.*s: %.*s", (int)scene.confidence.length,
-                               scene.confidence.start, (int)scene.source.length,
-                               scene.source.start)};
+    *(struct scene_value *)member =
+        (struct scene_value){.ev100 = scene.ev100,
+                             .name = string(reader, scene.name),
+                             .source = join(reader, scene.confidence, scene.source)};
     return true;
 }
 
-/* The labels of a series by their steps. */
+/* The labels of a series in one place's table; *count of them. */
+static bool add_labels(const struct reader *reader, enum lensdb_place place, const char *file,
+                       const char *series, struct stop_labels *labels, size_t *count,
+                       struct error *error)
+{
+    static const char *const names[] = {"series", "step", "label"};
+    struct tsv tsv;
+    size_t columns[3];
+    if (!lensdb_open(reader->db, place, file, &tsv, error)) {
+        return error->code == ERROR_NONE;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        if (!tsv_column(&tsv, names[i], &columns[i], error)) {
+            return false;
+        }
+    }
+    while (tsv_next(&tsv, error)) {
+        double step;
+        if (!text_equal(tsv.cells[columns[0]], series)) {
+            continue;
+        }
+        if (!tsv_number(&tsv, columns[1], &step, error)) {
+            return false;
+        }
+        if (step >= STOP_FIRST && step < STOP_FIRST + STOP_COUNT) {
+            labels->labels[(int)step - STOP_FIRST] = string(reader, tsv.cells[columns[2]]);
+            ++*count;
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+/* The user's series replaces the embedded one, as in ranges. */
 static bool load_labels(const struct reader *reader, const char *file, const char *series,
                         const struct stop_labels **loaded, struct error *error)
 {
-    struct lensdb_stop *stops;
-    size_t count;
-    if (!lensdb_stops(reader->db, file, series, &stops, &count, error)) {
-        return false;
-    }
-    int first = count > 0 ? stops[0].step : 0, last = count > 0 ? first : -1;
-    for (size_t i = 1; i < count; i++) {
-        first = stops[i].step < first ? stops[i].step : first;
-        last = stops[i].step > last ? stops[i].step : last;
-    }
     struct stop_labels *labels = ARENA_NEW(reader->arena, struct stop_labels);
-    *labels = (struct stop_labels){.first = first, .count = last - first + 1};
-    labels->labels = ARENA_ARRAY(reader->arena, (size_t)labels->count + 1, const char *);
-    labels->values = ARENA_ARRAY(reader->arena, (size_t)labels->count + 1, double);
-    for (size_t i = 0; i < count; i++) {
-        labels->labels[stops[i].step - first] = string(reader, stops[i].label);
-        labels->values[stops[i].step - first] = stops[i].value;
+    size_t count = 0;
+    for (int place = 0; place < LENSDB_PLACES && count == 0; place++) {
+        if (!add_labels(reader, (enum lensdb_place)place, file, series, labels, &count, error)) {
+            return false;
+        }
     }
     *loaded = labels;
     return true;
 }
 
-static bool read_series(const struct reader *reader, const struct option *option,
-                        struct text text, void *member, struct error *error)
+static bool read_series(const struct reader *reader, const struct option *option, struct text text,
+                        void *member, struct error *error)
 {
     static const char *const names[] = {"full", "half", "third"};
     struct series_value series = {0};
@@ -242,19 +278,29 @@ static bool read_series(const struct reader *reader, const struct option *option
     return true;
 }
 
-int stop_labels_nearest(const struct stop_labels *labels, double stops, int per_stop)
+static const char *loss_name(const struct option *option, const void *member)
 {
-    double place = rint(stops * per_stop) - labels->first;
-    return place >= 0 && place < labels->count && labels->labels[(int)place] != NULL ? (int)place
-                                                                                    : -1;
+    (void)option;
+    return ((const struct loss_value *)member)->name;
 }
 
-const char *stop_labels_text(const struct stop_labels *labels, int place)
+static const char *film_name(const struct option *option, const void *member)
 {
-    return place >= 0 ? labels->labels[place] : NULL;
+    (void)option;
+    return ((const struct film_value *)member)->name;
 }
 
-const struct option_kind kind_loss = {"loss", sizeof(struct loss_value), true, read_loss};
-const struct option_kind kind_film = {"film", sizeof(struct film_value), true, read_film};
-const struct option_kind kind_scene = {"scene", sizeof(struct scene_value), true, read_scene};
-const struct option_kind kind_series = {"series", sizeof(struct series_value), false, read_series};
+static const char *scene_name(const struct option *option, const void *member)
+{
+    (void)option;
+    return ((const struct scene_value *)member)->name;
+}
+
+const struct option_kind kind_loss = {"loss", sizeof(struct loss_value), true, read_loss,
+                                      loss_name};
+const struct option_kind kind_film = {"film", sizeof(struct film_value), true, read_film,
+                                      film_name};
+const struct option_kind kind_scene = {"scene", sizeof(struct scene_value), true, read_scene,
+                                       scene_name};
+const struct option_kind kind_series = {"series", sizeof(struct series_value), false, read_series,
+                                        NULL};

@@ -5,6 +5,9 @@
 
 #include "photo/reciprocity.h"
 
+#include <stdbool.h>
+#include <stddef.h>
+
 /* Light lost on the way, as filters are sold: "ND8+wratten-25". */
 struct loss_value {
     double stops;     /* 0 where nothing is given */
@@ -24,10 +27,9 @@ struct scene_value {
 };
 
 /* Labels of one stop series: where cameras can stand. */
+enum { STOP_FIRST = -64, STOP_COUNT = 192 };
 struct stop_labels {
-    int first, count;    /* the first label's step */
-    const char **labels; /* null where a step has none */
-    double *values;      /* the labels as numbers */
+    const char *labels[STOP_COUNT]; /* of step STOP_FIRST + i; null where a step has none */
 };
 
 /* A stop series for apertures and times. */
@@ -36,15 +38,11 @@ struct series_value {
     const struct stop_labels *fnumbers, *times;
 };
 
-/*
- * The place of a label in its series.
- *
- * Given     labels  of a series;  stops  Av or Tv of a setting;  per_stop  steps a stop
- * Result    index of the nearest step's label, -1 where none is near (or stops is NaN)
- */
-int stop_labels_nearest(const struct stop_labels *labels, double stops, int per_stop);
-
-/* The label of that place: "1/125"; null for -1. */
-const char *stop_labels_text(const struct stop_labels *labels, int place);
+/* The label of a step, a whole number (or NaN): "1/125"; null where it has none. */
+static inline const char *stop_label(const struct stop_labels *labels, double step)
+{
+    bool inside = step >= STOP_FIRST && step < STOP_FIRST + STOP_COUNT;
+    return inside ? labels->labels[(int)step - STOP_FIRST] : NULL;
+}
 
 #endif

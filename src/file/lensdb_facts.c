@@ -16,19 +16,30 @@ struct layout {
     const char *columns[LENSDB_FACT_COLUMNS];
 };
 
-enum { FILM_NAME, FILM_MODEL, FILM_PARAMETERS, FILM_ONSET, FILM_VALID_TO, FILM_MAKER, FILM_STATUS,
-       FILM_SOURCE, FILM_NOTE };
-static const struct layout films = {"films.tsv", 4, 9,
-                                    {"film", "model", "parameters", "onset_s", "valid_to_s",
-                                     "maker", "status", "source", "note"}};
+enum {
+    FILM_NAME,
+    FILM_MODEL,
+    FILM_PARAMETERS,
+    FILM_ONSET,
+    FILM_VALID_TO,
+    FILM_MAKER,
+    FILM_STATUS,
+    FILM_SOURCE,
+    FILM_NOTE
+};
+static const struct layout films = {
+    "films.tsv",
+    4,
+    9,
+    {"film", "model", "parameters", "onset_s", "valid_to_s", "maker", "status", "source", "note"}};
 
 enum { SCENE_NAME, SCENE_EV100, SCENE_SCENE, SCENE_CONFIDENCE, SCENE_SOURCE };
-static const struct layout scenes = {"scenes.tsv", 2, 5,
-                                     {"name", "ev100", "scene", "confidence", "source"}};
+static const struct layout scenes = {
+    "scenes.tsv", 2, 5, {"name", "ev100", "scene", "confidence", "source"}};
 
 enum { FILTER_NAME, FILTER_FACTOR, FILTER_STOPS, FILTER_KIND, FILTER_CONFIDENCE, FILTER_SOURCE };
-static const struct layout filters = {"filters.tsv", 1, 6,
-                                      {"name", "factor", "stops", "kind", "confidence", "source"}};
+static const struct layout filters = {
+    "filters.tsv", 1, 6, {"name", "factor", "stops", "kind", "confidence", "source"}};
 
 static bool open_table(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
                        const struct layout *layout, struct error *error)
@@ -109,8 +120,7 @@ bool lensdb_scenes_open(struct lensdb_facts *facts, struct lensdb *db, enum lens
     return open_table(facts, db, place, &scenes, error);
 }
 
-bool lensdb_scenes_next(struct lensdb_facts *facts, struct lensdb_scene *scene,
-                        struct error *error)
+bool lensdb_scenes_next(struct lensdb_facts *facts, struct lensdb_scene *scene, struct error *error)
 {
     if (!tsv_next(&facts->tsv, error)) {
         return false;
@@ -291,8 +301,8 @@ bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *f
         return unknown("film", "films", &found.nearest, error);
     }
     if (found.count > 1) {
-        fail(error, ERROR_USAGE, "'%.*s' names %zu films: %s", shown_length(typed, 60),
-             typed.start, found.count, found.words);
+        fail(error, ERROR_USAGE, "'%.*s' names %zu films: %s", shown_length(typed, 60), typed.start,
+             found.count, found.words);
         return error_hint(error, "say which by its full name; see 'lenscalc list films'");
     }
     *film = found.first;
@@ -322,8 +332,10 @@ static bool read_steps(const struct lensdb_film *film, struct reciprocity *model
             number_read(colon + 1, end, plain, &more) != end || !(more >= stops) ||
             model->points + 3 > RECIPROCITY_POINTS || !(from < film->valid_to) ||
             (model->points > 0 && !(from > model->metered[model->points - 1]))) {
-            return fail(error, ERROR_DATA, "'%.*s' is no ascending list of TIME:STOPS up to "
-                        "valid_to_s", shown_length(film->parameters, 60), film->parameters.start);
+            return fail(error, ERROR_DATA,
+                        "'%.*s' is no ascending list of TIME:STOPS up to "
+                        "valid_to_s",
+                        shown_length(film->parameters, 60), film->parameters.start);
         }
         if (from > 0) {
             add_point(model, nextafter(from, 0), stops); /* the step before ends here */
@@ -341,8 +353,8 @@ bool lensdb_film_model(const struct lensdb_film *film, struct reciprocity *model
 {
     bool read = text_equal(film->model, "step")
                     ? read_steps(film, model, error)
-                    : reciprocity_parse(film->model, film->parameters, film->onset,
-                                        film->valid_to, model, error);
+                    : reciprocity_parse(film->model, film->parameters, film->onset, film->valid_to,
+                                        model, error);
     return read || error_locate(error, film->file, film->line, 0);
 }
 

@@ -204,7 +204,8 @@ bool exposure_equivalent(double ev_set, double N, int per_stop, struct equivalen
     line->N = N;
     line->t = exp2(-Tv);
     line->t_series = exp2(-Tv_series);
-    line->residual = Tv - Tv_series;
+    /* what the rounding of the logarithms leaves is no residual */
+    line->residual = fabs(Tv - Tv_series) < 1e-12 ? 0 : Tv - Tv_series;
     return answer_positive("the exposure time", line->t, error);
 }
 

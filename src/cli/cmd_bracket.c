@@ -1,0 +1,189 @@
+/* cli/cmd_bracket.c - lenscalc bracket: a series of exposure times. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/light_options.h"
+#include "photo/bracket.h"
+#include "photo/given.h"
+
+#include <math.h>
+
+struct input {
+    struct bracket_given given;
+    double time, scene_range, range;
+    struct series_value series;
+};
+
+#define STOPS_OPTION(member_name)                                                                  \
+    OPTION(struct input, member_name), .dimension = &dimension_stops, OPTION_POSITIVE,             \
+                                       .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,          \
+                                       .value = "STOPS"
+#define TIME_OPTION(member_name)                                                                   \
+    OPTION(struct input, member_name), .dimension = &dimension_time, .unit = "s", OPTION_POSITIVE, \
+                                       .value = "TIME",                                            \
+                                       .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+
+static const struct option options[] = {
+    {TIME_OPTION(given.from), .name = "from", .help = "time at one end: 30s"},
+    {TIME_OPTION(given.to), .name = "to", .help = "time at the other end: 1/1000s"},
+    OPTION_TIME(struct input, time, 0),
+    {STOPS_OPTION(given.step), .name = "step", .column = "step",
+     .help = "stops between two shots (1 unless --shots divides the span)"},
+    {OPTION(struct input, given.shots), .name = "shots", .column = "shots",
+     .dimension = &dimension_number, .lowest = 1, .highest = BRACKET_SHOTS, .value = "N",
+     .help = "number of shots"},
+    {STOPS_OPTION(range), .name = "range", .column = "range",
+     .help = "contrast that one shot records: tells what the bracket covers"},
+    {STOPS_OPTION(scene_range), .name = "scene-range", .column = "scene_range",
+     .help = "contrast of the scene: with --range gives the number of shots"},
+    OPTION_SERIES(struct input, series),
+};
+
+struct row {
+    long shot, shots;
+    double time, offset, elapsed, step, span, residual, total, covered, overlap;
+    const char *nominal_time;
+};
+
+#define NUMBER(member) COLUMN(struct row, member)
+#define STOPS(member)  NUMBER(member), .dimension = &dimension_stops, .unit = "stops"
+#define TIME(member)   NUMBER(member), .dimension = &dimension_time, .unit = "s"
+
+static const struct column columns[] = {
+    {NUMBER(shot), .name = "shot", .flags = COLUMN_BRIEF, .label = "shot",
+     .help = "number of the shot, the longest first"},
+    {TIME(time), .name = "time", .flags = COLUMN_BRIEF, .symbol = "t", .label = "time",
+     .help = "exposure time, an exact step from the longest"},
+    COLUMN_NOMINAL_TIME(struct row, nominal_time),
+    {STOPS(offset), .name = "offset", .flags = COLUMN_BRIEF, .symbol = "d", .label = "offset",
+     .help = "stops above (+) or below (-) the middle given by --time, else the longest shot"},
+    {TIME(elapsed), .name = "elapsed", .flags = COLUMN_BRIEF, .label = "elapsed",
+     .help = "exposure times so far, this one included"},
+    {NUMBER(shots), .name = "shots", .symbol = "n", .label = "shots", .help = "number of shots"},
+    {STOPS(step), .name = "step", .symbol = "step", .label = "step",
+     .help = "stops between two shots"},
+    {STOPS(span), .name = "span", .symbol = "span", .label = "span",
+     .help = "stops from first to last shot"},
+    {STOPS(residual), .name = "residual", .symbol = "r", .label = "last shot is off by",
+     .help = "stops by which the last shot exposes more (+) or less (-) than the end asked for"},
+    {TIME(total), .name = "total", .symbol = "total", .label = "total time",
+     .help = "sum of all times"},
+    {STOPS(covered), .name = "covered", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "range",
+     .symbol = "covered", .label = "covered", .help = "contrast of the scene that is recorded"},
+    {STOPS(overlap), .name = "overlap", .flags = COLUMN_EXTRA, .with = "range", .symbol = "overlap",
+     .label = "overlap", .help = "shared by neighbours; below 0: a gap"},
+};
+
+/* The number of shots that the scene's contrast asks for. */
+static bool count_shots(const struct input *input, struct bracket_given *given, struct error *error)
+{
+    int shots = 0;
+    if (!is_given(input->scene_range)) {
+        return true;
+    }
+    if (is_given(given->shots) || (is_given(given->from) && is_given(given->to))) {
+        return fail(error, ERROR_USAGE,
+                    "--scene-range counts the shots: leave out --shots, and "
+                    "one of --from and --to");
+    }
+    given->step = is_given(given->step) ? given->step : 1;
+    if (!bracket_shots_needed(input->scene_range, input->range, given->step, &shots, error)) {
+        return false;
+    }
+    given->shots = shots;
+    return true;
+}
+
+static bool make_plan(const struct input *input, struct bracket *plan, struct error *error)
+{
+    struct bracket_given given = input->given;
+    if (!count_shots(input, &given, error)) {
+        return false;
+    }
+    bool ends = is_given(given.from) && is_given(given.to);
+    if (!is_given(given.step) && !(ends && is_given(given.shots))) {
+        given.step = 1;
+    }
+    if (!is_given(input->time)) {
+        return bracket_plan(&given, plan, error);
+    }
+    if (is_given(given.from) || is_given(given.to) || !is_given(given.shots)) {
+        return fail(error, ERROR_USAGE,
+                    "--time is the middle of a bracket: it goes with --shots, "
+                    "without --from and --to");
+    }
+    return bracket_around(input->time, given.step, given.shots, plan, error);
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    const struct series_value *series = &input->series;
+    struct bracket plan;
+    struct bracket_range range = {NAN, NAN};
+    if (!make_plan(input, &plan, error) ||
+        (is_given(input->range) && !bracket_covers(&plan, input->range, &range, error))) {
+        return false;
+    }
+    struct row row = {.shots = plan.shots,
+                      .step = plan.step,
+                      .span = plan.span,
+                      .residual = plan.residual,
+                      .total = plan.total,
+                      .covered = range.covered,
+                      .overlap = range.overlap};
+    double base = is_given(input->time) ? input->time : plan.longest;
+    for (int i = 0; i < plan.shots; i++) {
+        row.shot = i + 1;
+        row.time = bracket_time(&plan, i);
+        row.offset = bracket_offset(&plan, i, base);
+        row.elapsed += row.time;
+        row.nominal_time = stop_label(series->times, rint(-log2(row.time) * series->per_stop));
+        if (!run_emit(run, &row)) {
+            break;
+        }
+    }
+    return true;
+}
+
+static bool makes_many(const void *data)
+{
+    (void)data;
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"shots", "n = round({span}/{step}) + 1",
+     "definition; the span is |log2(from/to)| rounded to "
+     "whole steps",
+     NULL},
+    {"time", "t = longest 2^-(i {step})", "[Apex60]: a stop is a factor of two in time",
+     "a camera's 30 s is 32 s and its 1/1000 s is 1/1024 s: say --nominal for them"},
+    {"covered", "covered = range + {span}", "each shot moves the same window by one step",
+     "without gaps as long as the overlap is not below 0"},
+    {"total", "total = longest (1 - 2^-({n} {step}))/(1 - 2^-{step})", "geometric series", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"bracket --from 30s --to 1/1000s", "sixteen shots for a high dynamic range"},
+    {"bracket -t 1/60 --shots 5 --step 2/3", "around a metered time"},
+    {"bracket -t 1/60 --scene-range 18 --range 10 --step 2", "as many as the scene needs"},
+    {"bracket --from 30s --to 1/1000s --nominal", "with the times the camera really makes"},
+    {NULL, NULL},
+};
+
+const struct command command_bracket = {
+    .name = "bracket",
+    .group = "photography",
+    .summary = "plan of an exposure bracket for high dynamic range",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .makes_many = makes_many,
+    .run = run,
+    .explanations = explanations,
+    .plot = "total_s",
+    .cell = "shots",
+};

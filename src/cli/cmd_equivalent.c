@@ -1,0 +1,223 @@
+/* cli/cmd_equivalent.c - lenscalc equivalent: the same picture on another format. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/sharpness.h"
+#include "photo/conjugate.h"
+#include "photo/equivalent.h"
+
+#include <math.h>
+
+struct input {
+    double focal, fnumber, iso, distance, magnification, pupil;
+    struct sharpness sharp;
+    struct sensor_value to;
+    int by, keep;
+};
+
+/* Indexed by enum equivalent_measure. */
+static const struct word measures[] = {
+    {"diagonal", "by the diagonals, as crop factors are"},
+    {"width", "by the widths: the same horizontal angle"},
+    {"height", "by the heights: the same vertical angle"},
+    {"area", "by the square roots of the areas: the same light in all"},
+    {NULL, NULL},
+};
+
+/* Indexed by enum equivalent_keep. */
+static const struct word kept[] = {
+    {"picture", "depth of field, diffraction, time and light in all; f-number and ISO change"},
+    {"exposure", "f-number, ISO and time; depth of field and noise change"},
+    {NULL, NULL},
+};
+
+static const struct option options[] = {
+    OPTION_FOCAL_LENGTH(struct input, focal, 0),
+    OPTION_APERTURE(struct input, fnumber, 0),
+    {OPTION(struct input, iso), .name = "iso", .column = "iso", .dimension = &dimension_iso,
+     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "100",
+     .value = "NUMBER", .help = "ISO speed"},
+    OPTION_DISTANCE(struct input, distance, 0, "distance of the subject, otherwise infinity"),
+    {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
+     .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
+     .flags = OPTION_NO_INFINITY, .value = "RATIO",
+     .help = "magnification in place of the distance: 1:2 or 0.5"},
+    OPTION_PUPIL(struct input, pupil),
+    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
+    {OPTION(struct input, to), .name = "to", .column = "equal_sensor", .fallback = "35mm",
+     .value = "NAME|WxH", .help = "the other format or camera; a list for several at once"},
+    {OPTION(struct input, by), .name = "by", .column = "measure", .words = measures,
+     .fallback = "diagonal", .value = "MEASURE", .help = "how formats are compared"},
+    {OPTION(struct input, keep), .name = "keep", .column = "keep", .words = kept,
+     .fallback = "picture", .value = "WHAT", .help = "what stays the same besides framing"},
+};
+
+struct row {
+    const char *sensor, *other, *criterion, *measure, *keep;
+    struct equivalent_setting setting;
+    struct equivalent equal;
+    double crop;
+};
+
+#define LENGTH(member_name, in_unit)                                                               \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+#define NUMBER(member_name) COLUMN(struct row, member_name)
+
+static const struct column columns[] = {
+    {LENGTH(setting.f, "mm"), .name = "focal", .flags = COLUMN_ECHO, .with = "focal-length",
+     .symbol = "f", .label = "focal length", .help = "focal length"},
+    {NUMBER(setting.N), .name = "fnumber", .flags = COLUMN_ECHO, .with = "aperture", .symbol = "N",
+     .label = "f-number", .help = "f-number"},
+    {NUMBER(setting.iso), .name = "iso", .flags = COLUMN_ECHO | COLUMN_ASSUMED | COLUMN_EXTRA,
+     .symbol = "S", .depends = "iso", .label = "ISO speed", .help = "ISO speed"},
+    {NUMBER(setting.m), .name = "magnification", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .symbol = "m", .depends = "magnification distance focal-length", .label = "magnification",
+     .help = "size on the sensor over size of the subject"},
+    {NUMBER(other), .name = "equal_sensor", .flags = COLUMN_BRIEF, .label = "other format",
+     .help = "the format of the equal picture"},
+    {NUMBER(equal.k), .name = "ratio", .flags = COLUMN_BRIEF, .symbol = "k",
+     .label = "size of the other format", .help = "size of the other format over this one"},
+    {LENGTH(equal.f, "mm"), .name = "equal_focal", .flags = COLUMN_BRIEF, .symbol = "f'",
+     .label = "focal length there", .help = "focal length with the same framing there"},
+    {NUMBER(equal.N), .name = "equal_fnumber", .flags = COLUMN_BRIEF, .with = "aperture",
+     .symbol = "N'", .label = "f-number there", .help = "f-number there"},
+    {NUMBER(equal.iso), .name = "equal_iso", .flags = COLUMN_BRIEF, .symbol = "S'",
+     .label = "ISO speed there", .help = "ISO speed with the same time there"},
+    {NUMBER(equal.m), .name = "equal_magnification", .symbol = "m'", .label = "magnification there",
+     .help = "magnification there"},
+    {LENGTH(equal.c, "mm"), .name = "equal_coc", .symbol = "c'",
+     .label = "circle of confusion there",
+     .help = "circle of confusion in proportion to the format"},
+    {LENGTH(equal.pupil_diameter, "mm"), .name = "equal_pupil_diameter", .symbol = "D'",
+     .label = "entrance pupil there", .help = "diameter of the entrance pupil there"},
+    {NUMBER(equal.working_fnumber), .name = "equal_working_fnumber", .flags = COLUMN_HIDDEN,
+     .label = "working f-number there", .help = "f-number that exposes there"},
+    {NUMBER(equal.light_stops), .name = "light", .dimension = &dimension_stops, .unit = "stops",
+     .flags = COLUMN_BRIEF, .label = "light in all",
+     .help = "light on the whole sensor there against here; 0 is the same noise"},
+    {NUMBER(equal.field_depth_ratio), .name = "depth_ratio", .flags = COLUMN_BRIEF,
+     .label = "depth of field against here", .help = "depth of field there over here; 1 is equal"},
+    {NUMBER(crop), .name = "crop_factor", .flags = COLUMN_HIDDEN, .label = "crop factor",
+     .help = "43.27 mm over the diagonal of this format"},
+    {NUMBER(sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "sensor",
+     .label = "sensor", .help = "format or camera the picture is taken on"},
+    {LENGTH(setting.c, "mm"), .name = "coc", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .symbol = "c",
+     .depends = "coc sensor pitch print viewing acuity wavelength", .label = "circle of confusion",
+     .help = "circle of confusion, diameter on the sensor"},
+    {NUMBER(criterion), .name = "coc_criterion", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "coc", .label = "criterion", .help = "where the circle of confusion comes from"},
+    {NUMBER(setting.P), .name = "pupil_magnification", .symbol = "P",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil",
+     .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
+    {NUMBER(measure), .name = "measure", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "by",
+     .label = "compared by", .help = "how formats are compared"},
+    {NUMBER(keep), .name = "keep", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "keep",
+     .label = "keeping", .help = "what stays the same besides framing"},
+};
+
+/* Magnification from distance or as given; 0 where neither is. */
+static bool find_magnification(const struct input *input, double *m, struct error *error)
+{
+    struct conjugates c;
+    bool at_infinity = isnan(input->distance) && isnan(input->magnification);
+    struct conjugates_given given = {
+        .f = input->focal,
+        .s = input->distance,
+        .v = NAN,
+        .m = at_infinity ? 0 : input->magnification,
+        .T = NAN,
+    };
+    if (isnan(input->focal)) {
+        return fail(error, ERROR_USAGE, "--focal-length is missing");
+    }
+    if (!isnan(input->distance) && !isnan(input->magnification)) {
+        return fail(error, ERROR_USAGE, "give one of --distance and --magnification");
+    }
+    if (!conjugates_solve(&given, &c, error)) {
+        return false;
+    }
+    *m = c.m;
+    return true;
+}
+
+static struct equivalent_format format_of(const struct sensor_value *sensor)
+{
+    return (struct equivalent_format){sensor->size.width, sensor->size.height};
+}
+
+/* Without an f-number: everything that does not follow from it. */
+static void forget_fnumber(struct row *row)
+{
+    row->setting.N = row->equal.N = NAN;
+    row->equal.pupil_diameter = row->equal.working_fnumber = NAN;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    const struct equivalent_format from = format_of(&input->sharp.sensor);
+    const struct equivalent_format to = format_of(&input->to);
+    bool has_fnumber = !isnan(input->fnumber);
+    double k;
+    struct row row = {
+        .sensor = input->sharp.sensor.name,
+        .other = input->to.name,
+        .criterion = input->sharp.coc.criterion,
+        .measure = measures[input->by].word,
+        .keep = kept[input->keep].word,
+        .setting = {.f = input->focal,
+                    .N = has_fnumber ? input->fnumber : 1,
+                    .P = input->pupil,
+                    .iso = input->iso},
+        .crop = sensor_crop(&input->sharp.sensor.size),
+    };
+    if (!find_magnification(input, &row.setting.m, error) ||
+        !sharpness_resolve(&input->sharp, input->fnumber, &row.setting.c, error) ||
+        !equivalent_ratio(&from, &to, (enum equivalent_measure)input->by, &k, error) ||
+        !equivalent_compute(&row.setting, k, (enum equivalent_keep)input->keep, &row.equal,
+                            error)) {
+        return false;
+    }
+    if (!has_fnumber) {
+        forget_fnumber(&row);
+    }
+    run_emit(run, &row);
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"equal_focal", "f' = {k} {f} (1 + {m}/{P})/(1 + {k} {m}/{P})",
+     "[James14] at infinity; near by from the distance of the entrance pupil, see "
+     "lenscalc-equivalent(1)",
+     "k f at infinity; both lenses with the same P"},
+    {"equal_fnumber", "N' = {N} {f'}/{f}", "[James14] the same entrance pupil",
+     "with --keep exposure the working f-number is kept instead"},
+    {"equal_iso", "S' = {k}^2 {S}", "[James14] the same light in all, the same time",
+     "with --keep exposure the ISO is kept instead"},
+    {"equal_magnification", "m' = {k} {m}", "[James14] the same framing", NULL},
+    {"equal_coc", "c' = {k} {c}", "[James14] the same print", NULL},
+    {"equal_pupil_diameter", "D' = {f'}/{N'}", "definition of the f-number", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"equivalent -f 50 -N 1.8 --sensor 4/3", "what a lens on Four Thirds does on 35 mm film"},
+    {"equivalent -f 80 -N 2.8 --sensor 6x6 --to 35mm,aps-c,4/3", "several formats at once"},
+    {"equivalent -f 23 -N 2 --sensor aps-c --keep exposure", "with the exposure kept"},
+    {"equivalent -f 100 -N 8 -m 1:1 --to aps-c", "close up the plain crop factor is wrong"},
+    {NULL, NULL},
+};
+
+const struct command command_equivalent = {
+    .name = "equivalent",
+    .group = "photography",
+    .summary = "focal length, f-number and ISO of the same picture on another format",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .run = run,
+    .explanations = explanations,
+    .plot = "equal_focal_mm",
+    .cell = "equal_focal_mm",
+};

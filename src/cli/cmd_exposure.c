@@ -1,0 +1,241 @@
+/* cli/cmd_exposure.c - lenscalc exposure: aperture, time, speed and light. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/exposure_answer.h"
+#include "cli/light_options.h"
+
+#define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+
+static const struct option options[] = {
+    OPTION_APERTURE(struct exposure_input, given.N, 0),
+    OPTION_TIME(struct exposure_input, given.t, 0),
+    OPTION_ISO(struct exposure_input, given.S,
+               "film or sensor speed (100 unless it is solved for)"),
+    OPTION_EV(struct exposure_input, given.ev100, "light as exposure value at ISO 100"),
+    {OPTION(struct exposure_input, given.ev), .name = "ev-at-iso", .column = "ev_at_iso",
+     .dimension = &dimension_ev, .lowest = -100, .highest = 100, .value = "EV",
+     .help = "light as exposure value at the speed of --iso"},
+    {OPTION(struct exposure_input, given.L), .name = "luminance", .column = "luminance",
+     .dimension = &dimension_luminance, .unit = "cd_m2", POSITIVE, .value = "LUMINANCE",
+     .help = "light as luminance of the subject, from a reflected-light meter"},
+    {OPTION(struct exposure_input, given.E), .name = "illuminance", .column = "illuminance",
+     .dimension = &dimension_illuminance, .unit = "lx", POSITIVE, .value = "ILLUMINANCE",
+     .help = "light as illuminance on the subject, from an incident-light meter"},
+    {OPTION(struct exposure_input, scene), .name = "scene", .column = "scene", .value = "NAME",
+     .help = "light as a typical scene: sunny-16, home-interior; see 'list scenes'"},
+    {OPTION(struct exposure_input, given.compensation), .name = "compensation",
+     .column = "compensation", .dimension = &dimension_stops, .lowest = -100, .highest = 100,
+     .value = "STOPS", .help = "stops to expose more (+) or less (-) than metered"},
+    OPTION_FILTER(struct exposure_input, filter, "loss"),
+    {OPTION(struct exposure_input, transmittance), .name = "transmittance",
+     .column = "transmittance", .dimension = &dimension_ratio, .lowest = 0, .highest = 1,
+     .flags = OPTION_ABOVE_LOWEST, .value = "RATIO", .help = "of the lens: 0.8 or 80%"},
+    {OPTION(struct exposure_input, t_stop), .name = "t-stop", .column = "t_stop",
+     .dimension = &dimension_fnumber, POSITIVE, .value = "NUMBER",
+     .help = "T-stop of the lens; without -N it stands for the f-number too"},
+    {OPTION(struct exposure_input, magnification), .name = "magnification", .letter = 'm',
+     .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
+     .flags = OPTION_NO_INFINITY, .value = "RATIO",
+     .help = "of a close-up, whose extension takes light: 1:2 or 0.5"},
+    OPTION_PUPIL(struct exposure_input, pupil),
+    {OPTION(struct exposure_input, shutter_angle), .name = "shutter-angle",
+     .column = "shutter_angle", .dimension = &dimension_angle, .unit = "deg", .lowest = 0,
+     .highest = 6.283185307179586, .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE",
+     .help = "of a film or video camera"},
+    {OPTION(struct exposure_input, frame_rate), .name = "frame-rate", .column = "frame_rate",
+     .dimension = &dimension_rate, POSITIVE, .value = "RATE", .help = "frames per second"},
+    {OPTION(struct exposure_input, film), .name = "film", .column = "film", .value = "NAME",
+     .help = "corrects long times for reciprocity failure; see 'list films'"},
+    {OPTION(struct exposure_input, corrected_time), .name = "corrected-time",
+     .column = "corrected_time", .dimension = &dimension_time, .unit = "s", POSITIVE,
+     .value = "TIME", .help = "time on the --film, in place of the metered --time"},
+    {OPTION(struct exposure_input, focal_plane), .name = "focal-plane",
+     .help = "add the luminous exposure of film or sensor"},
+    {OPTION(struct exposure_input, vignetting), .name = "vignetting", .column = "vignetting",
+     .dimension = &dimension_ratio, .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST,
+     .fallback = "0.98", .value = "RATIO",
+     .help = "light that passes off the axis, for "
+             "--focal-plane"},
+    {OPTION(struct exposure_input, off_axis), .name = "off-axis", .column = "off_axis",
+     .dimension = &dimension_angle, .unit = "deg", .lowest = 0, .highest = 1.5533430342749532,
+     .fallback = "10", .value = "ANGLE", .help = "field angle, for --focal-plane"},
+    {OPTION(struct exposure_input, given.K), .name = "meter-k", .column = "meter_k",
+     .dimension = &dimension_number, POSITIVE, .fallback = "12.5", .value = "K",
+     .help = "constant of the reflected-light meter: 12.5, some meters 14"},
+    {OPTION(struct exposure_input, given.C), .name = "meter-c", .column = "meter_c",
+     .dimension = &dimension_number, POSITIVE, .fallback = "250", .value = "C",
+     .help = "constant of the incident-light meter: 250 flat, 340 with a dome"},
+    OPTION_SERIES(struct exposure_input, series),
+    {OPTION(struct exposure_input, equivalent), .name = "equivalent",
+     .help = "all equal exposures of the series, one row an f-number"},
+};
+
+#define NUMBER(member)     COLUMN(struct exposure_row, member)
+#define STOPS(member)      NUMBER(member), .dimension = &dimension_stops, .unit = "stops"
+#define TIME(member)       NUMBER(member), .dimension = &dimension_time, .unit = "s"
+#define ASSUMED            .flags = COLUMN_ASSUMED | COLUMN_EXTRA
+#define BRIEF_WITH(option) .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = option
+
+static const struct column columns[] = {
+    {NUMBER(x.N), .name = "fnumber", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "N",
+     .label = "f-number", .help = "f-number"},
+    COLUMN_NOMINAL_FNUMBER(struct exposure_row, nominal_fnumber),
+    {TIME(x.t), .name = "time", .flags = COLUMN_BRIEF, .symbol = "t", .label = "time",
+     .help = "exposure time, metered"},
+    COLUMN_NOMINAL_TIME(struct exposure_row, nominal_time),
+    {STOPS(residual), .name = "residual", .flags = COLUMN_BRIEF, .symbol = "r",
+     .label = "nearest settings expose more by",
+     .help = "stops by which the nearest steps of the series expose more (+) or less (-)"},
+    {STOPS(label_residual), .name = "label_residual", BRIEF_WITH("equivalent"),
+     .label = "their labels by",
+     .help = "the same with the labels taken at their word: 1/125 "
+             "for 1/128"},
+    {TIME(corrected_time), .name = "corrected_time", BRIEF_WITH("film"), .symbol = "Tc",
+     .label = "time on this film", .help = "time corrected for reciprocity failure"},
+    {STOPS(reciprocity_stops), .name = "reciprocity", .flags = COLUMN_EXTRA, .with = "film",
+     .label = "reciprocity failure", .help = "corrected over metered time, in stops"},
+    {NUMBER(x.S), .name = "iso", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "S",
+     .label = "ISO speed", .help = "film or sensor speed"},
+    {NUMBER(x.ev100), .name = "ev100", .flags = COLUMN_BRIEF, .symbol = "EV100",
+     .label = "EV at ISO 100", .help = "light as exposure value at ISO 100"},
+    {NUMBER(x.ev), .name = "ev_at_iso", .symbol = "EV", .label = "EV at this ISO",
+     .help = "light as exposure value at this speed"},
+    {STOPS(deviation), .name = "deviation", BRIEF_WITH("iso"), .symbol = "d",
+     .label = "exposed more than metered by",
+     .help = "where everything is given: stops over (+) or under (-) the light"},
+    {NUMBER(x.L), .dimension = &dimension_luminance, .unit = "cd_m2", .name = "luminance",
+     .symbol = "L", .label = "luminance", .help = "of the subject"},
+    {NUMBER(x.E), .dimension = &dimension_illuminance, .unit = "lx", .name = "illuminance",
+     .symbol = "E", .label = "illuminance", .help = "on the subject"},
+    {STOPS(loss), .name = "loss", .symbol = "loss", .label = "light lost",
+     .help = "by filters, glass and extension together"},
+    {STOPS(compensation), .name = "compensation", .flags = COLUMN_EXTRA | COLUMN_ECHO,
+     .with = "compensation", .symbol = "more", .label = "compensation",
+     .help = "exposed more than metered"},
+    {NUMBER(transmittance), .name = "transmittance", .flags = COLUMN_EXTRA, .with = "t-stop",
+     .symbol = "tau", .label = "transmittance", .help = "of the lens"},
+    {NUMBER(t_stop), .name = "t_stop", .flags = COLUMN_EXTRA, .with = "transmittance",
+     .symbol = "T", .label = "T-stop", .help = "f-number of a lens without loss"},
+    {NUMBER(magnification), .name = "magnification", .flags = COLUMN_EXTRA | COLUMN_ECHO,
+     .with = "magnification", .label = "magnification", .help = "size on the sensor over size"},
+    {NUMBER(shutter_angle), .dimension = &dimension_angle, .unit = "deg", .name = "shutter_angle",
+     .flags = COLUMN_EXTRA, .with = "frame-rate", .symbol = "a", .label = "shutter angle",
+     .help = "of a film camera at that time"},
+    {NUMBER(frame_rate), .dimension = &dimension_rate, .unit = "fps", .name = "frame_rate",
+     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "shutter-angle", .symbol = "rate",
+     .label = "frame rate", .help = "frames per second"},
+    {NUMBER(focal_plane), .dimension = &dimension_exposure, .unit = "lx_s", .name = "exposure",
+     BRIEF_WITH("focal-plane"), .symbol = "H", .label = "exposure of the film",
+     .help = "luminous exposure of film or sensor"},
+    {NUMBER(q), .name = "lens_q", .flags = COLUMN_EXTRA, .with = "focal-plane", .symbol = "q",
+     .label = "lens constant q", .help = "from luminance and f-number to illuminance"},
+    {NUMBER(off_axis), .dimension = &dimension_angle, .unit = "deg", .name = "off_axis",
+     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "off-axis", .symbol = "theta",
+     .label = "off axis", .help = "field angle"},
+    {NUMBER(vignetting), .name = "vignetting", .flags = COLUMN_EXTRA | COLUMN_ECHO,
+     .with = "vignetting", .symbol = "v", .label = "vignetting", .help = "light that passes"},
+    {NUMBER(x.ev_set), .name = "ev_set", .flags = COLUMN_EXTRA, .label = "EV of the camera",
+     .help = "log2(N^2/t)"},
+    {NUMBER(x.Av), .name = "av", .flags = COLUMN_EXTRA, .label = "Av", .help = "APEX aperture"},
+    {NUMBER(x.Tv), .name = "tv", .flags = COLUMN_EXTRA, .label = "Tv", .help = "APEX time"},
+    {NUMBER(x.Sv), .name = "sv", .flags = COLUMN_EXTRA, .label = "Sv", .help = "APEX speed"},
+    {NUMBER(x.Bv), .name = "bv", .flags = COLUMN_EXTRA, .label = "Bv", .help = "APEX brightness"},
+    {NUMBER(speed), .name = "speed", ASSUMED, .depends = "iso", .label = "speed",
+     .help = "what was taken where no ISO is given"},
+    {NUMBER(scene), .name = "scene", ASSUMED, .depends = "scene", .label = "scene",
+     .help = "scene of the light"},
+    {NUMBER(scene_source), .name = "scene_source", ASSUMED, .depends = "scene",
+     .label = "its light from", .help = "confidence and source of the scene's light"},
+    {NUMBER(filter), .name = "filter", ASSUMED, .depends = "filter", .label = "filter",
+     .help = "filters and the stops they take"},
+    {NUMBER(film), .name = "film", ASSUMED, .depends = "film", .label = "film",
+     .help = "film of the corrected time"},
+    {NUMBER(film_source), .name = "film_source", ASSUMED, .depends = "film",
+     .label = "its correction", .help = "status and source of the film's correction"},
+    {NUMBER(K), .name = "meter_k", ASSUMED | COLUMN_ECHO, .symbol = "K", .depends = "meter-k",
+     .label = "meter constants K", .help = "of the reflected-light meter"},
+    {NUMBER(C), .name = "meter_c", ASSUMED | COLUMN_ECHO, .symbol = "C", .depends = "meter-c",
+     .label = "C", .help = "of the incident-light meter"},
+};
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct exposure_input *input = data;
+    struct exposure_row row;
+    if (!exposure_answer(input, &row, error)) {
+        return false;
+    }
+    if (!input->equivalent) {
+        run_emit(run, &row);
+        return true;
+    }
+    struct exposure_row line;
+    int lines = 0;
+    for (int step = 0; step <= 12 * input->series.per_stop; step++) { /* f/1 to f/64 */
+        if (exposure_equivalent_row(input, &row, step, &line)) {
+            lines++;
+            if (!run_emit(run, &line)) {
+                return true;
+            }
+        }
+    }
+    return lines > 0 || fail(error, ERROR_DOMAIN, "no f-number and time of the series make EV %.4g",
+                             row.x.ev_set);
+}
+
+static bool makes_many(const void *data)
+{
+    return ((const struct exposure_input *)data)->equivalent;
+}
+
+static const struct explanation explanations[] = {
+    {"ev100", "EV100 = log2({N}^2/{t}) - log2({S}/100) + {loss} + {more}",
+     "[IsoMeter74] and [Apex60]; the same equation gives N, t or S from the light",
+     "without reciprocity failure, see --film"},
+    {"luminance", "L = {K} 2^{EV100}/100", "[IsoMeter74], reflected light",
+     "meters differ in K by 0.16 stop"},
+    {"illuminance", "E = {C} 2^{EV100}/100", "[IsoMeter74], incident light",
+     "C depends on the receptor: 250 flat, 340 dome"},
+    {"deviation", "d = EV100 + log2({S}/100) - {loss} - {more} - log2({N}^2/{t})", "[Apex60]",
+     NULL},
+    {"corrected_time", "Tc = t_film({t})",
+     "as the film's source gives it: Tm^p, points joined in log-log, or Tm + a Tm^1.62",
+     "one emulsion and developer; sources differ by 0.6 stop"},
+    {"shutter_angle", "a = 360 {rate} {t}", "definition of the rotating shutter", NULL},
+    {"t_stop", "T = {N}/sqrt({tau})", "[IsoAperture08]", NULL},
+    {"transmittance", "tau = ({N}/{T})^2", "[IsoAperture08]", NULL},
+    {"lens_q", "q = pi/4 {tau} {v} cos^4({theta})",
+     "[IsoSpeed06]; transmittance 0.9 where none is given", "cos^4 is that of a thin lens"},
+    {"exposure", "H = {q} {L} {t}/{N}^2 2^-{loss}", "[IsoSpeed06]",
+     "loss without that of the glass, which q holds"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"exposure --scene sunny-16 -N 8 --iso 200", "the time in bright sun"},
+    {"exposure -N 16 -t 1/8 --equivalent --series full", "equal exposures, and how equal they are"},
+    {"exposure -N 5.6 --ev 12 --filter ND3.0+polarizer", "through two filters"},
+    {"exposure -N 22 --ev 5 --film \"HP5 Plus\"", "a long time that the film needs longer"},
+    {"exposure -N 8 -t 1/125 --iso 400 --ev 12", "how far off these settings are"},
+    {"exposure -N 1.4..16 -t 1/500..1/15 --table N,t:ev100", "a table of exposure values"},
+    {"exposure --ev 9 -N 1.4..8 --iso 100..3200 --table N,iso:nominal_time", "times to print"},
+    {"exposure -t 180deg@24fps --frame-rate 24 --ev 10 --iso 800",
+     "the f-number for a film camera"},
+    {NULL, NULL},
+};
+
+const struct command command_exposure = {
+    .name = "exposure",
+    .group = "photography",
+    .summary = "aperture, time, speed and light, each from the others",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct exposure_input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct exposure_row)},
+    .makes_many = makes_many,
+    .run = run,
+    .explanations = explanations,
+    .plot = "time_s",
+    .cell = "ev100",
+};

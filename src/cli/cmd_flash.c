@@ -1,0 +1,294 @@
+/* cli/cmd_flash.c - lenscalc flash: guide numbers, and flash beside other light. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/light_options.h"
+#include "photo/flash.h"
+#include "photo/given.h"
+
+#include <math.h>
+
+struct input {
+    double guide_number, second, fnumber, distance, iso, power, flashes;
+    struct loss_value loss, filter;
+    double ceiling, ceiling_subject, background;
+    double time, sync, ev;
+    double key_to_fill, ratio;
+    struct series_value series;
+};
+
+#define LENGTH_OPTION(member_name)                                                                 \
+    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "m",                \
+                                       OPTION_POSITIVE, .value = "LENGTH",                         \
+                                       .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+
+static const struct option options[] = {
+    {LENGTH_OPTION(guide_number), .name = "guide-number", .letter = 'g', .column = "guide_number",
+     .help = "of one flash at ISO 100 and full power, in m (or ft)"},
+    {LENGTH_OPTION(second), .name = "second", .column = "second",
+     .help = "guide number of another flash beside it"},
+    OPTION_APERTURE(struct input, fnumber, 0),
+    OPTION_DISTANCE(struct input, distance, OPTION_NO_INFINITY, "from the flash to the subject"),
+    OPTION_ISO(struct input, iso, "film or sensor speed (100 unless it is solved for)"),
+    {OPTION(struct input, power), .name = "power", .column = "power", .dimension = &dimension_ratio,
+     .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST, .value = "FRACTION",
+     .help = "of full power: 1/16 (solved for if all else is given)"},
+    {OPTION(struct input, flashes), .name = "flashes", .column = "flashes",
+     .dimension = &dimension_number, OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "N",
+     .help = "number of equal flashes side by side (1)"},
+    {OPTION(struct input, loss), .name = "loss", .column = "loss", .dimension = &dimension_stops,
+     .value = "LOSS",
+     .help = "light lost at the flash, by umbrella, bounce or gel: 1.5stops, ND8, 2x"},
+    OPTION_FILTER(struct input, filter, "filter"),
+    {LENGTH_OPTION(ceiling), .name = "ceiling", .column = "ceiling",
+     .help = "bounce: from the flash up to the ceiling"},
+    {LENGTH_OPTION(ceiling_subject), .name = "ceiling-subject", .column = "ceiling_subject",
+     .help = "bounce: from the subject up to the ceiling (as --ceiling)"},
+    {LENGTH_OPTION(background), .name = "background", .column = "background",
+     .help = "from the flash to the background: how much darker it gets"},
+    OPTION_TIME(struct input, time, 0),
+    {OPTION(struct input, sync), .name = "sync", .dimension = &dimension_time, .unit = "s",
+     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "TIME",
+     .help = "shortest time with flash; a shorter --time is refused"},
+    OPTION_EV(struct input, ev, "other light, as exposure value at ISO 100: balance with --time"),
+    {OPTION(struct input, key_to_fill), .name = "key-to-fill", .column = "key_to_fill",
+     .dimension = &dimension_stops, .lowest = -100, .highest = 100, .value = "STOPS",
+     .help = "key light above fill light: gives the lighting ratio"},
+    {OPTION(struct input, ratio), .name = "ratio", .column = "lighting_ratio",
+     .dimension = &dimension_ratio, .lowest = 1, .highest = INFINITY,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "RATIO",
+     .help = "wanted lighting ratio, lit to shadow side: 3:1"},
+    OPTION_SERIES(struct input, series),
+};
+
+struct row {
+    struct flash_setting setting;
+    double distance, path, second, background, background_stops;
+    struct flash_balance balance;
+    double time, ev;
+    double key_to_fill, ratio;
+    const char *nominal_fnumber, *filter;
+};
+
+#define NUMBER(member)     COLUMN(struct row, member)
+#define STOPS(member)      NUMBER(member), .dimension = &dimension_stops, .unit = "stops"
+#define LENGTH(member)     NUMBER(member), .dimension = &dimension_length, .unit = "m"
+#define WITH(option)       .flags = COLUMN_EXTRA, .with = option
+#define BRIEF_WITH(option) .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = option
+
+static const struct column columns[] = {
+    {LENGTH(setting.GN), .name = "guide_number", .flags = COLUMN_ECHO | COLUMN_BRIEF,
+     .symbol = "GN", .label = "guide number", .help = "at ISO 100, full power, one flash"},
+    {LENGTH(second), .name = "second", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "second",
+     .symbol = "GN2", .label = "of the second flash", .help = "at ISO 100, full power"},
+    {NUMBER(setting.N), .name = "fnumber", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "N",
+     .label = "f-number", .help = "f-number"},
+    COLUMN_NOMINAL_FNUMBER(struct row, nominal_fnumber),
+    {LENGTH(distance), .name = "distance", .flags = COLUMN_BRIEF, .symbol = "s",
+     .label = "distance", .help = "from the flash to the subject"},
+    {LENGTH(path), .name = "path", BRIEF_WITH("ceiling"), .symbol = "d",
+     .label = "path over the ceiling", .help = "length of the bounced light's path"},
+    {NUMBER(setting.S), .name = "iso", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "S",
+     .label = "ISO speed", .help = "film or sensor speed"},
+    {NUMBER(setting.power), .name = "power", .flags = COLUMN_BRIEF, .symbol = "power",
+     .label = "power", .help = "fraction of full power"},
+    {NUMBER(setting.flashes), .name = "flashes", .flags = COLUMN_ECHO, .symbol = "n",
+     .label = "flashes", .help = "number of equal flashes"},
+    {STOPS(setting.loss), .name = "loss", .symbol = "loss", .label = "light lost",
+     .help = "at the flash and by filters together"},
+    {LENGTH(background), .name = "background", .flags = COLUMN_EXTRA | COLUMN_ECHO,
+     .with = "background", .symbol = "b", .label = "background",
+     .help = "from the flash to the background"},
+    {STOPS(background_stops), .name = "background_below", BRIEF_WITH("background"), .symbol = "r",
+     .label = "background is darker by",
+     .help = "stops that the background gets less than the subject"},
+    {NUMBER(ev), .name = "ev100", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "ev",
+     .symbol = "EV100", .label = "EV at ISO 100", .help = "of the other light"},
+    {NUMBER(time), .dimension = &dimension_time, .unit = "s", .name = "time",
+     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "time", .symbol = "t", .label = "time",
+     .help = "exposure time"},
+    {STOPS(balance.flash), .name = "flash", WITH("ev"), .symbol = "F",
+     .label = "flash alone exposes by", .help = "stops above (+) or below (-) correct"},
+    {STOPS(balance.ambient), .name = "ambient", BRIEF_WITH("ev"), .symbol = "A",
+     .label = "other light alone by", .help = "stops above (+) or below (-) correct"},
+    {STOPS(balance.total), .name = "total", BRIEF_WITH("ev"), .symbol = "B",
+     .label = "both together by", .help = "stops above (+) or below (-) correct"},
+    {STOPS(balance.flash_to_ambient), .name = "flash_to_ambient", WITH("ev"), .symbol = "D",
+     .label = "flash above other light", .help = "+ the flash leads, - it fills"},
+    {NUMBER(balance.ratio), .name = "balance_ratio", WITH("ev"), .symbol = "R",
+     .label = "lit to unlit", .help = "lit by both over lit by the other light alone"},
+    {STOPS(key_to_fill), .name = "key_to_fill", .symbol = "k", .label = "key above fill",
+     .flags = COLUMN_EXTRA | COLUMN_ECHO | COLUMN_BRIEF, .with = "ratio",
+     .help = "key light alone over fill light alone"},
+    {NUMBER(ratio), .name = "lighting_ratio", BRIEF_WITH("key-to-fill"), .symbol = "q",
+     .label = "lighting ratio", .help = "lit to shadow side, as N to 1"},
+    {NUMBER(filter), .name = "filter", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "filter",
+     .label = "filter", .help = "filters on the lens"},
+};
+
+/* The light's path, over the ceiling if it is bounced. */
+static bool find_path(const struct input *input, double *path, struct error *error)
+{
+    double subject_gap = is_given(input->ceiling_subject) ? input->ceiling_subject : input->ceiling;
+    *path = input->distance;
+    if (!is_given(input->ceiling)) {
+        return !is_given(input->ceiling_subject) ||
+               fail(error, ERROR_USAGE, "--ceiling-subject wants --ceiling");
+    }
+    if (!is_given(input->distance)) {
+        return fail(error, ERROR_USAGE, "--ceiling wants --distance");
+    }
+    return flash_bounce(input->distance, input->ceiling, subject_gap, path, error);
+}
+
+/* Two flashes beside each other are one of their joint guide number. */
+static bool join(const struct input *input, double *joint, struct error *error)
+{
+    const double both[] = {input->guide_number, input->second};
+    *joint = input->guide_number;
+    if (!is_given(input->second)) {
+        return true;
+    }
+    return flash_sum(both, 2, joint, error);
+}
+
+/* Beside other light a flash of given power is not solved for: it may expose too much or little. */
+static bool is_complete(const struct input *input, const struct flash_setting *setting)
+{
+    return is_given(input->ev) && is_given(setting->GN) && is_given(setting->N) &&
+           is_given(setting->d) && is_given(setting->power);
+}
+
+static bool solve(const struct input *input, struct row *row, struct error *error)
+{
+    enum flash_unknown unknown;
+    struct flash_setting *setting = &row->setting;
+    *setting = (struct flash_setting){.N = input->fnumber,
+                                      .S = input->iso,
+                                      .power = input->power,
+                                      .flashes = input->flashes,
+                                      .loss = input->loss.stops + input->filter.stops};
+    if (!find_path(input, &row->path, error) || !join(input, &setting->GN, error)) {
+        return false;
+    }
+    setting->d = row->path;
+    if (is_complete(input, setting)) {
+        setting->S = is_given(setting->S) ? setting->S : 100;
+        setting->flashes = is_given(setting->flashes) ? setting->flashes : 1;
+    } else if (!flash_solve(setting, &unknown, error)) {
+        return false;
+    }
+    row->path = setting->d;
+    row->distance = is_given(input->distance) ? input->distance : setting->d;
+    return true;
+}
+
+static bool fill_background(const struct input *input, struct row *row, struct error *error)
+{
+    row->background = input->background;
+    return !is_given(input->background) ||
+           flash_falloff(row->path, input->background, &row->background_stops, error);
+}
+
+/* Flash and other light; a filter takes from both, and is in the flash's loss already. */
+static bool fill_balance(const struct input *input, struct row *row, struct error *error)
+{
+    const struct flash_ambient scene = {row->setting, input->time, input->sync,
+                                        input->ev - input->filter.stops};
+    row->time = input->time;
+    row->ev = input->ev;
+    return !is_given(input->ev) || flash_against_ambient(&scene, &row->balance, error);
+}
+
+static bool fill_ratio(const struct input *input, struct row *row, struct error *error)
+{
+    row->key_to_fill = input->key_to_fill;
+    row->ratio = input->ratio;
+    if (is_given(input->ratio) && is_given(input->key_to_fill)) {
+        return fail(error, ERROR_USAGE, "give only one of --key-to-fill and --ratio");
+    }
+    if (is_given(input->ratio)) {
+        return lighting_stops(input->ratio, &row->key_to_fill, error);
+    }
+    return !is_given(input->key_to_fill) || lighting_ratio(input->key_to_fill, &row->ratio, error);
+}
+
+/* A lighting ratio may be asked for by itself. */
+static bool is_ratio_only(const struct input *input)
+{
+    bool ratio = is_given(input->ratio) || is_given(input->key_to_fill);
+    return ratio && !is_given(input->guide_number) && !is_given(input->fnumber) &&
+           !is_given(input->distance);
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct row row = {.setting = {NAN, NAN, NAN, NAN, NAN, NAN, NAN},
+                      .distance = NAN,
+                      .path = NAN,
+                      .second = input->second,
+                      .background = NAN,
+                      .background_stops = NAN,
+                      .balance = {NAN, NAN, NAN, NAN, NAN},
+                      .time = NAN,
+                      .ev = NAN,
+                      .filter = input->filter.name};
+    if (!fill_ratio(input, &row, error)) {
+        return false;
+    }
+    if (!is_ratio_only(input) &&
+        (!solve(input, &row, error) || !fill_background(input, &row, error) ||
+         !fill_balance(input, &row, error))) {
+        return false;
+    }
+    const struct series_value *series = &input->series;
+    row.nominal_fnumber =
+        stop_label(series->fnumbers, rint(2 * log2(row.setting.N) * series->per_stop));
+    run_emit(run, &row);
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"guide_number", "GN = {N} {d}/sqrt({n} {S}/100 {power} 2^-{loss})",
+     "[IsoFlash07]; the same "
+     "equation gives N, d, S, the power or the number of flashes",
+     "a point source in a normal room; outdoors 0.5 to 1 stop less"},
+    {"path", "d = sqrt({s}^2 + (up + down)^2)", "mirror image of the flash in the ceiling",
+     "a white ceiling scatters: add its --loss"},
+    {"background_below", "r = 2 log2({b}/{d})", "inverse square law", NULL},
+    {"flash", "F = 2 log2({GN} sqrt({n} {S}/100 {power} 2^-{loss})/({N} {d}))", "[IsoFlash07]",
+     NULL},
+    {"ambient", "A = {EV100} + log2({S}/100) - log2({N}^2/{t})",
+     "[Apex60]; less what the lens's filter takes", NULL},
+    {"total", "B = log2(2^{F} + 2^{A})", "light adds", NULL},
+    {"lighting_ratio", "q = 2^{k} + 1", "(key + fill)/fill, as cinematographers count it",
+     "others print key to fill, one less"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"flash --guide-number 36m -s 4.5m", "the f-number for a flash"},
+    {"flash -g 36 -N 8 -s 1m", "the power to set"},
+    {"flash -g 118ft -N 2.8..16 --iso 100,200,400,800 --table N,iso:distance",
+     "how far it reaches"},
+    {"flash -g 43 -N 4 --ceiling 1.5m -s 3m --loss 1.5stops", "bounced off the ceiling"},
+    {"flash -g 36 -N 8 -s 4.5m --ev 12 -t 1/125 --sync 1/200", "beside daylight"},
+    {"flash --ratio 3:1", "key and fill for a lighting ratio"},
+    {NULL, NULL},
+};
+
+const struct command command_flash = {
+    .name = "flash",
+    .group = "photography",
+    .summary = "guide number, f-number, distance and power of flashes",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .run = run,
+    .explanations = explanations,
+    .plot = "distance_m",
+    .cell = "fnumber",
+};

@@ -1,0 +1,378 @@
+/* cli/cmd_focus.c - lenscalc focus: conjugate points, close-up attachments, exposure factor. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/photo_options.h"
+#include "photo/attach.h"
+#include "photo/conjugate.h"
+#include "photo/distance_from.h"
+
+#include <math.h>
+
+struct input {
+    double focal, distance, image, magnification, sensor_distance; /* two of these */
+    bool enlarged;
+    double fnumber, pupil, hiatus, front;
+    int from;
+    bool reversed;
+    double close_up, stacked, stacked_aperture, gap;
+    double tube, converter, converter_length;
+    int order;
+};
+
+/* Indexed by the member `order`. */
+static const struct word orders[] = {
+    {"tube-converter", "the tube at the lens, the converter at the camera"},
+    {"converter-tube", "the converter at the lens, the tube at the camera"},
+    {NULL, NULL},
+};
+
+#define MILLIMETRES(member_name)                                                                   \
+    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "mm",               \
+                                       .value = "LENGTH"
+#define NOT_NEGATIVE .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY
+#define POSITIVE     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+
+static const struct option options[] = {
+    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    OPTION_DISTANCE(struct input, distance, OPTION_SETTING,
+                    "distance of the subject; inf for infinity"),
+    {MILLIMETRES(image), .name = "image", .column = "image", OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL,
+     .help = "distance of the sensor from the rear principal plane"},
+    {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
+     .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
+     .flags = OPTION_NO_INFINITY | OPTION_GOAL, .value = "RATIO",
+     .help = "magnification: 1:2 or 0.5"},
+    {OPTION(struct input, sensor_distance), .name = "sensor-distance", .column = "sensor_distance",
+     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .value = "LENGTH",
+     .help = "distance from subject to sensor, as lens scales have it"},
+    {OPTION(struct input, enlarged), .name = "enlarged",
+     .help = "of the two focusings with one --sensor-distance that with m above 1"},
+    OPTION_APERTURE(struct input, fnumber, 0),
+    OPTION_PUPIL(struct input, pupil),
+    OPTION_FROM(struct input, from, distances_from),
+    {MILLIMETRES(hiatus), .name = "hiatus", .flags = OPTION_NO_INFINITY, .fallback = "0",
+     .help = "distance between the principal planes"},
+    {MILLIMETRES(front), .name = "front", .flags = OPTION_NO_INFINITY,
+     .help = "front principal plane seen from the lens's front, + towards the sensor; brings the "
+             "working distance"},
+    {OPTION(struct input, reversed), .name = "reversed",
+     .help = "the lens is mounted back to front"},
+    {OPTION(struct input, close_up), .name = "close-up", .column = "close_up",
+     .dimension = &dimension_vergence, .unit = "diopter", POSITIVE, .value = "DIOPTRES",
+     .help = "close-up lens before the lens; the sum of several"},
+    {MILLIMETRES(stacked), .name = "stacked", .column = "stacked", POSITIVE,
+     .help = "focal length of a lens reversed before the lens"},
+    {OPTION(struct input, stacked_aperture), .name = "stacked-aperture",
+     .dimension = &dimension_fnumber, POSITIVE, .value = "NUMBER",
+     .help = "f-number of the stacked lens, where it limits the beam"},
+    {MILLIMETRES(gap), .name = "gap", NOT_NEGATIVE, .fallback = "0",
+     .help = "from the lens's front to what is put before it"},
+    {MILLIMETRES(tube), .name = "tube", .column = "tube", NOT_NEGATIVE,
+     .help = "extension tube or bellows; the sum of several"},
+    {OPTION(struct input, converter), .name = "converter", .column = "converter",
+     .dimension = &dimension_ratio, POSITIVE, .value = "FACTOR",
+     .help = "teleconverter: 1.4x; the product of several"},
+    {MILLIMETRES(converter_length), .name = "converter-length", NOT_NEGATIVE, .fallback = "0",
+     .help = "how much longer the converter makes the lens"},
+    {OPTION(struct input, order), .name = "order", .column = "order", .words = orders,
+     .fallback = "tube-converter", .value = "ORDER",
+     .help = "which of tube and converter is nearer to the lens"},
+};
+
+struct row {
+    const char *lens_focus, *order, *from;
+    struct conjugates c; /* of lens and attachments together */
+    double focal, distance, fnumber, pupil, tube, converter, close_up, stacked;
+    double working_fnumber, factor, stops;
+    double pupil_distance, working_distance;
+};
+
+#define LENGTH(member_name, in_unit)                                                               \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+
+/* The first columns are only there with attachments. */
+enum { ATTACHED_COLUMNS = 2 };
+
+static const struct column columns[] = {
+    {COLUMN(struct row, lens_focus), .name = "lens_focus", .flags = COLUMN_BRIEF,
+     .label = "lens itself focused", .help = "at infinity, or as given"},
+    {LENGTH(c.f, "mm"), .name = "combined_focal", .symbol = "f", .label = "focal length together",
+     .help = "focal length of lens and attachments"},
+    {LENGTH(focal, "mm"), .name = "focal", .flags = COLUMN_ECHO, .with = "focal-length",
+     .symbol = "f", .label = "focal length", .help = "focal length"},
+    {COLUMN(struct row, fnumber), .name = "fnumber", .flags = COLUMN_ECHO, .with = "aperture",
+     .symbol = "N", .label = "f-number", .help = "f-number as marked"},
+    {COLUMN(struct row, close_up), .name = "close_up", .dimension = &dimension_vergence,
+     .unit = "diopter", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "close-up",
+     .label = "close-up lens", .help = "close-up lens before the lens"},
+    {LENGTH(stacked, "mm"), .name = "stacked", .flags = COLUMN_ECHO | COLUMN_EXTRA,
+     .with = "stacked", .label = "stacked lens",
+     .help = "focal length of the lens before the lens"},
+    {LENGTH(tube, "mm"), .name = "tube", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "tube",
+     .label = "tube", .help = "extension tube"},
+    {COLUMN(struct row, converter), .name = "converter", .flags = COLUMN_ECHO | COLUMN_EXTRA,
+     .with = "converter", .label = "converter", .help = "factor of the teleconverter"},
+    {COLUMN(struct row, order), .name = "order", .flags = COLUMN_EXTRA, .with = "order",
+     .label = "order", .help = "which of tube and converter is nearer to the lens"},
+    {LENGTH(distance, "m"), .name = "distance",
+     .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .with = "distance", .label = "distance",
+     .help = "distance of the subject"},
+    {LENGTH(c.v, "mm"), .name = "image", .flags = COLUMN_BRIEF, .symbol = "v",
+     .label = "image distance", .help = "sensor from the rear principal plane"},
+    {COLUMN(struct row, c.m), .name = "magnification", .flags = COLUMN_BRIEF, .symbol = "m",
+     .label = "magnification", .help = "size on the sensor over size of the subject"},
+    {LENGTH(c.T, "m"), .name = "sensor_distance", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "T", .label = "subject to sensor", .help = "distance from subject to sensor"},
+    {LENGTH(c.extension, "mm"), .name = "extension", .symbol = "x", .label = "extension",
+     .help = "how far the lens is from its place for infinity: f m"},
+    {COLUMN(struct row, c.twin_magnification), .name = "twin_magnification",
+     .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "magnification of the other focusing",
+     .help = "1/m: the other focusing between the same subject and sensor"},
+    {COLUMN(struct row, working_fnumber), .name = "working_fnumber", .symbol = "Nw",
+     .label = "working f-number", .help = "f-number that exposes"},
+    {COLUMN(struct row, factor), .name = "exposure_factor", .symbol = "E",
+     .label = "exposure factor", .help = "times the exposure at the marked f-number"},
+    {COLUMN(struct row, stops), .name = "exposure", .dimension = &dimension_stops, .unit = "stops",
+     .flags = COLUMN_BRIEF, .label = "exposure factor, stops", .help = "the same in stops"},
+    {LENGTH(working_distance, "m"), .name = "working_distance", .flags = COLUMN_INFINITE,
+     .with = "front", .label = "working distance", .help = "from the subject to the lens's front"},
+    {LENGTH(pupil_distance, "m"), .name = "pupil_distance",
+     .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .symbol = "X", .label = "subject to entrance pupil",
+     .help = "distance of the subject from the centre of perspective"},
+    {COLUMN(struct row, pupil), .name = "pupil_magnification", .symbol = "P",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil",
+     .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
+    {COLUMN(struct row, from), .name = "distance_from", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "from", .label = "distances from", .help = "where --distance is measured from"},
+    {LENGTH(c.s, "m"), .name = "principal_distance", .flags = COLUMN_EXTRA | COLUMN_INFINITE,
+     .symbol = "s", .label = "distance from the principal plane",
+     .help = "distance of the subject from the front principal plane"},
+};
+
+static const struct sheet plain = {columns + ATTACHED_COLUMNS,
+                                   sizeof columns / sizeof columns[0] - ATTACHED_COLUMNS,
+                                   sizeof(struct row)};
+static const struct sheet attached = {columns, sizeof columns / sizeof columns[0],
+                                      sizeof(struct row)};
+
+static bool has_attachments(const void *data)
+{
+    const struct input *input = data;
+    return input->reversed || !isnan(input->close_up) || !isnan(input->stacked) ||
+           !isnan(input->tube) || !isnan(input->converter);
+}
+
+static const struct sheet *choose_sheet(const void *data)
+{
+    return has_attachments(data) ? &attached : &plain;
+}
+
+/* --distance from wherever it is measured, as one of the conjugates. */
+static bool place_subject(const struct input *input, struct conjugates_given *given,
+                          struct error *error)
+{
+    if (input->from == FROM_PRINCIPAL || isnan(input->distance)) {
+        given->s = input->distance;
+        return true;
+    }
+    if (input->from == FROM_SENSOR) {
+        if (!isnan(input->sensor_distance)) {
+            return fail(error, ERROR_USAGE,
+                        "--distance from the sensor and --sensor-distance are the same thing");
+        }
+        given->T = input->distance;
+        return true;
+    }
+    if (isnan(input->focal)) {
+        return fail(error, ERROR_USAGE,
+                    "--from entrance wants --focal-length: the pupil's place "
+                    "follows from it");
+    }
+    return distance_to_principal(input->focal, input->pupil, input->distance,
+                                 (enum distance_from)input->from, &given->s, error);
+}
+
+/* The bare lens. With attachments a focal length alone means a lens that stays at infinity. */
+static bool solve(const struct input *input, bool attaches, struct conjugates *c,
+                  struct error *error)
+{
+    struct conjugates_given given = {
+        .f = input->focal,
+        .s = NAN,
+        .v = input->image,
+        .m = input->magnification,
+        .T = input->sensor_distance,
+        .hiatus = input->hiatus,
+        .choice = input->enlarged ? CONJUGATES_ENLARGED : CONJUGATES_REDUCED,
+    };
+    if (!place_subject(input, &given, error)) {
+        return false;
+    }
+    if (attaches && isnan(given.s) && isnan(given.v) && isnan(given.m) && isnan(given.T)) {
+        given.m = 0;
+    }
+    return conjugates_solve(&given, c, error);
+}
+
+/* What is the same for lenses with and without attachments. */
+static void fill_row(const struct input *input, double P, struct row *row)
+{
+    row->pupil_distance = conjugates_pupil_distance(row->c.f, row->c.m, P);
+    row->distance = input->from == FROM_SENSOR     ? row->c.T
+                    : input->from == FROM_ENTRANCE ? row->pupil_distance
+                                                   : row->c.s;
+    row->fnumber = input->fnumber;
+    row->order = orders[input->order].word;
+    row->tube = input->tube;
+    row->converter = input->converter;
+    row->close_up = input->close_up;
+    row->stacked = input->stacked;
+    row->pupil = input->pupil;
+    row->from = distances_from[input->from].word;
+}
+
+static bool run_plain(const struct input *input, struct run *run, struct error *error)
+{
+    struct row row = {.working_distance = NAN};
+    struct conjugates_exposure exposure;
+    if (!solve(input, false, &row.c, error) ||
+        !conjugates_exposure(1, row.c.m, input->pupil, &exposure, error)) {
+        return false;
+    }
+    if (!isnan(input->front) &&
+        !conjugates_working_distance(row.c.s, input->front, &row.working_distance, error)) {
+        return false;
+    }
+    row.focal = row.c.f;
+    row.working_fnumber = input->fnumber * exposure.working_fnumber;
+    row.factor = exposure.factor;
+    row.stops = exposure.stops;
+    fill_row(input, input->pupil, &row);
+    run_emit(run, &row);
+    return true;
+}
+
+/* What is attached, in the order in which it is put on: see --order and the manual. */
+static size_t list_steps(const struct input *input, const struct conjugates *bare,
+                         struct attach_step *steps)
+{
+    const struct attach_step tube = {ATTACH_TUBE, input->tube, 0, 0};
+    const struct attach_step converter = {ATTACH_CONVERTER, input->converter,
+                                          input->converter_length, 0};
+    bool tube_first = input->order == 0;
+    const struct attach_step all[] = {
+        {ATTACH_REVERSED, input->reversed ? bare->v : NAN, input->hiatus, 0},
+        {ATTACH_CLOSE_UP, 1000 * input->close_up, input->gap, 0},
+        {ATTACH_STACKED, input->stacked, input->gap,
+         isnan(input->stacked_aperture) ? 0 : input->stacked_aperture},
+        tube_first ? tube : converter,
+        tube_first ? converter : tube,
+    };
+    size_t count = 0;
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        if (!isnan(all[i].value)) {
+            steps[count++] = all[i];
+        }
+    }
+    return count;
+}
+
+static bool emit_focus(const struct input *input, double bare_focal, const struct attach_lens *lens,
+                       bool near, struct run *run, struct error *error)
+{
+    struct attach_focus focus;
+    if (!attach_focused(lens, near, &focus, error)) {
+        return false;
+    }
+    double ratio = focus.working_fnumber / (isnan(input->fnumber) ? 1 : input->fnumber);
+    struct row row = {
+        .lens_focus = near ? "as given" : "infinity",
+        .c = {.f = lens->f,
+              .s = focus.distance,
+              .v = lens->f * (1 + focus.m),
+              .m = focus.m,
+              .T = focus.sensor_distance,
+              .extension = lens->f * focus.m,
+              .twin_magnification = NAN},
+        .focal = bare_focal,
+        .working_fnumber = isnan(input->fnumber) ? NAN : focus.working_fnumber,
+        .factor = ratio * ratio,
+        .stops = 2 * log2(ratio),
+        .working_distance = isnan(input->front) ? NAN : focus.working_distance,
+    };
+    fill_row(input, lens->P, &row);
+    run_emit(run, &row);
+    return true;
+}
+
+/* A row for the lens at infinity and one for its own focusing as given, where these differ. */
+static bool run_attached(const struct input *input, struct run *run, struct error *error)
+{
+    struct conjugates bare;
+    struct attach_lens lens;
+    struct attach_step steps[5];
+    double front = isnan(input->front) ? 0 : input->front;
+    if (!isnan(input->stacked_aperture) && isnan(input->fnumber)) {
+        return fail(error, ERROR_USAGE, "--stacked-aperture wants --aperture: the narrower counts");
+    }
+    if (!solve(input, true, &bare, error) ||
+        !attach_bare(bare.f, isnan(input->fnumber) ? 1 : input->fnumber, input->pupil, bare.m,
+                     front, input->hiatus, &lens, error) ||
+        !attach_apply(&lens, steps, list_steps(input, &bare, steps), error)) {
+        return false;
+    }
+    bool moves = lens.m_near > lens.m_far;
+    bool at_infinity = !input->reversed && (moves || !(bare.m > 0));
+    return (!at_infinity || emit_focus(input, bare.f, &lens, false, run, error)) &&
+           ((at_infinity && !moves) || emit_focus(input, bare.f, &lens, true, run, error));
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    return has_attachments(input) ? run_attached(input, run, error) : run_plain(input, run, error);
+}
+
+static const struct explanation explanations[] = {
+    {"image", "v = {f} (1 + {m})", "[Gauss41] thin lens 1/f = 1/s + 1/v",
+     "paraxial; a lens with internal focusing changes f on the way"},
+    {"magnification", "m = {f}/({s} - {f})", "[Gauss41] m = v/s", NULL},
+    {"sensor_distance", "T = {s} + {v} + hiatus", "at least 4 f + hiatus, at 1:1", NULL},
+    {"extension", "x = {f} {m}", "[Gauss41] Newton's form", NULL},
+    {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Kingslake92]; of the lens without attachments",
+     "with attachments f', N', m' and P' of the combination: see lenscalc-focus(1)"},
+    {"exposure_factor", "E = (1 + {m}/{P})^2", "[Kingslake92]; (Nw/N)^2 with attachments",
+     "a meter behind the lens has it in its reading already"},
+    {"pupil_distance", "X = {f} (1/{m} + 1/{P})", "[Kingslake92]", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"focus -f 50mm -s 3m -N 2.8", "where a 50 mm lens puts the image of a subject at 3 m"},
+    {"focus -f 100mm -m 1:1 -N 8", "life size: distances, extension, exposure"},
+    {"focus -m 1:4 --sensor-distance 0.45m", "the focal length a macro lens has at its nearest"},
+    {"focus -f 50 -s 45cm --from sensor --tube 12,20,36", "extension tubes"},
+    {"focus -f 100 -m 1:2 -N 4 --converter 2x --close-up 3", "converter and close-up lens"},
+    {"focus -f 35,50,85,135 -m 1:10,1:5,1:2,1:1 --table f,m:distance", "a table to print"},
+    {NULL, NULL},
+};
+
+const struct command command_focus = {
+    .name = "focus",
+    .group = "photography",
+    .summary = "conjugate distances, magnification, close-up attachments, exposure factor",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns + ATTACHED_COLUMNS, sizeof columns / sizeof columns[0] - ATTACHED_COLUMNS,
+              sizeof(struct row)},
+    .choose_sheet = choose_sheet,
+    .makes_many = has_attachments,
+    .run = run,
+    .explanations = explanations,
+    .plot = "magnification",
+    .cell = "magnification",
+};

@@ -1,0 +1,276 @@
+/* cli/cmd_motion.c - lenscalc motion: blur of moving subjects and unsteady cameras. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/light_options.h"
+#include "cli/sharpness.h"
+#include "photo/given.h"
+#include "photo/motion.h"
+
+#include <math.h>
+
+struct input {
+    double focal, distance, magnification, speed, time, angle, height;
+    double rotation, track, stabiliser, readout;
+    struct coc_value blur;
+    struct sharpness sharp;
+};
+
+#define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+
+static const struct option options[] = {
+    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    OPTION_DISTANCE(struct input, distance, OPTION_SETTING, "distance of the subject"),
+    {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
+     .column = "magnification", .dimension = &dimension_ratio, POSITIVE | OPTION_GOAL,
+     .value = "RATIO", .help = "in place of focal length and distance: 1:2 or 0.5"},
+    {OPTION(struct input, speed), .name = "speed", .letter = 'v', .column = "speed",
+     .dimension = &dimension_speed, .unit = "m_s", POSITIVE | OPTION_SETTING, .value = "SPEED",
+     .help = "of the subject: 5m/s, 30km/h, 20mph"},
+    OPTION_TIME(struct input, time, OPTION_SETTING),
+    {OPTION(struct input, blur), .name = "blur", .column = "blur", .dimension = &dimension_length,
+     .unit = "mm", .flags = OPTION_GOAL, .value = "LENGTH",
+     .help = "blur allowed on the sensor: 0.02mm, 2px, d/1500 (the circle of confusion unless "
+             "given)"},
+    {OPTION(struct input, angle), .name = "angle", .column = "angle", .dimension = &dimension_angle,
+     .unit = "deg", .lowest = 0, .highest = 3.141592653589793, .fallback = "90", .value = "ANGLE",
+     .help = "of the motion: 90 deg across the view, 0 straight at the camera"},
+    {OPTION(struct input, height), .name = "height", .column = "height",
+     .dimension = &dimension_length, .unit = "mm", .fallback = "0", .value = "LENGTH",
+     .flags = OPTION_NO_INFINITY, .help = "image height of the subject, for motion in depth"},
+    {OPTION(struct input, rotation), .name = "rotation", .column = "rotation",
+     .dimension = &dimension_rotation, .unit = "deg_s", POSITIVE, .value = "RATE",
+     .help = "of the camera: its shake or pan"},
+    {OPTION(struct input, track), .name = "track", .column = "track", .dimension = &dimension_ratio,
+     .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY, .value = "FRACTION",
+     .help = "panning: 1 follows exactly, 0.9 lags by a tenth"},
+    {OPTION(struct input, stabiliser), .name = "stabiliser", .column = "stabiliser",
+     .dimension = &dimension_stops, .lowest = 0, .highest = 20, .fallback = "0", .value = "STOPS",
+     .help = "stops that a stabiliser gains, for the hand-held rule"},
+    {OPTION(struct input, readout), .name = "readout", .column = "readout",
+     .dimension = &dimension_time, .unit = "s", POSITIVE, .value = "TIME",
+     .help = "rolling shutter: time from first to last row"},
+    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
+};
+
+struct row {
+    struct motion motion;
+    double focal, distance, c, pitch;
+    struct blur_size size;
+    double image_speed, handheld;
+    struct shake shake;
+    double track;
+    struct panning_blur pan;
+    struct rolling_skew skew;
+    const char *sensor, *criterion;
+};
+
+#define NUMBER(member)          COLUMN(struct row, member)
+#define TIME(member)            NUMBER(member), .dimension = &dimension_time, .unit = "s"
+#define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
+#define ANGLE(member)           NUMBER(member), .dimension = &dimension_angle, .unit = "deg"
+#define ECHO_WITH(option)       .flags = COLUMN_ECHO, .with = option
+#define BRIEF_WITH(option)      .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = option
+
+static const struct column columns[] = {
+    {LENGTH(focal, "mm"), .name = "focal", ECHO_WITH("focal-length"), .symbol = "f",
+     .label = "focal length", .help = "focal length"},
+    {LENGTH(distance, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
+     .with = "distance", .symbol = "s", .label = "distance", .help = "distance of the subject"},
+    {NUMBER(motion.m), .name = "magnification", .symbol = "m", .label = "magnification",
+     .help = "size on the sensor over size of the subject"},
+    {NUMBER(motion.v), .dimension = &dimension_speed, .unit = "m_s", .name = "speed",
+     .flags = COLUMN_BRIEF, .symbol = "v", .label = "speed", .help = "of the subject"},
+    {ANGLE(motion.angle), .name = "angle", ECHO_WITH("angle"), .symbol = "a", .label = "angle",
+     .help = "of the motion to the line of sight"},
+    {TIME(motion.t), .name = "time", .flags = COLUMN_BRIEF | COLUMN_INFINITE, .symbol = "t",
+     .label = "time", .help = "exposure time"},
+    {LENGTH(motion.blur, "um"), .name = "blur", .flags = COLUMN_BRIEF, .symbol = "b",
+     .label = "blur", .help = "of the moving subject on the sensor"},
+    {NUMBER(size.pixels), .name = "blur_pixels", .label = "blur in pixels",
+     .help = "blur over pixel pitch"},
+    {NUMBER(size.circles), .name = "blur_coc", .flags = COLUMN_BRIEF,
+     .label = "blur in circles of confusion", .help = "blur over circle of confusion"},
+    {NUMBER(image_speed), .dimension = &dimension_speed, .unit = "mm_s", .name = "image_speed",
+     .symbol = "w", .label = "speed of the image", .help = "on the sensor"},
+    {TIME(handheld), .name = "handheld", .symbol = "th", .label = "hand-held at most",
+     .help = "by the rule one over focal length"},
+    {NUMBER(shake.omega), .dimension = &dimension_rotation, .unit = "deg_s", .name = "rotation",
+     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "rotation", .symbol = "omega",
+     .label = "camera turns", .help = "of the camera"},
+    {LENGTH(shake.blur, "um"), .name = "shake", BRIEF_WITH("rotation"), .symbol = "bs",
+     .label = "blur by the camera's turn", .help = "of all that stands still"},
+    {NUMBER(track), .name = "track", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "track",
+     .symbol = "k", .label = "tracking", .help = "pan rate over the right one"},
+    {NUMBER(pan.rate), .dimension = &dimension_rotation, .unit = "deg_s", .name = "pan_rate",
+     BRIEF_WITH("track"), .symbol = "rate", .label = "right pan", .help = "that follows exactly"},
+    {LENGTH(pan.subject, "um"), .name = "subject_blur", BRIEF_WITH("track"), .symbol = "bt",
+     .label = "blur left on the subject", .help = "when panning"},
+    {LENGTH(pan.background, "um"), .name = "background_blur", BRIEF_WITH("track"), .symbol = "bb",
+     .label = "blur of the background", .help = "when panning"},
+    {LENGTH(skew.shift, "um"), .name = "skew_shift", .flags = COLUMN_EXTRA, .with = "readout",
+     .symbol = "x", .label = "rolling shutter shifts", .help = "from first to last row"},
+    {ANGLE(skew.angle), .name = "skew", BRIEF_WITH("readout"), .symbol = "lean",
+     .label = "upright edges lean", .help = "by the rolling shutter"},
+    {NUMBER(sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "sensor",
+     .label = "sensor", .help = "format or camera"},
+    {LENGTH(c, "mm"), .name = "coc", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .symbol = "c",
+     .depends = "coc sensor pitch print viewing acuity wavelength", .label = "circle of confusion",
+     .help = "circle of confusion, diameter on the sensor"},
+    {NUMBER(criterion), .name = "coc_criterion", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "coc", .label = "criterion", .help = "where the circle of confusion comes from"},
+};
+
+/* The blur that is given, or the circle of confusion where it limits an unknown. */
+static bool limit(const struct input *input, double c, bool wanted, double *blur,
+                  struct error *error)
+{
+    struct sharpness sharp = input->sharp;
+    *blur = wanted ? c : NAN;
+    if (!is_given(input->blur.coc.value)) {
+        return true;
+    }
+    sharp.coc = input->blur;
+    return sharpness_resolve(&sharp, NAN, blur, error);
+}
+
+/* Magnification from focal length and distance, or as given. */
+static bool magnify(const struct input *input, double *m, struct error *error)
+{
+    *m = input->magnification;
+    if (!is_given(input->focal) || !is_given(input->distance)) {
+        return true;
+    }
+    if (is_given(*m)) {
+        return fail(error, ERROR_USAGE, "give --magnification, or --focal-length and --distance");
+    }
+    return motion_magnification(input->focal, input->distance, m, error);
+}
+
+/* A moving subject: speed, time, magnification or blur from the other three. */
+static bool solve_subject(const struct input *input, struct row *row, struct error *error)
+{
+    struct motion *motion = &row->motion;
+    bool open = !is_given(input->speed) || !is_given(input->time) || !is_given(motion->m);
+    if (!limit(input, row->c, open, &motion->blur, error) || !motion_solve(motion, error)) {
+        return false;
+    }
+    if (!is_given(row->distance) && is_given(row->focal)) {
+        row->distance = row->focal * (1 + 1 / motion->m);
+    }
+    row->image_speed = motion->blur / motion->t;
+    return blur_measure(motion->blur, row->pitch, row->c, &row->size, error);
+}
+
+/* A turning camera. Beside a moving subject it has that one's time. */
+static bool solve_shake(const struct input *input, struct row *row, struct error *error)
+{
+    struct shake *shake = &row->shake;
+    bool alone = !is_given(input->speed);
+    bool open = alone && !is_given(row->motion.t);
+    *shake = (struct shake){row->focal, input->rotation, row->motion.t, NAN,
+                            is_given(row->motion.m) ? row->motion.m : 0};
+    if (alone && !limit(input, row->c, open, &shake->blur, error)) {
+        return false;
+    }
+    if (!shake_solve(shake, error)) {
+        return false;
+    }
+    row->focal = shake->f;
+    row->motion.t = shake->t;
+    return true;
+}
+
+static bool solve_panning(const struct input *input, struct row *row, struct error *error)
+{
+    const struct panning pan = {row->motion.v, row->motion.angle, row->motion.t,
+                                row->focal,    row->distance,     input->track};
+    row->track = input->track;
+    return panning_solve(&pan, &row->pan, error);
+}
+
+static bool solve(const struct input *input, struct row *row, struct error *error)
+{
+    const struct sensor *sensor = &input->sharp.sensor.size;
+    bool turns = is_given(input->rotation);
+    if (!sharpness_resolve(&input->sharp, NAN, &row->c, error) ||
+        !magnify(input, &row->motion.m, error) ||
+        ((!turns || is_given(input->speed)) && !solve_subject(input, row, error)) ||
+        (turns && !solve_shake(input, row, error)) ||
+        (is_given(input->track) && !solve_panning(input, row, error))) {
+        return false;
+    }
+    if (is_given(input->readout) &&
+        !rolling_shutter(row->image_speed, input->readout, sensor->height, &row->skew, error)) {
+        return false;
+    }
+    return !is_given(row->focal) ||
+           handheld_time(row->focal, sensor_crop(sensor), input->stabiliser, &row->handheld, error);
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    const struct sensor *sensor = &input->sharp.sensor.size;
+    struct row row = {
+        .motion = {input->speed, input->time, NAN, NAN, input->angle, input->distance,
+                   input->height},
+        .focal = input->focal,
+        .distance = input->distance,
+        .pitch = is_given(input->sharp.pitch) ? input->sharp.pitch : sensor->pitch,
+        .size = {NAN, NAN},
+        .image_speed = NAN,
+        .handheld = NAN,
+        .shake = {NAN, NAN, NAN, NAN, NAN},
+        .track = NAN,
+        .pan = {NAN, NAN, NAN},
+        .skew = {NAN, NAN},
+        .sensor = input->sharp.sensor.name,
+        .criterion = input->sharp.coc.criterion,
+    };
+    if (!solve(input, &row, error)) {
+        return false;
+    }
+    run_emit(run, &row);
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
+    {"blur", "b = {v} {t} {m} sin({a})", "central projection; across the view",
+     "motion in depth adds its part: |v t (m sin a + h cos a/s)/(1 - v t cos a/s)|"},
+    {"handheld", "th = 2^stabiliser/(crop {f})", "rule of thumb; f in mm",
+     "hands differ by more than a stop"},
+    {"shake", "bs = {f} (1 + {m}) {omega} {t}", "image distance times the angle",
+     "small angles, turned about the entrance pupil"},
+    {"pan_rate", "rate = {v} sin({a})/{s}", "the subject's angular speed", NULL},
+    {"subject_blur", "bt = |1 - {k}| {m} {v} sin({a}) {t}", "what the pan does not follow", NULL},
+    {"background_blur", "bb = {k} {m} {v} sin({a}) {t}", "the pan itself", NULL},
+    {"skew", "lean = atan({x}/height)", "image speed times readout, over the sensor's height",
+     NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"motion -f 50mm -s 10m --speed 5km/h", "the longest time for a walker"},
+    {"motion -f 100 -s 20m --speed 30km/h -t 1/60..1/2000", "blur of a cyclist by time"},
+    {"motion -f 50 -s 5,10,20 --speed 2,5,10 --blur 2px --sensor \"Nikon D1\" --table s,v",
+     "a table to print"},
+    {"motion -f 200mm -s 30m --speed 60km/h -t 1/60 --track 0.95", "panning"},
+    {"motion -f 85mm --rotation 2deg/s", "how long to hold still"},
+    {NULL, NULL},
+};
+
+const struct command command_motion = {
+    .name = "motion",
+    .group = "photography",
+    .summary = "blur of moving subjects, panning, shake, rolling shutter",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .run = run,
+    .explanations = explanations,
+    .plot = "time_s",
+    .cell = "time_s",
+};

@@ -1,0 +1,396 @@
+/* cli/cmd_panorama.c - lenscalc panorama: frames, steps, size and parallax. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/photo_options.h"
+#include "photo/conjugate.h"
+#include "photo/panorama.h"
+
+#include <math.h>
+
+struct input {
+    double focal, distance, pupil, hiatus;
+    struct sensor_value sensor;
+    bool portrait;
+    double horizontal, vertical; /* of a frame, in place of the lens */
+    double arc, span, elevation, overlap;
+    long per_row; /* 0 = as many as the overlap asks for */
+    bool each_row;
+    long pixels;                         /* 0 = from the camera */
+    double offset, near, far, tolerance; /* parallax */
+};
+
+#define ANGLE_OPTION(member_name)                                                                  \
+    OPTION(struct input, member_name), .name = #member_name, .dimension = &dimension_angle,        \
+                                       .unit = "deg", .value = "ANGLE"
+#define DEGREES(x) ((x)*0.017453292519943295)
+#define POSITIVE   OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+
+static const struct option options[] = {
+    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    OPTION_SENSOR(struct input, sensor),
+    {OPTION(struct input, portrait), .name = "portrait", .help = "the camera is held upright"},
+    {OPTION(struct input, distance), .name = "distance", .letter = 's', .column = "distance",
+     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
+     .fallback = "inf", .value = "LENGTH", .help = "distance the lens is focused at"},
+    OPTION_PUPIL(struct input, pupil),
+    {OPTION(struct input, hiatus), .name = "hiatus", .dimension = &dimension_length, .unit = "mm",
+     .flags = OPTION_NO_INFINITY, .fallback = "0", .value = "LENGTH",
+     .help = "distance between the principal planes"},
+    {ANGLE_OPTION(horizontal), .column = "horizontal", .lowest = 0, .highest = DEGREES(360),
+     .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,
+     .help = "horizontal angle of one frame as held, in place of -f (a fisheye)"},
+    {ANGLE_OPTION(vertical), .column = "vertical", .lowest = 0, .highest = DEGREES(360),
+     .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .help = "vertical angle of one frame as held"},
+    {ANGLE_OPTION(arc), .lowest = 0, .highest = DEGREES(360), .flags = OPTION_ABOVE_LOWEST,
+     .fallback = "360", .help = "horizontal angle of the panorama; 360 closes on itself"},
+    {ANGLE_OPTION(span), .lowest = 0, .highest = DEGREES(180), .fallback = "0",
+     .help = "vertical angle of the panorama; up to that of a frame: one row"},
+    {ANGLE_OPTION(elevation), .lowest = DEGREES(-90), .highest = DEGREES(90), .fallback = "0",
+     .help = "of the panorama's middle, for --each-row"},
+    {OPTION(struct input, overlap), .name = "overlap", .dimension = &dimension_ratio, .lowest = 0,
+     .highest = 0.95, .fallback = "30%", .value = "FRACTION",
+     .help = "of neighbouring frames, at least: 30% or 0.3"},
+    {OPTION(struct input, per_row), .name = "per-row", .lowest = 1, .highest = 1e6,
+     .value = "NUMBER", .help = "frames a row, in place of those that --overlap asks for"},
+    {OPTION(struct input, each_row), .name = "each-row",
+     .help = "a line for each row: its elevation, and how few frames do there"},
+    {OPTION(struct input, pixels), .name = "pixels", .lowest = 1, .highest = 1e6, .value = "NUMBER",
+     .help = "pixels of a frame's width as held (otherwise by the camera's pitch)"},
+    {OPTION(struct input, offset), .name = "offset", .dimension = &dimension_length, .unit = "mm",
+     .flags = OPTION_NO_INFINITY, .value = "LENGTH",
+     .help = "entrance pupil off the axis of rotation, along the lens: parallax"},
+    {OPTION(struct input, near), .name = "near", .dimension = &dimension_length, .unit = "m",
+     POSITIVE, .value = "LENGTH", .help = "nearest thing where frames overlap: parallax"},
+    {OPTION(struct input, far), .name = "far", .dimension = &dimension_length, .unit = "m",
+     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST, .fallback = "inf", .value = "LENGTH",
+     .help = "farthest thing there"},
+    {OPTION(struct input, tolerance), .name = "tolerance", .dimension = &dimension_number, POSITIVE,
+     .fallback = "1", .value = "NUMBER", .help = "parallax that is allowed, pixels"},
+};
+
+struct row {
+    double focal, distance;
+    struct panorama_frame frame;
+    double step, row_step, overlap, row_overlap, arc, span;
+    long columns, rows, shots, row, pixels;
+    struct panorama_size size;
+    double elevation, parallax, parallax_pixels, most_offset, nearest, pupil_distance, offset;
+    double pupil;
+    const char *sensor, *held;
+};
+
+#define LENGTH(member_name, in_unit)                                                               \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+#define ANGLE(member_name)                                                                         \
+    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg"
+#define RATIO(member_name)                                                                         \
+    COLUMN(struct row, member_name), .dimension = &dimension_ratio, .unit = "percent"
+
+#define COLUMNS_ASSUMED                                                                            \
+    {COLUMN(struct row, sensor), .name = "sensor",  .flags = COLUMN_ASSUMED | COLUMN_EXTRA,        \
+     .depends = "sensor",        .label = "sensor", .help = "format or camera"},                   \
+        {COLUMN(struct row, held), .name = "held", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,         \
+         .label = "held", .help = "landscape or portrait"},                                        \
+        {ANGLE(arc),                                                                               \
+         .name = "arc",                                                                            \
+         .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                                     \
+         .symbol = "A",                                                                            \
+         .depends = "arc",                                                                         \
+         .label = "arc",                                                                           \
+         .help = "horizontal angle of the panorama"},                                              \
+    {                                                                                              \
+        ANGLE(span), .name = "span", .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,         \
+                     .symbol = "B", .depends = "span", .label = "span",                            \
+                     .help = "vertical angle of the panorama"                                      \
+    }
+
+static const struct column columns[] = {
+    {LENGTH(focal, "mm"), .name = "focal", .flags = COLUMN_ECHO, .with = "focal-length",
+     .symbol = "f", .label = "focal length", .help = "focal length"},
+    {LENGTH(distance, "m"), .name = "distance",
+     .flags = COLUMN_ECHO | COLUMN_EXTRA | COLUMN_INFINITE, .with = "distance", .symbol = "s",
+     .label = "focused at", .help = "distance the lens is focused at"},
+    {ANGLE(frame.horizontal), .name = "horizontal", .symbol = "h", .label = "horizontal angle",
+     .help = "of one frame as held"},
+    {ANGLE(frame.vertical), .name = "vertical", .symbol = "v", .label = "vertical angle",
+     .help = "of one frame as held"},
+    {COLUMN(struct row, columns), .name = "columns", .flags = COLUMN_BRIEF, .symbol = "n",
+     .label = "frames a row", .help = "frames a row at the horizon"},
+    {COLUMN(struct row, rows), .name = "rows", .flags = COLUMN_BRIEF, .label = "rows",
+     .help = "rows"},
+    {COLUMN(struct row, shots), .name = "shots", .flags = COLUMN_BRIEF, .label = "frames in all",
+     .help = "columns times rows"},
+    {ANGLE(step), .name = "step", .flags = COLUMN_BRIEF, .symbol = "d", .label = "step",
+     .help = "from frame to frame"},
+    {ANGLE(row_step), .name = "row_step", .label = "step between rows", .help = "from row to row"},
+    {RATIO(overlap), .name = "overlap", .flags = COLUMN_BRIEF, .symbol = "o", .label = "overlap",
+     .help = "of neighbouring frames, achieved"},
+    {RATIO(row_overlap), .name = "row_overlap", .label = "overlap of rows",
+     .help = "of neighbouring rows, achieved"},
+    {COLUMN(struct row, size.per_degree), .name = "pixels_per_degree", .label = "pixels per degree",
+     .help = "in the middle of a frame"},
+    {COLUMN(struct row, size.width), .name = "width_px", .label = "width, pixels",
+     .help = "of the stitched picture, cylinder or sphere"},
+    {COLUMN(struct row, size.sphere_height), .name = "sphere_height_px",
+     .label = "height as a sphere, pixels", .help = "equirectangular"},
+    {COLUMN(struct row, size.cylinder_height), .name = "cylinder_height_px",
+     .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "height as a cylinder, pixels",
+     .help = "infinite from 180 degrees on"},
+    {COLUMN(struct row, size.flat_width), .name = "flat_width_px",
+     .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "width laid flat, pixels",
+     .help = "rectilinear; infinite from 180 degrees on"},
+    {LENGTH(offset, "mm"), .name = "offset", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "offset",
+     .symbol = "e", .label = "offset of the pupil", .help = "entrance pupil off the axis"},
+    {ANGLE(parallax), .name = "parallax", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "offset",
+     .symbol = "p", .label = "parallax", .help = "of near against far between two frames"},
+    {COLUMN(struct row, parallax_pixels), .name = "parallax_px",
+     .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "offset", .label = "parallax, pixels",
+     .help = "the same in pixels"},
+    {LENGTH(most_offset, "mm"), .name = "max_offset", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
+     .with = "near", .label = "most offset", .help = "offset that stays within --tolerance"},
+    {LENGTH(nearest, "m"), .name = "nearest", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
+     .with = "offset", .label = "nearest allowed",
+     .help = "nearest thing that stays within --tolerance"},
+    {LENGTH(pupil_distance, "mm"), .name = "pupil_from_sensor", .symbol = "D",
+     .label = "pupil before the sensor",
+     .help = "thin-lens estimate of what to put between the axis and the sensor mark"},
+    COLUMNS_ASSUMED,
+    {COLUMN(struct row, pupil), .name = "pupil_magnification", .symbol = "P",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil",
+     .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
+};
+
+/* With --each-row. */
+static const struct column row_columns[] = {
+    {COLUMN(struct row, row), .name = "row", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "row",
+     .help = "lowest first"},
+    {ANGLE(elevation), .name = "elevation", .flags = COLUMN_BRIEF, .label = "elevation",
+     .help = "of the frames' middle"},
+    {COLUMN(struct row, columns), .name = "columns", .flags = COLUMN_BRIEF,
+     .label = "frames in this row", .help = "enough at this elevation"},
+    {ANGLE(step), .name = "step", .flags = COLUMN_BRIEF, .label = "step",
+     .help = "from frame to frame"},
+    {LENGTH(focal, "mm"), .name = "focal", .flags = COLUMN_ECHO, .with = "focal-length",
+     .label = "focal length", .help = "focal length"},
+    {ANGLE(frame.horizontal), .name = "horizontal", .label = "horizontal angle",
+     .help = "of one frame as held"},
+    {ANGLE(frame.vertical), .name = "vertical", .label = "vertical angle",
+     .help = "of one frame as held"},
+    COLUMNS_ASSUMED,
+};
+
+static const struct sheet whole = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)};
+static const struct sheet by_row = {row_columns, sizeof row_columns / sizeof row_columns[0],
+                                    sizeof(struct row)};
+
+static bool makes_many(const void *data)
+{
+    return ((const struct input *)data)->each_row;
+}
+
+static const struct sheet *choose_sheet(const void *data)
+{
+    return makes_many(data) ? &by_row : &whole;
+}
+
+/* The sides of the sensor as the camera is held. */
+static struct sensor held_sensor(const struct input *input)
+{
+    struct sensor sensor = input->sensor.size;
+    if (input->portrait) {
+        sensor.width = input->sensor.size.height;
+        sensor.height = input->sensor.size.width;
+    }
+    return sensor;
+}
+
+/* The angles of a frame: given, or from lens and sensor. */
+static bool find_frame(const struct input *input, struct row *row, struct error *error)
+{
+    struct sensor sensor = held_sensor(input);
+    struct conjugates_given given = {input->focal, input->distance, NAN, NAN, NAN, 0, 0};
+    struct conjugates c;
+    if (isnan(input->focal)) {
+        if (isnan(input->horizontal) || isnan(input->vertical)) {
+            return fail(error, ERROR_USAGE,
+                        "give --focal-length, or the frame's --horizontal and --vertical angle");
+        }
+        row->frame = (struct panorama_frame){input->horizontal, input->vertical};
+        return true;
+    }
+    if (!isnan(input->horizontal) || !isnan(input->vertical)) {
+        return fail(error, ERROR_USAGE,
+                    "--focal-length gives the frame's angles already: no "
+                    "--horizontal or --vertical with it");
+    }
+    return conjugates_solve(&given, &c, error) &&
+           panorama_frame(c.f, c.m, input->pupil, sensor.width, sensor.height, &row->frame,
+                          error) &&
+           panorama_pupil(c.f, c.m, input->pupil, input->hiatus, &row->pupil_distance, error);
+}
+
+/* A number of frames a row that is given, and the overlap it leaves. */
+static bool set_columns(const struct input *input, const struct panorama_frame *frame,
+                        struct panorama *plan, struct error *error)
+{
+    int count = (int)input->per_row;
+    if (count == 0) {
+        return true;
+    }
+    if (!panorama_overlap(frame, input->arc, count, &plan->overlap, error)) {
+        return false;
+    }
+    if (plan->overlap < 0 || (isnan(plan->overlap) && frame->horizontal < input->arc)) {
+        return fail(error, ERROR_DOMAIN, "--per-row %d leaves gaps: at least %d without overlap",
+                    count, (int)ceil(input->arc / frame->horizontal - 1e-9));
+    }
+    plan->columns = count;
+    plan->shots = count * plan->rows;
+    plan->step = count > 1 ? (1 - plan->overlap) * frame->horizontal : 0;
+    return true;
+}
+
+/* Pixels along the width of a frame, 0 = unknown. */
+static double frame_pixels(const struct input *input)
+{
+    struct sensor sensor = held_sensor(input);
+    if (input->pixels > 0) {
+        return (double)input->pixels;
+    }
+    return isnan(sensor.pitch) || isnan(input->focal) ? 0 : round(sensor.width / sensor.pitch);
+}
+
+/* Parallax needs a size in pixels only where it is told in pixels. */
+static bool find_parallax(const struct input *input, struct row *row, struct error *error)
+{
+    double per_radian = row->size.per_degree / DEGREES(1);
+    bool has_offset = !isnan(input->offset), has_near = !isnan(input->near);
+    bool moves = row->step > 0;
+    if (has_offset && has_near && moves) {
+        if (!panorama_parallax(input->offset, row->step, input->near, input->far, &row->parallax,
+                               error)) {
+            return false;
+        }
+        row->parallax_pixels = row->parallax * per_radian;
+    }
+    double allowed = input->tolerance / per_radian;
+    if (isnan(allowed) || !moves) {
+        return true;
+    }
+    return (!has_near ||
+            panorama_offset(allowed, row->step, input->near, &row->most_offset, error)) &&
+           (!has_offset || !(fabs(input->offset) > 0) ||
+            panorama_nearest(input->offset, allowed, row->step, &row->nearest, error));
+}
+
+static bool emit_rows(const struct input *input, const struct panorama_goal *goal,
+                      const struct panorama *plan, struct row *row, struct run *run,
+                      struct error *error)
+{
+    for (int i = 0; i < plan->rows; i++) {
+        struct panorama_row one;
+        if (!panorama_row_at(&row->frame, goal, plan, input->elevation, i, &one, error)) {
+            return false;
+        }
+        row->row = i + 1;
+        row->elevation = one.elevation;
+        row->columns = one.columns;
+        row->step = one.step;
+        if (!run_emit(run, row)) {
+            return true;
+        }
+    }
+    return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    const struct panorama_goal goal = {input->arc, input->span, input->overlap};
+    double pixels = frame_pixels(input);
+    struct panorama plan;
+    struct row row = {
+        .focal = input->focal,
+        .distance = input->distance,
+        .size = {NAN, NAN, NAN, NAN, NAN},
+        .arc = input->arc,
+        .span = input->span,
+        .offset = input->offset,
+        .parallax = NAN,
+        .parallax_pixels = NAN,
+        .most_offset = NAN,
+        .nearest = NAN,
+        .pupil_distance = NAN,
+        .pupil = input->pupil,
+        .sensor = isnan(input->focal) ? NULL : input->sensor.name,
+        .held = input->portrait ? "portrait" : "landscape",
+    };
+    if (!find_frame(input, &row, error) || !panorama_plan(&row.frame, &goal, &plan, error)) {
+        return false;
+    }
+    if (input->each_row) {
+        if (input->per_row > 0) {
+            return fail(error, ERROR_USAGE,
+                        "--each-row chooses the frames of each row itself: no "
+                        "--per-row with it");
+        }
+        return emit_rows(input, &goal, &plan, &row, run, error);
+    }
+    if (!set_columns(input, &row.frame, &plan, error) ||
+        (pixels > 0 && !panorama_size(&row.frame, &goal, pixels, &row.size, error))) {
+        return false;
+    }
+    row.columns = plan.columns;
+    row.rows = plan.rows;
+    row.shots = plan.shots;
+    row.step = plan.step > 0 ? plan.step : NAN;
+    row.row_step = plan.rows > 1 ? plan.row_step : NAN;
+    row.overlap = plan.overlap;
+    row.row_overlap = plan.row_overlap;
+    if (!find_parallax(input, &row, error)) {
+        return false;
+    }
+    run_emit(run, &row);
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"horizontal", "h = 2 atan(w/(2 {f} (1 + m/{P})))", "[Ray02] ch. 24; rectilinear", NULL},
+    {"columns", "n = ceil({A}/({h} (1 - overlap)))", "a closed turn; an arc needs one overlap less",
+     "of the overlap that is asked for"},
+    {"step", "d = {A}/{n}", "a closed turn; (A - h)/(n - 1) for an arc", NULL},
+    {"overlap", "o = 1 - {d}/{h}", "what the even steps achieve", NULL},
+    {"parallax", "p = 2 (b(near) - b(far)), tan b(x) = {e} sin({d}/2)/(x - {e} cos({d}/2))",
+     "[Littlefield06]", "for things in the middle of the overlap"},
+    {"pupil_from_sensor", "D = {f} (1 + m) + hiatus + {f} (1 - 1/{P})", "[Littlefield06] thin lens",
+     "a start: real lenses want a test with two rods"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"panorama -f 24 --portrait", "a full turn with a 24 mm lens on 35 mm film"},
+    {"panorama -f 50 --portrait --arc 120deg --sensor \"Nikon D1\"", "an arc, with pixels"},
+    {"panorama -f 20 --portrait --span 180deg --each-row", "the whole sphere, row by row"},
+    {"panorama -f 35 --offset 10mm --near 1m --pixels 6000", "off the no-parallax point"},
+    {"panorama --horizontal 100deg --vertical 140deg", "a fisheye held upright"},
+    {"panorama -f 14,20,24,35,50 --portrait --overlap 20%,30%,50% --table f,overlap:columns",
+     "a table to print"},
+    {NULL, NULL},
+};
+
+const struct command command_panorama = {
+    .name = "panorama",
+    .group = "photography",
+    .summary = "frames, steps and size of a panorama, and parallax",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .choose_sheet = choose_sheet,
+    .makes_many = makes_many,
+    .run = run,
+    .explanations = explanations,
+    .plot = "shots",
+    .cell = "shots",
+};

@@ -1,0 +1,231 @@
+/* cli/cmd_stars.c - lenscalc stars: how long before stars become trails. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/light_options.h"
+#include "cli/sharpness.h"
+#include "photo/given.h"
+#include "photo/motion.h"
+#include "photo/stars.h"
+
+#include <math.h>
+
+struct input {
+    double focal, fnumber, declination, time, rule, accuracy;
+    struct coc_value trail;
+    struct sharpness sharp;
+};
+
+static const struct option options[] = {
+    OPTION_FOCAL_LENGTH(struct input, focal, 0),
+    OPTION_APERTURE(struct input, fnumber, 0),
+    {OPTION(struct input, declination), .name = "declination", .column = "declination",
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -1.5707963267948966,
+     .highest = 1.5707963267948966, .fallback = "0", .value = "ANGLE",
+     .help = "of the frame's centre; 0 is the celestial equator, where stars are fastest"},
+    OPTION_TIME(struct input, time, 0),
+    {OPTION(struct input, trail), .name = "trail", .dimension = &dimension_length, .unit = "um",
+     .value = "LENGTH",
+     .help = "longest trail allowed: 2px, 10um, d/1500 (the circle of confusion unless given)"},
+    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
+    {OPTION(struct input, rule), .name = "rule", .column = "rule_constant",
+     .dimension = &dimension_number, OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "500", .value = "NUMBER",
+     .help = "constant of the rule of thumb: 500, 400, 300 or 600"},
+    {OPTION(struct input, accuracy), .name = "accuracy", .column = "accuracy",
+     .dimension = &dimension_number, OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1", .value = "K",
+     .help = "factor k of the NPF rule: 1 for points, 2 and 3 for longer and longer trails"},
+};
+
+struct row {
+    double focal, fnumber, declination, allowed, pitch, crop, rule, accuracy;
+    struct star_time time;
+    double rule_time, npf, npf_simple, four_minus_crop;
+    double exposure;
+    struct star_trail trail;
+    double worst;
+    struct blur_size size;
+    const char *sensor, *criterion;
+};
+
+#define NUMBER(member)          COLUMN(struct row, member)
+#define TIME(member)            NUMBER(member), .dimension = &dimension_time, .unit = "s"
+#define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
+#define ANGLE(member)           NUMBER(member), .dimension = &dimension_angle, .unit = "deg"
+#define ECHO                    COLUMN_ECHO | COLUMN_BRIEF
+#define ASSUMED                 .flags = COLUMN_ASSUMED | COLUMN_EXTRA
+#define WITH_TIME               .flags = COLUMN_EXTRA, .with = "time"
+#define WITH_TIME_BRIEF_FLAGS   .flags = COLUMN_EXTRA | COLUMN_BRIEF
+#define WITH_TIME_BRIEF         WITH_TIME_BRIEF_FLAGS, .with = "time"
+#define WITH_TIME_INFINITE      WITH_TIME_BRIEF_FLAGS | COLUMN_INFINITE, .with = "time"
+
+static const struct column columns[] = {
+    {LENGTH(focal, "mm"), .name = "focal", .flags = ECHO, .symbol = "f", .label = "focal length",
+     .help = "focal length"},
+    {NUMBER(fnumber), .name = "fnumber", .flags = COLUMN_ECHO, .with = "aperture", .symbol = "N",
+     .label = "f-number", .help = "f-number"},
+    {ANGLE(declination), .name = "declination", .flags = COLUMN_ECHO, .with = "declination",
+     .symbol = "dec", .label = "declination", .help = "of the frame's centre"},
+    {LENGTH(allowed, "um"), .name = "allowed_trail", .symbol = "a", .label = "trail allowed",
+     .help = "on the sensor"},
+    {TIME(time.exact), .name = "exact", .flags = COLUMN_BRIEF | COLUMN_INFINITE, .symbol = "t",
+     .label = "longest time", .help = "that keeps the trail within the allowed length, exact"},
+    {TIME(time.linear), .name = "linear", .symbol = "tl", .label = "linear in time",
+     .help = "the same to first order"},
+    {TIME(rule_time), .name = "rule_of_thumb", .flags = COLUMN_BRIEF, .symbol = "tr",
+     .label = "by the 500 rule", .help = "constant over crop factor and focal length"},
+    {TIME(npf), .name = "npf", .flags = COLUMN_BRIEF, .symbol = "tn", .label = "by the NPF rule",
+     .help = "wants f-number and pixel pitch"},
+    {TIME(npf_simple), .name = "npf_simple", .symbol = "ts", .label = "by the simple NPF rule",
+     .help = "without declination"},
+    {TIME(four_minus_crop), .name = "four_minus_crop", .symbol = "t4",
+     .label = "by the 4 - crop rule", .help = "for crop factors below 4"},
+    {TIME(exposure), .name = "time", .flags = COLUMN_EXTRA | ECHO, .with = "time", .symbol = "T",
+     .label = "exposure time", .help = "exposure time"},
+    {LENGTH(trail.chord, "um"), .name = "star_trail", WITH_TIME_INFINITE, .symbol = "x",
+     .label = "trail", .help = "end to end on the sensor, exact"},
+    {LENGTH(trail.linear, "um"), .name = "linear_trail", WITH_TIME, .symbol = "xl",
+     .label = "trail, linear in time", .help = "to first order in time"},
+    {LENGTH(worst, "um"), .name = "worst_trail", WITH_TIME, .symbol = "xw",
+     .label = "anywhere in the frame at most", .help = "bound for the whole picture"},
+    {NUMBER(size.pixels), .name = "trail_pixels", WITH_TIME_INFINITE, .label = "in pixels",
+     .help = "trail over pixel pitch"},
+    {NUMBER(size.circles), .name = "trail_coc", .flags = COLUMN_EXTRA | COLUMN_INFINITE,
+     .with = "time", .label = "in circles of confusion", .help = "trail over allowed trail"},
+    {NUMBER(trail.arc), .dimension = &dimension_angle, .unit = "arcmin", .name = "arc", WITH_TIME,
+     .symbol = "arc", .label = "arc in the sky", .help = "along the star's circle"},
+    {ANGLE(trail.rotation), .name = "rotation", WITH_TIME_BRIEF, .symbol = "rot",
+     .label = "angle about the pole", .help = "that the trails of a picture span"},
+    {NUMBER(crop), .name = "crop_factor", .flags = COLUMN_EXTRA, .symbol = "crop",
+     .label = "crop factor", .help = "43.27 mm over the sensor's diagonal"},
+    {NUMBER(rule), .name = "rule_constant", ASSUMED | COLUMN_ECHO, .depends = "rule",
+     .symbol = "rule", .label = "rule", .help = "constant of the rule of thumb"},
+    {NUMBER(accuracy), .name = "accuracy", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "accuracy",
+     .symbol = "k", .label = "k of the NPF rule", .help = "its accuracy"},
+    {LENGTH(pitch, "um"), .name = "pitch", ASSUMED, .depends = "pitch sensor", .symbol = "p",
+     .label = "pixel pitch", .help = "distance of two pixels"},
+    {NUMBER(sensor), .name = "sensor", ASSUMED, .depends = "sensor", .label = "sensor",
+     .help = "format or camera"},
+    {NUMBER(criterion), .name = "trail_criterion", ASSUMED, .depends = "coc trail",
+     .label = "trail", .help = "where the allowed trail comes from"},
+};
+
+/* How long a trail may be: as asked, else the circle of confusion. */
+static bool allow(const struct input *input, struct row *row, struct error *error)
+{
+    struct sharpness sharp = input->sharp;
+    if (is_given(input->trail.coc.value)) {
+        sharp.coc = input->trail;
+    }
+    row->criterion = sharp.coc.criterion;
+    return sharpness_resolve(&sharp, input->fnumber, &row->allowed, error);
+}
+
+/* The rules of thumb, as far as what they want is known. */
+static bool apply_rules(struct row *row, struct error *error)
+{
+    row->npf = row->npf_simple = row->four_minus_crop = NAN;
+    if (!star_rule_time(row->rule, row->focal, row->crop, &row->rule_time, error)) {
+        return false;
+    }
+    if (row->crop < 4 &&
+        !four_minus_crop_time(row->focal, row->crop, &row->four_minus_crop, error)) {
+        return false;
+    }
+    if (!is_given(row->fnumber) || !is_given(row->pitch)) {
+        return true;
+    }
+    return npf_simple_time(row->focal, row->fnumber, row->pitch, &row->npf_simple, error) &&
+           npf_full_time(row->focal, row->fnumber, row->pitch, row->declination, row->accuracy,
+                         &row->npf, error);
+}
+
+static bool measure_trail(const struct sensor *sensor, struct row *row, struct error *error)
+{
+    if (!is_given(row->exposure)) {
+        return true;
+    }
+    return star_trail(row->focal, row->declination, row->exposure, &row->trail, error) &&
+           star_trail_worst(row->focal, row->declination, row->exposure,
+                            sensor_diagonal(sensor) / 2, &row->worst, error) &&
+           blur_measure(row->trail.chord, row->pitch, row->allowed, &row->size, error);
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    const struct sensor *sensor = &input->sharp.sensor.size;
+    struct row row = {
+        .focal = input->focal,
+        .fnumber = input->fnumber,
+        .declination = input->declination,
+        .pitch = is_given(input->sharp.pitch) ? input->sharp.pitch : sensor->pitch,
+        .crop = sensor_crop(sensor),
+        .rule = input->rule,
+        .accuracy = input->accuracy,
+        .exposure = input->time,
+        .trail = {NAN, NAN, NAN, NAN, NAN},
+        .worst = NAN,
+        .size = {NAN, NAN},
+        .sensor = input->sharp.sensor.name,
+    };
+    if (!is_given(row.focal) && !is_given(row.exposure)) {
+        return fail(error, ERROR_USAGE,
+                    "give --focal-length for the longest time, or --time for "
+                    "the longest focal length");
+    }
+    if (!allow(input, &row, error) ||
+        (!is_given(row.focal) &&
+         !star_focal_length(row.declination, row.exposure, row.allowed, &row.focal, error)) ||
+        !star_time(row.focal, row.declination, row.allowed, &row.time, error) ||
+        !apply_rules(&row, error) || !measure_trail(sensor, &row, error)) {
+        return false;
+    }
+    run_emit(run, &row);
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"exact",
+     "t = 4 atan(u)/w, u = {a}/(2 g + sqrt(4 g^2 + {a}^2 cos(2 {dec}))), g = {f} "
+     "cos({dec})",
+     "inverse of the trail; w = 2 pi/86164.1 s, the Earth's rotation",
+     "at the frame's centre, rectilinear lens, camera at rest"},
+    {"linear", "tl = {a}/({f} w cos({dec}))", "first order in time", NULL},
+    {"rule_of_thumb", "tr = {rule}/({crop} {f})", "rule of thumb from the days of film; f in mm",
+     "on the equator the trail is 0.036 mm/crop: several pixels of any digital camera"},
+    {"npf", "tn = {k} (16.9 {N} + 0.10 {f} + 13.7 {p})/({f} cos({dec}))",
+     "F. Michaud, Regle NPF, Societe Astronomique du Havre; f in mm, p in um",
+     "the meanings of k = 1, 2, 3 are not checked first-hand"},
+    {"npf_simple", "ts = (35 {N} + 30 {p})/{f}",
+     "F. Michaud, Regle NPF, Societe Astronomique du Havre; f in mm, p in um", NULL},
+    {"four_minus_crop", "t4 = 100 (4 - {crop})/{f}",
+     "F. Michaud, webastro.net topic 186159; f in mm", NULL},
+    {"star_trail", "x = 2 {f} cos({dec}) sin(q)/(1 - 2 cos^2({dec}) sin^2(q/2)), q = w {T}/2",
+     "[Snyder87] eq. 22-4, gnomonic projection", "without refraction of the air"},
+    {"linear_trail", "xl = {f} w {T} cos({dec})", "first order in time", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"stars -f 24mm -N 2.8 --pitch 4.35um", "500 rule, NPF rule and exact, side by side"},
+    {"stars -f 14,20,24,35,50 -N 2.8 --pitch 5um --trail 2px", "a table for the bag"},
+    {"stars -f 50mm --declination 60deg -t 20s", "how long the trails of 20 seconds are"},
+    {"stars -t 15s --declination 45deg", "the longest focal length for 15 seconds"},
+    {NULL, NULL},
+};
+
+const struct command command_stars = {
+    .name = "stars",
+    .group = "photography",
+    .summary = "longest exposure of stars without trails, and their trails",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .run = run,
+    .explanations = explanations,
+    .plot = "exact_s,rule_of_thumb_s,npf_s",
+    .cell = "exact_s",
+};

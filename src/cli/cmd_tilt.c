@@ -1,0 +1,339 @@
+/* cli/cmd_tilt.c - lenscalc tilt: tilted lenses, the hinge rule and the wedge of sharpness. */
+/* SPDX-License-Identifier: MIT */
+#include "base/arena.h"
+#include "cli/command.h"
+#include "cli/sharpness.h"
+#include "photo/tilt.h"
+#include "report/wedge.h"
+
+#include <math.h>
+
+struct input {
+    double focal, fnumber;
+    double tilt, hinge;
+    double image, distance, angle;
+    const char *through; /* two points */
+    struct sharpness sharp;
+    double sight;
+    double rise, shift, circle;
+    const char *wedge;
+    double depth;
+};
+
+#define LENGTH_OPTION(member_name, in_unit)                                                        \
+    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = in_unit,            \
+                                       .value = "LENGTH"
+#define ANGLE_OPTION(member_name)                                                                  \
+    OPTION(struct input, member_name), .name = #member_name, .column = #member_name,               \
+                                       .dimension = &dimension_angle, .unit = "deg",               \
+                                       .value = "ANGLE", .flags = OPTION_NO_INFINITY
+#define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+
+static const struct option options[] = {
+    OPTION_FOCAL_LENGTH(struct input, focal, 0),
+    OPTION_APERTURE(struct input, fnumber, 0),
+    {OPTION(struct input, tilt), .name = "tilt", .column = "tilt", .dimension = &dimension_angle,
+     .unit = "deg", .flags = OPTION_NO_INFINITY | OPTION_SETTING, .value = "ANGLE",
+     .help = "of the lens against the sensor, -90 to 90 deg; positive turns its top forward"},
+    {LENGTH_OPTION(hinge, "m"), .name = "hinge", .column = "hinge",
+     .flags = OPTION_NO_INFINITY | OPTION_GOAL,
+     .help = "wanted depth of the hinge line below the lens: solves for the tilt"},
+    {LENGTH_OPTION(image, "mm"), .name = "image", .column = "image", OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING,
+     .help = "distance from lens to sensor, along the sensor's normal"},
+    {LENGTH_OPTION(distance, "m"), .name = "distance", .letter = 's', .column = "distance",
+     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,
+     .help = "distance of the sharp point straight ahead, along the sensor's normal"},
+    {OPTION(struct input, angle), .name = "angle", .column = "angle", .dimension = &dimension_angle,
+     .unit = "deg", .flags = OPTION_NO_INFINITY | OPTION_GOAL, .value = "ANGLE",
+     .help = "of the plane of sharp focus against the sensor: 90deg for level ground"},
+    {OPTION(struct input, through), .name = "through", .value = "POINT,POINT",
+     .help = "two points that shall be sharp, as distance:height: 2m:-1.5m,30m:0m, inf:5deg"},
+    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
+    {ANGLE_OPTION(sight), .fallback = "0",
+     .help = "near, sharp and far along a line of sight so much above the sensor's normal"},
+    {LENGTH_OPTION(rise, "mm"), .name = "rise", .flags = OPTION_NO_INFINITY, .fallback = "0",
+     .help = "the lens raised against the sensor's middle"},
+    {LENGTH_OPTION(shift, "mm"), .name = "shift", .flags = OPTION_NO_INFINITY, .fallback = "0",
+     .help = "the lens moved sideways"},
+    {LENGTH_OPTION(circle, "mm"), .name = "circle", POSITIVE,
+     .help = "image circle of the lens at infinity: is it large enough?"},
+    {OPTION(struct input, wedge), .name = "wedge", .value = "FILE.svg", .flags = OPTION_FILE,
+     .help = "draw the side view with the wedge of sharpness"},
+    {LENGTH_OPTION(depth, "m"), .name = "depth", POSITIVE,
+     .help = "how far the drawing reaches, otherwise chosen"},
+};
+
+struct row {
+    struct tilt camera;
+    struct tilt_reach reach;
+    double sight, height, rise, shift;
+    double coverage, needed, circle, rise_limit, shift_limit;
+    const char *covers, *sensor, *criterion;
+};
+
+#define LENGTH(member_name, in_unit)                                                               \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
+#define ANGLE(member_name)                                                                         \
+    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg"
+
+static const struct column columns[] = {
+    {LENGTH(camera.f, "mm"), .name = "focal", .flags = COLUMN_ECHO, .with = "focal-length",
+     .symbol = "f", .label = "focal length", .help = "focal length"},
+    {COLUMN(struct row, camera.N), .name = "fnumber", .flags = COLUMN_ECHO, .with = "aperture",
+     .symbol = "N", .label = "f-number", .help = "f-number"},
+    {ANGLE(camera.tilt), .name = "tilt", .flags = COLUMN_BRIEF, .symbol = "a", .label = "tilt",
+     .help = "of the lens against the sensor"},
+    {LENGTH(camera.hinge, "m"), .name = "hinge", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "J", .label = "hinge line below the lens",
+     .help = "where all planes of focus meet as the lens is focused; negative above the lens"},
+    {LENGTH(camera.image, "mm"), .name = "image", .symbol = "v", .label = "image distance",
+     .help = "lens to sensor along the sensor's normal"},
+    {LENGTH(camera.scheimpflug, "m"), .name = "scheimpflug", .flags = COLUMN_INFINITE,
+     .symbol = "S", .label = "Scheimpflug line below the lens",
+     .help = "where lens, sensor and plane of focus meet, in the sensor's plane"},
+    {ANGLE(camera.angle), .name = "angle", .flags = COLUMN_BRIEF, .symbol = "psi",
+     .label = "plane of sharp focus", .help = "its angle against the sensor"},
+    {ANGLE(camera.near_angle), .name = "near_angle", .flags = COLUMN_BRIEF, .symbol = "psin",
+     .label = "near limit, plane", .help = "angle of the near limit against the sensor"},
+    {ANGLE(camera.far_angle), .name = "far_angle", .flags = COLUMN_BRIEF, .symbol = "psif",
+     .label = "far limit, plane", .help = "angle of the far limit against the sensor"},
+    {COLUMN(struct row, camera.half_height), .name = "half_height", .flags = COLUMN_INFINITE,
+     .symbol = "q", .label = "half height of the wedge per distance",
+     .help = "near limit above, far limit below the plane of focus, over the distance"},
+    {LENGTH(camera.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE, .symbol = "H",
+     .label = "hyperfocal distance, without + f",
+     .help = "f^2/(N c): where the half height is about that of the lens above the hinge"},
+    {LENGTH(camera.distance, "m"), .name = "distance", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "u", .label = "sharp straight ahead",
+     .help = "distance of the sharp point straight ahead"},
+    {ANGLE(sight), .name = "sight", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "sight",
+     .symbol = "b", .label = "line of sight", .help = "above the sensor's normal"},
+    {LENGTH(height, "mm"), .name = "image_height", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
+     .with = "sight", .label = "its image above the middle",
+     .help = "where that line of sight meets the sensor, above the lens axis"},
+    {LENGTH(reach.near, "m"), .name = "near", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "n", .label = "near limit", .help = "nearest sharp distance on the line of sight"},
+    {LENGTH(reach.sharp, "m"), .name = "sharp", .flags = COLUMN_INFINITE | COLUMN_EXTRA,
+     .with = "sight", .label = "sharp", .help = "distance of the plane of focus on that line"},
+    {LENGTH(reach.far, "m"), .name = "far", .flags = COLUMN_INFINITE | COLUMN_BRIEF, .symbol = "r",
+     .label = "far limit", .help = "farthest sharp distance on the line of sight"},
+    {LENGTH(reach.front, "m"), .name = "front", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+     .label = "in front of the plane", .help = "sharp before the plane of focus"},
+    {LENGTH(reach.behind, "m"), .name = "behind", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+     .label = "behind the plane", .help = "sharp behind the plane of focus"},
+    {LENGTH(needed, "mm"), .name = "needed_circle", .flags = COLUMN_INFINITE, .symbol = "D",
+     .label = "image circle needed", .help = "diameter at infinity that holds all corners"},
+    {ANGLE(coverage), .name = "coverage", .flags = COLUMN_HIDDEN, .symbol = "w",
+     .label = "coverage needed", .help = "half angle from the lens axis to the worst corner"},
+    {COLUMN(struct row, covers), .name = "covers", .flags = COLUMN_EXTRA, .with = "circle",
+     .label = "the circle covers the frame", .help = "is --circle large enough"},
+    {LENGTH(rise_limit, "mm"), .name = "rise_limit", .flags = COLUMN_EXTRA, .with = "circle",
+     .label = "most rise or fall", .help = "how far the untilted lens may be raised or lowered"},
+    {LENGTH(shift_limit, "mm"), .name = "shift_limit", .flags = COLUMN_EXTRA, .with = "circle",
+     .label = "most shift", .help = "how far the untilted lens may be moved sideways"},
+    {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "sensor", .label = "sensor", .help = "format or camera"},
+    {LENGTH(camera.c, "mm"), .name = "coc", .flags = COLUMN_ASSUMED, .symbol = "c",
+     .depends = "coc sensor pitch print viewing acuity wavelength", .label = "circle of confusion",
+     .help = "circle of confusion, diameter on the sensor"},
+    {COLUMN(struct row, criterion), .name = "coc_criterion", .symbol = "criterion",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "coc", .label = "criterion",
+     .help = "where the circle of confusion comes from"},
+};
+
+/* -------- two points that shall be sharp -------- */
+
+/* "2m:-1.5m", "inf:5deg": distance along the sensor's normal, and height or elevation. */
+static bool read_point(struct text text, struct tilt_point *point, struct error *error)
+{
+    struct text height = text, distance = text_cut(&height, ':');
+    const struct unit *metre = unit_find(&dimension_length, text_of("m")), *typed;
+    struct error ignored;
+    double value;
+    if (height.start == NULL) {
+        return fail(error, ERROR_USAGE, "bad point in --through '%.*s': write distance:height",
+                    (int)(text.length < 60 ? text.length : 60), text.start);
+    }
+    if (!quantity_read(distance, &dimension_length, metre, &point->distance, NULL, error)) {
+        return error_prefix(error, "bad point in --through: ");
+    }
+    if (quantity_read(height, &dimension_angle, NULL, &value, &typed, &ignored) && typed != NULL) {
+        point->rise = tan(value);
+        return true;
+    }
+    if (!quantity_read(height, &dimension_length, metre, &value, NULL, error)) {
+        return error_prefix(error, "bad point in --through: ");
+    }
+    if (isinf(point->distance) && fabs(value) > 0) {
+        return fail(error, ERROR_USAGE,
+                    "a point of --through at infinity has an elevation: inf:5deg, or inf:0");
+    }
+    point->rise = value / point->distance;
+    return true;
+}
+
+static bool solve_through(const struct input *input, struct tilt_given *given, struct error *error)
+{
+    struct text second = text_of(input->through), first = text_cut(&second, ',');
+    struct tilt_point a, b;
+    if (!isnan(given->tilt) || !isnan(given->hinge) || !isnan(given->image) ||
+        !isnan(given->distance) || !isnan(given->angle)) {
+        return fail(error, ERROR_USAGE,
+                    "--through says it all: no --tilt, --hinge, --image, "
+                    "--distance or --angle with it");
+    }
+    if (second.start == NULL) {
+        return fail(error, ERROR_USAGE, "--through wants two points: 2m:-1.5m,30m:0m");
+    }
+    return read_point(first, &a, error) && read_point(second, &b, error) &&
+           tilt_through(given->f, &a, &b, &given->tilt, &given->image, error);
+}
+
+static bool solve(const struct input *input, struct tilt *camera, struct error *error)
+{
+    struct tilt_given given = {
+        .f = input->focal,
+        .N = input->fnumber,
+        .tilt = input->tilt,
+        .hinge = input->hinge,
+        .image = input->image,
+        .distance = input->distance,
+        .angle = input->angle,
+    };
+    if (isnan(given.f) || isnan(given.N)) {
+        return fail(error, ERROR_USAGE, "%s is missing",
+                    isnan(given.f) ? "--focal-length" : "--aperture");
+    }
+    return sharpness_resolve(&input->sharp, input->fnumber, &given.c, error) &&
+           (input->through == NULL || solve_through(input, &given, error)) &&
+           tilt_solve(&given, camera, error);
+}
+
+/* The image circle that is needed, and how much one that is given leaves. */
+static void fill_coverage(const struct input *input, struct row *row)
+{
+    const struct sensor *frame = &input->sharp.sensor.size;
+    const struct tilt *camera = &row->camera;
+    struct tilt_coverage coverage = {NAN, INFINITY};
+    struct error ignored;
+    bool untilted = !(fabs(camera->tilt) > 0);
+    if (!tilt_coverage(camera, frame->width, frame->height, input->rise, input->shift, &coverage,
+                       &ignored)) {
+        coverage = (struct tilt_coverage){NAN, INFINITY}; /* no circle is large enough */
+    }
+    row->coverage = coverage.angle;
+    row->needed = coverage.circle;
+    row->covers = isnan(input->circle) ? NULL : input->circle >= coverage.circle ? "yes" : "no";
+    row->rise_limit = row->shift_limit = NAN;
+    if (untilted && !isnan(input->circle)) {
+        tilt_shift_limit(camera->f, camera->image, input->circle, frame->width, frame->height,
+                         &row->rise_limit, &ignored);
+        tilt_shift_limit(camera->f, camera->image, input->circle, frame->height, frame->width,
+                         &row->shift_limit, &ignored);
+    }
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct row row = {
+        .sight = input->sight,
+        .sensor = input->sharp.sensor.name,
+        .criterion = input->sharp.coc.criterion,
+    };
+    double slope = tan(input->sight);
+    if (!(cos(input->sight) > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--sight lies beside the camera or behind it (-90 to 90 deg, exclusive)");
+    }
+    if (!solve(input, &row.camera, error)) {
+        return false;
+    }
+    row.height = -row.camera.image * slope;
+    row.reach = tilt_along(&row.camera, slope);
+    fill_coverage(input, &row);
+    run_emit(run, &row);
+    return true;
+}
+
+static bool draw_wedge(const void *data, struct svg *svg, struct error *error)
+{
+    const struct input *input = data;
+    struct tilt camera;
+    if (!solve(input, &camera, error)) {
+        return false;
+    }
+    double height = input->sharp.sensor.size.height;
+    struct wedge wedge = {
+        .f = camera.f,
+        .tilt = camera.tilt,
+        .image = camera.image,
+        .hinge = camera.hinge,
+        .scheimpflug = camera.scheimpflug,
+        .A = camera.A,
+        .A_near = camera.A_near,
+        .A_far = camera.A_far,
+        .B = camera.B,
+        .sensor_height = height,
+        .sensor_centre = -input->rise,
+        .lens_diameter = fmax(camera.f / camera.N, 0.8 * height),
+        .depth = isnan(input->depth) ? 0 : input->depth,
+    };
+    wedge.title = arena_printf(svg->arena, "Wedge of sharpness of a tilted %.4g mm lens", camera.f);
+    wedge.subtitle =
+        arena_printf(svg->arena,
+                     "f/%.4g, circle of confusion %.4g mm (%s), sensor %s; distances along the "
+                     "sensor's normal",
+                     camera.N, camera.c, input->sharp.coc.criterion, input->sharp.sensor.name);
+    return wedge_draw(&wedge, svg, error);
+}
+
+static const struct explanation explanations[] = {
+    {"coc", "c = {criterion}", "criterion of sharpness, see --coc",
+     "what counts as sharp is a convention"},
+    {"hinge", "J = {f}/sin({a})", "[Merklinger96] hinge rule", "thin lens"},
+    {"angle", "psi = atan2(sin({a}), cos({a}) - {f}/{v})", "[Merklinger96]; [Scheimpflug04]", NULL},
+    {"scheimpflug", "S = {v}/tan({a})", "[Scheimpflug04]", NULL},
+    {"hyperfocal", "H = {f}^2/({N} {c})", "[Merklinger96]", "here without + f, exactly"},
+    {"half_height", "q = ({J}/{H})({f}/{v})", "[Merklinger96]", "J on both sides at H"},
+    {"distance", "u = {f}/(cos({a}) - {f}/{v})", "[Merklinger96]", NULL},
+    {"near_angle", "psin = acot(cot({psi}) + {q})", "[Merklinger96] through the same hinge line",
+     "blur c measured along the tilt axis; P = 1"},
+    {"far_angle", "psif = acot(cot({psi}) - {q})", "[Merklinger96] through the same hinge line",
+     NULL},
+    {"needed_circle", "D = 2 {f} tan({w})", "worst corner of the frame, from the lens axis",
+     "compare with the maker's circle at infinity and this f-number"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct drawing drawings[] = {
+    {"wedge", offsetof(struct input, wedge), draw_wedge},
+    {NULL, 0, NULL},
+};
+
+static const struct example examples[] = {
+    {"tilt -f 150 -N 22 --hinge 1.6m --angle 90deg --sensor 4x5", "a meadow, camera 1.6 m up"},
+    {"tilt -f 90 -N 8 --tilt 5deg -s 0.6m", "a product on a table"},
+    {"tilt -f 90 -N 16 --through 2m:-1.5m,30m:0m", "two points that shall be sharp"},
+    {"tilt -f 24 -N 8 --tilt 1..8 --angle 90deg", "what each degree does"},
+    {"tilt -f 90 -N 11 --tilt 8 -s 1.2m --sight -20..20:5", "line of sight by line of sight"},
+    {"tilt -f 150 -N 22 --tilt 5 --angle 90 --sensor 4x5 --wedge wedge.svg", "a drawing"},
+    {NULL, NULL},
+};
+
+const struct command command_tilt = {
+    .name = "tilt",
+    .group = "photography",
+    .summary = "tilted lens: Scheimpflug, hinge rule, wedge of sharpness, image circle",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .run = run,
+    .explanations = explanations,
+    .drawings = drawings,
+    .plot = "angle_deg,near_angle_deg,far_angle_deg",
+    .cell = "near_m+far_m",
+};

@@ -1,0 +1,270 @@
+/* cli/exposure_answer.c - one question about exposure, answered. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/exposure_answer.h"
+
+#include "base/quantity.h"
+#include "photo/sensitometry.h"
+#include "photo/stops.h"
+
+#include <math.h>
+
+/* Absent is what nothing below fills in. */
+static void begin_row(const struct exposure_input *input, struct exposure_row *restrict row)
+{
+    *row = (struct exposure_row){
+        .deviation = NAN,
+        .compensation = !isnan(input->given.compensation) ? input->given.compensation : 0,
+        .t_stop = NAN,
+        .magnification = input->magnification,
+        .corrected_time = NAN,
+        .reciprocity_stops = NAN,
+        .q = NAN,
+        .focal_plane = NAN,
+        .off_axis = NAN,
+        .vignetting = NAN,
+        .label_residual = NAN,
+        .shutter_angle = NAN,
+        .frame_rate = NAN,
+        .K = input->given.K,
+        .C = input->given.C,
+        .filter = input->filter.name,
+        .film = input->film.name,
+        .film_source = input->film.source,
+        .scene = input->scene.name,
+        .scene_source = input->scene.source,
+    };
+}
+
+static bool only_one(const char *these, struct error *error)
+{
+    return fail(error, ERROR_USAGE, "give only one of %s", these);
+}
+
+static int count_lights(const struct exposure_given *g)
+{
+    return !isnan(g->ev100) + !isnan(g->ev) + !isnan(g->L) + !isnan(g->E);
+}
+
+/* A scene is a light like any other. */
+static bool take_scene(const struct exposure_input *input, struct exposure_given *g,
+                       struct error *error)
+{
+    if (input->scene.name == NULL) {
+        return true;
+    }
+    if (count_lights(g) > 0) {
+        return only_one("--scene, --ev, --ev-at-iso, --luminance and --illuminance", error);
+    }
+    g->ev100 = input->scene.ev100;
+    return true;
+}
+
+/* The time by the shutter's angle, or by what the film needs. */
+static bool take_time(const struct exposure_input *input, struct exposure_given *g,
+                      struct exposure_row *row, struct error *error)
+{
+    if (!isnan(input->corrected_time)) {
+        if (input->film.model == NULL || !isnan(g->t)) {
+            return fail(error, ERROR_USAGE,
+                        "--corrected-time wants --film, and stands in place of --time");
+        }
+        return reciprocity_metered(input->film.model, input->corrected_time, &g->t, error) ||
+               error_prefix(error, "%s: ", input->film.name);
+    }
+    struct shutter shutter = {input->shutter_angle, input->frame_rate, g->t};
+    if (!isnan(shutter.angle)) {
+        if (!shutter_solve(&shutter, error)) {
+            return false;
+        }
+        g->t = shutter.t;
+    }
+    row->shutter_angle = shutter.angle;
+    row->frame_rate = shutter.rate;
+    return true;
+}
+
+/* The transmittance from the T-stop, which stands for the f-number where there is none. */
+static bool take_t_stop(const struct exposure_input *input, struct exposure_given *g,
+                        struct exposure_row *row, struct error *error)
+{
+    row->transmittance = input->transmittance;
+    if (isnan(input->t_stop)) {
+        return true;
+    }
+    if (!isnan(input->transmittance)) {
+        return only_one("--transmittance and --t-stop", error);
+    }
+    if (isnan(g->N)) {
+        g->N = input->t_stop;
+        return true;
+    }
+    return transmittance_from_t_stop(g->N, input->t_stop, &row->transmittance, error);
+}
+
+static bool take_loss(const struct exposure_input *input, struct exposure_given *g,
+                      struct exposure_row *row, struct error *error)
+{
+    const struct light_loss loss = {
+        NAN, NAN, input->filter.stops, row->transmittance, input->magnification, input->pupil};
+    bool any =
+        input->filter.name != NULL || !isnan(row->transmittance) || !isnan(input->magnification);
+    if (any && !light_loss(&loss, &row->loss, error)) {
+        return false;
+    }
+    g->loss = row->loss;
+    return true;
+}
+
+/* Everything is given: the light asks for one exposure, the camera makes another. */
+static bool compare(const struct exposure_given *given, struct exposure_row *row,
+                    struct error *error)
+{
+    struct exposure_given light = *given;
+    light.t = NAN;
+    if (!exposure_deviation(given, &row->deviation, error) ||
+        !exposure_solve(&light, &row->x, error)) {
+        return false;
+    }
+    row->x.t = given->t;
+    row->x.ev_set -= row->deviation;
+    row->x.Tv = row->x.ev_set - row->x.Av;
+    return true;
+}
+
+/* A film and a time are a question of their own. */
+static void take_time_only(const struct exposure_given *g, struct exposure_row *row)
+{
+    row->x = (struct exposure){NAN, g->t, NAN, NAN, NAN, NAN,        NAN,
+                               NAN, NAN,  NAN, NAN, NAN, EXPOSURE_T, false};
+    row->x.Tv = -log2(g->t);
+    row->loss = row->K = row->C = NAN;
+}
+
+static bool solve(const struct exposure_input *input, struct exposure_given *g,
+                  struct exposure_row *row, struct error *error)
+{
+    int lights = count_lights(g);
+    if (input->equivalent && lights > 0 && isnan(g->N) && isnan(g->t)) {
+        g->N = 1; /* any will do: all of them are asked for */
+    }
+    if (lights > 0 && !isnan(g->N) && !isnan(g->t) && !isnan(g->S)) {
+        return compare(g, row, error);
+    }
+    if (input->film.model != NULL && lights == 0 && isnan(g->N) && !isnan(g->t)) {
+        take_time_only(g, row);
+        return true;
+    }
+    return exposure_solve(g, &row->x, error);
+}
+
+static bool correct(const struct exposure_input *input, struct exposure_row *row,
+                    struct error *error)
+{
+    if (input->film.model == NULL) {
+        return true;
+    }
+    if (!reciprocity_corrected(input->film.model, row->x.t, &row->corrected_time, error)) {
+        return error_prefix(error, "%s: ", input->film.name);
+    }
+    row->reciprocity_stops = reciprocity_stops(row->x.t, row->corrected_time);
+    return true;
+}
+
+static bool fill_t_stop(struct exposure_row *row, struct error *error)
+{
+    return isnan(row->transmittance) || isnan(row->x.N) ||
+           t_stop(row->x.N, row->transmittance, &row->t_stop, error);
+}
+
+static bool fill_shutter(const struct exposure_input *input, struct exposure_row *row,
+                         struct error *error)
+{
+    struct shutter shutter = {NAN, input->frame_rate, row->x.t};
+    if (isnan(input->frame_rate) || !isnan(row->shutter_angle)) {
+        return true;
+    }
+    if (!shutter_solve(&shutter, error)) {
+        return false;
+    }
+    row->shutter_angle = shutter.angle;
+    return true;
+}
+
+static bool fill_focal_plane(const struct exposure_input *input, struct exposure_row *row,
+                             struct error *error)
+{
+    bool given = !isnan(row->transmittance);
+    double glass = given ? row->transmittance : 0.9;
+    double counted = given ? stops_from_transmittance(glass) : 0; /* in loss and in q */
+    if (!input->focal_plane) {
+        return true;
+    }
+    row->vignetting = input->vignetting;
+    row->off_axis = input->off_axis;
+    return lens_q(glass, input->vignetting, input->off_axis, &row->q, error) &&
+           focal_plane_exposure(row->q, row->x.L, row->x.N, row->x.t, row->loss - counted,
+                                &row->focal_plane, error);
+}
+
+static void fill_nominal(const struct exposure_input *input, struct exposure_row *row)
+{
+    const struct series_value *series = &input->series;
+    double N = rint(row->x.Av * series->per_stop);
+    double t = rint(row->x.Tv * series->per_stop);
+    row->nominal_fnumber = stop_label(series->fnumbers, N);
+    row->nominal_time = stop_label(series->times, t);
+    row->residual = row->x.Av + row->x.Tv - (N + t) / series->per_stop;
+}
+
+bool exposure_answer(const struct exposure_input *input, struct exposure_row *row,
+                     struct error *error)
+{
+    struct exposure_given given = input->given;
+    begin_row(input, row);
+    if (!take_scene(input, &given, error) || !take_time(input, &given, row, error) ||
+        !take_t_stop(input, &given, row, error) || !take_loss(input, &given, row, error) ||
+        !solve(input, &given, row, error) || !fill_t_stop(row, error) ||
+        !fill_shutter(input, row, error) || !fill_focal_plane(input, row, error) ||
+        (!input->equivalent && !correct(input, row, error))) {
+        return false;
+    }
+    row->speed = row->x.speed_assumed ? "ISO 100, as none is given" : NULL;
+    fill_nominal(input, row);
+    return true;
+}
+
+/* What a label says, as a number. */
+static double label_value(const char *label, const struct dimension *dimension)
+{
+    double value;
+    struct error ignored;
+    return quantity_read(text_of(label), dimension, NULL, &value, NULL, &ignored) ? value : NAN;
+}
+
+bool exposure_equivalent_row(const struct exposure_input *input, const struct exposure_row *answer,
+                             int step, struct exposure_row *line)
+{
+    int k = input->series.per_stop;
+    struct equivalent_exposure equal;
+    struct error ignored;
+    double N = exp2((double)step / (2 * k));
+    if (!exposure_equivalent(answer->x.ev_set, N, k, &equal, &ignored)) {
+        return false;
+    }
+    *line = *answer;
+    line->x.N = N;
+    line->x.t = equal.t;
+    line->x.Av = 2 * log2(N);
+    line->x.Tv = answer->x.ev_set - line->x.Av;
+    fill_nominal(input, line);
+    if (line->nominal_fnumber == NULL || line->nominal_time == NULL) {
+        return false;
+    }
+    const struct camera_setting exact = {N, equal.t, 100};
+    const struct camera_setting label = {label_value(line->nominal_fnumber, &dimension_fnumber),
+                                         label_value(line->nominal_time, &dimension_time), 100};
+    exposure_stops(&exact, &label, &line->label_residual, &ignored);
+    /* a time that the film's source does not cover stays without correction */
+    correct(input, line, &ignored);
+    return true;
+}

@@ -1,0 +1,58 @@
+/* cli/exposure_answer.h - one question about exposure, answered. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_EXPOSURE_ANSWER_H
+#define LENSCALC_CLI_EXPOSURE_ANSWER_H
+
+#include "base/error.h"
+#include "cli/option_light.h"
+#include "photo/exposure.h"
+
+#include <stdbool.h>
+
+/* What is given; NaN = not given. Options of the command, in their order. */
+struct exposure_input {
+    struct exposure_given given;
+    struct scene_value scene;
+    struct loss_value filter;
+    double transmittance, t_stop, magnification, pupil;
+    double shutter_angle, frame_rate;
+    struct film_value film;
+    double corrected_time;
+    bool focal_plane;
+    double vignetting, off_axis;
+    struct series_value series;
+    bool equivalent;
+};
+
+/* Everything about one exposure; NaN and null = absent. */
+struct exposure_row {
+    struct exposure x;
+    const char *nominal_fnumber, *nominal_time;
+    double residual, label_residual;
+    double deviation, compensation, loss, transmittance, t_stop, magnification;
+    double corrected_time, reciprocity_stops;
+    double shutter_angle, frame_rate;
+    double q, focal_plane, off_axis, vignetting;
+    double K, C;
+    const char *speed, *filter, *film, *film_source, *scene, *scene_source;
+};
+
+/*
+ * Solve for what is not given, and all that follows from it.
+ *
+ * Errors    what the cores refuse (photo/exposure.h, stops.h, reciprocity.h); two ways to say one
+ *           thing (ERROR_USAGE)
+ */
+bool exposure_answer(const struct exposure_input *input, struct exposure_row *row,
+                     struct error *error);
+
+/*
+ * One of the equal exposures.
+ *
+ * Given     answer  of exposure_answer;  step  of the f-number in the input's series, f/1 is 0
+ * Result    line    false where f-number or time have no label
+ */
+bool exposure_equivalent_row(const struct exposure_input *input, const struct exposure_row *answer,
+                             int step, struct exposure_row *line);
+
+#endif

@@ -1,0 +1,334 @@
+/* report/wedge.c - side view of a tilted lens and its wedge of sharpness, in SVG. */
+/* SPDX-License-Identifier: MIT */
+#include "report/wedge.h"
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "report/svg.h"
+#include "report/ticks.h"
+#include "report/wedge_view.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* Where things lie on the page, px. */
+static const double MARGIN = 24, CAMERA_RIGHT = 294, CAMERA_TOP = 84, CAMERA_BOTTOM = 324;
+static const double SCENE_LEFT = 372, SCENE_RIGHT = 976, SCENE_TOP = 84, SCENE_BOTTOM = 552;
+static const double NAME_GAP = 34; /* between lines, for a name */
+static const double NAMES = 124;   /* room for names left of the sensor */
+static const double LEGEND = 356;  /* its first line */
+
+static const char *const BLUE = "#0060a0", *const ORANGE = "#c25e00", *const RED = "#d0370a";
+static const char *const GREY = "#666", *const BLACK = "#1d1d1d", *const TINT = "#56b4e9";
+
+static const double HALF_TURN_DEGREES = 180, PI = 3.141592653589793;
+
+static const char *metres(struct arena *arena, double length)
+{
+    return isinf(length) ? "∞" : arena_printf(arena, "%s m", wedge_digits(arena, length / 1000));
+}
+
+static void draw_sharpness(struct svg *svg, const struct view *view, const struct wedge *wedge)
+{
+    struct area area = view_sharp(view, wedge);
+    double x[AREA_CORNERS], y[AREA_CORNERS];
+    for (size_t i = 0; i < area.count; i++) {
+        x[i] = view_x(view, area.u[i]);
+        y[i] = view_y(view, area.y[i]);
+    }
+    svg_group_begin(svg, &(struct svg_style){.fill = TINT, .opacity = 0.35});
+    svg_polygon(svg, x, y, area.count);
+    svg_group_end(svg);
+}
+
+/* Its name along the line near its far end, so much above it (px). */
+static void name_plane(struct svg *svg, const struct view *view, const struct stretch *part,
+                       double lift, const char *colour, const char *name)
+{
+    double x1 = view_x(view, part->u[0]), y1 = view_y(view, part->y[0]);
+    double x2 = view_x(view, part->u[1]), y2 = view_y(view, part->y[1]);
+    double length = hypot(x2 - x1, y2 - y1), in = 14 / length, turn = atan2(y2 - y1, x2 - x1);
+    if (!(length > svg_text_width(name, 13) + 30)) {
+        return;
+    }
+    svg_text(svg,
+             &(struct svg_label){.x = x2 + in * (x1 - x2) + lift * sin(turn),
+                                 .y = y2 + in * (y1 - y2) - lift * cos(turn),
+                                 .size = 13,
+                                 .rotation = turn * (HALF_TURN_DEGREES / PI),
+                                 .anchor = SVG_END,
+                                 .colour = colour},
+             name);
+}
+
+/* How far apart two lines end on the right, px; 0 if one is not in the view. */
+static double gap_between(const struct view *view, const struct stretch *a, const struct stretch *b)
+{
+    double gap = view->scale * hypot(a->u[1] - b->u[1], a->y[1] - b->y[1]);
+    return a->shown && b->shown ? gap : 0;
+}
+
+static void draw_planes(struct svg *svg, const struct view *view, const struct wedge *wedge)
+{
+    const struct {
+        double A;
+        const char *name;
+        struct svg_style style;
+    } planes[] = {
+        {wedge->A, "plane of sharp focus", {.stroke = BLUE, .width = 2.4}},
+        {wedge->A_near, "near limit", {.stroke = ORANGE, .width = 1.4, .dash = "7 4"}},
+        {wedge->A_far, "far limit", {.stroke = ORANGE, .width = 1.4, .dash = "2 3"}},
+    };
+    struct stretch parts[3];
+    for (size_t i = 0; i < 3; i++) {
+        parts[i] = view_plane(view, wedge, planes[i].A);
+        if (parts[i].shown) {
+            svg_group_begin(svg, &planes[i].style);
+            view_line(view, svg, parts[i].u[0], parts[i].y[0], parts[i].u[1], parts[i].y[1]);
+            svg_group_end(svg);
+        }
+    }
+    for (size_t i = 0; i < 3; i++) {
+        double gap = gap_between(view, &parts[0], &parts[i == 0 ? 1 : i]);
+        bool room = gap > NAME_GAP;
+        /* the sharp plane's name stands above a wedge that is too thin for it */
+        if (parts[i].shown && (room || i == 0)) {
+            name_plane(svg, view, &parts[i], room ? 5 : 5 + gap, planes[i].style.stroke,
+                       planes[i].name);
+        }
+    }
+}
+
+/* -------- the construction behind the lens -------- */
+
+/* Lens plane, sensor plane and plane of focus run together in the Scheimpflug line. */
+static void draw_construction(struct svg *svg, const struct view *view, const struct wedge *wedge)
+{
+    double v = wedge->image, down = -wedge->scheimpflug, J = -wedge->hinge;
+    double top = copysign(wedge->sensor_height, wedge->hinge);
+    svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1.2, .dash = "6 4"});
+    if (isfinite(J)) {
+        view_line(view, svg, top * tan(wedge->tilt), top, -v, down);
+        view_line(view, svg, -v, top, -v, down);
+        view_line(view, svg, -v, down, 0, J);
+    }
+    svg_group_end(svg);
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#aaa", .width = 1});
+    svg_line(svg, view->x0, view->y0, view->right, view->y0);
+    svg_group_end(svg);
+    svg_group_begin(svg, &(struct svg_style){.stroke = RED, .width = 1, .dash = "2 3"});
+    if (isfinite(J)) {
+        view_line(view, svg, 0, 0, 0, J);
+    }
+    svg_group_end(svg);
+}
+
+static void name_left(struct svg *svg, const struct view *view, const struct wedge *wedge, double y,
+                      const char *colour, const char *name)
+{
+    svg_text(svg,
+             &(struct svg_label){.x = view_x(view, -wedge->image) - 10,
+                                 .y = y,
+                                 .size = 13,
+                                 .anchor = SVG_END,
+                                 .colour = colour},
+             name);
+}
+
+static void draw_point(struct svg *svg, double x, double y, const char *colour)
+{
+    svg_group_begin(svg, &(struct svg_style){.fill = colour});
+    svg_circle(svg, x, y, 4);
+    svg_group_end(svg);
+}
+
+/* The two lines in which planes meet, end on, with names that keep clear of each other. */
+static void draw_meetings(struct svg *svg, const struct view *view, const struct wedge *wedge)
+{
+    bool hinge = isfinite(wedge->hinge) && view_holds(view, 0, -wedge->hinge);
+    bool line_shown =
+        isfinite(wedge->scheimpflug) && view_holds(view, -wedge->image, -wedge->scheimpflug);
+    double y1 = view_y(view, -wedge->hinge), y2 = view_y(view, -wedge->scheimpflug);
+    double apart = hinge && line_shown ? fmax(0, 20 - fabs(y2 - y1)) / 2 : 0;
+    double sign = fabs(y2 - y1) < 1 ? copysign(1, wedge->hinge) : y2 > y1 ? 1 : -1;
+    if (line_shown) {
+        draw_point(svg, view_x(view, -wedge->image), y2, BLACK);
+        name_left(svg, view, wedge, y2 + 5 + sign * apart, BLACK, "Scheimpflug line");
+    }
+    if (hinge) {
+        draw_point(svg, view_x(view, 0), y1, RED);
+        name_left(svg, view, wedge, y1 + 5 - sign * apart, RED, "hinge line");
+    }
+    if (hinge && fabs(y1 - view->y0) > 50) {
+        name_left(svg, view, wedge, (y1 + view->y0) / 2 + 5, RED,
+                  arena_printf(svg->arena, "J = %s", metres(svg->arena, fabs(wedge->hinge))));
+    }
+}
+
+/* -------- frame, scales, legend -------- */
+
+/* Ticks in metres along one side of the frame. */
+static void draw_scale(struct svg *svg, const struct view *view, bool along)
+{
+    struct ticks ticks;
+    double low = along ? 0 : (view->y0 - view->bottom) / view->scale;
+    double high = (along ? view->right - view->x0 : view->y0 - view->top) / view->scale;
+    ticks_linear(low / 1000, high / 1000, &ticks);
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#555", .width = 1});
+    for (size_t i = 0; i < ticks.count; i++) {
+        double x = view_x(view, 1000 * ticks.value[i]), y = view_y(view, 1000 * ticks.value[i]);
+        bool inside = along ? x <= view->right + 0.5 : y >= view->top && y <= view->bottom;
+        struct svg_label label = {.x = along ? x : view->left - 9,
+                                  .y = along ? view->bottom + 20 : y + 4,
+                                  .size = 12,
+                                  .anchor = along ? SVG_MIDDLE : SVG_END,
+                                  .colour = "#444"};
+        if (!inside) {
+            continue;
+        }
+        svg_line(svg, along ? x : view->left - 5, along ? view->bottom : y, along ? x : view->left,
+                 along ? view->bottom + 5 : y);
+        svg_text(svg, &label, ticks_text(svg->arena, &ticks, i));
+    }
+    svg_group_end(svg);
+}
+
+static void draw_frame(struct svg *svg, const struct view *view)
+{
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#555"});
+    svg_rect(svg, view->left, view->top, view->right - view->left, view->bottom - view->top);
+    svg_group_end(svg);
+    draw_scale(svg, view, true);
+    draw_scale(svg, view, false);
+    struct svg_label label = {.x = (view->x0 + view->right) / 2,
+                              .y = view->bottom + 44,
+                              .size = 13,
+                              .anchor = SVG_MIDDLE,
+                              .colour = "#444"};
+    svg_text(svg, &label, "distance from the lens (m)");
+    label.x = view->left - 50;
+    label.y = (view->top + view->bottom) / 2;
+    label.rotation = -90;
+    svg_text(svg, &label, "height against the lens (m)");
+}
+
+/* One line of the legend: how it is drawn, and what it is. */
+static void explain(struct svg *svg, double y, const struct svg_style *style, const char *words)
+{
+    svg_group_begin(svg, style);
+    if (style->fill != NULL) {
+        svg_rect(svg, MARGIN, y - 10, 26, 12);
+    } else {
+        svg_line(svg, MARGIN, y - 4, MARGIN + 26, y - 4);
+    }
+    svg_group_end(svg);
+    svg_text(svg,
+             &(struct svg_label){
+                 .x = MARGIN + 34, .y = y, .size = 12.5, .width = CAMERA_RIGHT - MARGIN - 34},
+             words);
+}
+
+/* "hinge line, 1.72 m below" (the lens) */
+static const char *depth_words(struct arena *arena, const char *name, double depth)
+{
+    if (isinf(depth)) {
+        return arena_printf(arena, "%s at infinity", name);
+    }
+    return arena_printf(arena, "%s, %s %s", name, metres(arena, fabs(depth)),
+                        depth > 0 ? "below" : "above");
+}
+
+static const char *angle_words(struct arena *arena, const char *name, double A, double B)
+{
+    return arena_printf(arena, "%s, %s to sensor", name, wedge_degrees(arena, atan2(B, A)));
+}
+
+static void draw_legend(struct svg *svg, const struct wedge *wedge)
+{
+    struct arena *arena = svg->arena;
+    double B = wedge->B;
+    const struct {
+        struct svg_style style;
+        const char *words;
+    } entries[] = {
+        {{.stroke = BLUE, .width = 2.4}, angle_words(arena, "plane of focus", wedge->A, B)},
+        {{.stroke = ORANGE, .width = 1.4, .dash = "7 4"},
+         angle_words(arena, "near limit", wedge->A_near, B)},
+        {{.stroke = ORANGE, .width = 1.4, .dash = "2 3"},
+         angle_words(arena, "far limit", wedge->A_far, B)},
+        {{.fill = TINT, .opacity = 0.35}, "sharp enough"},
+        {{.stroke = GREY, .width = 1.2, .dash = "6 4"}, "lens plane, sensor plane, extended"},
+        {{.stroke = RED, .width = 4}, depth_words(arena, "hinge line", wedge->hinge)},
+        {{.stroke = BLACK, .width = 4}, depth_words(arena, "Scheimpflug line", wedge->scheimpflug)},
+        {{.stroke = "#aaa", .width = 1},
+         arena_printf(arena, "ahead, %s to %s", metres(arena, wedge_ahead(wedge, wedge->A_near)),
+                      metres(arena, wedge_ahead(wedge, wedge->A_far)))},
+    };
+    for (size_t i = 0; i < sizeof entries / sizeof entries[0]; i++) {
+        explain(svg, LEGEND + 24 * (double)i, &entries[i].style, entries[i].words);
+    }
+}
+
+static void draw_words(struct svg *svg, const struct wedge *wedge)
+{
+    double width = WEDGE_WIDTH - 2 * MARGIN;
+    svg_text(svg,
+             &(struct svg_label){.x = MARGIN, .y = 36, .size = 18, .width = width, .bold = true},
+             wedge->title != NULL ? wedge->title : "");
+    svg_text(
+        svg,
+        &(struct svg_label){.x = MARGIN, .y = 60, .size = 13, .width = width, .colour = "#555"},
+        wedge->subtitle != NULL ? wedge->subtitle : "");
+}
+
+static bool check_wedge(const struct wedge *wedge, struct error *error)
+{
+    const double positive[] = {wedge->f, wedge->image, wedge->sensor_height, wedge->lens_diameter};
+    const double finite[] = {wedge->A, wedge->A_near, wedge->A_far, wedge->B, wedge->sensor_centre};
+    for (size_t i = 0; i < sizeof positive / sizeof positive[0]; i++) {
+        if (!(positive[i] > 0 && isfinite(positive[i]))) {
+            return fail(error, ERROR_DOMAIN, "a length of %g mm cannot be drawn (above 0, finite)",
+                        positive[i]);
+        }
+    }
+    for (size_t i = 0; i < sizeof finite / sizeof finite[0]; i++) {
+        if (!isfinite(finite[i])) {
+            return fail(error, ERROR_DOMAIN, "a plane of sharpness with %g cannot be drawn",
+                        finite[i]);
+        }
+    }
+    if (!(fabs(wedge->tilt) < PI / 2)) {
+        return fail(error, ERROR_DOMAIN, "a tilt of %g rad cannot be drawn", wedge->tilt);
+    }
+    if (!(wedge->depth >= 0 && isfinite(wedge->depth))) {
+        return fail(error, ERROR_DOMAIN, "a depth of %g mm cannot be drawn (0 or more, finite)",
+                    wedge->depth);
+    }
+    return true;
+}
+
+bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)
+{
+    if (!check_wedge(wedge, error)) {
+        return false;
+    }
+    struct view view = {
+        .left = SCENE_LEFT, .right = SCENE_RIGHT, .top = SCENE_TOP, .bottom = SCENE_BOTTOM};
+    struct view camera = {
+        .left = MARGIN, .right = CAMERA_RIGHT, .top = CAMERA_TOP, .bottom = CAMERA_BOTTOM};
+    view_choose(&view, wedge, NAMES);
+    svg_begin(svg, WEDGE_WIDTH, WEDGE_HEIGHT, wedge->title);
+    draw_words(svg, wedge);
+    wedge_draw_close_view(svg, &camera, wedge);
+    svg_clip_begin(svg, view.left, view.top, view.right - view.left, view.bottom - view.top);
+    draw_sharpness(svg, &view, wedge);
+    draw_construction(svg, &view, wedge);
+    draw_planes(svg, &view, wedge);
+    wedge_draw_camera(svg, &view, wedge);
+    svg_group_end(svg);
+    draw_meetings(svg, &view, wedge);
+    draw_frame(svg, &view);
+    draw_legend(svg, wedge);
+    svg_end(svg);
+    return true;
+}
