@@ -436,6 +436,22 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     return true;
 }
 
+/* The options as read so far are the constants of all rows. */
+static bool open_batch(struct driver *driver, struct error *error)
+{
+    const struct common *common = &driver->common;
+    if (driver->sweep.total > 1) {
+        return fail(error, ERROR_USAGE,
+                    "--batch and options with several values exclude each other");
+    }
+    void *constants = arena_array(&driver->arena, 1, driver->command->input_size);
+    memcpy(constants, driver->input, driver->command->input_size);
+    /* what the header needs lies below the first row's mark and stays */
+    driver->reader.arena = &driver->row_arena;
+    return batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
+                      &driver->arguments, &driver->reader, constants, error);
+}
+
 /* Everything that can be wrong with the question is found before a byte is written. */
 static bool ask(struct driver *driver, struct error *error)
 {
@@ -452,23 +468,8 @@ static bool ask(struct driver *driver, struct error *error)
     }
     driver->report.many = command->makes_many != NULL && command->makes_many(driver->input);
     driver->is_batch = common->batch != NULL;
-    if (driver->is_batch) {
-        if (driver->sweep.total > 1) {
-            return fail(error, ERROR_USAGE,
-                        "--batch and options with several values exclude each "
-                        "other");
-        }
-        void *constants = arena_array(&driver->arena, 1, command->input_size);
-        memcpy(constants, driver->input, command->input_size);
-        /* what the header needs lies below the first row's mark and stays */
-        driver->reader.arena = &driver->row_arena;
-        if (!batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
-                        &driver->arguments, &driver->reader, constants, error)) {
-            return false;
-        }
-    }
-    return set_up_report(driver, error) && set_up_collection(driver, error) &&
-           check_drawings(driver, error) &&
+    return (!driver->is_batch || open_batch(driver, error)) && set_up_report(driver, error) &&
+           set_up_collection(driver, error) && check_drawings(driver, error) &&
            output_open(&driver->output, common->output, &driver->arena, error) &&
            (driver->is_open = true);
 }
