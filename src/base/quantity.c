@@ -229,7 +229,14 @@ static bool read_denominator(struct reading *reading, double *value)
     if (!(denominator > 0) || isinf(denominator)) {
         return wrong(reading, slash + 1, "a fraction cannot have this denominator");
     }
+    const double numerator = *value;
     *value /= denominator;
+    if (isinf(*value) && !isinf(numerator)) {
+        return wrong(reading, slash, "the number is too large");
+    }
+    if (*value == 0 && numerator != 0) {
+        return wrong(reading, slash, "the number is too small");
+    }
     return true;
 }
 

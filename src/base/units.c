@@ -92,6 +92,18 @@ static const struct unit rate_units[] = {
     {"fps", "fps", {1, 0}, 1, "Hz hz", "frame per second"},
 };
 
+static const struct unit temperature_units[] = {
+    {"C", "C", {1, 0}, 1, "\xc2\xb0\x43", "degree Celsius"},
+};
+
+static const struct unit pressure_units[] = {
+    {"Pa", "Pa", {1, 0}, 1, NULL, "pascal"},
+    {"hPa", "hPa", {1, 2}, 1, "mbar", "hectopascal"},
+    {"kPa", "kPa", {1, 3}, 1, NULL, "kilopascal"},
+    {"bar", "bar", {1, 5}, 1, NULL, "bar, 100 kPa"},
+    {"atm", "atm", {101325, 0}, 1, NULL, "standard atmosphere, 101.325 kPa"},
+};
+
 #define UNITS(array) .units = (array), .unit_count = COUNT(array)
 
 const struct dimension dimension_number = {.name = "number", UNITS(number_units)};
@@ -119,13 +131,16 @@ const struct dimension dimension_rotation = {.name = "rate of rotation", UNITS(r
 const struct dimension dimension_frequency = {.name = "spatial frequency", UNITS(frequency_units)};
 const struct dimension dimension_rate = {.name = "frame rate", UNITS(rate_units)};
 
+const struct dimension dimension_temperature = {.name = "temperature", UNITS(temperature_units)};
+const struct dimension dimension_pressure = {.name = "pressure", UNITS(pressure_units)};
+const struct dimension dimension_wavelength = {.name = "wavelength", UNITS(length_units)};
+
 const struct dimension *const dimensions[] = {
-    &dimension_length,    &dimension_angle,     &dimension_time,
-    &dimension_fnumber,   &dimension_ratio,     &dimension_vergence,
-    &dimension_number,    &dimension_iso,       &dimension_ev,
-    &dimension_stops,     &dimension_luminance, &dimension_illuminance,
-    &dimension_exposure,  &dimension_speed,     &dimension_rotation,
-    &dimension_frequency, &dimension_rate,      NULL,
+    &dimension_length,   &dimension_angle,       &dimension_time,      &dimension_fnumber,
+    &dimension_ratio,    &dimension_vergence,    &dimension_number,    &dimension_iso,
+    &dimension_ev,       &dimension_stops,       &dimension_luminance, &dimension_illuminance,
+    &dimension_exposure, &dimension_speed,       &dimension_rotation,  &dimension_frequency,
+    &dimension_rate,     &dimension_temperature, &dimension_pressure,  NULL,
 };
 
 /* Is `name` one of the blank-separated words? Case counts: mm is not MM, D is not d. */

@@ -33,7 +33,11 @@ struct dimension {
 extern const struct dimension dimension_number, dimension_length, dimension_angle, dimension_time,
     dimension_fnumber, dimension_ratio, dimension_vergence, dimension_iso, dimension_ev,
     dimension_stops, dimension_luminance, dimension_illuminance, dimension_exposure,
-    dimension_speed, dimension_rotation, dimension_frequency, dimension_rate;
+    dimension_speed, dimension_rotation, dimension_frequency, dimension_rate, dimension_temperature,
+    dimension_pressure;
+
+/* A length that may also be the name of a spectral line; the names are data of lensdb. */
+extern const struct dimension dimension_wavelength;
 
 /* All dimensions, for lists and for naming the right one in a message; ends with null. */
 extern const struct dimension *const dimensions[];

@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -53,42 +54,77 @@ static bool refill(struct batch *batch, struct error *error)
     return got > 0;
 }
 
+/* How far a row has been looked through, from batch->at, while its end is searched for. */
+struct scan {
+    size_t offset;
+    bool quoted;        /* inside a quoted cell, where a line break belongs to the cell */
+    size_t just_closed; /* offset behind the last closing quote: a quote there opens again */
+};
+
+/* Do quotes mean anything in the row that begins here? Not in comments, not in JSON. */
+static bool has_quotes(const struct batch *batch)
+{
+    char first = batch->at < batch->end ? *batch->at : '\0';
+    return batch->format != BATCH_JSONL && first != '#' &&
+           !(batch->format == BATCH_AUTO && first == '{');
+}
+
+/* Does a quote at this offset open a cell? As cut_cell sees it: only at the cell's start. */
+static bool opens_cell(const struct batch *batch, const struct scan *scan)
+{
+    if (scan->offset == 0 || scan->offset == scan->just_closed) {
+        return true;
+    }
+    char before = batch->at[scan->offset - 1];
+    /* before the header is read the separator is not known yet */
+    return batch->format == BATCH_AUTO ? before == ',' || before == '\t'
+                                       : before == batch->separator;
+}
+
+/* The line feed that ends the row, or null if it has not arrived. */
+static const char *find_row_end(const struct batch *batch, struct scan *scan)
+{
+    const size_t length = (size_t)(batch->end - batch->at);
+    if (!has_quotes(batch)) {
+        const char *from = batch->at + scan->offset;
+        scan->offset = length;
+        return from < batch->end ? memchr(from, '\n', (size_t)(batch->end - from)) : NULL;
+    }
+    for (; scan->offset < length; scan->offset++) {
+        char c = batch->at[scan->offset];
+        if (c == '\n' && !scan->quoted) {
+            return batch->at + scan->offset;
+        }
+        if (c == '"' && scan->quoted) {
+            scan->quoted = false;
+            scan->just_closed = scan->offset + 1;
+        } else if (c == '"') {
+            scan->quoted = opens_cell(batch, scan);
+        }
+    }
+    return NULL;
+}
+
 /*
- * Take the next line, without its end. A line break between quotes belongs to the line. False at
+ * Take the next row, without its end. A line break in a quoted cell belongs to the row. False at
  * the end of the file (ERROR_NONE) or on failure.
  */
 static bool next_line(struct batch *batch, struct text *line, struct error *error)
 {
-    size_t from = 0;
+    struct scan scan = {.just_closed = SIZE_MAX};
+    const char *stop;
     error->code = ERROR_NONE;
-    for (;;) {
-        size_t room = (size_t)(batch->end - batch->at) - from;
-        const char *stop = room > 0 ? memchr(batch->at + from, '\n', room) : NULL;
-        if (stop == NULL && !batch->at_end) {
-            if (!refill(batch, error) && error->code != ERROR_NONE) {
-                return false;
-            }
-            continue;
-        }
-        if (stop == NULL && batch->at == batch->end) {
+    while ((stop = find_row_end(batch, &scan)) == NULL && !batch->at_end) {
+        if (!refill(batch, error) && error->code != ERROR_NONE) {
             return false;
         }
-        const char *end = stop != NULL ? stop : batch->end;
-        size_t quotes = 0;
-        if (batch->format != BATCH_JSONL) {
-            for (const char *at = batch->at; at < end && (at = memchr(at, '"', (size_t)(end - at)));
-                 at++) {
-                quotes++;
-            }
-        }
-        if (quotes % 2 == 1 && stop != NULL) {
-            from = (size_t)(stop - batch->at) + 1;
-            continue;
-        }
-        *line = text_between(batch->at, end);
-        batch->at = stop != NULL ? stop + 1 : end;
-        return true;
     }
+    if (stop == NULL && batch->at == batch->end) {
+        return false;
+    }
+    *line = text_between(batch->at, stop != NULL ? stop : batch->end);
+    batch->at = stop != NULL ? stop + 1 : batch->end;
+    return true;
 }
 
 /* Count the lines that a text spans beyond its first. */
@@ -124,6 +160,15 @@ bool batch_read_cell(const struct batch *batch, const struct batch_column *colum
     if (column->is_infinite) {
         if (text_equal(cell, "true")) {
             *(double *)(void *)member = INFINITY;
+        } else if (text_equal(cell, "false")) {
+            /* no infinity is left over from the row before */
+            if (isinf(*(const double *)(const void *)member)) {
+                memcpy(member, (const char *)batch->constants + column->option->offset,
+                       sizeof(double));
+            }
+        } else {
+            return fail(error, ERROR_DATA, "'%.*s' is neither true nor false",
+                        (int)(cell.length < 60 ? cell.length : 60), cell.start);
         }
         return true;
     }
@@ -427,18 +472,35 @@ static void prepare_plain(struct batch *batch)
     batch->plain = plain;
 }
 
+/* A BOM may stand before everything, comments too. */
+static bool skip_byte_order_mark(struct batch *batch, struct error *error)
+{
+    error->code = ERROR_NONE;
+    while (batch->end - batch->at < 3 && !batch->at_end) {
+        if (!refill(batch, error) && error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    if (batch->end - batch->at >= 3 && memcmp(batch->at, "\xef\xbb\xbf", 3) == 0) {
+        batch->at += 3;
+    }
+    return true;
+}
+
 static bool begin(struct batch *batch, enum batch_format format, struct error *error)
 {
     struct text line;
+    batch->format = format;
+    batch->separator = format == BATCH_TSV ? '\t' : ',';
+    if (!skip_byte_order_mark(batch, error)) {
+        return false;
+    }
     if (!next_row(batch, &line, error)) {
         if (error->code != ERROR_NONE) {
             return false;
         }
         fail(error, ERROR_DATA, "the file is empty: a line of column names is wanted");
         return error_locate(error, batch->source, 0, 0);
-    }
-    if (line.length >= 3 && memcmp(line.start, "\xef\xbb\xbf", 3) == 0) {
-        line = (struct text){line.start + 3, line.length - 3};
     }
     if (!set_format(batch, format, line, error)) {
         return false;

@@ -8,9 +8,12 @@
 
 /* What to do with a column of the file. */
 struct batch_column {
-    const struct option *option; /* null: handed through, or passed over */
-    struct option as_read;       /* the option with the unit of the header */
-    struct number_scale scale;   /* of a bare number */
+    const struct option *option;   /* null: handed through, or passed over */
+    const struct option *doubtful; /* the option it would be if its end were a unit; or null */
+    struct text typed_unit;        /* that end */
+    size_t place;                  /* in the header line, 1-based */
+    struct option as_read;         /* the option with the unit of the header */
+    struct number_scale scale;     /* of a bare number */
     double factor;
     double lowest, highest; /* a bare number between these is legal without a closer look */
     size_t offset;
@@ -19,6 +22,7 @@ struct batch_column {
     bool is_ignored;  /* neither input nor handed through */
     bool is_infinite; /* a JSON companion: true makes the option infinite */
     struct text name; /* as in the file */
+    long row;         /* in JSON: the line in which it was seen last */
     size_t passed;    /* index among the columns handed through */
 };
 
@@ -49,6 +53,7 @@ struct batch {
     size_t column_count, column_capacity;
     struct batch_plain *plain; /* one a column, if rows of bare numbers can do; else null */
     struct text *passed_names, *passed; /* columns handed through */
+    bool *passed_bare;                  /* in JSON: it stood there without quotes, and may again */
     size_t passed_count;
     char *buffer;
     size_t capacity;

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+enum { MOST_COLUMNS = 4096 };
+
 /* The option that a name without unit stands for: "f", "focal_length" or "focal". */
 static const struct option *option_of(const struct batch *batch, struct text name)
 {
@@ -58,13 +60,9 @@ static const struct option *find_with_unit(const struct batch *batch, struct tex
     return without_unit;
 }
 
-/* Will the command print a column of this name itself? */
-static bool is_computed(const struct batch *batch, struct text name)
+/* Is this the name, with or without unit, of a column of the sheet that is always printed? */
+static bool is_column(const struct sheet *sheet, struct text name)
 {
-    const struct sheet *sheet = &batch->arguments->command->sheet;
-    if (text_equal(name, "error")) {
-        return true;
-    }
     for (size_t i = 0; i < sheet->column_count; i++) {
         const struct column *column = &sheet->columns[i];
         size_t length = strlen(column->name);
@@ -78,6 +76,42 @@ static bool is_computed(const struct batch *batch, struct text name)
         }
     }
     return false;
+}
+
+/* Will the command print a column of this name itself? */
+static bool is_computed(const struct batch *batch, struct text name)
+{
+    return text_equal(name, "error") || is_column(&batch->arguments->command->sheet, name);
+}
+
+/* Does any command print a column of this name? */
+static bool is_printed(struct text name)
+{
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        if (is_column(&commands[i]->sheet, name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_unit_of_any(struct text name)
+{
+    for (size_t i = 0; dimensions[i] != NULL; i++) {
+        if (unit_find(dimensions[i], name) != NULL) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool wrong_unit(const struct batch_column *column, struct error *error)
+{
+    struct text name = column->name, typed = column->typed_unit;
+    return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is no unit of --%s (a %s)",
+                (int)(name.length < 60 ? name.length : 60), name.start,
+                (int)(typed.length < 20 ? typed.length : 20), typed.start, column->doubtful->name,
+                column->doubtful->dimension->name);
 }
 
 static void set_scale(struct batch_column *column, const struct reader *reader)
@@ -108,13 +142,14 @@ bool batch_column_find(const struct batch *batch, struct text name, struct batch
     column->option = option_of(batch, name);
     if (column->option == NULL) {
         column->option = find_with_unit(batch, name, &unit, &typed);
-        if (column->option != NULL && unit == NULL && is_computed(batch, name)) {
-            column->option = NULL; /* near_diopter of an earlier run is no --near */
-        } else if (column->option != NULL && unit == NULL) {
-            return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is no unit of --%s (a %s)",
-                        (int)(name.length < 60 ? name.length : 60), name.start,
-                        (int)(typed.length < 20 ? typed.length : 20), typed.start,
-                        column->option->name, column->option->dimension->name);
+        if (column->option != NULL && unit == NULL) {
+            /* s_id is a name of its own beside s_m, near_diopter comes from another run */
+            column->doubtful = is_printed(name) ? NULL : column->option;
+            column->typed_unit = typed;
+            column->option = NULL;
+            if (column->doubtful != NULL && is_unit_of_any(typed)) {
+                return wrong_unit(column, error);
+            }
         }
     }
     if (column->option != NULL) {
@@ -150,6 +185,10 @@ bool batch_add_column(struct batch *batch, struct text name, size_t at, struct e
     if (!batch_column_find(batch, name, &column, error) || !check_new(batch, &column, error)) {
         return error_locate(error, batch->source, batch->line, at);
     }
+    if (batch->column_count == MOST_COLUMNS) {
+        fail(error, ERROR_DATA, "the file has more than %d columns", MOST_COLUMNS);
+        return error_locate(error, batch->source, batch->line, at);
+    }
     if (batch->column_count == batch->column_capacity) {
         size_t capacity = batch->column_capacity == 0 ? 16 : 2 * batch->column_capacity;
         struct batch_column *columns =
@@ -160,6 +199,7 @@ bool batch_add_column(struct batch *batch, struct text name, size_t at, struct e
         batch->columns = columns;
         batch->column_capacity = capacity;
     }
+    column.place = at;
     batch->columns[batch->column_count++] = column;
     return true;
 }
@@ -191,8 +231,15 @@ bool batch_settle_columns(struct batch *batch, struct error *error)
     bool settled = has_all_settings(batch);
     batch->passed_names = ARENA_ARRAY(batch->reader->arena, batch->column_count, struct text);
     batch->passed = ARENA_ARRAY(batch->reader->arena, batch->column_count, struct text);
+    batch->passed_bare = ARENA_ARRAY(batch->reader->arena, batch->column_count, bool);
     for (size_t i = 0; i < batch->column_count; i++) {
         struct batch_column *column = &batch->columns[i];
+        const struct option *meant = column->doubtful;
+        if (meant != NULL && !batch_has(batch, meant->name) &&
+            !arguments_given(batch->arguments, meant->name)) {
+            wrong_unit(column, error);
+            return error_locate(error, batch->source, batch->line, column->place);
+        }
         bool goal = column->option != NULL && (column->option->flags & OPTION_GOAL) != 0;
         if (goal && settled) {
             column->is_ignored = true;

@@ -144,6 +144,17 @@ static bool read_string(struct json *json, struct text *text)
     return true;
 }
 
+/* null, true, false, or a number as JSON writes it. */
+static bool is_bare_value(struct text text)
+{
+    double ignored;
+    const char *end = text.start + text.length;
+    char first = *text.start;
+    return text_equal(text, "null") || text_equal(text, "true") || text_equal(text, "false") ||
+           (((first >= '0' && first <= '9') || first == '-') && end[-1] != 'f' &&
+            number_read(text.start, end, (struct number_scale){1, 0}, &ignored) == end);
+}
+
 static bool read_value(struct json *json, struct json_value *value)
 {
     skip_blanks(json);
@@ -159,6 +170,10 @@ static bool read_value(struct json *json, struct json_value *value)
     }
     value->text = text_between(from, json->at);
     value->kind = text_equal(value->text, "null") ? JSON_NULL : JSON_BARE;
+    if (value->text.length > 0 && !is_bare_value(value->text)) {
+        json->at = from;
+        return wrong(json, "this is no JSON value: a text wants quotes");
+    }
     if (value->text.length == 0) {
         return wrong(json, json->at < json->end && (*json->at == '{' || *json->at == '[')
                                ? "objects and arrays are no values of a row"
@@ -240,6 +255,7 @@ static bool set_value(struct batch *batch, const struct batch_column *column,
     if (column->option == NULL) {
         batch->passed[column->passed] =
             value->kind == JSON_NULL ? (struct text){"", 0} : value->text;
+        batch->passed_bare[column->passed] = value->kind != JSON_STRING;
         return true;
     }
     if (value->kind == JSON_NULL) {
@@ -262,6 +278,7 @@ static void reset(struct batch *batch, void *input)
                    option->kind->size);
         } else if (!batch->columns[i].is_ignored) {
             batch->passed[batch->columns[i].passed] = (struct text){"", 0};
+            batch->passed_bare[batch->columns[i].passed] = true;
         }
     }
 }
@@ -277,13 +294,20 @@ bool batch_json_row(struct batch *batch, struct text line, void *input, struct e
     }
     reset(batch, input);
     for (; next_pair(&json, pairs == 0, &key, &value); pairs++) {
-        const struct batch_column *column = column_of(batch, key, pairs);
+        struct batch_column *column = column_of(batch, key, pairs);
+        if (column != NULL && column->row == batch->line) {
+            fail(error, ERROR_DATA, "the key '%.*s' stands twice",
+                 (int)(key.length < 60 ? key.length : 60), key.start);
+            error->column = (int)value.at;
+            return false;
+        }
         if (column == NULL) {
             fail(error, ERROR_DATA, "the first row has no key '%.*s'",
                  (int)(key.length < 60 ? key.length : 60), key.start);
             error->column = (int)value.at;
             return false;
         }
+        column->row = batch->line;
         if (!set_value(batch, column, &value, input, error)) {
             return false;
         }

@@ -226,11 +226,12 @@ static const struct sheet contrast = {
     contrast_columns, sizeof contrast_columns / sizeof contrast_columns[0], sizeof(struct row)};
 static const struct sheet all = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)};
 
-static const struct sheet *choose_sheet(const void *data)
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
-    const struct input *input = data;
-    bool wants_best = isnan(input->fnumber) && !(isnan(input->near) && isnan(input->focus_spread));
-    return !isnan(input->frequency) ? &contrast : wants_best ? &best : &all;
+    (void)data;
+    bool spread = asking_given(asking, "near") || asking_given(asking, "focus-spread");
+    bool wants_best = spread && !asking_given(asking, "aperture");
+    return asking_given(asking, "frequency") ? &contrast : wants_best ? &best : &all;
 }
 
 static double um_from_mm(double length)

@@ -164,9 +164,13 @@ static bool has_attachments(const void *data)
            !isnan(input->tube) || !isnan(input->converter);
 }
 
-static const struct sheet *choose_sheet(const void *data)
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
-    return has_attachments(data) ? &attached : &plain;
+    (void)data;
+    bool any = asking_given(asking, "reversed") || asking_given(asking, "close-up") ||
+               asking_given(asking, "stacked") || asking_given(asking, "tube") ||
+               asking_given(asking, "converter");
+    return any ? &attached : &plain;
 }
 
 /* --distance from wherever it is measured, as one of the conjugates. */

@@ -38,6 +38,7 @@ static const struct word topic_words[] = {
     {"films", "films, with the correction of long exposures"},
     {"scenes", "typical scenes and their light"},
     {"filters", "filters and the light they take"},
+    {"glasses", "optical glasses and plastics of all catalogues"},
     {"stops", "labels of f-numbers, times and ISO, with exact values"},
     {"units", "units of every dimension"},
     {"commands", "commands of this program"},
@@ -47,8 +48,8 @@ static const struct word topic_words[] = {
 
 /* In the order of topic_words. */
 static const struct topic *const topics[] = {
-    &topic_formats, &topic_cameras, &topic_films,    &topic_scenes,  &topic_filters,
-    &topic_stops,   &topic_units,   &topic_commands, &topic_options,
+    &topic_formats, &topic_cameras, &topic_films, &topic_scenes,   &topic_filters,
+    &topic_glasses, &topic_stops,   &topic_units, &topic_commands, &topic_options,
 };
 
 static const struct option options[] = {
@@ -57,13 +58,15 @@ static const struct option options[] = {
     {OPTION(struct list_input, search), .name = "search", .value = "WORDS",
      .flags = OPTION_OPERAND | OPTION_REST, .help = "only what contains these words"},
     {OPTION(struct list_input, kind), .name = "kind", .value = "KIND",
-     .help = "only this class of formats, maker of cameras or films, kind of filters, series of "
+     .help = "only this class of formats, maker of cameras or films, kind of filters, catalogue of "
+             "glasses, series of "
              "stops, dimension of units, "
              "group of commands, command of options"},
 };
 
-static const struct sheet *choose_sheet(const void *data)
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
+    (void)asking;
     const struct list_input *input = data;
     return &topics[input->topic]->sheet;
 }
@@ -103,7 +106,7 @@ static const struct example examples[] = {
 const struct command command_list = {
     .name = "list",
     .group = "data",
-    .summary = "formats, cameras, films, scenes, filters, stops, units, commands, options",
+    .summary = "formats, cameras, films, scenes, filters, glasses, stops, units, commands, options",
     .examples = examples,
     .options = options,
     .option_count = sizeof options / sizeof options[0],

@@ -188,8 +188,9 @@ static bool makes_many(const void *data)
     return ((const struct input *)data)->each_row;
 }
 
-static const struct sheet *choose_sheet(const void *data)
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
+    (void)asking;
     return makes_many(data) ? &by_row : &whole;
 }
 

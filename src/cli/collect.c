@@ -20,6 +20,7 @@ bool collection_open(struct collection *collection, size_t most, const char *opt
 
 void collection_keep(struct collection *collection, size_t index, const void *row)
 {
+    collection->is_ambiguous = collection->is_ambiguous || collection->is_there[index];
     if (!collection->is_there[index]) {
         memcpy(collection->rows + index * collection->sheet->row_size, row,
                collection->sheet->row_size);
@@ -105,7 +106,7 @@ static struct shown in_system(const struct collection *collection, struct shown 
 }
 
 bool collection_columns(const struct collection *collection, const char *names, char separator,
-                        struct shown **shown, size_t *count, struct error *error)
+                        bool convert, struct shown **shown, size_t *count, struct error *error)
 {
     struct text rest = text_of(names);
     size_t most = strlen(names) + 1;
@@ -114,10 +115,39 @@ bool collection_columns(const struct collection *collection, const char *names, 
     while (rest.start != NULL) {
         struct text name = text_trim(text_cut(&rest, separator));
         struct shown found;
+        if (text_equal(name, "error")) {
+            continue;
+        }
         if (!report_find_column(collection->sheet, name, collection->arena, &found, error)) {
             return false;
         }
-        (*shown)[(*count)++] = in_system(collection, found);
+        (*shown)[(*count)++] = convert ? in_system(collection, found) : found;
+    }
+    return *count > 0 || fail(error, ERROR_USAGE, "no column is named");
+}
+
+bool collection_check_units(const struct shown *shown, size_t count, const char *option,
+                            bool numbers, struct error *error)
+{
+    for (size_t k = 0; k < count; k++) {
+        if (numbers && shown[k].column->type != COLUMN_NUMBER) {
+            return fail(error, ERROR_USAGE, "%s: column %s is no number", option, shown[k].name);
+        }
+        if (shown[k].unit != shown[0].unit) {
+            return fail(error, ERROR_USAGE, "%s: columns %s and %s have different units", option,
+                        shown[0].name, shown[k].name);
+        }
     }
     return true;
+}
+
+const char *axis_machine_value(const struct collection *collection, const struct axis *axis,
+                               size_t i)
+{
+    char number[NUMBER_LENGTH + 1];
+    if (axis->option->kind != &kind_quantity) {
+        return axis_value(collection, axis, i, false);
+    }
+    *quantity_write(number, axis_number(axis, i), axis->unit) = '\0';
+    return arena_string(collection->arena, number, strlen(number));
 }

@@ -13,8 +13,9 @@ struct collection {
     const struct sheet *sheet;
     struct arena *arena;
     enum unit_system units;
-    char *rows;     /* sweep->total rows of sheet->row_size */
-    bool *is_there; /* one a combination: false = failed or no row */
+    bool is_ambiguous; /* a combination made several rows: only the first is here */
+    char *rows;        /* sweep->total rows of sheet->row_size */
+    bool *is_there;    /* one a combination: false = failed or no row */
 };
 
 /*
@@ -40,9 +41,21 @@ const char *axis_label(const struct collection *collection, const struct axis *a
 const char *axis_value(const struct collection *collection, const struct axis *axis, size_t i,
                        bool with_unit);
 
-/* Columns by names separated by `separator`, with the units people or machines want. */
+/* The same for machines: all digits, in the unit of the axis. */
+const char *axis_machine_value(const struct collection *collection, const struct axis *axis,
+                               size_t i);
+
+/*
+ * Columns by names separated by `separator`; "error" is passed over.
+ *
+ * Given     convert  distances become feet where the user reads feet; a unit that was typed stays
+ */
 bool collection_columns(const struct collection *collection, const char *names, char separator,
-                        struct shown **shown, size_t *count, struct error *error);
+                        bool convert, struct shown **shown, size_t *count, struct error *error);
+
+/* Refuse columns of different units in one cell or on one axis, and, for an axis, words. */
+bool collection_check_units(const struct shown *shown, size_t count, const char *option,
+                            bool numbers, struct error *error);
 
 /*
  * Print the cross-table that --table asks for.
@@ -52,7 +65,7 @@ bool collection_columns(const struct collection *collection, const char *names, 
  * Errors    ERROR_USAGE: it names no swept option or no column; a third option is swept
  */
 bool cross_table_check(const struct collection *collection, const char *specification,
-                       struct error *error);
+                       const struct report *report, struct error *error);
 bool cross_table_write(const struct collection *collection, const char *specification,
                        struct report *report, struct error *error);
 
@@ -62,7 +75,9 @@ bool cross_table_write(const struct collection *collection, const char *specific
  *
  * Errors    ERROR_USAGE: nothing is swept, or columns of different dimensions; as plot_draw
  */
-bool collection_plot(const struct collection *collection, const char *columns, const char *subtitle,
-                     struct svg *svg, struct error *error);
+bool collection_plot_check(const struct collection *collection, const char *columns, bool typed,
+                           struct error *error);
+bool collection_plot(const struct collection *collection, const char *columns, bool typed,
+                     const char *subtitle, struct svg *svg, struct error *error);
 
 #endif

@@ -32,6 +32,17 @@ struct drawing {
     bool (*draw)(const void *input, struct svg *svg, struct error *error);
 };
 
+/* Which options a question has, on the command line or as columns of its batch. */
+struct asking {
+    bool (*given)(const void *asked, const char *option);
+    const void *asked;
+};
+
+static inline bool asking_given(const struct asking *asking, const char *option)
+{
+    return asking->given(asking->asked, option);
+}
+
 /* An example for --help and for the tests: what follows "lenscalc". */
 struct example {
     const char *arguments, *help;
@@ -47,7 +58,7 @@ struct command {
     size_t input_size;
     struct sheet sheet;
     /* Which rows this input makes, where that depends on it; null: always `sheet`. */
-    const struct sheet *(*choose_sheet)(const void *input);
+    const struct sheet *(*choose_sheet)(const void *input, const struct asking *asking);
     /* Does one input make several rows, as a list or a plan does? null: never. */
     bool (*makes_many)(const void *input);
     /*

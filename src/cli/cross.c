@@ -16,6 +16,11 @@ struct cross {
     const struct unit **units; /* for people, one a value */
 };
 
+static bool is_machine(const struct report *report)
+{
+    return report->format == &format_csv || report->format == &format_tsv;
+}
+
 static const struct axis *find_axis(const struct collection *collection, struct text name)
 {
     for (size_t i = 0; i < collection->sweep->axis_count; i++) {
@@ -41,7 +46,8 @@ static bool read_axis(const struct collection *collection, struct text name,
 }
 
 static bool read_specification(const struct collection *collection, const char *specification,
-                               struct cross *cross, struct error *error)
+                               const struct report *report, struct cross *cross,
+                               struct error *error)
 {
     struct text values = text_of(specification);
     struct text axes = text_cut(&values, ':');
@@ -60,15 +66,20 @@ static bool read_specification(const struct collection *collection, const char *
                     "--table wants exactly two options with several values, here are %zu",
                     collection->sweep->axis_count);
     }
-    return collection_columns(collection, names, '+', &cross->values, &cross->value_count, error) ||
-           error_prefix(error, "--table: ");
+    bool people = !is_machine(report), typed = values.start != NULL;
+    if (!collection_columns(collection, names, '+', people && !typed, &cross->values,
+                            &cross->value_count, error)) {
+        return error_prefix(error, "--table: ");
+    }
+    return !people ||
+           collection_check_units(cross->values, cross->value_count, "--table", false, error);
 }
 
 bool cross_table_check(const struct collection *collection, const char *specification,
-                       struct error *error)
+                       const struct report *report, struct error *error)
 {
     struct cross cross;
-    return read_specification(collection, specification, &cross, error);
+    return read_specification(collection, specification, report, &cross, error);
 }
 
 /* The row at a place of the table; null if it failed. */
@@ -123,11 +134,6 @@ static const char *unit_words(const struct shown *shown, const struct unit *unit
                                                                                 : unit->label;
 }
 
-static bool is_machine(const struct report *report)
-{
-    return report->format == &format_csv || report->format == &format_tsv;
-}
-
 /* "near limit - far limit (m)" */
 static const char *value_words(const struct collection *collection, const struct cross *cross)
 {
@@ -152,7 +158,9 @@ static void write_cell(const struct collection *collection, const struct cross *
             *shown_write_number(value, row, shown, report->digits) = '\0';
         } else if (row != NULL) {
             readable_value(value, sizeof value, row, shown, cross->units[k],
-                           report->digits != 0 ? report->digits : 4);
+                           report->digits != 0          ? report->digits
+                           : shown->column->digits != 0 ? shown->column->digits
+                                                        : 4);
         }
         if (is_machine(report)) {
             grid_set(grid, 1 + j * cross->value_count + k, row != NULL ? value : "");
@@ -197,7 +205,7 @@ static void write_head(const struct collection *collection, const struct cross *
             grid_set(grid, 1 + j * cross->value_count + k,
                      arena_printf(collection->arena, "%s_%s_%s", cross->values[k].name,
                                   machine_name(collection, cross->across),
-                                  axis_value(collection, cross->across, j, false)));
+                                  axis_machine_value(collection, cross->across, j)));
         }
     }
 }
@@ -210,7 +218,9 @@ static struct grid build(const struct collection *collection, const struct cross
     write_head(collection, cross, report, &grid);
     for (size_t i = 0; i < cross->down->count; i++) {
         grid_add_row(&grid);
-        grid_set(&grid, 0, axis_value(collection, cross->down, i, false));
+        grid_set(&grid, 0,
+                 is_machine(report) ? axis_machine_value(collection, cross->down, i)
+                                    : axis_value(collection, cross->down, i, false));
         for (size_t j = 0; j < cross->across->count; j++) {
             write_cell(collection, cross, report, row_at(collection, cross, i, j), &grid, j);
         }
@@ -218,14 +228,19 @@ static struct grid build(const struct collection *collection, const struct cross
     return grid;
 }
 
+/* One table in any format; formulas that are asked for come behind it. */
 static void write_grid(struct report *report, const struct grid *grid)
 {
     if (report->format == &format_html) {
         grid_html_begin(report->output, grid->title);
-        grid_write_html(grid, report->output);
+        grid_write_html(grid, report->output, true);
+        grid_html_close(grid, report->output);
+        if (report->explain != NULL) {
+            grid_html_paragraph(report->output, report->explain);
+        }
         grid_html_end(report->output);
     } else if (report->format == &format_markdown) {
-        grid_write_markdown(grid, report->output);
+        grid_write_markdown(grid, report->output, true);
     } else if (is_machine(report)) {
         grid_write_separated(grid, report->output, report->format == &format_tsv ? '\t' : ',');
     } else {
@@ -237,7 +252,11 @@ bool cross_table_write(const struct collection *collection, const char *specific
                        struct report *report, struct error *error)
 {
     struct cross cross = {0};
-    if (!read_specification(collection, specification, &cross, error)) {
+    if (collection->is_ambiguous) {
+        return fail(error, ERROR_USAGE,
+                    "--table takes one row of each combination, this question has several");
+    }
+    if (!read_specification(collection, specification, report, &cross, error)) {
         return false;
     }
     cross.units = ARENA_ARRAY(collection->arena, cross.value_count, const struct unit *);
@@ -257,5 +276,9 @@ bool cross_table_write(const struct collection *collection, const char *specific
         grid.note = row != NULL ? report_assumptions(report, row) : NULL;
     }
     write_grid(report, &grid);
+    if (report->explain != NULL &&
+        (report->format == &format_text || report->format == &format_markdown)) {
+        output_printf(report->output, "\n%s\n", report->explain);
+    }
     return true;
 }

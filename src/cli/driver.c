@@ -134,6 +134,7 @@ static bool set_up_report(struct driver *driver, struct error *error)
                                (report->format == &format_csv || report->format == &format_tsv);
     report->passed_names = driver->batch.passed_names;
     report->passed_count = driver->batch.passed_count;
+    report->passed_bare = driver->batch.passed_bare;
     struct selection selection = {.columns = driver->common.columns,
                                   .many = driver->is_batch || driver->sweep.total > 1,
                                   .layout = !is_for_people(report) ? SELECT_ALL
@@ -143,6 +144,11 @@ static bool set_up_report(struct driver *driver, struct error *error)
                                   .varied = asked_varied,
                                   .asked = driver};
     return report_select(report, &selection, error);
+}
+
+static const char *plot_columns(const struct driver *driver)
+{
+    return driver->common.columns != NULL ? driver->common.columns : driver->command->plot;
 }
 
 /* Rows of a sweep are kept for --table and --plot. */
@@ -175,7 +181,10 @@ static bool set_up_collection(struct driver *driver, struct error *error)
     if (common->table != NULL && (format == &format_json || format == &format_jsonl)) {
         return fail(error, ERROR_USAGE, "--table is for text, csv, tsv, markdown and html");
     }
-    return common->table == NULL || cross_table_check(&driver->collection, common->table, error);
+    return (common->table == NULL ||
+            cross_table_check(&driver->collection, common->table, &driver->report, error)) &&
+           (common->plot == NULL || collection_plot_check(&driver->collection, plot_columns(driver),
+                                                          common->columns != NULL, error));
 }
 
 static void begin(struct driver *driver)
@@ -251,6 +260,13 @@ static bool run_one(struct driver *driver, struct error *error)
     return done;
 }
 
+/* --fail-fast: the status is that of the rows so far. Returns false. */
+static bool stop_early(const struct driver *driver, struct error *error)
+{
+    error->code = driver->good > 0 ? ERROR_ROWS : ERROR_DOMAIN;
+    return false;
+}
+
 /* Every combination of a sweep; one combination is an ordinary answer. */
 static bool run_sweep(struct driver *driver, struct error *error)
 {
@@ -259,9 +275,11 @@ static bool run_sweep(struct driver *driver, struct error *error)
         driver->index = i;
         sweep_set(&driver->sweep, i, driver->input);
         if (!run_one(driver, error)) {
-            if (driver->sweep.total == 1 || error->code == ERROR_USAGE ||
-                driver->common.fail_fast) {
+            if (driver->sweep.total == 1 || error->code == ERROR_USAGE) {
                 return false;
+            }
+            if (driver->common.fail_fast) {
+                return stop_early(driver, error);
             }
             emit_failure(driver, error);
         }
@@ -269,6 +287,9 @@ static bool run_sweep(struct driver *driver, struct error *error)
             arena_reset(&driver->row_arena, mark);
         }
         show_progress(driver, i, false);
+    }
+    if (driver->sweep.total > PROGRESS_ROWS) {
+        show_progress(driver, driver->sweep.total, true);
     }
     return true;
 }
@@ -299,8 +320,7 @@ static bool run_batch(struct driver *driver, struct error *error)
                 error_locate(error, driver->batch.source, driver->batch.line, 0);
             }
             if (driver->common.fail_fast) {
-                error->code = driver->good > 0 ? ERROR_ROWS : error->code;
-                return false;
+                return stop_early(driver, error);
             }
             emit_failure(driver, error);
         }
@@ -358,9 +378,8 @@ static const char *plot_subtitle(const struct driver *driver)
 static bool write_plot(struct driver *driver, struct error *error)
 {
     struct svg svg = {.arena = &driver->arena};
-    const char *columns =
-        driver->common.columns != NULL ? driver->common.columns : driver->command->plot;
-    return collection_plot(&driver->collection, columns, plot_subtitle(driver), &svg, error) &&
+    return collection_plot(&driver->collection, plot_columns(driver),
+                           driver->common.columns != NULL, plot_subtitle(driver), &svg, error) &&
            output_file(driver->common.plot, svg.data, svg.length, &driver->arena, error);
 }
 
@@ -462,14 +481,18 @@ static bool ask(struct driver *driver, struct error *error)
                      driver->input, error)) {
         return false;
     }
-    driver->report.sheet = &command->sheet;
-    if (command->choose_sheet != NULL) {
-        driver->report.sheet = command->choose_sheet(driver->input);
-    }
     driver->report.many = command->makes_many != NULL && command->makes_many(driver->input);
     driver->is_batch = common->batch != NULL;
-    return (!driver->is_batch || open_batch(driver, error)) && set_up_report(driver, error) &&
-           set_up_collection(driver, error) && check_drawings(driver, error) &&
+    if (driver->is_batch && !open_batch(driver, error)) {
+        return false;
+    }
+    /* the columns of a batch count as given */
+    const struct asking asking = {asked_given, driver};
+    driver->report.sheet = command->choose_sheet != NULL
+                               ? command->choose_sheet(driver->input, &asking)
+                               : &command->sheet;
+    return set_up_report(driver, error) && set_up_collection(driver, error) &&
+           check_drawings(driver, error) &&
            output_open(&driver->output, common->output, &driver->arena, error) &&
            (driver->is_open = true);
 }

@@ -3,6 +3,7 @@
 #include "cli/option.h"
 
 #include "cli/nominal.h"
+#include "file/lines.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -98,6 +99,8 @@ void option_clear(const struct option *option, void *member)
         sensor->size.width = sensor->size.height = sensor->size.pitch = NAN;
     } else if (option->kind == &kind_coc) {
         ((struct coc_value *)member)->coc.value = NAN;
+    } else if (option->kind == &kind_interval) {
+        *(struct interval_value *)member = (struct interval_value){NAN, NAN};
     }
 }
 
@@ -105,7 +108,16 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
                           struct text text, void *member, struct error *error)
 {
     double value;
-    if (!quantity_read(text, option->dimension, option_unit(option), &value, NULL, error)) {
+    bool is_line = false;
+    if (option->dimension == &dimension_wavelength &&
+        !lines_find(reader->db, text_trim(text), &is_line, &value, error)) {
+        return false;
+    }
+    if (!is_line &&
+        !quantity_read(text, option->dimension, option_unit(option), &value, NULL, error)) {
+        if (option->dimension == &dimension_wavelength && error->hint[0] == '\0') {
+            error_hint(error, "lines are called d F C e g F' C' h i r s t");
+        }
         return blame(option, text, error);
     }
     if (reader->nominal && option->dimension->series != NULL &&
@@ -236,6 +248,17 @@ static struct sensor_value name_sensor(const struct reader *reader,
     return sensor;
 }
 
+/* "35mm (36 x 24 mm)", as it is printed, is read as "35mm". */
+static struct text without_size(struct text text)
+{
+    struct text trimmed = text_trim(text);
+    if (trimmed.length == 0 || trimmed.start[trimmed.length - 1] != ')') {
+        return text;
+    }
+    struct text rest = trimmed;
+    return text_trim(text_cut(&rest, '('));
+}
+
 static bool read_sensor(const struct reader *reader, const struct option *option, struct text text,
                         void *member, struct error *error)
 {
@@ -243,7 +266,7 @@ static bool read_sensor(const struct reader *reader, const struct option *option
     struct sensor_value sensor = {0};
     struct error size_error;
     /* names first: 6x9 is a trade name, not a size */
-    if (lensdb_find_sensor(reader->db, text, &found, error)) {
+    if (lensdb_find_sensor(reader->db, without_size(text), &found, error)) {
         *(struct sensor_value *)member = name_sensor(reader, &found);
         return true;
     }

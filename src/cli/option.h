@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/quantity.h"
+#include "cli/option_glass.h"
 #include "cli/option_light.h"
 #include "file/lensdb.h"
 #include "photo/format.h"
@@ -35,7 +36,7 @@ struct option_kind {
 };
 
 extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
-    kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series;
+    kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass, kind_interval;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -67,7 +68,9 @@ struct coc_value {
         struct loss_value: &kind_loss,                                                             \
         struct film_value: &kind_film,                                                             \
         struct scene_value: &kind_scene,                                                           \
-        struct series_value: &kind_series)
+        struct series_value: &kind_series,                                                         \
+        struct glass_value: &kind_glass,                                                           \
+        struct interval_value: &kind_interval)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
 

@@ -44,21 +44,6 @@ static bool choose_x(const struct collection *collection, struct layout *layout,
     return true;
 }
 
-static bool check_columns(const struct layout *layout, struct error *error)
-{
-    for (size_t k = 0; k < layout->shown_count; k++) {
-        const struct shown *shown = &layout->shown[k];
-        if (shown->column->type != COLUMN_NUMBER) {
-            return fail(error, ERROR_USAGE, "--plot: column %s is no number", shown->name);
-        }
-        if (shown->unit != layout->shown[0].unit) {
-            return fail(error, ERROR_USAGE, "--plot: columns %s and %s have different units",
-                        layout->shown[0].name, shown->name);
-        }
-    }
-    return true;
-}
-
 /* The combination of group g at x index i. */
 static size_t combination(const struct layout *layout, size_t group, size_t i)
 {
@@ -154,15 +139,36 @@ static const char *title_words(const struct collection *collection, const struct
     return words;
 }
 
-bool collection_plot(const struct collection *collection, const char *columns, const char *subtitle,
-                     struct svg *svg, struct error *error)
+/* Everything that can be wrong with the question. */
+static bool lay_out(const struct collection *collection, const char *columns, bool typed,
+                    struct layout *layout, struct error *error)
 {
-    struct layout layout = {0};
+    *layout = (struct layout){0};
     if (columns == NULL) {
         return fail(error, ERROR_USAGE, "--plot: say what to plot with --columns");
     }
-    if (!collection_columns(collection, columns, ',', &layout.shown, &layout.shown_count, error) ||
-        !choose_x(collection, &layout, error) || !check_columns(&layout, error)) {
+    return collection_columns(collection, columns, ',', !typed, &layout->shown,
+                              &layout->shown_count, error) &&
+           collection_check_units(layout->shown, layout->shown_count, "--plot", true, error) &&
+           choose_x(collection, layout, error);
+}
+
+bool collection_plot_check(const struct collection *collection, const char *columns, bool typed,
+                           struct error *error)
+{
+    struct layout layout;
+    return lay_out(collection, columns, typed, &layout, error);
+}
+
+bool collection_plot(const struct collection *collection, const char *columns, bool typed,
+                     const char *subtitle, struct svg *svg, struct error *error)
+{
+    struct layout layout;
+    if (collection->is_ambiguous) {
+        return fail(error, ERROR_USAGE,
+                    "--plot takes one row of each combination, this question has several");
+    }
+    if (!lay_out(collection, columns, typed, &layout, error)) {
         return false;
     }
     double *x = ARENA_ARRAY(collection->arena, layout.x->count, double);

@@ -119,6 +119,9 @@ static bool read_number(const struct values *values, struct text text, const str
 /* Both ends; a bare end takes the unit of the other one. */
 static bool read_ends(const struct values *values, struct range *range, struct error *error)
 {
+    if (range->last.length > 0 && range->last.start[0] == '.') {
+        return range_fail(values, range, "three dots: a range has two, and 0.5 its zero", error);
+    }
     const struct unit *usual = option_unit(values->option), *left, *right;
     if (!read_number(values, range->first, usual, &range->from, &left, error) ||
         !read_number(values, range->last, usual, &range->to, &right, error)) {

@@ -8,6 +8,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -250,6 +251,7 @@ static int answers_to(const struct lensdb_sensor *sensor, struct text name)
 struct search {
     struct text name;
     struct nearest nearest;
+    char full_name[128]; /* of the nearest camera */
     struct lensdb_sensor found, second;
     int quality; /* of found */
     bool ambiguous;
@@ -277,9 +279,22 @@ static bool search_table(struct lensdb *db, enum lensdb_place place, bool camera
     return search->quality == 2 || error->code == ERROR_NONE;
 }
 
+/* Offer "maker model", which stands nowhere in one piece; a name that is kept is copied. */
+static void offer_camera(struct search *search, const struct lensdb_sensor *sensor)
+{
+    char name[sizeof search->full_name];
+    snprintf(name, sizeof name, "%.*s %.*s", (int)sensor->maker.length, sensor->maker.start,
+             (int)sensor->name.length, sensor->name.start);
+    nearest_offer(&search->nearest, text_of(name));
+    if (search->nearest.best.start == name) {
+        memcpy(search->full_name, name, sizeof name);
+        search->nearest.best = text_of(search->full_name);
+    }
+}
+
 /* Offer all names of one table to the search for the nearest. */
 static void offer_names(struct lensdb *db, enum lensdb_place place, bool cameras,
-                        struct nearest *nearest)
+                        struct search *search)
 {
     struct lensdb_sensors sensors;
     struct lensdb_sensor sensor;
@@ -288,15 +303,12 @@ static void offer_names(struct lensdb *db, enum lensdb_place place, bool cameras
         return;
     }
     while (lensdb_sensors_next(&sensors, &sensor, &ignored)) {
-        nearest_offer(nearest, sensor.name);
+        nearest_offer(&search->nearest, sensor.name);
         while (sensor.aliases.start != NULL && sensor.aliases.length > 0) {
-            nearest_offer(nearest, text_cut(&sensor.aliases, ','));
+            nearest_offer(&search->nearest, text_cut(&sensor.aliases, ','));
         }
         if (cameras) {
-            nearest_offer(nearest,
-                          text_of(arena_printf(db->arena, "%.*s %.*s", (int)sensor.maker.length,
-                                               sensor.maker.start, (int)sensor.name.length,
-                                               sensor.name.start)));
+            offer_camera(search, &sensor);
         }
     }
 }
@@ -305,8 +317,8 @@ static bool not_found(struct lensdb *db, struct search *search, struct error *er
 {
     struct text name = search->name;
     for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
-        offer_names(db, place, false, &search->nearest);
-        offer_names(db, place, true, &search->nearest);
+        offer_names(db, place, false, search);
+        offer_names(db, place, true, search);
     }
     fail(error, ERROR_USAGE, "there is no format or camera '%.*s'",
          (int)(name.length < 80 ? name.length : 80), name.start);
@@ -418,18 +430,38 @@ static bool add_stops(struct lensdb *db, enum lensdb_place place, const char *fi
     return error->code == ERROR_NONE;
 }
 
+/* A series is read once: a batch asks for it in every row. */
+struct lensdb_series {
+    const char *file, *name;
+    struct lensdb_stop *stops;
+    size_t count;
+    struct lensdb_series *next;
+};
+
 bool lensdb_stops(struct lensdb *db, const char *file, const char *series,
                   struct lensdb_stop **stops, size_t *count, struct error *error)
 {
     enum { MOST_STOPS = 512 };
+    error->code = ERROR_NONE;
+    for (const struct lensdb_series *at = db->series; at != NULL; at = at->next) {
+        if (strcmp(at->file, file) == 0 && strcmp(at->name, series) == 0) {
+            *stops = at->stops;
+            *count = at->count;
+            return true;
+        }
+    }
     *stops = ARENA_ARRAY(db->arena, MOST_STOPS, struct lensdb_stop);
     *count = 0;
-    error->code = ERROR_NONE;
     /* the user's series replaces the embedded one: two in one would not be a series */
     for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES && *count == 0; place++) {
         if (!add_stops(db, place, file, series, *stops, MOST_STOPS, count, error)) {
             return false;
         }
     }
+    struct lensdb_series *read = ARENA_NEW(db->arena, struct lensdb_series);
+    *read = (struct lensdb_series){arena_string(db->arena, file, strlen(file)),
+                                   arena_string(db->arena, series, strlen(series)), *stops, *count,
+                                   db->series};
+    db->series = read;
     return true;
 }

@@ -19,6 +19,7 @@ struct lensdb {
     struct arena *arena;
     const char *directory; /* --lensdb or LENSCALC_DB; null = embedded data only */
     struct lensdb_file *loaded;
+    struct lensdb_series *series; /* stop series read so far */
 };
 
 /*

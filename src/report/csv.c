@@ -12,6 +12,9 @@ static char separator_of(const struct report *report)
 /* Does the cell need quotes? */
 static bool is_special(const char *start, size_t length, char separator)
 {
+    if (length > 0 && start[0] == '#') {
+        return true; /* a row that begins with it would be a comment */
+    }
     for (size_t i = 0; i < length; i++) {
         char c = start[i];
         if (c == separator || c == '"' || c == '\n' || c == '\r') {

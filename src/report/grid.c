@@ -149,7 +149,8 @@ static void write_markdown_row(const struct grid *grid, struct output *output, s
     output_character(output, '\n');
 }
 
-void grid_write_markdown(const struct grid *grid, struct output *output)
+/* Names, and the line under them that sets the alignment. */
+static void write_markdown_head(const struct grid *grid, struct output *output)
 {
     if (grid->title != NULL) {
         output_printf(output, "**%s**\n\n", grid->title);
@@ -160,6 +161,13 @@ void grid_write_markdown(const struct grid *grid, struct output *output)
         output_string(output, grid->left[j] ? " :--- |" : " ---: |");
     }
     output_character(output, '\n');
+}
+
+void grid_write_markdown(const struct grid *grid, struct output *output, bool with_head)
+{
+    if (with_head) {
+        write_markdown_head(grid, output);
+    }
     for (size_t i = grid->head_rows; i < grid->rows; i++) {
         write_markdown_row(grid, output, i);
     }
@@ -229,24 +237,30 @@ static void write_html_row(const struct grid *grid, struct output *output, size_
     output_string(output, "</tr>\n");
 }
 
-void grid_write_html(const struct grid *grid, struct output *output)
+void grid_write_html(const struct grid *grid, struct output *output, bool with_head)
 {
-    output_string(output, "<table>\n");
-    if (grid->title != NULL) {
+    if (with_head) {
+        output_string(output, "<table>\n");
+    }
+    if (with_head && grid->title != NULL) {
         output_string(output, "<caption>");
         write_html(output, grid->title);
         output_string(output, "</caption>\n");
     }
-    output_string(output, "<thead>\n");
-    for (size_t i = 0; i < grid->rows; i++) {
-        if (i == grid->head_rows) {
+    output_string(output, with_head ? "<thead>\n" : "");
+    for (size_t i = with_head ? 0 : grid->head_rows; i < grid->rows; i++) {
+        if (i == grid->head_rows && with_head) {
             output_string(output, "</thead>\n<tbody>\n");
         }
         write_html_row(grid, output, i);
     }
-    output_string(output, grid->rows > grid->head_rows ? "</tbody>\n" : "</thead>\n");
-    output_string(output, "</table>\n");
-    if (grid->note != NULL) {
+    output_string(output, grid->rows == grid->head_rows ? "</thead>\n<tbody>\n" : "");
+}
+
+void grid_html_close(const struct grid *grid, struct output *output)
+{
+    output_string(output, "</tbody>\n</table>\n");
+    if (grid != NULL && grid->note != NULL) {
         grid_html_paragraph(output, grid->note);
     }
 }

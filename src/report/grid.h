@@ -29,13 +29,16 @@ void grid_measure(const struct grid *grid, size_t *widths);
 
 /* Print in one of the formats that people or spreadsheets read. */
 void grid_write_text(const struct grid *grid, struct output *output, bool with_head);
-void grid_write_markdown(const struct grid *grid, struct output *output);
-void grid_write_html(const struct grid *grid, struct output *output);
+void grid_write_markdown(const struct grid *grid, struct output *output, bool with_head);
+void grid_write_html(const struct grid *grid, struct output *output, bool with_head);
 void grid_write_separated(const struct grid *grid, struct output *output, char separator);
 
 /* A whole HTML page around tables: written first and last. */
 void grid_html_begin(struct output *output, const char *title);
 void grid_html_end(struct output *output);
+
+/* End a table of grid_write_html, with the note of its grid (may be null) below. */
+void grid_html_close(const struct grid *grid, struct output *output);
 
 /* One line of text in an HTML page. */
 void grid_html_paragraph(struct output *output, const char *text);

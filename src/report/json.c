@@ -57,7 +57,10 @@ static void write_string(struct output *output, const char *start, size_t length
 
 static void write_key(struct output *output, const char *name, const char *suffix)
 {
-    output_printf(output, "\"%s%s\":", name, suffix);
+    output_character(output, '"');
+    output_string(output, name);
+    output_string(output, suffix);
+    output_string(output, "\":");
 }
 
 static void write_number(struct report *report, const void *row, const struct shown *shown)
@@ -87,6 +90,17 @@ static void write_value(struct report *report, const void *row, const struct sho
     }
 }
 
+/* Is the column shown in another unit already? One companion serves both. */
+static bool stands_before(const struct shown *shown, size_t index)
+{
+    for (size_t i = 0; i < index; i++) {
+        if (shown[i].column == shown[index].column) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* `,"key":value` for each column, and the companions of columns that can be infinite. */
 static void write_members(struct report *report, const void *row, const struct shown *shown,
                           size_t count, bool comma)
@@ -98,7 +112,7 @@ static void write_members(struct report *report, const void *row, const struct s
         comma = true;
         write_key(report->output, shown[i].name, "");
         write_value(report, row, &shown[i]);
-        if ((shown[i].column->flags & COLUMN_INFINITE) != 0) {
+        if ((shown[i].column->flags & COLUMN_INFINITE) != 0 && !stands_before(shown, i)) {
             output_character(report->output, ',');
             write_key(report->output, shown[i].column->name, "_is_infinite");
             bool infinite = row != NULL && isinf(row_number(row, shown[i].column));
@@ -118,7 +132,12 @@ static void write_object(struct report *report, const void *row, const struct te
         }
         write_string(report->output, name.start, name.length);
         output_character(report->output, ':');
-        write_string(report->output, passed[i].start, passed[i].length);
+        if (report->passed_bare != NULL && report->passed_bare[i]) {
+            struct text bare = passed[i].length > 0 ? passed[i] : text_of("null");
+            output_text(report->output, bare.start, bare.length);
+        } else {
+            write_string(report->output, passed[i].start, passed[i].length);
+        }
     }
     write_members(report, row, report->shown, report->shown_count, report->passed_count > 0);
     if (failure != NULL) {

@@ -83,8 +83,15 @@ bool output_open(struct output *output, const char *path, struct arena *arena, s
 {
     *output = (struct output){.descriptor = STDOUT_FILENO, .path = path, .size = BUFFER_SIZE};
     output->buffer = arena_buffer(arena, BUFFER_SIZE);
-    if (path == NULL) {
+    if (path == NULL || strcmp(path, "-") == 0) {
+        output->path = NULL;
         return true;
+    }
+    /* what a link points to is written, not the link replaced */
+    char *target = realpath(path, NULL);
+    if (target != NULL) {
+        output->path = path = arena_string(arena, target, strlen(target));
+        free(target);
     }
     output->descriptor =
         is_plain_or_new(path) ? open_beside(output, path, arena) : open(path, O_WRONLY | O_CLOEXEC);

@@ -116,7 +116,7 @@ static int certain_digits(const void *row, const struct column *column, int digi
     }
     double condition = *(const double *)((const char *)row + column->condition);
     double certain = -log10(condition * 0x1p-52);
-    return certain < digits ? (int)floor(certain) : digits;
+    return !(certain >= 1) ? 0 : certain < digits ? (int)floor(certain) : digits;
 }
 
 /* Does a number of at most nine digits stand for it, as for most that people type? */

@@ -51,6 +51,7 @@ struct report {
     size_t assumed_count;
     const struct text *passed_names; /* columns of a batch that are handed through */
     size_t passed_count;
+    const bool *passed_bare; /* JSON numbers, true, false, null: no quotes; null = none are */
     bool has_error_column;
     bool many;    /* a sweep or a batch: rows lie, even if there is one */
     bool nominal; /* labels of stop series were read as their exact values */

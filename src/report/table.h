@@ -49,6 +49,7 @@ struct column {
     const char *depends; /* COLUMN_ASSUMED: the options it follows from, separated by blanks; one
                             with '+' before it makes it follow from all others when given */
     size_t condition;    /* offset of the number's condition (a double), 0 = none */
+    int digits;          /* significant digits for people, 0 = as usual */
 };
 
 /* The rows of one command. */

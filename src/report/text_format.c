@@ -30,9 +30,10 @@ struct text_state {
     struct arena scratch;
 };
 
-static int digits_of(const struct report *report)
+static int digits_of(const struct report *report, const struct column *column)
 {
-    return report->digits != 0 ? report->digits : DIGITS;
+    int usual = column->digits != 0 ? column->digits : DIGITS;
+    return report->digits != 0 ? report->digits : usual;
 }
 
 static struct text copy_text(struct arena *arena, struct text text)
@@ -204,7 +205,7 @@ static void add_row(struct report *report, struct grid *grid, const void *row,
     }
     for (size_t i = 0; i < report->shown_count && row != NULL; i++) {
         readable_value(cell, sizeof cell, row, &report->shown[i], state->units[i],
-                       digits_of(report));
+                       digits_of(report, report->shown[i].column));
         grid_set(grid, report->passed_count + i, cell);
     }
     if (failure != NULL && state->has_failures) {
@@ -257,9 +258,9 @@ static const void *first_good_row(const struct text_state *state)
 static void write_grid(struct report *report, struct grid *grid, bool with_head)
 {
     if (report->format == &format_markdown) {
-        grid_write_markdown(grid, report->output);
+        grid_write_markdown(grid, report->output, with_head);
     } else if (report->format == &format_html) {
-        grid_write_html(grid, report->output);
+        grid_write_html(grid, report->output, with_head);
     } else {
         grid_write_text(grid, report->output, with_head);
     }
@@ -293,7 +294,8 @@ static void write_list(struct report *report)
             continue;
         }
         char cell[CELL];
-        readable_value(cell, sizeof cell, row, shown, state->units[i], digits_of(report));
+        readable_value(cell, sizeof cell, row, shown, state->units[i],
+                       digits_of(report, shown->column));
         grid_add_row(&grid);
         grid_set(&grid, 0,
                  shown->column->label != NULL ? shown->column->label
@@ -326,10 +328,10 @@ static void write_later_row(struct report *report, const void *row, const struct
     struct grid grid = new_grid(report, &state->scratch);
     memcpy(grid.least_width, state->widths, grid.columns * sizeof grid.least_width[0]);
     add_row(report, &grid, row, passed, failure != NULL ? failure->message : NULL);
-    if (report->format == &format_text) {
-        grid_write_text(&grid, report->output, false);
-    } else {
-        write_grid(report, &grid, false);
+    write_grid(report, &grid, false);
+    if (failure != NULL && !state->has_failures) {
+        output_printf(report->output, "error: %s\n",
+                      failure->message); /* there is no column for it */
     }
     arena_reset(&state->scratch, mark);
 }
@@ -375,6 +377,9 @@ static void text_end(struct report *report)
     struct text_state *state = report->state;
     if (!state->has_layout && (state->kept_count > 0 || report->many)) {
         write_kept(report);
+    }
+    if (report->format == &format_html && state->has_layout) {
+        grid_html_close(NULL, report->output);
     }
     write_line(report, report_assumptions(report, first_good_row(state)));
     if (report->explain != NULL && report->format != &format_html) {

@@ -31,6 +31,7 @@ RANGES = {
     "scenes.tsv": {"ev100": (-12, 24)},
     "films.tsv": {"onset_s": (0, 1000), "valid_to_s": (0, 100000)},
     "filters.tsv": {"factor": (1, 10000), "stops": (0, 15)},
+    "lines.tsv": {"nm": (100, 20000)},
 }
 OPTIONAL = {"px_w", "px_h", "pitch_um", "factor", "stops", "valid_to_s"}
 WHOLE = {"px_w", "px_h", "step", "din"}
@@ -44,6 +45,7 @@ COLUMNS = {
     "scenes.tsv": "name ev100 scene confidence source",
     "films.tsv": "maker film model parameters onset_s valid_to_s status source note",
     "filters.tsv": "name kind factor stops confidence source",
+    "lines.tsv": "name nm element note",
 }
 
 passed = 0
@@ -323,6 +325,22 @@ def check_filters(path, rows):
     unique(path, [(line, row["name"]) for line, row in rows])
 
 
+def check_glasses(path, rows):
+    # names stand once but for case; ranges are ranges; sources are stated
+    seen = {}
+    for line, row in rows:
+        faults = []
+        other = seen.setdefault(row["name"].lower(), line)
+        if other != line:
+            faults.append(f"name '{row['name']}' already stands in line {other}")
+        if (row["from_um"] == "-") != (row["to_um"] == "-") or \
+                row["from_um"] != "-" and not 0 < float(row["from_um"]) < float(row["to_um"]):
+            faults.append(f"range {row['from_um']} to {row['to_um']}")
+        if row["licence"] not in ("CC0", "facts") or len(row["source"]) < 4:
+            faults.append("has no source or licence")
+        check(f"{path}:{line}", faults)
+
+
 CHECKS = {
     "formats.tsv": check_formats,
     "cameras.tsv": check_cameras,
@@ -349,6 +367,8 @@ def main():
             check(f"{path}:{line}", cell_faults(name, row))
         if name in CHECKS:
             CHECKS[name](path, rows)
+    for path in sorted(glob.glob(os.path.join(folder, "glass", "*.tsv"))):
+        check_glasses(path, read(path))
     for text in problems:
         print(text)
     print(f"{passed} passed, {len(problems)} failed")

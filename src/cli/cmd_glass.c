@@ -1,0 +1,381 @@
+/* cli/cmd_glass.c - lenscalc glass: indices of optical glasses, and glasses by their indices. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/glass_search.h"
+#include "cli/photo_options.h"
+#include "file/lines.h"
+#include "optics/air.h"
+
+#include <math.h>
+
+struct input {
+    struct glass_value glass, like;
+    double wavelength, thickness; /* mm; NaN = not given */
+    double temperature, pressure; /* C, Pa; NaN = not given */
+    struct interval_value nd, Vd, PgF;
+    const char *catalog, *status, *abbe, *label;
+    int air;
+    long count;
+};
+
+static const struct option options[] = {
+    {OPTION(struct input, glass), .name = "glass", .column = "glass", .value = "NAME",
+     .flags = OPTION_OPERAND,
+     .help = "NAME or CATALOG:NAME, or nd/Vd, or a number; without it all glasses are searched"},
+    {OPTION(struct input, wavelength), .name = "wavelength", .letter = 'w', .column = "wavelength",
+     .dimension = &dimension_wavelength, .unit = "nm", OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
+     .help = "wavelength, or a line by name (d F C e g ..); otherwise d, F and C, in a search d"},
+    {OPTION(struct input, thickness), .name = "thickness", .column = "thickness",
+     .dimension = &dimension_length, .unit = "mm", .lowest = 0, .highest = INFINITY,
+     .flags = OPTION_NO_INFINITY, .value = "LENGTH",
+     .help = "thickness for the internal transmittance"},
+    {OPTION(struct input, temperature), .name = "temperature", .column = "temperature",
+     .dimension = &dimension_temperature, .unit = "C", .lowest = -100, .highest = 140,
+     .value = "DEGREES", .help = "temperature of glass and air; otherwise that of the catalogue"},
+    {OPTION(struct input, pressure), .name = "pressure", .column = "pressure",
+     .dimension = &dimension_pressure, .unit = "hPa", .lowest = 0, .highest = 1e6,
+     .value = "PRESSURE", .help = "pressure of the air, 0 for vacuum; otherwise 1013.25 hPa"},
+    {OPTION(struct input, air), .name = "air", .words = air_models, .fallback = "edlen",
+     .value = "MODEL", .help = "formula for air, with --temperature or --pressure"},
+    {OPTION(struct input, nd), .name = "nd", .value = "LOW..HIGH",
+     .help = "search by index at the d line"},
+    {OPTION(struct input, Vd), .name = "vd", .value = "LOW..HIGH", .help = "search by Abbe number"},
+    {OPTION(struct input, PgF), .name = "pgf", .value = "LOW..HIGH",
+     .help = "search by partial dispersion (ng - nF)/(nF - nC)"},
+    {OPTION(struct input, catalog), .name = "catalog", .value = "NAME",
+     .help = "search in one catalogue"},
+    {OPTION(struct input, status), .name = "status", .value = "WORD",
+     .help = "search by status: current, obsolete, .."},
+    {OPTION(struct input, like), .name = "like", .value = "NAME",
+     .help = "search what is nearest to this glass in g F e d C, nearest first"},
+    {OPTION(struct input, count), .name = "count", .dimension = &dimension_number, .lowest = 1,
+     .highest = 1000, .fallback = "10", .value = "NUMBER", .help = "how many, with --like"},
+    {OPTION(struct input, abbe), .name = "abbe", .value = "FILE.svg", .flags = OPTION_FILE,
+     .help = "draw the Abbe diagram of the glasses that are found"},
+    {OPTION(struct input, label), .name = "label", .value = "NAMES",
+     .help = "glasses that the Abbe diagram shows large, separated by commas"},
+};
+
+struct row {
+    const char *glass, *catalog, *line, *status, *source, *licence, *formula, *relative_to;
+    double wavelength, thickness, temperature, pressure;
+    double n, slope, group, growth, transmittance, difference;
+    struct glass_summary summary;
+    double from, to, density, expansion;
+};
+
+#define NUMBER(member)          COLUMN(struct row, member)
+#define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
+
+static const struct column columns[] = {
+    {NUMBER(glass), .name = "glass", .flags = COLUMN_BRIEF, .label = "glass",
+     .help = "name, as the catalogue spells it"},
+    {LENGTH(wavelength, "nm"), .name = "wavelength", .flags = COLUMN_ECHO | COLUMN_BRIEF,
+     .with = "wavelength", .symbol = "l", .label = "wavelength",
+     .help = "wavelength in air at the catalogue's temperature"},
+    {NUMBER(n), .name = "index", .digits = 7, .flags = COLUMN_BRIEF, .symbol = "n",
+     .label = "index", .help = "refractive index"},
+    {NUMBER(line), .name = "line", .flags = COLUMN_BRIEF, .label = "line",
+     .help = "name of the spectral line of this wavelength"},
+    {NUMBER(slope), .name = "dn_dl_per_um", .label = "dn/dl, 1/um",
+     .help = "slope of the index over the wavelength in um"},
+    {NUMBER(group), .name = "group_index", .digits = 7, .label = "group index",
+     .help = "n - l dn/dl"},
+    {NUMBER(growth), .name = "dn_dt_vacuum_per_k", .label = "dn/dT in vacuum, 1/K",
+     .help = "growth of the index in vacuum with the temperature"},
+    {NUMBER(transmittance), .name = "transmittance", .with = "thickness",
+     .label = "internal transmittance", .help = "of --thickness, without reflection"},
+    {NUMBER(difference), .name = "difference", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "like",
+     .label = "difference", .help = "from --like, rms of the index in g F e d C"},
+    {NUMBER(summary.nd), .name = "nd", .digits = 7, .flags = COLUMN_BRIEF, .symbol = "nd",
+     .label = "nd", .help = "index at the d line"},
+    {NUMBER(summary.Vd), .name = "vd", .flags = COLUMN_BRIEF, .symbol = "Vd", .label = "Vd",
+     .help = "Abbe number"},
+    {NUMBER(summary.ne), .name = "ne", .digits = 7, .symbol = "ne", .label = "ne",
+     .help = "index at the e line"},
+    {NUMBER(summary.Ve), .name = "ve", .label = "Ve", .help = "(ne - 1)/(nF' - nC')"},
+    {NUMBER(summary.PgF), .name = "pgf", .label = "PgF", .symbol = "PgF",
+     .help = "partial dispersion (ng - nF)/(nF - nC)"},
+    {NUMBER(summary.PdC), .name = "pdc", .label = "PdC",
+     .help = "partial dispersion (nd - nC)/(nF - nC)"},
+    {NUMBER(summary.deviation), .name = "dpgf", .label = "PgF off the normal line",
+     .help = "PgF - (0.6438 - 0.001682 Vd)"},
+    {LENGTH(from, "nm"), .name = "from", .flags = COLUMN_ECHO, .label = "from",
+     .help = "shortest wavelength of the formula"},
+    {LENGTH(to, "nm"), .name = "to", .flags = COLUMN_ECHO, .label = "to",
+     .help = "longest wavelength of the formula"},
+    {NUMBER(density), .name = "density_g_cm3", .flags = COLUMN_ECHO, .label = "density, g/cm3",
+     .help = "density"},
+    {NUMBER(expansion), .name = "expansion_1e6_k", .flags = COLUMN_ECHO,
+     .label = "expansion, 1e-6/K", .help = "linear thermal expansion from -30 to 70 C"},
+    {NUMBER(catalog), .name = "catalog", .flags = COLUMN_BRIEF, .label = "catalogue",
+     .help = "maker's catalogue"},
+    {NUMBER(status), .name = "status", .flags = COLUMN_BRIEF, .label = "status",
+     .help = "current, obsolete, or as the source says"},
+    {NUMBER(formula), .name = "formula", .label = "formula", .help = "form of the dispersion"},
+    {NUMBER(source), .name = "source", .label = "source", .help = "where the data are from"},
+    {NUMBER(licence), .name = "licence", .flags = COLUMN_HIDDEN, .label = "licence",
+     .help = "CC0, or facts (published constants)"},
+    {LENGTH(thickness, "mm"), .name = "thickness", .flags = COLUMN_ECHO | COLUMN_EXTRA,
+     .with = "thickness", .label = "thickness", .help = "for the transmittance"},
+    {NUMBER(temperature), .name = "temperature", .unit = "C", .dimension = &dimension_temperature,
+     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "temperature", .label = "temperature",
+     .help = "of glass and air"},
+    {NUMBER(pressure), .name = "pressure", .unit = "hPa", .dimension = &dimension_pressure,
+     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "pressure", .label = "pressure",
+     .help = "of the air"},
+    {NUMBER(relative_to), .name = "index_relative_to", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "temperature pressure air", .label = "index relative to",
+     .help = "what the index is relative to"},
+};
+
+/* A text that lives as long as the row; null where it is empty. */
+static const char *string(struct arena *arena, struct text text)
+{
+    return text.length == 0 ? NULL : arena_string(arena, text.start, text.length);
+}
+
+/* What was asked, at work. */
+struct question {
+    const struct input *input;
+    struct run *run;
+    double wavelength; /* mm, of what follows, found once for all rows */
+    struct twofold um; /* as the decimal that was typed */
+    const char *line;  /* the name of the spectral line */
+};
+
+static void set_facts(const struct glass_record *record, struct arena *arena, struct row *row)
+{
+    const struct glass *glass = &record->glass;
+    row->glass = string(arena, glass->name);
+    row->catalog = string(arena, glass->catalog);
+    row->status = string(arena, record->status);
+    row->source = string(arena, record->source);
+    row->licence = string(arena, record->licence);
+    row->formula = glass_formula_name(glass->formula);
+    row->from = glass->shortest / 1000;
+    row->to = glass->longest / 1000;
+    row->density = record->density;
+    row->expansion = record->expansion;
+}
+
+/* The wavelength as the decimal that was typed, um: its rounding shows near a resonance. */
+static struct twofold typed_wavelength(double wavelength)
+{
+    char text[NUMBER_LENGTH];
+    const struct unit *nm = unit_find(&dimension_length, text_of("nm"));
+    struct twofold typed = twofold_of(1e6 * wavelength);
+    twofold_read(text, quantity_write(text, wavelength, nm), &typed);
+    return twofold_divide(typed, twofold_of(1000));
+}
+
+/* Index and slope at the row's wavelength, in the state of air that is asked for. */
+static bool set_index(const struct question *question, const struct glass *glass, struct row *row,
+                      struct error *error)
+{
+    const struct input *input = question->input;
+    double um = question->um.high;
+    struct glass_index index = glass_index(glass, question->um);
+    const struct glass_thermal *thermal = &glass->thermal;
+    row->n = index.n.high;
+    row->slope = index.slope;
+    row->growth = glass_growth(glass, um, thermal->reference);
+    row->relative_to = "air at the catalogue's temperature and 1013.25 hPa";
+    if (!isnan(input->temperature) || !isnan(input->pressure)) {
+        const struct air air = {
+            (enum air_model)input->air,
+            !isnan(input->temperature) ? input->temperature : thermal->reference,
+            !isnan(input->pressure) ? input->pressure : AIR_STANDARD_PRESSURE,
+        };
+        struct glass_state state;
+        if (!glass_in_air(glass, um, &air, &state, error)) {
+            return false;
+        }
+        row->n = state.n;
+        row->slope = state.slope;
+        row->growth = state.growth;
+        row->temperature = air.temperature;
+        row->pressure = air.pressure;
+        row->relative_to = air.pressure > 0 ? air_models[input->air].help : "vacuum";
+    }
+    row->group = row->n - um * row->slope;
+    return true;
+}
+
+/* One row: a glass at a wavelength (mm). */
+static bool fill_row(struct question *question, const struct glass_record *record,
+                     const struct glass_summary *summary, double wavelength, struct row *row,
+                     struct error *error)
+{
+    const struct input *input = question->input;
+    struct arena *arena = question->run->arena;
+    *row = (struct row){.wavelength = wavelength,
+                        .thickness = input->thickness,
+                        .temperature = input->temperature,
+                        .pressure = input->pressure,
+                        .n = NAN,
+                        .slope = NAN,
+                        .group = NAN,
+                        .growth = NAN,
+                        .transmittance = NAN,
+                        .difference = NAN,
+                        .summary = *summary};
+    if (!(fabs(wavelength - question->wavelength) <= 0)) {
+        question->wavelength = wavelength;
+        question->um = typed_wavelength(wavelength);
+        question->line = string(arena, lines_name(question->run->db, wavelength));
+    }
+    row->line = question->line;
+    set_facts(record, arena, row);
+    if (!glass_check_range(&record->glass, question->um.high, error) ||
+        !set_index(question, &record->glass, row, error)) {
+        return false;
+    }
+    if (!isnan(input->thickness)) {
+        row->transmittance =
+            glass_transmittance(&record->glass, question->um.high, input->thickness);
+    }
+    return true;
+}
+
+/* A glass that was asked for by name has to have an index. */
+static bool show_named(struct question *question, struct error *error)
+{
+    const double lines[] = {GLASS_LINE_D / 1000, GLASS_LINE_F / 1000, GLASS_LINE_C / 1000};
+    const struct input *input = question->input;
+    const struct glass_record *record = input->glass.record;
+    struct glass_summary summary = glass_summary(&record->glass);
+    bool given = !isnan(input->wavelength);
+    for (size_t i = 0; i < (given ? 1 : 3); i++) {
+        struct row row;
+        if (!fill_row(question, record, &summary, given ? input->wavelength : lines[i], &row,
+                      error)) {
+            return false;
+        }
+        if (!run_emit(question->run, &row)) {
+            break;
+        }
+    }
+    return true;
+}
+
+/* A glass that was found; it may have no index at this wavelength, or no known dn/dT. */
+static bool show_found(const struct glass_match *match, void *context)
+{
+    struct question *question = context;
+    const struct input *input = question->input;
+    double wavelength = !isnan(input->wavelength) ? input->wavelength : GLASS_LINE_D / 1000;
+    struct row row;
+    struct error no_index;
+    if (!fill_row(question, &match->record, &match->summary, wavelength, &row, &no_index)) {
+        row.n = row.slope = row.group = row.growth = NAN;
+    }
+    row.difference = match->difference;
+    return run_emit(question->run, &row);
+}
+
+static struct glass_wishes wishes_of(const struct input *input)
+{
+    return (struct glass_wishes){.nd = input->nd,
+                                 .Vd = input->Vd,
+                                 .PgF = input->PgF,
+                                 .catalog = input->catalog,
+                                 .status = input->status,
+                                 .like = input->like.record,
+                                 .count = (size_t)input->count,
+                                 .complete = !isnan(input->thickness)};
+}
+
+static bool is_interval(struct interval_value interval)
+{
+    return !isnan(interval.low) || !isnan(interval.high);
+}
+
+/* The search option that is given beside a name; null if there is none. */
+static const char *search_option(const struct input *input)
+{
+    const struct {
+        bool given;
+        const char *name;
+    } all[] = {
+        {is_interval(input->nd), "nd"},    {is_interval(input->Vd), "vd"},
+        {is_interval(input->PgF), "pgf"},  {input->catalog != NULL, "catalog"},
+        {input->status != NULL, "status"}, {input->like.record != NULL, "like"},
+        {input->abbe != NULL, "abbe"},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        if (all[i].given) {
+            return all[i].name;
+        }
+    }
+    return NULL;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct question question = {.input = input, .run = run, .wavelength = NAN};
+    const char *option = search_option(input);
+    if (input->glass.record != NULL && option != NULL) {
+        fail(error, ERROR_USAGE, "--%s searches all glasses: it does not go with a name", option);
+        if (input->abbe != NULL) {
+            error_hint(error, "--label %s shows it", input->glass.name);
+        }
+        return false;
+    }
+    if (input->label != NULL && input->abbe == NULL) {
+        return fail(error, ERROR_USAGE, "--label wants --abbe");
+    }
+    if (input->glass.record != NULL) {
+        return show_named(&question, error);
+    }
+    const struct glass_wishes wishes = wishes_of(input);
+    return glass_search(&wishes, run->db, run->arena, show_found, &question, error) &&
+           (input->abbe == NULL ||
+            glass_diagram(&wishes, input->label, input->abbe, run->db, run->arena, error));
+}
+
+static bool makes_many(const void *data)
+{
+    const struct input *input = data;
+    return input->glass.record == NULL || isnan(input->wavelength);
+}
+
+static const struct explanation explanations[] = {
+    {"index", "{n} at {l}, by the catalogue's formula",
+     "[Schott16]; coefficients and source in the row",
+     "from the shortest to the longest wavelength of the formula"},
+    {"vd", "Vd = ({nd} - 1)/(nF - nC)", "[Schott16]", NULL},
+    {"pgf", "PgF = (ng - nF)/(nF - nC)", "[Schott16]", NULL},
+    {"transmittance", "tau = tau10^(d/10 mm), tau10 linear between the catalogue's points",
+     "Beer and Lambert", "inside of the glass only; no reflection"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"glass N-BK7", "index at d, F and C, and what is known of it"},
+    {"glass n-bk7,n-sf6 -w d,F,0.55um", "lines by name and wavelengths"},
+    {"glass N-BK7 -w 400..700:50", "over the spectrum"},
+    {"glass --nd 1.5..1.52 --vd 60..70 --status current", "search by index and Abbe number"},
+    {"glass --like N-BK7", "the nearest equivalents of other makers"},
+    {"glass N-BK7 -w d --temperature 60 --pressure 0", "warm, in vacuum"},
+    {"glass --catalog SCHOTT --status current --abbe abbe.svg", "the Abbe diagram"},
+    {NULL, NULL},
+};
+
+const struct command command_glass = {
+    .name = "glass",
+    .group = "data",
+    .summary = "indices of optical glasses, and glasses by their indices",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .makes_many = makes_many,
+    .run = run,
+    .explanations = explanations,
+    .plot = "index",
+    .cell = "index",
+};

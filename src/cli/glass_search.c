@@ -1,0 +1,204 @@
+/* cli/glass_search.c - the glasses that fulfil wishes, and the Abbe diagram of them. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/glass_search.h"
+
+#include "report/abbe.h"
+#include "report/output.h"
+#include "report/svg.h"
+
+#include <math.h>
+
+enum { MOST_SIMILAR = 1000, MOST_POINTS = 20000, MOST_GROUPS = 64 };
+
+static bool is_inside(struct interval_value interval, double value)
+{
+    bool wanted = !isnan(interval.low) || !isnan(interval.high);
+    return !wanted || (!isnan(value) && !(value < interval.low) && !(value > interval.high));
+}
+
+static bool fulfils(const struct glass_match *match, const struct glass_wishes *wishes)
+{
+    return is_inside(wishes->nd, match->summary.nd) && is_inside(wishes->Vd, match->summary.Vd) &&
+           is_inside(wishes->PgF, match->summary.PgF);
+}
+
+/* What needs no computing. */
+static bool is_wanted(const struct glass_record *record, const struct glass_wishes *wishes)
+{
+    return (wishes->catalog == NULL ||
+            text_same_name(record->glass.catalog, text_of(wishes->catalog))) &&
+           (wishes->status == NULL || text_same(record->status, wishes->status));
+}
+
+static bool is_same_record(const struct glass_record *a, const struct glass_record *b)
+{
+    return text_same_name(a->glass.catalog, b->glass.catalog) && a->place == b->place &&
+           a->glass.name.length == b->glass.name.length &&
+           text_same_name(a->glass.name, b->glass.name);
+}
+
+/* The most similar ones so far, nearest first. */
+struct ranking {
+    struct glass_match *best;
+    size_t count, most;
+};
+
+static void rank(struct ranking *ranking, const struct glass_match *match)
+{
+    size_t at = ranking->count;
+    if (isnan(match->difference) || ranking->most == 0) {
+        return;
+    }
+    if (at == ranking->most) {
+        if (!(match->difference < ranking->best[at - 1].difference)) {
+            return;
+        }
+        at--;
+    } else {
+        ranking->count++;
+    }
+    for (; at > 0 && match->difference < ranking->best[at - 1].difference; at--) {
+        ranking->best[at] = ranking->best[at - 1];
+    }
+    ranking->best[at] = *match;
+}
+
+/* Hand out each match, or rank it if the most similar are wanted. */
+static bool search_all(const struct glass_wishes *wishes, struct glass_catalogs *catalogs,
+                       struct ranking *ranking, glass_found *found, void *context, size_t *count,
+                       struct error *error)
+{
+    struct glass_match match;
+    while (glass_catalogs_next(catalogs, &match.record, error)) {
+        if (!is_wanted(&match.record, wishes)) {
+            continue;
+        }
+        match.summary = glass_summary(&match.record.glass);
+        match.difference = NAN;
+        if (!fulfils(&match, wishes)) {
+            continue;
+        }
+        if (wishes->like == NULL) {
+            ++*count;
+            if (!found(&match, context)) {
+                return true;
+            }
+        } else if (!is_same_record(&match.record, wishes->like)) {
+            match.difference = glass_difference(&match.record.glass, &wishes->like->glass);
+            rank(ranking, &match);
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+bool glass_search(const struct glass_wishes *wishes, struct lensdb *db, struct arena *arena,
+                  glass_found *found, void *context, struct error *error)
+{
+    struct glass_catalogs catalogs;
+    size_t most = wishes->count < MOST_SIMILAR ? wishes->count : MOST_SIMILAR, count = 0;
+    struct ranking ranking = {.most = most};
+    if (wishes->like != NULL) {
+        ranking.best = ARENA_ARRAY(arena, most + 1, struct glass_match);
+    }
+    if (!glass_catalogs_open(&catalogs, db, arena, wishes->complete, error) ||
+        !search_all(wishes, &catalogs, &ranking, found, context, &count, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < ranking.count && found(&ranking.best[i], context); i++) {
+    }
+    return count + ranking.count > 0 || fail(error, ERROR_DOMAIN, "no glass is of this kind");
+}
+
+/* The diagram while glasses are collected for it. */
+struct sheet_of_points {
+    struct arena *arena;
+    struct lensdb *db;
+    struct glass_record *labelled;
+    size_t labelled_count;
+    struct abbe_point *points;
+    size_t count;
+    const char *groups[MOST_GROUPS];
+    size_t group_count;
+};
+
+static bool is_labelled(const struct sheet_of_points *sheet, const struct glass_record *record)
+{
+    bool found = false;
+    for (size_t i = 0; i < sheet->labelled_count && !found; i++) {
+        found = is_same_record(record, &sheet->labelled[i]);
+    }
+    return found;
+}
+
+/* The group of a catalogue; glasses come catalogue by catalogue unless they are ranked. */
+static size_t group_of(struct sheet_of_points *sheet, struct text catalog)
+{
+    for (size_t i = 0; i < sheet->group_count; i++) {
+        if (text_equal(catalog, sheet->groups[i])) {
+            return i;
+        }
+    }
+    if (sheet->group_count == MOST_GROUPS) {
+        return MOST_GROUPS - 1;
+    }
+    sheet->groups[sheet->group_count] = arena_string(sheet->arena, catalog.start, catalog.length);
+    return sheet->group_count++;
+}
+
+static bool add_point(const struct glass_match *match, void *context)
+{
+    struct sheet_of_points *sheet = context;
+    struct text name = match->record.glass.name;
+    if (isnan(match->summary.nd) || isnan(match->summary.Vd)) {
+        return true;
+    }
+    sheet->points[sheet->count++] = (struct abbe_point){
+        .Vd = match->summary.Vd,
+        .nd = match->summary.nd,
+        .group = group_of(sheet, match->record.glass.catalog),
+        .label = arena_string(sheet->arena, name.start, name.length),
+        .chosen = is_labelled(sheet, &match->record),
+    };
+    return sheet->count < MOST_POINTS;
+}
+
+static bool find_labelled(struct sheet_of_points *sheet, const char *names, struct error *error)
+{
+    struct text rest = text_of(names != NULL ? names : "");
+    size_t most = 1;
+    for (size_t i = 0; i < rest.length; i++) {
+        most += rest.start[i] == ',';
+    }
+    sheet->labelled = ARENA_ARRAY(sheet->arena, most, struct glass_record);
+    while (names != NULL && rest.start != NULL) {
+        struct text name = text_cut(&rest, ',');
+        if (!glass_find(sheet->db, name, sheet->arena, &sheet->labelled[sheet->labelled_count++],
+                        error)) {
+            return error_prefix(error, "--label: ");
+        }
+    }
+    return true;
+}
+
+bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, const char *path,
+                   struct lensdb *db, struct arena *arena, struct error *error)
+{
+    struct sheet_of_points *sheet = ARENA_NEW(arena, struct sheet_of_points);
+    struct svg svg = {.arena = arena};
+    sheet->arena = arena;
+    sheet->db = db;
+    sheet->points = ARENA_ARRAY(arena, MOST_POINTS, struct abbe_point);
+    if (!find_labelled(sheet, labelled, error) ||
+        !glass_search(wishes, db, arena, add_point, sheet, error)) {
+        return false;
+    }
+    if (wishes->like != NULL) {
+        struct glass_match like = {.record = *wishes->like,
+                                   .summary = glass_summary(&wishes->like->glass)};
+        add_point(&like, sheet);
+        sheet->points[sheet->count - (sheet->count > 0)].chosen = true;
+    }
+    const struct abbe abbe = {"Abbe diagram", sheet->points, sheet->count, sheet->groups,
+                              sheet->group_count};
+    return abbe_draw(&abbe, &svg, error) && output_file(path, svg.data, svg.length, arena, error);
+}

@@ -1,0 +1,45 @@
+/* cli/glass_search.h - the glasses that fulfil wishes, and the Abbe diagram of them. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_GLASS_SEARCH_H
+#define LENSCALC_CLI_GLASS_SEARCH_H
+
+#include "base/arena.h"
+#include "cli/option_glass.h"
+#include "file/glass_catalog.h"
+
+/* What is wanted of a glass; null and NaN: anything. */
+struct glass_wishes {
+    struct interval_value nd, Vd, PgF;
+    const char *catalog, *status;
+    const struct glass_record *like; /* the most similar ones, nearest first */
+    size_t count;                    /* so many of them */
+    bool complete;                   /* with transmittances */
+};
+
+/* A glass that was found. */
+struct glass_match {
+    struct glass_record record;
+    struct glass_summary summary;
+    double difference; /* from wishes.like, NaN without */
+};
+
+/* Called for every match; false ends the search. */
+typedef bool glass_found(const struct glass_match *match, void *context);
+
+/*
+ * Go through all catalogues.
+ *
+ * Errors    as glass_catalogs_next; ERROR_DOMAIN: nothing fulfils the wishes
+ */
+bool glass_search(const struct glass_wishes *wishes, struct lensdb *db, struct arena *arena,
+                  glass_found *found, void *context, struct error *error);
+
+/*
+ * Write the Abbe diagram of what fulfils the wishes to a file.
+ *
+ * Given     labelled  names of glasses, separated by commas, that are drawn large; null = none
+ */
+bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, const char *path,
+                   struct lensdb *db, struct arena *arena, struct error *error);
+
+#endif

@@ -1,0 +1,395 @@
+/* file/glass_catalog.c - glasses by name: the embedded catalogues and the user's own. */
+/* SPDX-License-Identifier: MIT */
+#include "file/glass_catalog.h"
+
+#include "base/number.h"
+#include "file/embedded.h"
+#include "file/glass_table.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char FOLDER[] = "glass/", ENDING[] = ".tsv";
+
+/* "SCHOTT" of "glass/SCHOTT.tsv"; empty for another file. */
+static struct text catalog_of(const char *file)
+{
+    size_t length = strlen(file), around = strlen(FOLDER) + strlen(ENDING);
+    if (length <= around || strncmp(file, FOLDER, strlen(FOLDER)) != 0 ||
+        strcmp(file + length - strlen(ENDING), ENDING) != 0) {
+        return (struct text){"", 0};
+    }
+    return (struct text){file + strlen(FOLDER), length - around};
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* The embedded catalogues. */
+static const char **embedded_names(struct arena *arena)
+{
+    size_t count = 0;
+    for (const struct embedded_file *at = embedded_files; at->name != NULL; at++) {
+        count += catalog_of(at->name).length > 0;
+    }
+    const char **names = ARENA_ARRAY(arena, count + 1, const char *);
+    count = 0;
+    for (const struct embedded_file *at = embedded_files; at->name != NULL; at++) {
+        if (catalog_of(at->name).length > 0) {
+            names[count++] = at->name;
+        }
+    }
+    return names;
+}
+
+enum { MOST_USER_CATALOGS = 1000 };
+
+/* The catalogues in the folder glass of the user's folder, which need not be there. */
+static bool user_names(struct lensdb *db, struct arena *arena, const char ***names,
+                       struct error *error)
+{
+    *names = ARENA_ARRAY(arena, MOST_USER_CATALOGS + 1, const char *);
+    if (db->directory == NULL) {
+        return true;
+    }
+    const char *path = arena_printf(arena, "%s/glass", db->directory);
+    DIR *folder = opendir(path);
+    if (folder == NULL) {
+        return errno == ENOENT || errno == ENOTDIR ||
+               fail(error, ERROR_IO, "cannot read the folder %s: %s", path, strerror(errno));
+    }
+    size_t count = 0;
+    for (struct dirent *entry = readdir(folder); entry != NULL && count < MOST_USER_CATALOGS;
+         entry = readdir(folder)) {
+        const char *name = arena_printf(arena, "%s%s", FOLDER, entry->d_name);
+        if (catalog_of(name).length > 0 && entry->d_name[0] != '.') {
+            (*names)[count++] = name;
+        }
+    }
+    closedir(folder);
+    qsort(*names, count, sizeof **names, by_name);
+    return true;
+}
+
+/* Go to the catalogues of one place. */
+static bool enter_place(struct glass_catalogs *catalogs, enum lensdb_place place,
+                        struct error *error)
+{
+    catalogs->place = place;
+    catalogs->is_open = false;
+    if (place == LENSDB_EMBEDDED) {
+        catalogs->names = embedded_names(catalogs->arena);
+        return true;
+    }
+    return user_names(catalogs->db, catalogs->arena, &catalogs->names, error);
+}
+
+bool glass_catalogs_open(struct glass_catalogs *catalogs, struct lensdb *db, struct arena *arena,
+                         bool complete, struct error *error)
+{
+    *catalogs = (struct glass_catalogs){.db = db, .arena = arena, .complete = complete};
+    error->code = ERROR_NONE;
+    return enter_place(catalogs, LENSDB_USER, error);
+}
+
+/* Step to the next row that has a glass; false at the end of all. */
+static bool next_row(struct glass_catalogs *catalogs, struct error *error)
+{
+    for (;;) {
+        if (catalogs->is_open) {
+            if (tsv_next(&catalogs->table.tsv, error)) {
+                return true;
+            }
+            if (error->code != ERROR_NONE) {
+                return false;
+            }
+            catalogs->is_open = false;
+            catalogs->names++;
+        } else if (*catalogs->names != NULL) {
+            if (!lensdb_open(catalogs->db, catalogs->place, *catalogs->names, &catalogs->table.tsv,
+                             error)) {
+                return error->code == ERROR_NONE &&
+                       fail(error, ERROR_IO, "cannot read %s", *catalogs->names);
+            }
+            if (!glass_table_open(&catalogs->table, catalog_of(*catalogs->names), catalogs->place,
+                                  error)) {
+                return false;
+            }
+            catalogs->is_open = true;
+        } else if (catalogs->place == LENSDB_EMBEDDED) {
+            error->code = ERROR_NONE;
+            return false;
+        } else if (!enter_place(catalogs, catalogs->place + 1, error)) {
+            return false;
+        }
+    }
+}
+
+bool glass_catalogs_next(struct glass_catalogs *catalogs, struct glass_record *record,
+                         struct error *error)
+{
+    return next_row(catalogs, error) &&
+           glass_table_read(&catalogs->table, catalogs->complete, catalogs->arena, record, error);
+}
+
+enum { MOST_HOMONYMS = 24 };
+
+/* A name being looked for. */
+struct search {
+    struct lensdb *db;
+    struct arena *arena;
+    struct text typed, catalog, name; /* catalog is empty if none was typed */
+    struct glass_record found[MOST_HOMONYMS];
+    size_t count;
+};
+
+/* Keep the glass in the present row of a table if it answers to the name. */
+static bool consider(struct search *search, const struct glass_table *table, struct error *error)
+{
+    if ((search->catalog.length > 0 && !text_same_name(search->catalog, table->catalog)) ||
+        !text_same_name(search->name, glass_table_name(table)) || search->count == MOST_HOMONYMS) {
+        return true;
+    }
+    return glass_table_read(table, true, search->arena, &search->found[search->count++], error);
+}
+
+static bool search_user(struct search *search, struct error *error)
+{
+    struct glass_catalogs catalogs;
+    if (search->db->directory == NULL) {
+        return true;
+    }
+    if (!glass_catalogs_open(&catalogs, search->db, search->arena, true, error)) {
+        return false;
+    }
+    while (catalogs.place == LENSDB_USER && next_row(&catalogs, error)) {
+        if (catalogs.place == LENSDB_USER && !consider(search, &catalogs.table, error)) {
+            return false;
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+/* The name as the index has it; false if it is too long for any. */
+static bool make_key(struct text name, char key[EMBEDDED_KEY])
+{
+    size_t used = 0;
+    for (size_t i = 0; i < name.length; i++) {
+        char c = name.start[i];
+        if (c != ' ' && c != '-' && c != '_') {
+            if (used + 1 >= EMBEDDED_KEY) {
+                return false;
+            }
+            key[used++] = c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+        }
+    }
+    key[used] = '\0';
+    return used > 0;
+}
+
+/* The first entry of the index that does not come before the key. */
+static size_t first_of(const char *key)
+{
+    size_t low = 0, high = embedded_glass_count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (strcmp(embedded_glasses[middle].key, key) < 0) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/* Only the names and this one row are read of the catalogue. */
+static bool open_row(const struct embedded_glass *entry, struct glass_table *table,
+                     struct error *error)
+{
+    const struct embedded_file *file = &embedded_files[entry->file];
+    if (!tsv_open(&table->tsv, file->name, (struct text){file->data, file->rows}, error) ||
+        !glass_table_open(table, catalog_of(file->name), LENSDB_EMBEDDED, error)) {
+        return false;
+    }
+    table->tsv.rest = (struct text){file->data + entry->offset, file->length - entry->offset};
+    table->tsv.line = (long)entry->line - 1;
+    return tsv_next(&table->tsv, error);
+}
+
+static bool search_embedded(struct search *search, struct error *error)
+{
+    char key[EMBEDDED_KEY];
+    struct glass_table table;
+    if (!make_key(search->name, key)) {
+        return true;
+    }
+    for (size_t i = first_of(key);
+         i < embedded_glass_count && strcmp(embedded_glasses[i].key, key) == 0; i++) {
+        if (!open_row(&embedded_glasses[i], &table, error) || !consider(search, &table, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Equal but for case. */
+static bool is_same_name(struct text a, struct text b)
+{
+    bool same = a.length == b.length;
+    for (size_t i = 0; i < a.length && same; i++) {
+        char c = a.start[i], d = b.start[i];
+        c = c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+        d = d >= 'A' && d <= 'Z' ? (char)(d - 'A' + 'a') : d;
+        same = c == d;
+    }
+    return same;
+}
+
+/* Of glasses that differ by '-' and the like only, the one that was typed. */
+static void keep_exact(struct search *search)
+{
+    size_t exact = 0;
+    for (size_t i = 0; i < search->count; i++) {
+        if (is_same_name(search->found[i].glass.name, search->name)) {
+            search->found[exact++] = search->found[i];
+        }
+    }
+    search->count = exact > 0 ? exact : search->count;
+}
+
+static bool is_same_glass(const struct glass *a, const struct glass *b)
+{
+    return a->formula == b->formula && a->count == b->count && a->table_count == 0 &&
+           b->table_count == 0 &&
+           memcmp(a->coefficients, b->coefficients, a->count * sizeof a->coefficients[0]) == 0;
+}
+
+/* One name, several glasses: refuse, naming them, unless they are the same. */
+static bool choose(const struct search *search, struct glass_record *record, struct error *error)
+{
+    bool same = true;
+    char names[300] = "";
+    size_t used = 0;
+    *record = search->found[0];
+    for (size_t i = 0; i < search->count; i++) {
+        const struct glass_record *one = &search->found[i];
+        same = same && (i == 0 || is_same_glass(&one->glass, &search->found[0].glass));
+        if (text_equal(one->status, "current") && !text_equal(record->status, "current")) {
+            *record = *one;
+        }
+        int length = snprintf(names + used, sizeof names - used, "%s%.*s:%.*s%s", i > 0 ? ", " : "",
+                              (int)one->glass.catalog.length, one->glass.catalog.start,
+                              (int)one->glass.name.length, one->glass.name.start,
+                              text_equal(one->status, "obsolete") ? " (obsolete)" : "");
+        used += length > 0 && (size_t)length < sizeof names - used ? (size_t)length : 0;
+    }
+    return same || fail(error, ERROR_USAGE, "several glasses are called '%.*s': %s",
+                        (int)search->name.length, search->name.start, names);
+}
+
+/* The nearest name among all glasses, with its catalogue if one was typed. */
+static void suggest(struct search *search, struct error *error)
+{
+    struct nearest nearest = {.typed = search->name}, other = {.typed = search->catalog};
+    for (size_t i = 0; i < embedded_glass_count; i++) {
+        const struct embedded_glass *entry = &embedded_glasses[i];
+        const struct embedded_file *file = &embedded_files[entry->file];
+        struct text catalog = catalog_of(file->name), name = {file->data + entry->offset, 0};
+        while (name.start[name.length] != '\t') {
+            name.length++;
+        }
+        nearest_offer(&other, catalog);
+        if (search->catalog.length == 0 || text_same_name(catalog, search->catalog)) {
+            nearest_offer(&nearest, name);
+        }
+    }
+    bool prefixed = search->catalog.length > 0 && nearest.best.start != NULL;
+    if (nearest.best.start != NULL) {
+        error_hint(error, "did you mean '%.*s%s%.*s'?", prefixed ? (int)search->catalog.length : 0,
+                   search->catalog.start, prefixed ? ":" : "", (int)nearest.best.length,
+                   nearest.best.start);
+    } else if (other.best.start != NULL && search->catalog.length > 0) {
+        error_hint(error, "did you mean '%.*s:%.*s'?", (int)other.best.length, other.best.start,
+                   (int)search->name.length, search->name.start);
+    }
+}
+
+bool glass_find(struct lensdb *db, struct text name, struct arena *arena,
+                struct glass_record *record, struct error *error)
+{
+    struct search *search = ARENA_NEW(arena, struct search);
+    struct text rest = text_trim(name);
+    search->db = db;
+    search->arena = arena;
+    search->typed = rest;
+    search->catalog = text_cut(&rest, ':');
+    search->name = rest;
+    if (rest.start == NULL) {
+        search->name = search->catalog;
+        search->catalog = (struct text){"", 0};
+    }
+    error->code = ERROR_NONE;
+    if (!search_user(search, error) || (search->count == 0 && !search_embedded(search, error))) {
+        return false;
+    }
+    if (search->count == 0) {
+        int shown = search->typed.length < 60 ? (int)search->typed.length : 60;
+        fail(error, ERROR_USAGE, "glass '%.*s' is in no catalogue", shown, search->typed.start);
+        if (search->typed.length < 60) {
+            suggest(search, error);
+        }
+        return false;
+    }
+    keep_exact(search);
+    return choose(search, record, error);
+}
+
+/* What is made of numbers alone has no facts beside them. */
+static struct glass_record made(struct glass glass, struct text name)
+{
+    glass.name = name;
+    glass.catalog = (struct text){"", 0};
+    return (struct glass_record){.glass = glass,
+                                 .status = {"", 0},
+                                 .source = {"", 0},
+                                 .licence = {"", 0},
+                                 .nd = NAN,
+                                 .Vd = NAN,
+                                 .density = NAN,
+                                 .expansion = NAN,
+                                 .expansion_hot = NAN};
+}
+
+static bool read_all(struct text text, struct twofold *value)
+{
+    const char *end = text.start + text.length;
+    return text.length > 0 && twofold_read(text.start, end, value) == end;
+}
+
+bool glass_find_medium(struct lensdb *db, struct text text, struct arena *arena,
+                       struct glass_record *record, struct error *error)
+{
+    struct text rest = text_trim(text), name = rest;
+    struct text first = text_cut(&rest, '/');
+    struct twofold nd, Vd;
+    const double highest = 100; /* above that a number is the name of a glass, as 4786 */
+    if (!read_all(first, &nd) || (rest.start != NULL && !read_all(rest, &Vd)) ||
+        nd.high > highest) {
+        return glass_find(db, text, arena, record, error);
+    }
+    if (!(nd.high > 0)) {
+        return fail(error, ERROR_DOMAIN, "an index is above 0");
+    }
+    if (rest.start != NULL && !(fabs(Vd.high) > 0)) {
+        return fail(error, ERROR_DOMAIN, "Vd is a number other than 0");
+    }
+    *record = made(rest.start != NULL ? glass_nd_vd(nd, Vd) : glass_constant(nd),
+                   text_of(arena_string(arena, name.start, name.length)));
+    return true;
+}

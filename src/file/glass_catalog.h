@@ -1,0 +1,74 @@
+/* file/glass_catalog.h - glasses by name: the embedded catalogues and the user's own. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_GLASS_CATALOG_H
+#define LENSCALC_FILE_GLASS_CATALOG_H
+
+#include "file/lensdb.h"
+#include "optics/glass.h"
+
+/* A glass as its catalogue has it. Texts point into the database. */
+struct glass_record {
+    struct glass glass;
+    struct text status; /* "current", "obsolete", .. */
+    struct text source, licence;
+    double nd, Vd;                   /* as printed; NaN where not stated */
+    double density;                  /* g/cm^3 */
+    double expansion, expansion_hot; /* 1e-6/K, -30 to 70 and 20 (or 100) to 300 C */
+    enum lensdb_place place;
+};
+
+enum { GLASS_CATALOG_COLUMNS = 22 };
+
+/* A catalogue being read. */
+struct glass_table {
+    struct tsv tsv;
+    struct text catalog;
+    enum lensdb_place place;
+    size_t columns[GLASS_CATALOG_COLUMNS]; /* TSV_MOST_COLUMNS where a user's table has none */
+};
+
+/* All catalogues being read, the user's first. */
+struct glass_catalogs {
+    struct lensdb *db;
+    struct arena *arena; /* for what glasses point to */
+    bool complete;       /* with transmittances, which cost most of the time */
+    enum lensdb_place place;
+    const char **names; /* of this place: "glass/SCHOTT.tsv", ends with null */
+    bool is_open;
+    struct glass_table table;
+};
+
+/*
+ * Go through all glasses: the files glass/NAME.tsv of the user's folder, by name, then the embedded
+ * ones.
+ *
+ * Result    next: false at the end with error->code ERROR_NONE
+ * Errors    ERROR_DATA with line and column: a bad row; ERROR_IO
+ */
+bool glass_catalogs_open(struct glass_catalogs *catalogs, struct lensdb *db, struct arena *arena,
+                         bool complete, struct error *error);
+bool glass_catalogs_next(struct glass_catalogs *catalogs, struct glass_record *record,
+                         struct error *error);
+
+/*
+ * Find a glass by NAME or CATALOG:NAME. Case, blanks, '-' and '_' do not count, unless two glasses
+ * differ by nothing else. The user's glasses come before the embedded ones.
+ *
+ * Given     arena  for what the glass points to
+ * Errors    ERROR_USAGE with a suggestion: there is none; or several catalogues have the name with
+ *           different data (the message names them)
+ */
+bool glass_find(struct lensdb *db, struct text name, struct arena *arena,
+                struct glass_record *record, struct error *error);
+
+/*
+ * A medium as it is typed: a number (one index for all light), nd/Vd ("1.5168/64.17"), or the name
+ * of a glass.
+ *
+ * Errors    as glass_find; ERROR_DOMAIN: an index not above 0, Vd 0
+ * Limits    a number above 100 is no index but a name
+ */
+bool glass_find_medium(struct lensdb *db, struct text text, struct arena *arena,
+                       struct glass_record *record, struct error *error);
+
+#endif

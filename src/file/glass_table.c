@@ -1,0 +1,271 @@
+/* file/glass_table.c - read the rows of a catalogue of glasses. */
+/* SPDX-License-Identifier: MIT */
+#include "file/glass_table.h"
+
+#include "base/number.h"
+
+#include <math.h>
+
+enum column {
+    NAME,
+    STATUS,
+    FORMULA,
+    COEFFICIENTS,
+    FROM,
+    TO,
+    ND,
+    VD,
+    DENSITY,
+    EXPANSION,
+    EXPANSION_HOT,
+    REFERENCE,
+    D0,
+    D1,
+    D2,
+    E0,
+    E1,
+    RESONANCE,
+    TRANSMITTANCE,
+    SOURCE,
+    LICENCE,
+    COLUMNS
+};
+
+static const size_t NO_COLUMN = TSV_MOST_COLUMNS;
+
+static const char *const names[COLUMNS] = {
+    [NAME] = "name",
+    [STATUS] = "status",
+    [FORMULA] = "formula",
+    [COEFFICIENTS] = "coefficients",
+    [FROM] = "from_um",
+    [TO] = "to_um",
+    [ND] = "nd",
+    [VD] = "vd",
+    [DENSITY] = "density_g_cm3",
+    [EXPANSION] = "cte_m30_70",
+    [EXPANSION_HOT] = "cte_20_300",
+    [REFERENCE] = "t_ref_c",
+    [D0] = "d0",
+    [D1] = "d1",
+    [D2] = "d2",
+    [E0] = "e0",
+    [E1] = "e1",
+    [RESONANCE] = "l_tk_um",
+    [TRANSMITTANCE] = "transmittance_10mm",
+    [SOURCE] = "source",
+    [LICENCE] = "licence",
+};
+
+_Static_assert((int)COLUMNS <= (int)GLASS_CATALOG_COLUMNS, "room for all columns");
+
+bool glass_table_open(struct glass_table *table, struct text catalog, enum lensdb_place place,
+                      struct error *error)
+{
+    table->catalog = catalog;
+    table->place = place;
+    for (int i = 0; i < COLUMNS; i++) {
+        struct error missing;
+        bool needed = i == NAME || i == FORMULA || i == COEFFICIENTS;
+        if (!tsv_column(&table->tsv, names[i], &table->columns[i], &missing)) {
+            if (needed) {
+                *error = missing;
+                return false;
+            }
+            table->columns[i] = NO_COLUMN;
+        }
+    }
+    return true;
+}
+
+static struct text cell(const struct glass_table *table, enum column column)
+{
+    size_t i = table->columns[column];
+    return i != NO_COLUMN ? table->tsv.cells[i] : (struct text){"", 0};
+}
+
+static bool read_number(const struct glass_table *table, enum column column, double *value,
+                        struct error *error)
+{
+    *value = NAN;
+    if (table->columns[column] == NO_COLUMN) {
+        return true;
+    }
+    if (!tsv_number(&table->tsv, table->columns[column], value, error)) {
+        return false;
+    }
+    return !isinf(*value) || tsv_fail(&table->tsv, table->columns[column], error, "must be finite");
+}
+
+static bool bad(const struct glass_table *table, enum column column, const char *what,
+                struct error *error)
+{
+    return tsv_fail(&table->tsv, table->columns[column], error, what);
+}
+
+static bool read_coefficients(const struct glass_table *table, struct glass *glass,
+                              struct error *error)
+{
+    struct text rest = cell(table, COEFFICIENTS);
+    while (rest.start != NULL && rest.length > 0) {
+        struct text word = text_cut(&rest, ' ');
+        const char *end = word.start + word.length;
+        if (word.length == 0) {
+            continue;
+        }
+        if (glass->count == GLASS_MOST_COEFFICIENTS) {
+            return bad(table, COEFFICIENTS, "are more than 16 numbers", error);
+        }
+        struct twofold *c = &glass->coefficients[glass->count++];
+        if (twofold_read(word.start, end, c) != end || isinf(c->high)) {
+            return bad(table, COEFFICIENTS, "are not numbers separated by blanks", error);
+        }
+    }
+    if (!glass_count_fits(glass->formula, glass->count)) {
+        return bad(table, COEFFICIENTS, "are not as many as the formula has", error);
+    }
+    for (size_t i = 2; i < glass->count && glass->formula == GLASS_POWER; i += 2) {
+        double p = glass->coefficients[i].high;
+        if (!(fabs(p) <= 40) || p / 2 != floor(p / 2)) {
+            return bad(table, COEFFICIENTS, "have a power that is not even, or above 40", error);
+        }
+    }
+    return true;
+}
+
+static bool read_point(struct text pair, struct glass_point *point)
+{
+    struct text value = pair;
+    struct text at = text_cut(&value, ':');
+    return value.start != NULL &&
+           twofold_read(at.start, at.start + at.length, &point->wavelength) ==
+               at.start + at.length &&
+           twofold_read(value.start, value.start + value.length, &point->value) ==
+               value.start + value.length &&
+           point->wavelength.high > 0 && !isinf(point->wavelength.high);
+}
+
+/* "um:value" pairs by rising wavelength, values from 0 to `highest`. */
+static bool read_points(const struct glass_table *table, enum column column, double highest,
+                        struct arena *arena, const struct glass_point **points, size_t *count,
+                        struct error *error)
+{
+    struct text rest = cell(table, column);
+    size_t most = 1;
+    for (size_t i = 0; i < rest.length; i++) {
+        most += rest.start[i] == ' ';
+    }
+    struct glass_point *all = ARENA_ARRAY(arena, most, struct glass_point);
+    *count = 0;
+    while (rest.start != NULL && rest.length > 0) {
+        struct text pair = text_cut(&rest, ' ');
+        if (pair.length == 0) {
+            continue;
+        }
+        struct glass_point *point = &all[*count];
+        if (!read_point(pair, point) || !(point->value.high >= 0 && point->value.high <= highest)) {
+            return bad(table, column, "are not um:value pairs of possible values", error);
+        }
+        if (*count > 0 && !(point->wavelength.high > all[*count - 1].wavelength.high)) {
+            return bad(table, column, "do not go by rising wavelength", error);
+        }
+        ++*count;
+    }
+    *points = all;
+    return true;
+}
+
+/* A table of indices holds from its first to its last entry. */
+static bool read_index_table(const struct glass_table *table, struct glass *glass,
+                             struct arena *arena, struct error *error)
+{
+    const double highest = 1e3;
+    if (!read_points(table, COEFFICIENTS, highest, arena, &glass->table, &glass->table_count,
+                     error)) {
+        return false;
+    }
+    if (glass->table_count == 0) {
+        return bad(table, COEFFICIENTS, "are missing", error);
+    }
+    glass->shortest = glass->table[0].wavelength.high;
+    glass->longest = glass->table[glass->table_count - 1].wavelength.high;
+    return true;
+}
+
+static bool read_range(const struct glass_table *table, struct glass *glass, struct error *error)
+{
+    if (!read_number(table, FROM, &glass->shortest, error) ||
+        !read_number(table, TO, &glass->longest, error)) {
+        return false;
+    }
+    bool absent = isnan(glass->shortest) && isnan(glass->longest);
+    return absent || (glass->shortest > 0 && glass->longest >= glass->shortest) ||
+           bad(table, FROM, "is no beginning of a range: it must be above 0 and not above to_um",
+               error);
+}
+
+static bool read_formula(const struct glass_table *table, struct glass *glass, struct arena *arena,
+                         struct error *error)
+{
+    glass->formula = glass_formula_of(cell(table, FORMULA));
+    if (glass->formula == GLASS_FORMULAS) {
+        return bad(table, FORMULA, "is no formula", error);
+    }
+    if (!read_range(table, glass, error)) {
+        return false;
+    }
+    return glass->formula == GLASS_TABLE ? read_index_table(table, glass, arena, error)
+                                         : read_coefficients(table, glass, error);
+}
+
+static bool read_facts(const struct glass_table *table, struct glass_record *record,
+                       struct error *error)
+{
+    struct glass_thermal *thermal = &record->glass.thermal;
+    const struct {
+        enum column column;
+        double *value;
+    } facts[] = {
+        {ND, &record->nd},
+        {VD, &record->Vd},
+        {DENSITY, &record->density},
+        {EXPANSION, &record->expansion},
+        {EXPANSION_HOT, &record->expansion_hot},
+        {REFERENCE, &thermal->reference},
+        {D0, &thermal->d0},
+        {D1, &thermal->d1},
+        {D2, &thermal->d2},
+        {E0, &thermal->e0},
+        {E1, &thermal->e1},
+        {RESONANCE, &thermal->resonance},
+    };
+    for (size_t i = 0; i < sizeof facts / sizeof facts[0]; i++) {
+        if (!read_number(table, facts[i].column, facts[i].value, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool glass_table_read(const struct glass_table *table, bool complete, struct arena *arena,
+                      struct glass_record *record, struct error *error)
+{
+    *record = (struct glass_record){
+        .glass = {.catalog = table->catalog, .name = cell(table, NAME)},
+        .status = cell(table, STATUS),
+        .source = cell(table, SOURCE),
+        .licence = cell(table, LICENCE),
+        .place = table->place,
+    };
+    if (record->glass.name.length == 0) {
+        return bad(table, NAME, "is missing", error);
+    }
+    return read_formula(table, &record->glass, arena, error) && read_facts(table, record, error) &&
+           (!complete || read_points(table, TRANSMITTANCE, 1, arena, &record->glass.transmittance,
+                                     &record->glass.transmittance_count, error));
+}
+
+struct text glass_table_name(const struct glass_table *table)
+{
+    return cell(table, NAME);
+}

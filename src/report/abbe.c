@@ -1,0 +1,308 @@
+/* report/abbe.c - the Abbe diagram: glasses by index and Abbe number, as in a textbook, in SVG. */
+/* SPDX-License-Identifier: MIT */
+#include "report/abbe.h"
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "report/svg.h"
+#include "report/ticks.h"
+
+#include <math.h>
+
+static const double LEFT = 70, TOP = 56, BOTTOM = 62; /* margins, px */
+static const double NUMBER_SIZE = 12, AXIS_SIZE = 14, TITLE_SIZE = 17, LABEL_SIZE = 9.5;
+static const double LEGEND_WIDTH = 118;
+
+enum { MOST_LABELLED = 400, COLOURS = 7, SHAPES = 3 };
+
+/* As in plots: Okabe and Ito, Color Universal Design, 2008, without yellow. */
+static const char *const colours[COLOURS] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                             "#000000", "#e69f00", "#56b4e9"};
+
+struct axis {
+    double low, high;   /* values at the ends */
+    double start, stop; /* px */
+    struct ticks ticks;
+};
+
+struct box {
+    double left, top, right, bottom; /* px */
+};
+
+struct drawing {
+    const struct abbe *abbe;
+    struct svg *svg;
+    struct axis x, y;
+    struct box *taken; /* what labels must keep off: dots and labels */
+    size_t taken_count;
+};
+
+static double page_at(const struct axis *axis, double v)
+{
+    return axis->start + (v - axis->low) / (axis->high - axis->low) * (axis->stop - axis->start);
+}
+
+static bool is_drawable(const struct abbe_point *point)
+{
+    return isfinite(point->nd) && isfinite(point->Vd) && fabs(point->Vd) < 1e6;
+}
+
+static bool find_range(const struct abbe *abbe, struct axis *x, struct axis *y)
+{
+    x->low = y->low = INFINITY;
+    x->high = y->high = -INFINITY;
+    for (size_t i = 0; i < abbe->count; i++) {
+        const struct abbe_point *point = &abbe->points[i];
+        if (is_drawable(point)) {
+            x->low = fmin(x->low, point->Vd);
+            x->high = fmax(x->high, point->Vd);
+            y->low = fmin(y->low, point->nd);
+            y->high = fmax(y->high, point->nd);
+        }
+    }
+    return y->low <= y->high;
+}
+
+/* From tick to tick, with a little room around the outermost points. */
+static void set_axis(struct axis *axis, double start, double stop)
+{
+    double room = 0.02 * (axis->high - axis->low);
+    double low = axis->low - room, high = axis->high + room;
+    ticks_widen(&low, &high);
+    ticks_linear(low, high, &axis->ticks);
+    axis->low = axis->ticks.value[0];
+    axis->high = axis->ticks.value[axis->ticks.count - 1];
+    axis->start = start;
+    axis->stop = stop;
+}
+
+static void write_text(struct svg *svg, double x, double y, double size, enum svg_anchor anchor,
+                       const char *colour, const char *text)
+{
+    const struct svg_label label = {
+        .x = x, .y = y, .size = size, .anchor = anchor, .colour = colour};
+    svg_text(svg, &label, text);
+}
+
+static void draw_grid(const struct drawing *drawing)
+{
+    const struct axis *x = &drawing->x, *y = &drawing->y;
+    struct svg *svg = drawing->svg;
+    const struct svg_style grid = {.stroke = "#dddddd", .width = 0.7};
+    svg_group_begin(svg, &grid);
+    for (size_t i = 0; i < x->ticks.count; i++) {
+        double at = page_at(x, x->ticks.value[i]);
+        svg_line(svg, at, y->start, at, y->stop);
+    }
+    for (size_t i = 0; i < y->ticks.count; i++) {
+        double at = page_at(y, y->ticks.value[i]);
+        svg_line(svg, x->start, at, x->stop, at);
+    }
+    svg_group_end(svg);
+    const struct svg_style frame = {.stroke = "#000000", .width = 1};
+    svg_group_begin(svg, &frame);
+    double left = fmin(x->start, x->stop), top = fmin(y->start, y->stop);
+    svg_rect(svg, left, top, fabs(x->stop - x->start), fabs(y->stop - y->start));
+    svg_group_end(svg);
+}
+
+static void draw_numbers(const struct drawing *drawing)
+{
+    const struct axis *x = &drawing->x, *y = &drawing->y;
+    struct svg *svg = drawing->svg;
+    for (size_t i = 0; i < x->ticks.count; i++) {
+        write_text(svg, page_at(x, x->ticks.value[i]), y->start + 18, NUMBER_SIZE, SVG_MIDDLE, NULL,
+                   ticks_text(svg->arena, &x->ticks, i));
+    }
+    for (size_t i = 0; i < y->ticks.count; i++) {
+        write_text(svg, x->start - 8, page_at(y, y->ticks.value[i]) + 4, NUMBER_SIZE, SVG_END, NULL,
+                   ticks_text(svg->arena, &y->ticks, i));
+    }
+    write_text(svg, (x->start + x->stop) / 2, y->start + 42, AXIS_SIZE, SVG_MIDDLE, NULL,
+               "Abbe number Vd");
+    const struct svg_label label = {.x = 20,
+                                    .y = (y->start + y->stop) / 2,
+                                    .size = AXIS_SIZE,
+                                    .rotation = -90,
+                                    .anchor = SVG_MIDDLE};
+    svg_text(svg, &label, "refractive index nd");
+    const struct svg_label title = {.x = (x->start + x->stop) / 2,
+                                    .y = 32,
+                                    .size = TITLE_SIZE,
+                                    .anchor = SVG_MIDDLE,
+                                    .width = ABBE_WIDTH - 40,
+                                    .bold = true};
+    svg_text(svg, &title, drawing->abbe->title);
+}
+
+/* Crown left, flint right; the border is that of the makers' diagrams. */
+static void draw_border(const struct drawing *drawing)
+{
+    const struct axis *x = &drawing->x, *y = &drawing->y;
+    struct svg *svg = drawing->svg;
+    const double Vd[] = {55, 55, 50, 50};
+    const double nd[] = {y->low, 1.6, 1.6, y->high};
+    const struct svg_style style = {.stroke = "#888888", .dash = "7 4", .width = 1};
+    double page_x[4], page_y[4];
+    if (!(x->high < 50 && x->low > 55 && y->low < 1.6 && y->high > 1.6)) {
+        return;
+    }
+    for (int i = 0; i < 4; i++) {
+        page_x[i] = page_at(x, Vd[i]);
+        page_y[i] = page_at(y, nd[i]);
+    }
+    svg_group_begin(svg, &style);
+    svg_polyline(svg, page_x, page_y, 4);
+    svg_group_end(svg);
+    write_text(svg, page_x[0] - 8, y->start - 8, NUMBER_SIZE, SVG_END, "#666666", "crown");
+    write_text(svg, page_x[0] + 8, y->start - 8, NUMBER_SIZE, SVG_START, "#666666", "flint");
+}
+
+/* One of the three shapes, about as large as the others. */
+static void draw_mark(struct svg *svg, size_t group, double x, double y, double radius)
+{
+    const double triangle_x[] = {x - radius, x + radius, x};
+    const double triangle_y[] = {y + 0.8 * radius, y + 0.8 * radius, y - 1.1 * radius};
+    switch (group / COLOURS % SHAPES) {
+    case 0:
+        svg_circle(svg, x, y, radius);
+        break;
+    case 1:
+        svg_rect(svg, x - 0.85 * radius, y - 0.85 * radius, 1.7 * radius, 1.7 * radius);
+        break;
+    default:
+        svg_polygon(svg, triangle_x, triangle_y, 3);
+        break;
+    }
+}
+
+static double mark_radius(const struct abbe *abbe, bool chosen)
+{
+    double usual = abbe->count > MOST_LABELLED ? 2 : 2.8;
+    return chosen ? usual + 2 : usual;
+}
+
+static void take(struct drawing *drawing, struct box box)
+{
+    drawing->taken[drawing->taken_count++] = box;
+}
+
+static void draw_points(struct drawing *drawing, bool chosen)
+{
+    const struct abbe *abbe = drawing->abbe;
+    struct svg *svg = drawing->svg;
+    double radius = mark_radius(abbe, chosen);
+    for (size_t group = 0; group < abbe->group_count; group++) {
+        const struct svg_style style = {.fill = colours[group % COLOURS],
+                                        .stroke = chosen ? "#000000" : NULL,
+                                        .width = 1.2,
+                                        .opacity =
+                                            chosen || abbe->count <= MOST_LABELLED ? 1 : 0.65};
+        svg_group_begin(svg, &style);
+        for (size_t i = 0; i < abbe->count; i++) {
+            const struct abbe_point *point = &abbe->points[i];
+            if (point->group == group && point->chosen == chosen && is_drawable(point)) {
+                double x = page_at(&drawing->x, point->Vd), y = page_at(&drawing->y, point->nd);
+                draw_mark(svg, group, x, y, radius);
+                take(drawing, (struct box){x - radius, y - radius, x + radius, y + radius});
+            }
+        }
+        svg_group_end(svg);
+    }
+}
+
+static bool overlap(const struct box *a, const struct box *b)
+{
+    return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
+}
+
+static bool is_free(const struct drawing *drawing, const struct box *box)
+{
+    const struct axis *x = &drawing->x, *y = &drawing->y;
+    if (box->left < x->start || box->right > x->stop || box->top < y->stop ||
+        box->bottom > y->start) {
+        return false;
+    }
+    for (size_t i = 0; i < drawing->taken_count; i++) {
+        if (overlap(box, &drawing->taken[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Beside the point where there is room: right, left, above, below, then the corners. */
+static void label_point(struct drawing *drawing, const struct abbe_point *point)
+{
+    static const struct {
+        double x, y; /* place of the label's middle, in half widths and heights */
+    } places[] = {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
+    double size = point->chosen ? LABEL_SIZE + 2.5 : LABEL_SIZE;
+    double half_width = svg_text_width(point->label, size) / 2, half_height = 0.42 * size;
+    double gap = mark_radius(drawing->abbe, point->chosen) + 1.5;
+    double x = page_at(&drawing->x, point->Vd), y = page_at(&drawing->y, point->nd);
+    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+        double shift_x = places[i].x * (half_width + gap);
+        double shift_y = places[i].y * (half_height + gap);
+        struct box box = {x + shift_x - half_width, y + shift_y - half_height,
+                          x + shift_x + half_width, y + shift_y + half_height};
+        bool last = i + 1 == sizeof places / sizeof places[0];
+        if (is_free(drawing, &box) || (last && point->chosen)) {
+            write_text(drawing->svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE,
+                       point->chosen ? NULL : "#333333", point->label);
+            take(drawing, box);
+            return;
+        }
+    }
+}
+
+static void draw_labels(struct drawing *drawing, bool chosen)
+{
+    const struct abbe *abbe = drawing->abbe;
+    for (size_t i = 0; i < abbe->count; i++) {
+        const struct abbe_point *point = &abbe->points[i];
+        if (point->chosen == chosen && is_drawable(point) && point->label != NULL &&
+            (chosen || abbe->count <= MOST_LABELLED)) {
+            label_point(drawing, point);
+        }
+    }
+}
+
+static void draw_legend(const struct drawing *drawing)
+{
+    const struct abbe *abbe = drawing->abbe;
+    double x = ABBE_WIDTH - LEGEND_WIDTH + 14, y = TOP + 10;
+    for (size_t group = 0; group < abbe->group_count; group++, y += 19) {
+        const struct svg_style style = {.fill = colours[group % COLOURS]};
+        svg_group_begin(drawing->svg, &style);
+        draw_mark(drawing->svg, group, x, y, 4);
+        svg_group_end(drawing->svg);
+        write_text(drawing->svg, x + 11, y + 4, NUMBER_SIZE, SVG_START, NULL, abbe->groups[group]);
+    }
+}
+
+bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
+{
+    struct drawing drawing = {.abbe = abbe, .svg = svg};
+    if (!find_range(abbe, &drawing.x, &drawing.y)) {
+        return fail(error, ERROR_DOMAIN, "nothing to draw: no glass with nd and Vd");
+    }
+    set_axis(&drawing.y, ABBE_HEIGHT - BOTTOM, TOP);
+    set_axis(&drawing.x, ABBE_WIDTH - LEGEND_WIDTH, LEFT);
+    /* Vd falls to the right: the axis is turned round once its ticks are chosen */
+    double high = drawing.x.high;
+    drawing.x =
+        (struct axis){high, drawing.x.low, LEFT, ABBE_WIDTH - LEGEND_WIDTH, drawing.x.ticks};
+    drawing.taken = ARENA_ARRAY(svg->arena, 2 * abbe->count + 1, struct box);
+    svg_begin(svg, ABBE_WIDTH, ABBE_HEIGHT, abbe->title);
+    draw_grid(&drawing);
+    draw_border(&drawing);
+    draw_numbers(&drawing);
+    draw_points(&drawing, false);
+    draw_points(&drawing, true);
+    draw_labels(&drawing, true);
+    draw_labels(&drawing, false);
+    draw_legend(&drawing);
+    svg_end(svg);
+    return true;
+}

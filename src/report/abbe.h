@@ -1,0 +1,42 @@
+/* report/abbe.h - the Abbe diagram: glasses by index and Abbe number, as in a textbook, in SVG. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_REPORT_ABBE_H
+#define LENSCALC_REPORT_ABBE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct arena;
+struct error;
+struct svg;
+
+/* The page, px. */
+#define ABBE_WIDTH  900.0
+#define ABBE_HEIGHT 640.0
+
+struct abbe_point {
+    double Vd, nd;
+    size_t group;      /* index into groups */
+    const char *label; /* its name */
+    bool chosen;       /* drawn larger, labelled first and in any case */
+};
+
+struct abbe {
+    const char *title;
+    const struct abbe_point *points;
+    size_t count;
+    const char *const *groups; /* names for the legend, each a colour and a shape */
+    size_t group_count;
+};
+
+/*
+ * Draw the diagram as a whole SVG document into `svg`, which must be empty: nd upwards, Vd falling
+ * to the right, crown and flint parted at Vd = 55 (50 from nd = 1.6 on).
+ *
+ * Result    points that are not finite are left out. Chosen points are labelled; up to 400 others
+ *           too, where their names find room
+ * Errors    no point that can be drawn
+ */
+bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error);
+
+#endif

@@ -1,0 +1,186 @@
+#!/usr/bin/env python3
+"""tests/truth/check_glass.py - indices of all glasses against exact arithmetic.
+
+Every row of lensdb/glass at the d F C g e lines and two wavelengths near the ends of its range,
+through the binary: within 4e-16 of the formula evaluated with 50 digits from the decimals of the
+table; nd and Vd as the maker prints them; tests/truth/glass.tsv (evaluated by another program);
+the (nd, Vd) model; every name is found, homonyms are refused.
+"""
+# SPDX-License-Identifier: MIT
+
+import csv
+import glob
+import io
+import os
+import re
+import sys
+from decimal import Decimal, getcontext
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import ROOT, Checks, Program
+
+getcontext().prec = 50
+LIMIT = Decimal("4e-16")  # of the index, relative: half an ulp, and that of the wavelength
+ND_LIMIT = 3e-5           # the makers print nd to 5 or 6 places and fit to 1e-5
+VD_LIMIT = 0.0012         # of Vd, or 0.06: printed with two places from rounded indices
+LINES = {"d": "587.5618", "F": "486.1327", "C": "656.2725", "g": "435.8343", "e": "546.0740"}
+
+
+def read_table(path):
+    with open(path, encoding="utf-8") as file:
+        lines = [line.rstrip("\n") for line in file if not line.startswith("#")]
+    return list(csv.DictReader(lines, delimiter="\t", quoting=csv.QUOTE_NONE))
+
+
+def pairs(values):
+    return zip(values[0::2], values[1::2])
+
+
+def index_of(formula, c, l):
+    """The formulas as the head of the tables states them."""
+    x = l * l
+    if formula == "sellmeier":
+        return (1 + sum(b * x / (x - r) for b, r in pairs(c))).sqrt()
+    if formula == "sellmeier_sq":
+        return (1 + c[0] + sum(b * x / (x - r * r) for b, r in pairs(c[1:]))).sqrt()
+    if formula == "schott":
+        return (c[0] + c[1] * x + c[2] / x + c[3] / x**2 + c[4] / x**3 + c[5] / x**4).sqrt()
+    if formula == "power":
+        return (c[0] + sum(a * l ** int(p) for a, p in pairs(c[1:]))).sqrt()
+    if formula == "conrady":
+        return c[0] + c[1] / l + c[2] / (l**3 * l.sqrt())
+    if formula == "herzberger":
+        z = 1 / (x - Decimal("0.028"))
+        return c[0] + c[1] * z + c[2] * z * z + c[3] * x + c[4] * x**2 + c[5] * x**3
+    raise ValueError(formula)
+
+
+def catalogue():
+    rows = {}
+    for path in sorted(glob.glob(os.path.join(ROOT, "lensdb/glass/*.tsv"))):
+        catalog = os.path.basename(path)[:-4]
+        for row in read_table(path):
+            row["c"] = [Decimal(word) for word in row["coefficients"].split()]
+            rows[catalog, row["name"]] = row
+    return rows
+
+
+def ask(program, checks, questions):
+    """The answers to (glass, wavelength) pairs."""
+    text = "glass\twavelength_nm\n" + "".join(f"{glass}\t{nm}\n" for glass, nm in questions)
+    result = program.run("glass", "--batch", "-", "--tsv", "--columns",
+                         "glass,catalog,wavelength,index,nd,vd,error", stdin=text, timeout=600)
+    answers = list(csv.DictReader(io.StringIO(result.stdout.decode()), delimiter="\t",
+                                  quoting=csv.QUOTE_NONE))
+    checks.check(len(answers) == len(questions), f"{len(answers)} answers of {len(questions)}: "
+                                                 f"{result.stderr.decode()[:300]}")
+    return answers
+
+
+def wavelengths(row):
+    """Lines and two wavelengths near the ends, nm, as far as the range reaches."""
+    found = list(LINES.values())
+    if row["from_um"] != "-":
+        low, high = 1000 * Decimal(row["from_um"]), 1000 * Decimal(row["to_um"])
+        found = [nm for nm in found if low <= Decimal(nm) <= high]
+        found += [str(low), str(high), str((low * 3 + high) / 4)]
+    return found
+
+
+def check_index(checks, what, value, truth, worst):
+    if not value:
+        checks.check(False, f"{what} has no index")
+        return
+    error = abs(Decimal(float(value)) / truth - 1)
+    worst[0] = max(worst[0], error)
+    checks.check(error <= LIMIT, f"{what} is {value}, exactly {truth:.22}: off by {error:.3}")
+
+
+def check_catalogue(program, checks, rows, worst):
+    questions = [(f"{catalog}:{name}", nm) for (catalog, name), row in rows.items()
+                 for nm in wavelengths(row)]
+    answers = ask(program, checks, questions)
+    for (glass, nm), answer in zip(questions, answers):
+        catalog, name = glass.split(":", 1)
+        row = rows[catalog, name]
+        checks.check((answer["catalog"], answer["glass"]) == (catalog, name),
+                     f"{glass} is answered by {answer['catalog']}:{answer['glass']}")
+        check_index(checks, f"{glass} at {nm} nm", answer["index"],
+                    index_of(row["formula"], row["c"], Decimal(nm) / 1000), worst)
+    return {glass: answer for (glass, _), answer in zip(questions, answers)}
+
+
+def check_printed(checks, rows, answers):
+    """nd and Vd recomputed agree with what the maker prints."""
+    for (catalog, name), row in rows.items():
+        answer = answers.get(f"{catalog}:{name}")
+        if answer is None or row["nd"] == "-":
+            continue
+        # where the formula's range ends short of the lines the program states no nd or Vd
+        if answer["nd"]:
+            off = abs(float(answer["nd"]) - float(row["nd"]))
+            checks.check(off <= ND_LIMIT, f"{catalog}:{name}: nd {answer['nd']}, printed "
+                                          f"{row['nd']}")
+        if answer["vd"] and row["vd"] != "-":
+            printed = float(row["vd"])
+            limit = max(0.06, VD_LIMIT * printed)
+            if catalog == "SUMITA":  # from indices of five places, printed with one or none
+                limit += 0.5 * 10 ** -len(row["vd"].partition(".")[2])
+                limit += printed ** 2 * 1e-5 / (float(row["nd"]) - 1)
+            checks.check(abs(float(answer["vd"]) - printed) <= limit,
+                         f"{catalog}:{name}: Vd {answer['vd']}, printed {row['vd']}")
+
+
+def check_truth(program, checks, rows, worst):
+    """Independent numbers; those outside of a glass's range are refused."""
+    lines = {row["name"]: row["nm"] for row in read_table(os.path.join(ROOT, "lensdb/lines.tsv"))}
+    cases = []
+    for row in read_table(os.path.join(ROOT, "tests/truth/glass.tsv")):
+        model = re.fullmatch(r"nd=(.*),Vd=(.*)", row["glass"])
+        nm = lines.get(row["wavelength"]) or str(1000 * Decimal(row["wavelength"]))
+        glass = f"{model[1]}/{model[2]}" if model else row["glass"]
+        cases.append((glass, nm, Decimal(row["index"])))
+    answers = ask(program, checks, [(glass, nm) for glass, nm, _ in cases])
+    for (glass, nm, truth), answer in zip(cases, answers):
+        row = rows.get(tuple(glass.split(":", 1)))
+        inside = row is None or row["from_um"] == "-" or \
+            float(row["from_um"]) <= float(nm) / 1000 <= float(row["to_um"])
+        if inside:
+            check_index(checks, f"{glass} at {nm} nm", answer["index"], truth, worst)
+        else:
+            checks.check("outside the range" in answer["error"], f"{glass} at {nm} nm: not refused")
+
+
+def check_names(program, checks, rows):
+    """A bare name finds its glass in any case, or is refused because several have it."""
+    by_name = {}
+    for (catalog, name), row in rows.items():
+        by_name.setdefault(name.lower(), []).append((catalog, name, row))
+    names = list(by_name)
+    answers = ask(program, checks, [(name, "1000") for name in names])
+    for name, answer in zip(names, answers):
+        several = len({(row["formula"], row["coefficients"]) for _, _, row in by_name[name]}) > 1
+        if several:
+            checks.check("several glasses" in answer["error"], f"homonym {name} is not refused")
+        elif answer["error"]:
+            checks.check("outside the range" in answer["error"], f"{name}: {answer['error']}")
+        else:
+            checks.check(answer["glass"] in [spelt for _, spelt, _ in by_name[name]],
+                         f"{name} is answered by {answer['glass']}")
+
+
+def main():
+    program, checks, worst = Program(sys.argv[1]), Checks(), [Decimal(0)]
+    rows = catalogue()
+    checks.check(len(rows) == 2788, f"{len(rows)} glasses, 2788 expected")
+    answers = check_catalogue(program, checks, rows, worst)
+    check_printed(checks, rows, answers)
+    check_truth(program, checks, rows, worst)
+    check_names(program, checks, rows)
+    if "--worst" in sys.argv:
+        print(f"worst relative error {worst[0]:.4}")
+    checks.finish()
+
+
+main()
