@@ -28,11 +28,11 @@ LINK_1   = -static
 LINK_0   =
 LDFLAGS  =
 
-sources := $(wildcard src/base/*.c src/photo/*.c src/report/*.c src/cli/*.c) \
+sources := $(wildcard src/base/*.c src/photo/*.c src/optics/*.c src/report/*.c src/cli/*.c) \
            $(filter-out src/file/embed.c,$(wildcard src/file/*.c))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o
 units   := $(patsubst tests/unit/%.c,$(BUILD)/unit/%,$(wildcard tests/unit/test_*.c))
-lensdb  := $(sort $(wildcard lensdb/*.tsv))
+lensdb  := $(sort $(wildcard lensdb/*.tsv lensdb/glass/*.tsv))
 
 all: $(BUILD)/lenscalc
 
@@ -51,9 +51,9 @@ $(BUILD)/%.o: src/%.c
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 
 # lensdb inside the program: const arrays, paged in only where a command looks
-$(BUILD)/embed: src/file/embed.c
+$(BUILD)/embed: src/file/embed.c src/file/embedded.h
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(STANDARD) $(WARNINGS) -o $@ $<
+	$(Q)$(CC) $(STANDARD) $(WARNINGS) -Isrc -o $@ $<
 
 $(BUILD)/lensdb.c: $(BUILD)/embed $(lensdb)
 	$(Q)$(BUILD)/embed $(lensdb) > $@.new && mv $@.new $@

@@ -7,14 +7,29 @@ extern const struct command command_exposure, command_flash, command_bracket, co
     command_stars;
 extern const struct command command_focus, command_diffraction, command_equivalent;
 extern const struct command command_tilt, command_panorama;
-extern const struct command command_list;
+extern const struct command command_refract, command_lensmaker;
+extern const struct command command_list, command_glass;
 extern const struct command command_help, command_completion;
 
 const struct command *const commands[] = {
-    &command_dof,   &command_hyperfocal,  &command_fov, /* photography */
-    &command_focus, &command_exposure,    &command_flash,      &command_bracket, &command_motion,
-    &command_stars, &command_diffraction, &command_equivalent, &command_tilt,    &command_panorama,
-    &command_list,                       /* data */
-    &command_help,  &command_completion, /* tool */
+    &command_dof,
+    &command_hyperfocal,
+    &command_fov, /* photography */
+    &command_focus,
+    &command_exposure,
+    &command_flash,
+    &command_bracket,
+    &command_motion,
+    &command_stars,
+    &command_diffraction,
+    &command_equivalent,
+    &command_tilt,
+    &command_panorama,
+    &command_refract,
+    &command_lensmaker, /* one surface, one lens */
+    &command_list,
+    &command_glass, /* data */
+    &command_help,
+    &command_completion, /* tool */
     NULL,
 };

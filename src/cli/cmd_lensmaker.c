@@ -1,0 +1,241 @@
+/* cli/cmd_lensmaker.c - lenscalc lensmaker: one lens, thin or thick. */
+/* SPDX-License-Identifier: MIT */
+#include "base/arena.h"
+#include "cli/command.h"
+#include "cli/photo_options.h"
+#include "optics/lensmaker.h"
+#include "report/svg.h"
+
+#include <math.h>
+#include <string.h>
+
+struct input {
+    struct lensmaker lens;
+    bool ball;
+    int solution;
+    const char *lens_file;
+};
+
+/* Indexed by the member `solution`. */
+static const struct word solutions[] = {
+    {"first", "the one that the thin lens has too"},
+    {"second", "the other one"},
+    {NULL, NULL},
+};
+
+#define INDEX(member_name)                                                                         \
+    OPTION(struct input, lens.member_name), .dimension = &dimension_number, OPTION_POSITIVE,       \
+                                            .value = "INDEX"
+#define PLACE(member_name)                                                                         \
+    OPTION(struct input, lens.member_name), .dimension = &dimension_length, .unit = "mm",          \
+                                            .value = "LENGTH"
+
+static const struct option options[] = {
+    {PLACE(f), .name = "focal-length", .letter = 'f', .column = "focal", .flags = OPTION_GOAL,
+     .help = "wanted focal length, 1/power; below 0 for a negative, inf for an afocal lens"},
+    {PLACE(R1), .name = "r1", .column = "radius_1", .flags = OPTION_SETTING,
+     .help = "first radius, + with the centre to the right; inf for a plane"},
+    {PLACE(R2), .name = "r2", .column = "radius_2", .flags = OPTION_SETTING,
+     .help = "second radius: of a biconvex lens it is negative"},
+    {INDEX(n), .name = "index", .letter = 'n', .column = "index",
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING,
+     .help = "index of the lens"},
+    {PLACE(d), .name = "thickness", .letter = 'd', .column = "thickness", .lowest = 0,
+     .highest = INFINITY, .flags = OPTION_NO_INFINITY | OPTION_SETTING,
+     .help = "thickness at the vertices, of a ball its diameter; 0 (thin) if it is not asked for"},
+    {OPTION(struct input, lens.q), .name = "shape", .letter = 'q', .column = "shape",
+     .dimension = &dimension_number, .value = "NUMBER", .flags = OPTION_GOAL,
+     .help = "shape factor (R2 + R1)/(R2 - R1): 0 equiconvex, 1 and -1 with a plane, beyond a "
+             "meniscus"},
+    {INDEX(n0), .name = "before", .column = "index_before", .fallback = "1",
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium before"},
+    {INDEX(n1), .name = "after", .column = "index_after", .fallback = "1",
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium after"},
+    {OPTION(struct input, ball), .name = "ball", .help = "a ball lens of diameter --thickness"},
+    {OPTION(struct input, solution), .name = "solution", .column = "solution", .words = solutions,
+     .fallback = "first", .value = "WHICH", .help = "which lens, where two answer the question"},
+    {OPTION(struct input, lens_file), .name = "lens-file", .value = "FILE.lens",
+     .flags = OPTION_FILE, .help = "write the lens as a prescription"},
+};
+
+struct row {
+    struct lensmaker lens;
+    struct lensmaker_facts facts;
+    long solutions;
+    const char *solution;
+};
+
+#define LENGTH(member_name)                                                                        \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm"
+#define POWER(member_name)                                                                         \
+    COLUMN(struct row, facts.member_name), .dimension = &dimension_vergence, .unit = "diopter"
+#define SURE .condition = offsetof(struct row, facts.condition)
+
+static const struct column columns[] = {
+    {LENGTH(lens.f), .name = "focal", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
+     .with = "focal-length", .symbol = "f", .label = "focal length", SURE,
+     .help = "1/power, in every medium"},
+    {LENGTH(lens.R1), .name = "radius_1", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
+     .with = "r1", .symbol = "R1", .label = "first radius", .help = "radius of the first surface"},
+    {LENGTH(lens.R2), .name = "radius_2", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
+     .with = "r2", .symbol = "R2", .label = "second radius",
+     .help = "radius of the second surface"},
+    {COLUMN(struct row, lens.n), .name = "index", .flags = COLUMN_ECHO | COLUMN_BRIEF,
+     .with = "index", .symbol = "n", .label = "index", .help = "index of the lens"},
+    {LENGTH(lens.d), .name = "thickness", .flags = COLUMN_ECHO | COLUMN_BRIEF, .with = "thickness",
+     .symbol = "d", .label = "thickness", .help = "between the vertices"},
+    {COLUMN(struct row, lens.q), .name = "shape", .flags = COLUMN_ECHO | COLUMN_INFINITE,
+     .with = "shape", .symbol = "q", .label = "shape factor", .help = "(R2 + R1)/(R2 - R1)"},
+    {POWER(power), .name = "power", .symbol = "P", .flags = COLUMN_BRIEF, .label = "power",
+     .help = "power of the lens", SURE},
+    {POWER(P1), .name = "power_1", .symbol = "P1", .label = "power of the first surface",
+     .help = "(n - n0)/R1"},
+    {POWER(P2), .name = "power_2", .symbol = "P2", .label = "power of the second surface",
+     .help = "(n1 - n)/R2"},
+    {LENGTH(facts.bfl), .name = "bfl", .symbol = "bfl", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .label = "back focal length", SURE,
+     .help = "rear focus F' from the last vertex, + to the right"},
+    {LENGTH(facts.ffl), .name = "ffl", .symbol = "ffl", .flags = COLUMN_INFINITE, SURE,
+     .label = "front focal length", .help = "front focus F from the first vertex"},
+    {LENGTH(facts.front_focal), .name = "front_focal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+     .label = "principal to front focus", SURE, .help = "from H to F, -n0/P"},
+    {LENGTH(facts.rear_focal), .name = "rear_focal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+     .label = "principal to rear focus", SURE, .help = "from H' to F', n1/P"},
+    {LENGTH(facts.H), .name = "front_principal", .symbol = "H", .flags = COLUMN_INFINITE,
+     .label = "front principal plane", SURE, .help = "H from the first vertex, + to the right"},
+    {LENGTH(facts.H_rear), .name = "rear_principal", .symbol = "H'", .flags = COLUMN_INFINITE,
+     .label = "rear principal plane", SURE, .help = "H' from the last vertex, + to the right"},
+    {LENGTH(facts.N), .name = "front_nodal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+     .label = "front nodal point", SURE, .help = "N from the first vertex"},
+    {LENGTH(facts.N_rear), .name = "rear_nodal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+     .label = "rear nodal point", SURE, .help = "N' from the last vertex"},
+    {COLUMN(struct row, solutions), .name = "solutions", .label = "solutions",
+     .help = "how many lenses answer the question: see --solution"},
+    {COLUMN(struct row, solution), .name = "solution", .flags = COLUMN_EXTRA, .with = "solution",
+     .label = "solution", .help = "which of them this is"},
+    {COLUMN(struct row, lens.n0), .name = "index_before", .symbol = "n0",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "before",
+     .label = "index before", .help = "index of the medium before the lens"},
+    {COLUMN(struct row, lens.n1), .name = "index_after", .symbol = "n1",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "after",
+     .label = "index after", .help = "index of the medium after the lens"},
+};
+
+static bool solve(const struct input *input, struct lensmaker *lens, int *count,
+                  struct error *error)
+{
+    struct lensmaker_choice choice = {.second = input->solution != 0};
+    *lens = input->lens;
+    bool done = (input->ball ? lensmaker_solve_ball : lensmaker_solve)(lens, &choice, error);
+    *count = choice.count;
+    return done;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct row row = {0};
+    int count;
+    if (!solve(input, &row.lens, &count, error)) {
+        return false;
+    }
+    row.solutions = count;
+    row.solution = solutions[input->solution].word;
+    lensmaker_facts(&row.lens, &row.facts);
+    run_emit(run, &row);
+    return true;
+}
+
+/* A length or index of a prescription: as many digits as the double needs, `-` for a plane. */
+static const char *cell(struct arena *arena, double value)
+{
+    char number[NUMBER_LENGTH + 1];
+    if (isinf(value)) {
+        return "-";
+    }
+    *number_write_shortest(number, value) = '\0';
+    return arena_printf(arena, "%s", number);
+}
+
+/* The lens as a .lens file. It is text; the driver writes what lies in `file`, as any drawing. */
+static bool write_lens(const void *data, struct svg *file, struct error *error)
+{
+    const struct input *input = data;
+    struct arena *arena = file->arena;
+    struct lensmaker lens;
+    struct lensmaker_facts facts;
+    int count;
+    if (!solve(input, &lens, &count, error)) {
+        return false;
+    }
+    lensmaker_facts(&lens, &facts);
+    double back = isfinite(facts.bfl) && facts.bfl > 0 ? facts.bfl : 0;
+    const char *medium =
+        lens.n0 == 1 ? "" : arena_printf(arena, "medium      %s\n", cell(arena, lens.n0));
+    file->data = arena_printf(arena,
+                              "lens        %s, f = %.6g mm\n"
+                              "source      lenscalc lensmaker\n"
+                              "unit        mm\n"
+                              "wavelength  d\n"
+                              "%sobject      inf\n"
+                              "focus       paraxial\n"
+                              "#           radius              thickness           "
+                              "medium    diameter\n"
+                              "surface     %-19s %-19s %-9s -\n"
+                              "surface     %-19s %-19s %-9s -\n",
+                              input->ball ? "Ball lens" : "Single lens", lens.f, medium,
+                              cell(arena, lens.R1), cell(arena, lens.d), cell(arena, lens.n),
+                              cell(arena, lens.R2), cell(arena, back),
+                              lens.n1 == 1 ? "air" : cell(arena, lens.n1));
+    file->length = strlen(file->data);
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"focal", "f = 1/{P}", "[Welford86] ch. 3; the same in every medium",
+     "the distances from the principal planes to the foci are -n0 f and n1 f"},
+    {"shape", "q = ({R2} + {R1})/({R2} - {R1})", "[Jenkins76]", NULL},
+    {"power", "P = {P1} + {P2} - {d}/{n} {P1} {P2}",
+     "lens-maker's formula, [Hanrahan04], with thickness [Welford86] ch. 3", "paraxial"},
+    {"power_1", "P1 = ({n} - {n0})/{R1}", "[Welford86] ch. 3", NULL},
+    {"power_2", "P2 = ({n1} - {n})/{R2}", "[Welford86] ch. 3", NULL},
+    {"bfl", "bfl = {n1} (1 - {d} {P1}/{n})/{P}", "[Welford86] ch. 3", NULL},
+    {"ffl", "ffl = -{n0} (1 - {d} {P2}/{n})/{P}", "[Welford86] ch. 3", NULL},
+    {"front_principal", "H = {n0} {d} {P2}/({n} {P})", "[Welford86] ch. 3", NULL},
+    {"rear_principal", "H' = -{n1} {d} {P1}/({n} {P})", "[Welford86] ch. 3", NULL},
+    {"front_nodal", "N = {H} + ({n1} - {n0})/{P}", "[Welford86] ch. 3", NULL},
+    {"rear_nodal", "N' = {H'} + ({n1} - {n0})/{P}", "[Welford86] ch. 3", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct drawing drawings[] = {
+    {"lens-file", offsetof(struct input, lens_file), write_lens},
+    {NULL, 0, NULL},
+};
+
+static const struct example examples[] = {
+    {"lensmaker --r1 50 --r2 -50 -n 1.5168 -d 5mm", "a biconvex lens"},
+    {"lensmaker -f 100mm --shape 1 -n 1.5168", "the radii of a plano-convex lens"},
+    {"lensmaker -f 100mm --shape -1..1:0.5 -n 1.5168 -d 8", "bending"},
+    {"lensmaker --r1 50 --r2 -50 -n 1.5168 --before 1.333 --after 1.333", "under water"},
+    {"lensmaker --ball -d 10mm -n 1.5168", "a ball lens"},
+    {"lensmaker --r1 60 --r2 40 -n 1.5 -f inf", "how thick an afocal lens must be"},
+    {"lensmaker -f 100 --r1 60 -n 1.5168 -d 6 --lens-file single.lens", "a prescription"},
+    {NULL, NULL},
+};
+
+const struct command command_lensmaker = {
+    .name = "lensmaker",
+    .group = "one surface, one lens",
+    .summary = "one lens, thin or thick: focal length, or radii, index, thickness for it",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .run = run,
+    .explanations = explanations,
+    .drawings = drawings,
+    .plot = "focal_mm,bfl_mm",
+    .cell = "focal_mm",
+};

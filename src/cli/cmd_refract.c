@@ -1,0 +1,270 @@
+/* cli/cmd_refract.c - lenscalc refract: one surface, exactly and paraxially. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "cli/photo_options.h"
+#include "optics/refract.h"
+
+#include <math.h>
+
+struct input {
+    double n, n_after, radius, object, image;
+    bool mirror;
+    struct refract_aim aim;
+    int height_at;
+};
+
+/* Indexed by the member `height_at`. */
+static const struct word planes[] = {
+    {"surface", "where the ray meets the surface"},
+    {"vertex", "where it crosses the plane through the vertex"},
+    {NULL, NULL},
+};
+
+#define INDEX(member_name)                                                                         \
+    OPTION(struct input, member_name), .dimension = &dimension_number, OPTION_POSITIVE,            \
+                                       .value = "INDEX"
+#define PLACE(member_name)                                                                         \
+    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "mm",               \
+                                       .value = "LENGTH"
+
+static const struct option options[] = {
+    {INDEX(n), .name = "before", .column = "index_before",
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING,
+     .help = "index n before the surface; 1 if it is not asked for"},
+    {INDEX(n_after), .name = "after", .column = "index_after",
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING,
+     .help = "index n' after the surface"},
+    {PLACE(radius), .name = "radius", .letter = 'R', .column = "radius", .flags = OPTION_SETTING,
+     .help = "radius, + with the centre to the right; inf for a plane"},
+    {PLACE(object), .name = "object", .letter = 'z', .column = "object", .flags = OPTION_SETTING,
+     .help = "object point on the axis from the vertex, + to the right: -200mm lies before it; inf "
+             "if nothing is said"},
+    {PLACE(image), .name = "image", .column = "image", .flags = OPTION_GOAL,
+     .help = "wanted Gaussian image, + to the right: solves for what is not given"},
+    {PLACE(aim.height), .name = "height", .letter = 'y', .column = "height",
+     .flags = OPTION_NO_INFINITY, .help = "height of the ray: brings the exact results"},
+    {OPTION(struct input, aim.angle), .name = "angle", .letter = 'u', .dimension = &dimension_angle,
+     .unit = "deg", .lowest = -1.5707963267948966, .highest = 1.5707963267948966, .value = "ANGLE",
+     .help = "slope angle U of the ray, + rising to the right; instead of --height or --object"},
+    {OPTION(struct input, height_at), .name = "height-at", .words = planes, .fallback = "surface",
+     .value = "PLACE", .help = "where --height is measured"},
+    {OPTION(struct input, mirror), .name = "mirror", .help = "a mirror: n' = -n"},
+};
+
+struct row {
+    struct refract_surface surface;
+    struct refract_ray ray;
+    double index_after; /* -n of a mirror */
+    double power, object_vergence, image_vergence, magnification;
+    double condition;
+    const char *object_kind, *image_kind;
+};
+
+#define LENGTH(member_name)                                                                        \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm"
+#define ANGLE(member_name)                                                                         \
+    COLUMN(struct row, ray.member_name), .dimension = &dimension_angle, .unit = "deg"
+#define VERGENCE(member_name)                                                                      \
+    COLUMN(struct row, member_name), .dimension = &dimension_vergence, .unit = "diopter"
+
+static const struct column columns[] = {
+    {COLUMN(struct row, surface.n), .name = "index_before", .flags = COLUMN_ECHO, .with = "before",
+     .symbol = "n", .label = "index before", .help = "index before the surface"},
+    {COLUMN(struct row, index_after), .name = "index_after", .flags = COLUMN_ECHO, .with = "after",
+     .symbol = "n'", .label = "index after", .help = "index after the surface; -n of a mirror"},
+    {LENGTH(surface.R), .name = "radius", .flags = COLUMN_ECHO | COLUMN_INFINITE, .with = "radius",
+     .symbol = "R", .label = "radius", .help = "radius, + with the centre to the right"},
+    {LENGTH(surface.z), .name = "object", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
+     .with = "object", .symbol = "z", .label = "object",
+     .help = "object point from the vertex, + to the right"},
+    {LENGTH(surface.z_image), .name = "image", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "z'", .label = "image, paraxial", .condition = offsetof(struct row, condition),
+     .help = "Gaussian image from the vertex, + to the right"},
+    {COLUMN(struct row, object_kind), .name = "object_kind", .label = "object is",
+     .help = "real before the surface, virtual behind it"},
+    {COLUMN(struct row, image_kind), .name = "image_kind", .label = "image is",
+     .help = "real where the light goes, else virtual"},
+    {VERGENCE(power), .name = "power", .symbol = "P", .label = "power of the surface",
+     .help = "(n' - n)/R"},
+    {VERGENCE(object_vergence), .name = "object_vergence", .symbol = "V",
+     .label = "vergence before", .help = "n/z, of the light that arrives"},
+    {VERGENCE(image_vergence), .name = "image_vergence", .symbol = "V'", .label = "vergence after",
+     .help = "n'/z', of the light that leaves"},
+    {COLUMN(struct row, magnification), .name = "magnification", .flags = COLUMN_INFINITE,
+     .symbol = "m", .label = "magnification", .help = "n z'/(n' z); negative is upside down"},
+    {LENGTH(ray.height), .name = "height", .flags = COLUMN_ECHO, .with = "height", .symbol = "h",
+     .label = "height", .help = "of the point where the ray meets the surface"},
+    {LENGTH(ray.sag), .name = "sag", .symbol = "x", .label = "sag",
+     .help = "that point from the plane through the vertex"},
+    {ANGLE(slope), .name = "slope", .symbol = "U", .label = "slope before, U",
+     .help = "angle of the ray with the axis, + rising"},
+    {ANGLE(normal), .name = "normal", .symbol = "phi", .label = "normal, phi",
+     .help = "angle of the surface's radius with the axis"},
+    {ANGLE(incidence), .name = "incidence", .flags = COLUMN_BRIEF, .symbol = "I",
+     .label = "incidence, I", .help = "angle of incidence, U + phi"},
+    {ANGLE(refraction), .name = "refraction", .flags = COLUMN_BRIEF, .symbol = "I'",
+     .label = "refraction, I'", .help = "angle of refraction (of reflection: -I)"},
+    {ANGLE(slope_after), .name = "slope_after", .symbol = "U'", .label = "slope after, U'",
+     .help = "angle of the refracted ray with the axis"},
+    {LENGTH(ray.crossing), .name = "crossing", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+     .symbol = "z'(h)", .label = "crosses the axis at",
+     .help = "where the exact ray crosses the axis, from the vertex"},
+    {LENGTH(ray.difference), .name = "difference", .flags = COLUMN_BRIEF, .symbol = "dz'",
+     .label = "exact - paraxial", .help = "longitudinal aberration: crossing - image"},
+    {LENGTH(ray.transverse), .name = "transverse", .symbol = "dy'", .label = "height at the image",
+     .help = "transverse aberration: height of the exact ray in the Gaussian image plane"},
+    {ANGLE(paraxial_slope), .name = "paraxial_slope", .symbol = "u", .label = "u, paraxial",
+     .help = "-h/z"},
+    {ANGLE(paraxial_incidence), .name = "paraxial_incidence", .symbol = "i", .label = "i, paraxial",
+     .help = "u + h/R"},
+    {ANGLE(paraxial_refraction), .name = "paraxial_refraction", .symbol = "i'",
+     .label = "i', paraxial", .help = "n i/n'"},
+    {ANGLE(paraxial_slope_after), .name = "paraxial_slope_after", .symbol = "u'",
+     .label = "u', paraxial", .help = "(n u - h P)/n'"},
+};
+
+static bool has_ray(const struct input *input)
+{
+    return !isnan(input->aim.height) || !isnan(input->aim.angle);
+}
+
+/* What is not said: air before, an object at infinity; never what is asked for. */
+static void assume(const struct input *input, struct refract_surface *surface)
+{
+    bool after = surface->mirror || !isnan(surface->n_after);
+    int unknown = !after + isnan(surface->R) + isnan(surface->z) + isnan(surface->z_image);
+    if (isnan(surface->n) && (unknown > 0 || surface->mirror)) {
+        surface->n = 1;
+    }
+    if (isnan(surface->z) && unknown > 1 && isnan(input->aim.angle)) {
+        surface->z = -INFINITY;
+    }
+}
+
+/* Four of five, named as they are typed. */
+static bool check_count(const struct refract_surface *s, struct error *error)
+{
+    bool after = s->mirror || !isnan(s->n_after);
+    int unknown = isnan(s->n) + !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
+    if (unknown == 0) {
+        return fail(
+            error, ERROR_USAGE,
+            "--before, --after, --radius, --object and --image are all given: leave one out "
+            "and it is found");
+    }
+    if (unknown > 1) {
+        return fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or --image%s",
+                    after ? "" : " --after", !after && isnan(s->R) ? " and" : "",
+                    isnan(s->R) ? " --radius" : "",
+                    isnan(s->z_image) ? " in the place of one" : " and what is left of the rest");
+    }
+    return true;
+}
+
+static void fill_row(struct row *row)
+{
+    const struct refract_surface *s = &row->surface;
+    row->index_after = s->mirror ? -s->n : s->n_after;
+    row->power = refract_power(s);
+    row->object_vergence = isinf(s->z) ? 0 : s->n / s->z;
+    row->image_vergence = row->object_vergence + row->power;
+    row->condition = refract_condition(s);
+    if (s->z == 0) {
+        row->image_vergence = row->object_vergence = NAN;
+        row->magnification = 1;
+    } else {
+        row->magnification = isinf(s->z) ? 0 : row->object_vergence / row->image_vergence;
+    }
+    row->object_kind = isinf(s->z) ? "at infinity" : s->z > 0 ? "virtual" : "real";
+    bool right = s->z_image > 0;
+    row->image_kind = isinf(s->z_image) ? "at infinity" : right != s->mirror ? "real" : "virtual";
+    if (s->z == 0) {
+        row->object_kind = row->image_kind = "in the vertex";
+    }
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct row row = {.surface = {input->n, input->n_after, input->radius, input->object,
+                                  input->image, input->mirror}};
+    struct refract_surface *s = &row.surface;
+    struct refract_aim aim = input->aim;
+    aim.at_vertex = input->height_at != 0;
+    if (s->mirror && !isnan(s->n_after)) {
+        return fail(error, ERROR_USAGE, "--mirror has no --after: the light stays before it");
+    }
+    if (isnan(aim.height) && !isnan(aim.angle) && isnan(s->z) && isnan(s->z_image)) {
+        return fail(error, ERROR_USAGE, "--angle wants --height or --object beside it");
+    }
+    assume(input, s);
+    /* a ray given by height and angle says where the object is */
+    bool line = !isnan(aim.height) && !isnan(aim.angle);
+    if (line && (!isnan(s->z) || isnan(s->R))) {
+        return fail(error, ERROR_USAGE,
+                    "--height and --angle make the ray and its object: they want --radius and no "
+                    "--object");
+    }
+    if (line && !refract_place(s, &aim, &row.ray, error)) {
+        return false;
+    }
+    s->z = line ? row.ray.z : s->z;
+    if (!check_count(s, error) || !refract_solve(s, error)) {
+        return false;
+    }
+    if (!has_ray(input)) {
+        row.ray = (struct refract_ray){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
+                                       NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    } else if ((!line && !refract_place(s, &aim, &row.ray, error)) ||
+               !refract_through(s, &row.ray, error)) {
+        return false;
+    }
+    fill_row(&row);
+    run_emit(run, &row);
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"power", "P = ({n'} - {n})/{R}", "[Welford86] ch. 3; a mirror has n' = -n", NULL},
+    {"image", "z' = {n'}/({n}/{z} + {P})",
+     "Gauss' formula, [Hanrahan04], signed coordinates; the same as v' = v - y P",
+     "paraxial: true as the ray's height goes to 0"},
+    {"magnification", "m = {V}/{V'}", "[Welford86] ch. 3; V = n/z, V' = n'/z'", NULL},
+    {"normal", "phi = asin({h}/{R})", "geometry of the sphere", NULL},
+    {"incidence", "I = {U} + {phi}", "the radius is the normal", NULL},
+    {"refraction", "I' = asin({n}/{n'} sin({I}))", "Snell's law",
+     "total reflection where sin I' would be beyond 1"},
+    {"slope_after", "U' = {I'} - {phi}", "the radius is the normal", NULL},
+    {"crossing", "z'(h) = {x} - {h}/tan({U'})", "similar triangles",
+     "computed as n'/s' = n/s + (n' cos I' - n cos I)/R, which subtracts no large numbers"},
+    {"difference", "dz' = {z'(h)} - {z'}", "longitudinal spherical aberration of the ray",
+     "computed from terms of the order h^2, so that it keeps its digits for small h"},
+    {"paraxial_incidence", "i = {u} + {h}/{R}", "[Hanrahan04], sin replaced by the angle", NULL},
+    {"paraxial_slope_after", "u' = ({n} {u} - {h} {P})/{n'}", "v' = v - y P with v = n u", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"refract --after 1.5168 -R 50mm -z -200mm", "the image of a point through one surface"},
+    {"refract --after 1.5168 -R 50mm -y 20mm", "a parallel ray, exactly beside paraxially"},
+    {"refract --after 1.5 -R 50 -y 1..40 --plot aberration.svg", "spherical aberration by height"},
+    {"refract --before 1.5 --after 1 -R inf -z -30 -u 10deg", "out of a block of glass"},
+    {"refract --after 1.336 -z inf --image 24mm", "the radius of an eye of one surface"},
+    {"refract --mirror -R -100mm -z -150mm -y 10mm", "a concave mirror"},
+    {NULL, NULL},
+};
+
+const struct command command_refract = {
+    .name = "refract",
+    .group = "one surface, one lens",
+    .summary = "one surface or mirror: conjugate points, a ray exactly and paraxially",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .run = run,
+    .explanations = explanations,
+    .plot = "crossing_mm,image_mm",
+    .cell = "image_mm",
+};

@@ -1,0 +1,287 @@
+/* tests/unit/test_lensmaker.c - the lens-maker's formula and its inverses. */
+/* SPDX-License-Identifier: MIT */
+#include "optics/lensmaker.h"
+
+#include <float.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+#include "check.h"
+
+static struct error error;
+
+static struct lensmaker solve(struct lensmaker lens, bool second, int *count)
+{
+    struct lensmaker_choice choice = {.second = second};
+    CHECK(lensmaker_solve(&lens, &choice, &error));
+    *count = choice.count;
+    return lens;
+}
+
+static struct lensmaker one(struct lensmaker lens)
+{
+    int count;
+    return solve(lens, false, &count);
+}
+
+static struct lensmaker_facts facts_of(struct lensmaker lens)
+{
+    struct lensmaker_facts facts;
+    lensmaker_facts(&lens, &facts);
+    return facts;
+}
+
+/* power, efl, bfl, ffl, H', H as the truth table has them */
+static void six(const double *inputs, double *out)
+{
+    struct lensmaker_facts f = facts_of((struct lensmaker){
+        inputs[4], inputs[3], inputs[5], inputs[0], inputs[1], inputs[2], NAN, NAN});
+    const double all[] = {f.power, f.efl, f.bfl, f.ffl, f.H_rear, f.H};
+    memcpy(out, all, sizeof all);
+}
+
+/* Within 4 x 2^-53 x (sensitivity + |value|), the inputs being decimals rounded to doubles. */
+static void test_truth(void)
+{
+    char line[1024];
+    int rows = 0;
+    FILE *file = fopen("tests/truth/thick_lens.tsv", "r");
+    CHECK(file != NULL);
+    while (file != NULL && fgets(line, sizeof line, file) != NULL) {
+        double c[12], sensitivity[6] = {0}, actual[6], moved[6];
+        char *at = line, *end = line;
+        int count = 0;
+        for (; count < 12; count++, at = end) {
+            c[count] = strtod(at, &end);
+            if (end == at) {
+                break;
+            }
+        }
+        if (count < 12) {
+            continue;
+        }
+        rows++;
+        six(c, actual);
+        for (int k = 0; k < 6; k++) {
+            double kept = c[k];
+            c[k] *= 1 + 1e-7;
+            six(c, moved);
+            c[k] = kept;
+            for (int i = 0; i < 6; i++) {
+                sensitivity[i] += fabs(moved[i] - actual[i]) / 1e-7;
+            }
+        }
+        for (int i = 0; i < 6; i++) {
+            CHECK_NEAR(actual[i], c[6 + i], 4 * DBL_EPSILON / 2 * (sensitivity[i] + fabs(c[6 + i])),
+                       "truth");
+        }
+    }
+    CHECK(rows == 40);
+    if (file != NULL) {
+        fclose(file);
+    }
+}
+
+/* Lenses one can do in the head. */
+static void test_by_hand(void)
+{
+    struct lensmaker lens = one((struct lensmaker){1, 1.5, 1, 50, -50, NAN, NAN, NAN});
+    CHECK_RELATIVE(lens.f, 50.0, 4 * DBL_EPSILON, "equiconvex, n = 1.5: f = R");
+    CHECK(lens.q == 0 && lens.d == 0);
+    lens = one((struct lensmaker){1, 1.5, 1, 50, INFINITY, NAN, NAN, NAN});
+    CHECK_RELATIVE(lens.f, 100.0, 4 * DBL_EPSILON, "plano-convex, n = 1.5: f = 2 R");
+    CHECK(lens.q == 1);
+    lens = one((struct lensmaker){1, 1.5, 1, INFINITY, NAN, NAN, 100, -1});
+    CHECK_RELATIVE(lens.R2, -50.0, 4 * DBL_EPSILON, "a plane and shape factor -1 say the same");
+    lens = one((struct lensmaker){1, 1.5, 1, NAN, 40, NAN, NAN, -5});
+    CHECK_RELATIVE(lens.R1, 60.0, 4 * DBL_EPSILON, "-5 = (40 + 60)/(40 - 60)");
+    lens = one((struct lensmaker){1, 1.5, 1, INFINITY, 50, 10, NAN, NAN});
+    struct lensmaker_facts f = facts_of(lens);
+    CHECK_RELATIVE(lens.f, -100.0, 4 * DBL_EPSILON, "plano-concave");
+    CHECK(lens.q == -1 && f.H_rear == 0);
+    CHECK_RELATIVE(f.H, 10 / 1.5, 4 * DBL_EPSILON, "the other plane d/n inside");
+    /* under water, n = 4/3: power (3/2 - 4/3) 2/50 = 1/150, focus at 4/3 of that */
+    f = facts_of((struct lensmaker){4. / 3, 1.5, 4. / 3, 50, -50, 0, NAN, NAN});
+    CHECK_RELATIVE(f.efl, 150.0, 16 * DBL_EPSILON, "under water");
+    CHECK_RELATIVE(f.rear_focal, 200.0, 16 * DBL_EPSILON, "under water");
+    CHECK(f.N == 0 && f.N_rear == 0);
+    /* one surface only: nodal points at the centre of curvature */
+    f = facts_of((struct lensmaker){1, 1.5, 1.5, 20, 70, 5, NAN, NAN});
+    CHECK_RELATIVE(f.N, 20.0, 4 * DBL_EPSILON, "nodal point at the centre");
+    CHECK_RELATIVE(f.N_rear, 15.0, 4 * DBL_EPSILON, "nodal point at the centre");
+    /* plate: no power, no principal planes */
+    f = facts_of((struct lensmaker){1, 1.5, 1, INFINITY, INFINITY, 5, NAN, NAN});
+    CHECK(f.power == 0 && isnan(f.H) && isinf(f.efl));
+}
+
+/* Ball: f = n D/(4 (n - 1)), bfl = f - D/2. */
+static void test_ball(void)
+{
+    struct lensmaker ball = {1, 1.5, 1, NAN, NAN, 10, NAN, NAN};
+    struct lensmaker_choice choice = {0};
+    CHECK(lensmaker_solve_ball(&ball, &choice, &error));
+    CHECK_RELATIVE(ball.f, 7.5, 4 * DBL_EPSILON, "ball, n = 1.5");
+    CHECK_RELATIVE(facts_of(ball).bfl, 2.5, 4 * DBL_EPSILON, "ball, n = 1.5");
+    CHECK_RELATIVE(facts_of(ball).H, 5.0, 4 * DBL_EPSILON, "principal planes in the centre");
+    ball = (struct lensmaker){1, 1.5, 1, NAN, NAN, NAN, 7.5, NAN};
+    CHECK(lensmaker_solve_ball(&ball, &choice, &error));
+    CHECK_RELATIVE(ball.d, 10.0, 4 * DBL_EPSILON, "diameter");
+    ball = (struct lensmaker){1, NAN, 1, NAN, NAN, 10, 7.5, NAN};
+    CHECK(lensmaker_solve_ball(&ball, &choice, &error));
+    CHECK_RELATIVE(ball.n, 1.5, 16 * DBL_EPSILON, "index");
+    ball = (struct lensmaker){1, 2, 1, NAN, NAN, 10, NAN, NAN};
+    CHECK(lensmaker_solve_ball(&ball, &choice, &error));
+    CHECK(ball.f == 5 && facts_of(ball).bfl == 0); /* n = 2 focuses on its rear */
+    ball = (struct lensmaker){1, 1.5, 1, NAN, NAN, NAN, -7.5, NAN};
+    CHECK(!lensmaker_solve_ball(&ball, &choice, &error));
+    ball = (struct lensmaker){1, 1.5, 1, 5, NAN, NAN, 7.5, NAN};
+    CHECK(!lensmaker_solve_ball(&ball, &choice, &error));
+}
+
+/* R1 = 60, R2 = 40, n = 1.5: afocal at d = n (R1 - R2)/(n - 1) = 60; P = (d - 60)/14400 near it,
+   from P1 P2/n = -1/14400. */
+static void test_afocal(void)
+{
+    struct lensmaker lens = {1, 1.5, 1, 60, 40, NAN, INFINITY, NAN};
+    lens = one(lens);
+    CHECK(lens.d == 60);
+    CHECK(facts_of(lens).power == 0 && isinf(facts_of(lens).bfl));
+    for (int k = 1; k < 46; k++) {
+        lens.d = 60 + ldexp(1, -k);
+        struct lensmaker_facts f = facts_of(lens);
+        CHECK_RELATIVE(f.power, ldexp(1, -k) / 14400, 4 * DBL_EPSILON, "near afocal: power");
+        CHECK_RELATIVE(f.efl, ldexp(14400, k), 4 * DBL_EPSILON, "near afocal: efl");
+    }
+    /* R2 of the afocal lens, by the radius and by the shape factor -(40 + 60)/20 = -5 */
+    lens = one((struct lensmaker){1, 1.5, 1, 60, NAN, 60, INFINITY, NAN});
+    CHECK_RELATIVE(lens.R2, 40.0, 4 * DBL_EPSILON, "R2 of an afocal lens");
+    CHECK_RELATIVE(lens.q, -5.0, 8 * DBL_EPSILON, "its shape");
+    int count;
+    lens = solve((struct lensmaker){1, 1.5, 1, NAN, NAN, 60, INFINITY, -5}, true, &count);
+    CHECK(count == 2);
+    CHECK_RELATIVE(lens.R1, 60.0, 8 * DBL_EPSILON, "afocal from the shape");
+    CHECK_RELATIVE(lens.R2, 40.0, 8 * DBL_EPSILON, "afocal from the shape");
+}
+
+static double random_in(unsigned *state, double low, double high)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return low + (high - low) * (*state / 4294967296.0);
+}
+
+/* Each unknown is found again: by one of the solutions, and both make the same power. */
+static void test_put_back(void)
+{
+    unsigned state = 11;
+    int twice = 0;
+    for (int i = 0; i < 2000; i++) {
+        struct lensmaker lens = {random_in(&state, 1, 1.4),
+                                 random_in(&state, 1.45, 2),
+                                 random_in(&state, 1, 1.4),
+                                 random_in(&state, -100, 100),
+                                 random_in(&state, -100, 100),
+                                 random_in(&state, 1, 20),
+                                 NAN,
+                                 NAN};
+        if (fabs(lens.R1) < 5 || fabs(lens.R2) < 5) {
+            continue;
+        }
+        lens = one(lens);
+        double condition = facts_of(lens).condition;
+        if (condition > 50 || fabs(lens.q) > 50) {
+            continue;
+        }
+        static const size_t unknown[][2] = {
+            {offsetof(struct lensmaker, R1), offsetof(struct lensmaker, q)},
+            {offsetof(struct lensmaker, R2), offsetof(struct lensmaker, q)},
+            {offsetof(struct lensmaker, n), offsetof(struct lensmaker, q)},
+            {offsetof(struct lensmaker, d), offsetof(struct lensmaker, q)},
+            {offsetof(struct lensmaker, R1), offsetof(struct lensmaker, f)},
+            {offsetof(struct lensmaker, R2), offsetof(struct lensmaker, f)},
+            {offsetof(struct lensmaker, R1), offsetof(struct lensmaker, R2)},
+        };
+        for (size_t k = 0; k < sizeof unknown / sizeof unknown[0]; k++) {
+            double best = INFINITY;
+            int count = 1;
+            for (int second = 0; second < count; second++) {
+                struct lensmaker asked = lens;
+                *(double *)(void *)((char *)&asked + unknown[k][0]) = NAN;
+                *(double *)(void *)((char *)&asked + unknown[k][1]) = NAN;
+                asked = solve(asked, second != 0, &count);
+                double *found = (double *)(void *)((char *)&asked + unknown[k][0]);
+                double *wanted = (double *)(void *)((char *)&lens + unknown[k][0]);
+                best = fmin(best, fabs(*found / *wanted - 1));
+                CHECK_RELATIVE(facts_of(asked).power, 1 / lens.f, 1e-9, "power of a solution");
+            }
+            CHECK_NEAR(best, 0, 1e-8, "an unknown found again");
+            twice += count == 2;
+        }
+    }
+    CHECK(twice > 100);
+}
+
+/* The first solution is the thin lens's when the thickness goes to 0. */
+static void test_first(void)
+{
+    int count;
+    for (double q = -3; q < 3.1; q += 0.5) {
+        struct lensmaker thin = one((struct lensmaker){1, 1.5, 1, NAN, NAN, 0, 100, q});
+        struct lensmaker thick =
+            solve((struct lensmaker){1, 1.5, 1, NAN, NAN, 1e-9, 100, q}, false, &count);
+        CHECK_NEAR(1 / thick.R1, 1 / thin.R1, 1e-10, "first solution");
+        CHECK_NEAR(1 / thick.R2, 1 / thin.R2, 1e-10, "first solution");
+        CHECK(count == (fabs(q) == 1 ? 1 : 2));
+    }
+    struct lensmaker lens =
+        solve((struct lensmaker){1, NAN, 1, 50, 80, 1e-9, 200, NAN}, false, &count);
+    struct lensmaker thin = one((struct lensmaker){1, NAN, 1, 50, 80, 0, 200, NAN});
+    CHECK_RELATIVE(lens.n, thin.n, 1e-9, "first index");
+    CHECK(count == 1); /* the other one goes to 0 */
+}
+
+static bool refused(struct lensmaker lens, enum error_code code, const char *words)
+{
+    struct lensmaker_choice choice = {0};
+    error.message[0] = '\0';
+    return !lensmaker_solve(&lens, &choice, &error) && error.code == code &&
+           strstr(error.message, words) != NULL;
+}
+
+static void test_refusals(void)
+{
+    CHECK(
+        refused((struct lensmaker){1, 1.5, 1, 50, NAN, NAN, NAN, NAN}, ERROR_USAGE, "too little"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, NAN, NAN, 5, 100, NAN}, ERROR_USAGE, "too little"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, 50, -50, 0, 50, NAN}, ERROR_USAGE, "too much"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, 50, -50, 0, NAN, 0}, ERROR_USAGE, "too much"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, 0, -50, 0, NAN, NAN}, ERROR_DOMAIN, "radius 0"));
+    CHECK(refused((struct lensmaker){1, -1, 1, 50, -50, 0, NAN, NAN}, ERROR_DOMAIN, "above 0"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, 50, -50, -2, NAN, NAN}, ERROR_DOMAIN, "0 mm or"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, 50, -50, 2, 0, NAN}, ERROR_DOMAIN, "focal"));
+    CHECK(refused((struct lensmaker){1, NAN, 1, 50, -50, 2, -80, NAN}, ERROR_DOMAIN, "1 or more"));
+    CHECK(refused((struct lensmaker){1, 1, 1, 50, NAN, 2, 80, NAN}, ERROR_DOMAIN, "equal indices"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, 50, -50, NAN, 20, NAN}, ERROR_DOMAIN, "thin have"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, 50, INFINITY, NAN, 20, NAN}, ERROR_DOMAIN,
+                  "without power"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, NAN, NAN, 0, 20, INFINITY}, ERROR_DOMAIN,
+                  "no power"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, 50, NAN, 0, NAN, -1}, ERROR_DOMAIN, "plane"));
+    CHECK(refused((struct lensmaker){1, 1e300, 1, 1e-310, -1e-310, 1, NAN, NAN}, ERROR_DOMAIN,
+                  "too small"));
+    /* equiconvex, d = 30, n = 1.5: P(x) = x - 5 x^2 is at most 1/20 */
+    CHECK(refused((struct lensmaker){1, 1.5, 1, NAN, NAN, 30, 19.9, 0}, ERROR_DOMAIN,
+                  "at most 50 dioptres, 20 mm"));
+    CHECK(refused((struct lensmaker){1, 1.5, 1, 150, NAN, 450, 20, NAN}, ERROR_DOMAIN, "vertex"));
+}
+
+int main(void)
+{
+    test_truth();
+    test_by_hand();
+    test_ball();
+    test_afocal();
+    test_put_back();
+    test_first();
+    test_refusals();
+    return check_report();
+}
