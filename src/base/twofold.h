@@ -56,7 +56,7 @@ static inline struct twofold twofold_exact_product(double a, double b)
     return (struct twofold){p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2};
 }
 
-/* The four operations and the root, relative error a few times 2^-104; sums also where the terms
+/* The four operations and the root, relative error below 2^-98; sums also where the terms
  * cancel. Source: Joldes, Muller, Popescu, ACM Trans. Math. Softw. 44 (2017) 15. */
 static inline struct twofold twofold_add(struct twofold a, struct twofold b)
 {

@@ -394,6 +394,6 @@ const struct command command_diffraction = {
     .choose_sheet = choose_sheet,
     .run = run,
     .explanations = explanations,
-    .plot = "mtf_total",
+    .plot = "mtf_total|airy_diameter_um|fnumber",
     .cell = "airy_diameter_um",
 };

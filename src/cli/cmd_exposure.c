@@ -236,6 +236,6 @@ const struct command command_exposure = {
     .makes_many = makes_many,
     .run = run,
     .explanations = explanations,
-    .plot = "time_s",
+    .plot = "time_s|ev100|iso",
     .cell = "ev100",
 };

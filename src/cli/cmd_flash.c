@@ -289,6 +289,6 @@ const struct command command_flash = {
     .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
     .run = run,
     .explanations = explanations,
-    .plot = "distance_m",
+    .plot = "distance_m|fnumber",
     .cell = "fnumber",
 };

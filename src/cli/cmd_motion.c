@@ -271,6 +271,6 @@ const struct command command_motion = {
     .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
     .run = run,
     .explanations = explanations,
-    .plot = "time_s",
+    .plot = "time_s|blur_um|speed_m_s",
     .cell = "time_s",
 };

@@ -392,6 +392,6 @@ const struct command command_panorama = {
     .makes_many = makes_many,
     .run = run,
     .explanations = explanations,
-    .plot = "shots",
+    .plot = "shots|columns",
     .cell = "shots",
 };

@@ -87,7 +87,7 @@ static const struct column columns[] = {
     {LENGTH(trail.linear, "um"), .name = "linear_trail", WITH_TIME, .symbol = "xl",
      .label = "trail, linear in time", .help = "to first order in time"},
     {LENGTH(worst, "um"), .name = "worst_trail", WITH_TIME, .symbol = "xw",
-     .label = "anywhere in the frame at most", .help = "bound for the whole picture"},
+     .label = "anywhere in the frame, about", .help = "bound for the whole picture"},
     {NUMBER(size.pixels), .name = "trail_pixels", WITH_TIME_INFINITE, .label = "in pixels",
      .help = "trail over pixel pitch"},
     {NUMBER(size.circles), .name = "trail_coc", .flags = COLUMN_EXTRA | COLUMN_INFINITE,

@@ -130,7 +130,8 @@ bool collection_check_units(const struct shown *shown, size_t count, const char 
                             bool numbers, struct error *error)
 {
     for (size_t k = 0; k < count; k++) {
-        if (numbers && shown[k].column->type != COLUMN_NUMBER) {
+        if (numbers && shown[k].column->type != COLUMN_NUMBER &&
+            shown[k].column->type != COLUMN_INTEGER) {
             return fail(error, ERROR_USAGE, "%s: column %s is no number", option, shown[k].name);
         }
         if (shown[k].unit != shown[0].unit) {

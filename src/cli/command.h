@@ -72,8 +72,8 @@ struct command {
     bool (*print)(const void *input, struct output *output, struct error *error);
     const struct explanation *explanations; /* ends with a null column */
     const struct drawing *drawings;         /* ends with a null option */
-    const char *plot;                       /* columns to plot, separated by commas; null = none */
-    const char *cell;                       /* columns in the cells of --table */
+    const char *plot; /* columns to plot, separated by commas; further choices by '|' */
+    const char *cell; /* columns in the cells of --table */
 };
 
 /* All commands in the order of the manual; ends with null. */

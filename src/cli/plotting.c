@@ -74,13 +74,22 @@ static const char *group_words(const struct collection *collection, const struct
     return words;
 }
 
+/* A number or a whole number; NaN if absent. */
+static double column_value(const void *row, const struct column *column)
+{
+    if (column->type == COLUMN_NUMBER) {
+        return row_number(row, column);
+    }
+    return row_is_absent(row, column) ? NAN : (double)row_integer(row, column);
+}
+
 static double *curve(const struct collection *collection, const struct layout *layout, size_t group,
                      const struct shown *shown)
 {
     double *y = ARENA_ARRAY(collection->arena, layout->x->count, double);
     for (size_t i = 0; i < layout->x->count; i++) {
         const void *row = collection_row(collection, combination(layout, group, i));
-        double value = row != NULL ? row_number(row, shown->column) : NAN;
+        double value = row != NULL ? column_value(row, shown->column) : NAN;
         y[i] = shown->unit != NULL ? unit_from_own(shown->unit, value) : value;
     }
     return y;
@@ -153,11 +162,51 @@ static bool lay_out(const struct collection *collection, const char *columns, bo
            choose_x(collection, layout, error);
 }
 
+/* Does any of the columns repeat the swept option, or have no value at all? */
+static bool says_nothing(const struct collection *collection, const struct layout *layout)
+{
+    for (size_t k = 0; k < layout->shown_count; k++) {
+        const struct column *column = layout->shown[k].column;
+        const char *swept = layout->x->option->column;
+        bool any = collection_first_row(collection) == NULL; /* before the rows are there */
+        for (size_t i = 0; i < collection->sweep->total && !any; i++) {
+            const void *row = collection_row(collection, i);
+            any = row != NULL && isfinite(column_value(row, column));
+        }
+        if (!any || (swept != NULL && strcmp(swept, column->name) == 0)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/*
+ * The columns to plot: those the user named, or the first of the command's choices (separated by
+ * '|') that say something about this sweep.
+ */
+static bool choose_columns(const struct collection *collection, const char *columns, bool typed,
+                           struct layout *layout, struct error *error)
+{
+    struct text rest = text_of(columns != NULL ? columns : "");
+    if (columns == NULL || typed) {
+        return lay_out(collection, columns, typed, layout, error);
+    }
+    while (rest.start != NULL) {
+        struct text choice = text_cut(&rest, '|');
+        const char *names = arena_string(collection->arena, choice.start, choice.length);
+        bool fits = lay_out(collection, names, false, layout, error);
+        if (rest.start == NULL || (fits && !says_nothing(collection, layout))) {
+            return fits;
+        }
+    }
+    return false;
+}
+
 bool collection_plot_check(const struct collection *collection, const char *columns, bool typed,
                            struct error *error)
 {
     struct layout layout;
-    return lay_out(collection, columns, typed, &layout, error);
+    return choose_columns(collection, columns, typed, &layout, error);
 }
 
 bool collection_plot(const struct collection *collection, const char *columns, bool typed,
@@ -168,7 +217,7 @@ bool collection_plot(const struct collection *collection, const char *columns, b
         return fail(error, ERROR_USAGE,
                     "--plot takes one row of each combination, this question has several");
     }
-    if (!lay_out(collection, columns, typed, &layout, error)) {
+    if (!choose_columns(collection, columns, typed, &layout, error)) {
         return false;
     }
     double *x = ARENA_ARRAY(collection->arena, layout.x->count, double);

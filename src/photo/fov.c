@@ -237,7 +237,7 @@ bool fov_solve(const struct fov_setting *setting, const struct sensor *sensor,
     }
     if (count + !isnan(setting->f) != 1) {
         return fail(error, ERROR_USAGE,
-                    "give one of --focal-length, --horizontal, --vertical, --diagonal, "
+                    "give exactly one of --focal-length, --horizontal, --vertical, --diagonal, "
                     "--field-width, --field-height, --field-diagonal");
     }
     *f = setting->f;

@@ -217,13 +217,14 @@ static bool belongs(const struct column *column, const struct selection *selecti
     if ((column->flags & COLUMN_ASSUMED) != 0 && varies) {
         return true;
     }
+    bool hidden = (column->flags & COLUMN_HIDDEN) != 0 && selection->layout != SELECT_ALL;
     if ((column->flags & COLUMN_EXTRA) != 0) {
-        return column->with != NULL && selection->given(selection->asked, column->with);
+        return !hidden && column->with != NULL && selection->given(selection->asked, column->with);
     }
     if (selection->layout == SELECT_ALL) {
         return true;
     }
-    if ((column->flags & COLUMN_HIDDEN) != 0) {
+    if (hidden) {
         return false;
     }
     bool echo = (column->flags & COLUMN_ECHO) != 0;
