@@ -63,6 +63,7 @@ static const struct option options[] = {
 
 struct row {
     struct flash_setting setting;
+    double guide_number; /* of one flash */
     double distance, path, second, background, background_stops;
     struct flash_balance balance;
     double time, ev;
@@ -77,10 +78,12 @@ struct row {
 #define BRIEF_WITH(option) .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = option
 
 static const struct column columns[] = {
-    {LENGTH(setting.GN), .name = "guide_number", .flags = COLUMN_ECHO | COLUMN_BRIEF,
-     .symbol = "GN", .label = "guide number", .help = "at ISO 100, full power, one flash"},
+    {LENGTH(guide_number), .name = "guide_number", .flags = COLUMN_ECHO | COLUMN_BRIEF,
+     .label = "guide number", .help = "at ISO 100, full power, one flash"},
     {LENGTH(second), .name = "second", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "second",
      .symbol = "GN2", .label = "of the second flash", .help = "at ISO 100, full power"},
+    {LENGTH(setting.GN), .name = "joint_guide_number", BRIEF_WITH("second"), .symbol = "GN",
+     .label = "of both together", .help = "what is reckoned with: that of all flashes joined"},
     {NUMBER(setting.N), .name = "fnumber", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "N",
      .label = "f-number", .help = "f-number"},
     COLUMN_NOMINAL_FNUMBER(struct row, nominal_fnumber),
@@ -178,6 +181,7 @@ static bool solve(const struct input *input, struct row *row, struct error *erro
     } else if (!flash_solve(setting, &unknown, error)) {
         return false;
     }
+    row->guide_number = is_given(input->second) ? input->guide_number : setting->GN;
     row->path = setting->d;
     row->distance = is_given(input->distance) ? input->distance : setting->d;
     return true;
@@ -227,6 +231,7 @@ static bool run(const void *data, struct run *run, struct error *error)
     struct row row = {.setting = {NAN, NAN, NAN, NAN, NAN, NAN, NAN},
                       .distance = NAN,
                       .path = NAN,
+                      .guide_number = NAN,
                       .second = input->second,
                       .background = NAN,
                       .background_stops = NAN,
