@@ -32,7 +32,7 @@ sources := $(wildcard src/base/*.c src/photo/*.c src/optics/*.c src/report/*.c s
            $(filter-out src/file/embed.c,$(wildcard src/file/*.c))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o
 units   := $(patsubst tests/unit/%.c,$(BUILD)/unit/%,$(wildcard tests/unit/test_*.c))
-lensdb  := $(sort $(wildcard lensdb/*.tsv lensdb/glass/*.tsv))
+lensdb  := $(sort $(wildcard lensdb/*.tsv lensdb/lenses/*.lens lensdb/glass/*.tsv))
 
 all: $(BUILD)/lenscalc
 
@@ -112,9 +112,10 @@ zshdir  = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 fishdir = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
 install: all
-	install -d $(bindir) $(mandir)/man1 $(mandir)/man7 $(bashdir) $(zshdir) $(fishdir)
+	install -d $(bindir) $(mandir)/man1 $(mandir)/man5 $(mandir)/man7 $(bashdir) $(zshdir) $(fishdir)
 	install $(BUILD)/lenscalc $(bindir)/lenscalc
 	install -m 644 $(wildcard man/*.1) $(mandir)/man1
+	install -m 644 $(wildcard man/*.5) $(mandir)/man5
 	install -m 644 $(wildcard man/*.7) $(mandir)/man7
 	$(BUILD)/lenscalc completion bash > $(bashdir)/lenscalc
 	$(BUILD)/lenscalc completion zsh > $(zshdir)/_lenscalc
@@ -123,6 +124,7 @@ install: all
 uninstall:
 	rm -f $(bindir)/lenscalc $(bashdir)/lenscalc $(zshdir)/_lenscalc $(fishdir)/lenscalc.fish
 	rm -f $(patsubst man/%,$(mandir)/man1/%,$(wildcard man/*.1))
+	rm -f $(patsubst man/%,$(mandir)/man5/%,$(wildcard man/*.5))
 	rm -f $(patsubst man/%,$(mandir)/man7/%,$(wildcard man/*.7))
 
 version := $(shell sed -n 's/.*LENSCALC_VERSION "\(.*\)"/\1/p' src/report/version.h)

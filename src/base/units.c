@@ -48,6 +48,7 @@ static const struct unit ratio_units[] = {
 
 static const struct unit vergence_units[] = {
     {"per_mm", "1/mm", {1, 0}, 1, "/mm", "per millimetre"},
+    {"per_m", "1/m", {1, -3}, 1, "/m", "per metre"},
     {"diopter", "dpt", {1, -3}, 1, "dpt D dioptre dioptres diopters", "dioptre, 1/m"},
 };
 

@@ -33,6 +33,7 @@ const char *list_place(enum lensdb_place place)
 }
 
 static const struct word topic_words[] = {
+    {"lenses", "lenses with their prescriptions"},
     {"formats", "film and sensor formats"},
     {"cameras", "digital cameras"},
     {"films", "films, with the correction of long exposures"},
@@ -48,8 +49,8 @@ static const struct word topic_words[] = {
 
 /* In the order of topic_words. */
 static const struct topic *const topics[] = {
-    &topic_formats, &topic_cameras, &topic_films, &topic_scenes,   &topic_filters,
-    &topic_glasses, &topic_stops,   &topic_units, &topic_commands, &topic_options,
+    &topic_lenses,  &topic_formats, &topic_cameras, &topic_films,    &topic_scenes,  &topic_filters,
+    &topic_glasses, &topic_stops,   &topic_units,   &topic_commands, &topic_options,
 };
 
 static const struct option options[] = {
@@ -58,7 +59,8 @@ static const struct option options[] = {
     {OPTION(struct list_input, search), .name = "search", .value = "WORDS",
      .flags = OPTION_OPERAND | OPTION_REST, .help = "only what contains these words"},
     {OPTION(struct list_input, kind), .name = "kind", .value = "KIND",
-     .help = "only this class of formats, maker of cameras or films, kind of filters, catalogue of "
+     .help = "only this class of lenses or formats, maker of cameras or films, kind of filters, "
+             "catalogue of "
              "glasses, series of "
              "stops, dimension of units, "
              "group of commands, command of options"},
@@ -94,6 +96,7 @@ static bool run(const void *data, struct run *run, struct error *error)
 }
 
 static const struct example examples[] = {
+    {"list lenses --kind zoom", "lenses of one kind"},
     {"list formats", "all formats with sizes, crop factors and circles of confusion"},
     {"list cameras nikon d1", "cameras whose name contains these words"},
     {"list formats --kind cine-film --csv", "one class, for a spreadsheet"},
@@ -106,7 +109,8 @@ static const struct example examples[] = {
 const struct command command_list = {
     .name = "list",
     .group = "data",
-    .summary = "formats, cameras, films, scenes, filters, glasses, stops, units, commands, options",
+    .summary = "lenses, formats, cameras, films, scenes, filters, glasses, stops, units, commands, "
+               "options",
     .examples = examples,
     .options = options,
     .option_count = sizeof options / sizeof options[0],

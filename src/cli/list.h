@@ -44,7 +44,7 @@ void list_row(struct list *list, const void *row);
 /* Where a row of the database comes from: "own" or "embedded". */
 const char *list_place(enum lensdb_place place);
 
-extern const struct topic topic_formats, topic_cameras, topic_films, topic_scenes, topic_filters,
-    topic_stops, topic_units, topic_commands, topic_options, topic_glasses;
+extern const struct topic topic_lenses, topic_formats, topic_cameras, topic_films, topic_scenes,
+    topic_filters, topic_stops, topic_units, topic_commands, topic_options, topic_glasses;
 
 #endif

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "cli/option_glass.h"
+#include "cli/option_lens.h"
 #include "cli/option_light.h"
 #include "file/lensdb.h"
 #include "photo/format.h"
@@ -36,7 +37,8 @@ struct option_kind {
 };
 
 extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
-    kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass, kind_interval;
+    kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass, kind_interval,
+    kind_lens, kind_wavelength;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -70,7 +72,9 @@ struct coc_value {
         struct scene_value: &kind_scene,                                                           \
         struct series_value: &kind_series,                                                         \
         struct glass_value: &kind_glass,                                                           \
-        struct interval_value: &kind_interval)
+        struct interval_value: &kind_interval,  \
+        struct lens_value: &kind_lens, \
+        struct wavelength_value: &kind_wavelength)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
 

@@ -48,7 +48,7 @@ LIGHT = [
     ("flash -g 36m -s 4.5m", "fnumber", 8, 1e-12, "guide number 36: f/8 at 4.5 m"),
     ("flash -g 36m -N 8 --iso 400", "distance_m", 9, 1e-12,
      "four times the speed, twice the distance"),
-    ("flash -g 30 --second 40 -s 5", "guide_number_m", 50, 1e-12, "flashes add in squares"),
+    ("flash -g 30 --second 40 -s 5", "joint_guide_number_m", 50, 1e-12, "flashes add in squares"),
     ("flash --key-to-fill 1", "lighting_ratio", 3, 1e-12, "ASC: one stop is 3:1"),
     ("flash --key-to-fill 2", "lighting_ratio", 5, 1e-12, "ASC: two stops are 5:1"),
     ("motion -f 100 -s 10.1 -v 10m/s -t 1/1000", "blur_um", 100, 1e-9, "m = 1/100: 10 mm of path"),

@@ -1,0 +1,91 @@
+/* base/pair.h - numbers as the sum of two doubles: about 32 digits. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_BASE_PAIR_H
+#define LENSCALC_BASE_PAIR_H
+
+#include "base/number.h"
+
+/* hi + lo, with hi the nearest double to the sum. */
+struct pair {
+    double hi, lo;
+};
+
+/* a + b exactly. [Knuth97] 4.2.2, theorem B */
+static inline struct pair pair_sum(double a, double b)
+{
+    double s = a + b, b_part = s - a;
+    return (struct pair){s, (a - (s - b_part)) + (b - b_part)};
+}
+
+/* The same where |a| >= |b| or a = 0. */
+static inline struct pair pair_fast_sum(double a, double b)
+{
+    double s = a + b;
+    return (struct pair){s, b - (s - a)};
+}
+
+/* a b exactly, for |a|, |b| below 1e150 and products above 1e-290. [Dekker71] */
+static inline struct pair pair_product(double a, double b)
+{
+    const double half = 134217729; /* 2^27 + 1: splits 53 bits in two halves */
+    double p = a * b, a_big = half * a, b_big = half * b;
+    double a_high = a_big - (a_big - a), b_high = b_big - (b_big - b);
+    double a_low = a - a_high, b_low = b - b_high;
+    double rest = ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    return (struct pair){p, rest};
+}
+
+static inline struct pair pair_of(double value)
+{
+    return (struct pair){value, 0};
+}
+
+static inline struct pair pair_negate(struct pair a)
+{
+    return (struct pair){-a.hi, -a.lo};
+}
+
+static inline struct pair pair_add(struct pair a, struct pair b)
+{
+    struct pair high = pair_sum(a.hi, b.hi), low = pair_sum(a.lo, b.lo);
+    high = pair_fast_sum(high.hi, high.lo + low.hi);
+    return pair_fast_sum(high.hi, high.lo + low.lo);
+}
+
+static inline struct pair pair_subtract(struct pair a, struct pair b)
+{
+    return pair_add(a, pair_negate(b));
+}
+
+static inline struct pair pair_multiply(struct pair a, struct pair b)
+{
+    struct pair p = pair_product(a.hi, b.hi);
+    return pair_fast_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+
+/* a / b; infinite or NaN as the doubles would be for b = 0. */
+static inline struct pair pair_divide(struct pair a, struct pair b)
+{
+    double q = a.hi / b.hi;
+    if (!(q - q == 0)) {
+        return (struct pair){q, 0};
+    }
+    struct pair p = pair_multiply(b, pair_of(q));
+    struct pair rest = pair_subtract(a, p);
+    double q2 = rest.hi / b.hi;
+    rest = pair_subtract(rest, pair_multiply(b, pair_of(q2)));
+    struct pair sum = pair_fast_sum(q, q2);
+    return pair_fast_sum(sum.hi, sum.lo + rest.hi / b.hi);
+}
+
+/*
+ * Read a decimal number as number_read does, with what the decimal has beyond its double.
+ *
+ * Given     as number_read
+ * Result    hi is what number_read gives; lo the rest, to about 1e-32 of the value, 0 where the
+ *           value is 0 or infinite or its exponent is beyond 1e+-250
+ */
+const char *pair_read(const char *at, const char *end, struct number_scale scale,
+                      struct pair *value);
+
+#endif

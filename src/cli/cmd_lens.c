@@ -1,0 +1,152 @@
+/* cli/cmd_lens.c - lenscalc lens: first-order data of a lens. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/lens_options.h"
+
+struct input {
+    struct lens_question question;
+};
+
+static const struct option options[] = {
+    LENS_OPTION(struct input, question),          LENS_WAVELENGTH_OPTION(struct input, question),
+    LENS_FNUMBER_OPTION(struct input, question),  LENS_FIELD_OPTION(struct input, question),
+    LENS_POSITION_OPTION(struct input, question), LENS_SECTION_OPTION(struct input, question),
+};
+
+struct row {
+    double wavelength; /* mm */
+    const char *position, *warning, *lens;
+    double track;
+    struct first_order first;
+};
+
+#define PLACE(member_name, more)                                                                   \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+#define NUMBER(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+
+static const struct column columns[] = {
+    {COLUMN(struct row, wavelength), .dimension = &dimension_length, .unit = "nm",
+     .name = "wavelength", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "wavelength",
+     .help = "wavelength; the primary one first"},
+    {NUMBER(position, COLUMN_BRIEF), .name = "position", .label = "position",
+     .help = "zoom or focus position; absent where there is only one"},
+    {COLUMN(struct row, first.power), .dimension = &dimension_vergence, .unit = "per_m",
+     .name = "power", .symbol = "P", .label = "power",
+     .help = "power, from before the first to "
+             "behind the last surface"},
+    {PLACE(first.efl, COLUMN_BRIEF | COLUMN_INFINITE), .name = "efl", .symbol = "f",
+     .label = "focal length", .help = "effective focal length, 1/power in any media"},
+    {PLACE(first.bfl, COLUMN_BRIEF | COLUMN_INFINITE), .name = "bfl", .symbol = "F'",
+     .label = "back focus F'", .help = "rear focal point, from the last vertex"},
+    {PLACE(first.ffl, COLUMN_BRIEF | COLUMN_INFINITE), .name = "ffl", .symbol = "F",
+     .label = "front focus F", .help = "front focal point, from the first vertex"},
+    {PLACE(first.front_focal, COLUMN_INFINITE), .name = "front_focal", .label = "from H to F",
+     .help = "front focal length, H to F: -n/power"},
+    {PLACE(first.rear_focal, COLUMN_INFINITE), .name = "rear_focal", .label = "from H' to F'",
+     .help = "rear focal length, H' to F': n'/power"},
+    {PLACE(first.front_principal, COLUMN_BRIEF | COLUMN_INFINITE), .name = "front_principal",
+     .symbol = "H", .label = "principal point H",
+     .help = "front principal point, from the first vertex"},
+    {PLACE(first.rear_principal, COLUMN_BRIEF | COLUMN_INFINITE), .name = "rear_principal",
+     .symbol = "H'", .label = "principal point H'",
+     .help = "rear principal point, from the last vertex"},
+    {PLACE(first.front_nodal, COLUMN_INFINITE), .name = "front_nodal", .label = "nodal point N",
+     .help = "front nodal point, from the first vertex"},
+    {PLACE(first.rear_nodal, COLUMN_INFINITE), .name = "rear_nodal", .label = "nodal point N'",
+     .help = "rear nodal point, from the last vertex"},
+    {PLACE(first.entrance_pupil, COLUMN_BRIEF | COLUMN_INFINITE), .name = "entrance_pupil",
+     .label = "entrance pupil",
+     .help = "entrance pupil, from the first vertex; absent without a "
+             "stop"},
+    {PLACE(first.entrance_diameter, COLUMN_INFINITE), .name = "entrance_pupil_diameter",
+     .symbol = "D", .label = "its diameter", .help = "diameter of the entrance pupil"},
+    {PLACE(first.exit_pupil, COLUMN_BRIEF | COLUMN_INFINITE), .name = "exit_pupil",
+     .label = "exit pupil", .help = "exit pupil, from the last vertex"},
+    {PLACE(first.exit_diameter, COLUMN_INFINITE), .name = "exit_pupil_diameter",
+     .label = "its diameter", .help = "diameter of the exit pupil"},
+    {NUMBER(first.pupil_magnification, COLUMN_INFINITE), .name = "pupil_magnification",
+     .label = "pupil magnification",
+     .help = "exit over entrance pupil, negative where one is "
+             "upside down"},
+    {NUMBER(first.fnumber, COLUMN_BRIEF | COLUMN_INFINITE), .name = "fnumber", .symbol = "N",
+     .label = "f-number", .help = "rear focal length over the diameter of the entrance pupil"},
+    {NUMBER(first.working_fnumber, COLUMN_INFINITE), .name = "working_fnumber",
+     .label = "working f-number", .help = "1/(2 n' |u'|) of the paraxial marginal ray"},
+    {NUMBER(first.na_image, 0), .name = "na_image", .label = "aperture of the image",
+     .help = "numerical aperture n' sin u' of the paraxial marginal ray"},
+    {NUMBER(first.magnification, COLUMN_INFINITE), .name = "magnification", .symbol = "m",
+     .label = "magnification", .help = "n u/(n' u'); 0 for an object at infinity"},
+    {PLACE(first.lagrange, 0), .name = "lagrange", .label = "Lagrange invariant",
+     .help = "n (y ubar - ybar u) at the largest field"},
+    {PLACE(first.petzval_radius, COLUMN_INFINITE), .name = "petzval_radius",
+     .label = "Petzval radius", .help = "radius of the Petzval surface at the image"},
+    {PLACE(track, COLUMN_INFINITE), .name = "track", .label = "track",
+     .help = "first vertex to the image plane"},
+    {NUMBER(lens, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "lens", .depends = "lens",
+     .label = "lens", .help = "title of the lens"},
+    {NUMBER(warning, 0), .name = "warning", .label = "warning",
+     .help = "what is doubtful about the lens; absent if nothing is"},
+};
+
+static bool emit_row(const struct lens_case *one, struct run *run, const void *context,
+                     struct error *error)
+{
+    (void)context;
+    (void)error;
+    size_t last = one->lens->surface_count - 1;
+    const struct surface *end = &one->lens->surfaces[last];
+    bool table = one->lens->focus == FOCUS_TABLE && end->has_thickness;
+    struct row row = {
+        .wavelength = lens_wavelength_own(one->wavelength),
+        .position = one->position,
+        .lens = one->lens->title,
+        .warning = one->warning,
+        .first = one->first,
+        .track = one->first.length + (table ? end->thickness.value.hi : one->first.image),
+    };
+    run_emit(run, &row);
+    return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    return lens_each(&input->question, run, emit_row, NULL, error);
+}
+
+static bool makes_many(const void *data)
+{
+    return lens_makes_many(&((const struct input *)data)->question);
+}
+
+static const struct explanation explanations[] = {
+    {"efl", "f = 1/{P}", "[Smith05]; (y, v) matrices, P = -c", "paraxial"},
+    {"fnumber", "N = |n' {f}|/{D}", "[Smith05]",
+     "paraxial; an aplanatic lens obeys "
+     "1/(2 n' sin u')"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"lens double-gauss", "cardinal points and pupils, at each of its wavelengths"},
+    {"lens double-gauss -w d", "one wavelength"},
+    {"lens double-gauss -N 4 --field 14deg --json", "stopped down, for a script"},
+    {"lens canon-nfd-70-210 --position all", "a zoom in all its positions"},
+    {"lens double-gauss -w 450,550,650 --columns wavelength_nm,bfl_mm", "chromatic focal shift"},
+    {NULL, NULL},
+};
+
+const struct command command_lens = {
+    .name = "lens",
+    .group = "a lens",
+    .summary = "first-order data: focal length, cardinal points, pupils",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .makes_many = makes_many,
+    .run = run,
+    .explanations = explanations,
+    .plot = "bfl_mm",
+    .cell = "efl_mm",
+};

@@ -1,0 +1,194 @@
+/* cli/cmd_matrix.c - lenscalc matrix: refraction and transfer factors, and their product. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/lens_options.h"
+
+struct input {
+    struct lens_question question;
+    bool perspective;
+};
+
+static const struct option options[] = {
+    LENS_OPTION(struct input, question),
+    LENS_WAVELENGTH_OPTION(struct input, question),
+    LENS_POSITION_OPTION(struct input, question),
+    LENS_SECTION_OPTION(struct input, question),
+    {OPTION(struct input, perspective), .name = "perspective",
+     .help = "the 4x4 matrix of the equivalent thick lens instead"},
+};
+
+struct row {
+    double wavelength; /* mm */
+    const char *position, *factor, *lens;
+    double a, b, c, d, determinant;
+};
+
+#define PLAIN(member_name) COLUMN(struct row, member_name), .flags = COLUMN_BRIEF
+
+static const struct column columns[] = {
+    {COLUMN(struct row, wavelength), .dimension = &dimension_length, .unit = "nm",
+     .name = "wavelength", .flags = COLUMN_ECHO | COLUMN_BRIEF, .label = "wavelength",
+     .help = "wavelength; the primary one first"},
+    {COLUMN(struct row, position), .name = "position", .label = "position",
+     .help = "zoom or focus position; absent where there is only one"},
+    {PLAIN(factor), .name = "factor", .label = "factor",
+     .help = "R1 refraction at surface 1, T1 transfer from it to the next; system, their product"},
+    {PLAIN(a), .name = "a", .label = "a", .help = "[y'; v'] = [[a, b], [c, d]] [y; v], v = n u"},
+    {COLUMN(struct row, b), .dimension = &dimension_length, .unit = "mm", .name = "b",
+     .flags = COLUMN_BRIEF, .label = "b", .help = "of a transfer t/n"},
+    {COLUMN(struct row, c), .dimension = &dimension_vergence, .unit = "per_mm", .name = "c",
+     .flags = COLUMN_BRIEF, .label = "c", .help = "of a refraction -P; of the system -power"},
+    {PLAIN(d), .name = "d", .label = "d", .help = "the fourth"},
+    {PLAIN(determinant), .name = "determinant", .label = "determinant", .help = "a d - b c: 1"},
+    {COLUMN(struct row, lens), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "lens",
+     .depends = "lens", .label = "lens", .help = "title of the lens"},
+};
+
+struct perspective_row {
+    double wavelength; /* mm */
+    const char *position, *row, *lens;
+    double x, y, z, w;
+};
+
+#define CELL(member_name)                                                                          \
+    COLUMN(struct perspective_row, member_name), .name = #member_name, .flags = COLUMN_BRIEF
+
+static const struct column perspective_columns[] = {
+    {COLUMN(struct perspective_row, wavelength), .dimension = &dimension_length, .unit = "nm",
+     .name = "wavelength", .flags = COLUMN_ECHO | COLUMN_BRIEF, .label = "wavelength",
+     .help = "wavelength; the primary one first"},
+    {COLUMN(struct perspective_row, position), .name = "position", .label = "position",
+     .help = "zoom or focus position; absent where there is only one"},
+    {COLUMN(struct perspective_row, row), .name = "row", .flags = COLUMN_BRIEF, .label = "row",
+     .help = "row of the matrix"},
+    {CELL(x), .label = "x", .help = "times x of the object point"},
+    {CELL(y), .label = "y", .help = "times y"},
+    {CELL(z), .label = "z",
+     .help = "times z in mm from the front principal point, negative "
+             "in front of it"},
+    {CELL(w), .label = "w", .help = "times 1"},
+    {COLUMN(struct perspective_row, lens), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "lens",
+     .depends = "lens", .label = "lens", .help = "title of the lens"},
+};
+
+static const struct sheet matrix_sheet = {columns, sizeof columns / sizeof columns[0],
+                                          sizeof(struct row)};
+static const struct sheet perspective_sheet = {
+    perspective_columns, sizeof perspective_columns / sizeof perspective_columns[0],
+    sizeof(struct perspective_row)};
+
+static double determinant(const struct paraxial_matrix *m)
+{
+    return pair_subtract(pair_multiply(m->a, m->d), pair_multiply(m->b, m->c)).hi;
+}
+
+static bool emit_matrix(const struct lens_case *one, struct run *run, const char *factor,
+                        const struct paraxial_matrix *m)
+{
+    const struct row row = {lens_wavelength_own(one->wavelength),
+                            one->position,
+                            factor,
+                            one->lens->title,
+                            m->a.hi,
+                            m->b.hi,
+                            m->c.hi + 0.0,
+                            m->d.hi,
+                            determinant(m)};
+    return run_emit(run, &row);
+}
+
+static bool emit_factors(const struct lens_case *one, struct run *run, const void *context,
+                         struct error *error)
+{
+    const struct pair unity = {1, 0}, zero = {0, 0};
+    (void)context;
+    (void)error;
+    for (size_t i = 0; i < one->system.count; i++) {
+        const struct paraxial_surface *surface = &one->system.surfaces[i];
+        const struct paraxial_matrix refraction = {unity, zero, pair_negate(surface->power), unity};
+        const struct paraxial_matrix transfer = {unity, surface->reduced, zero, unity};
+        if (!emit_matrix(one, run, arena_printf(run->arena, "R%zu", i + 1), &refraction) ||
+            (i + 1 < one->system.count &&
+             !emit_matrix(one, run, arena_printf(run->arena, "T%zu", i + 1), &transfer))) {
+            return true;
+        }
+    }
+    emit_matrix(one, run, "system", &one->first.matrix);
+    return true;
+}
+
+/* x' = x/(1 + P z/n), z' = t + (n'/n) z/(1 + P z/n), both z from the front principal point. */
+static bool emit_perspective(const struct lens_case *one, struct run *run, const void *context,
+                             struct error *error)
+{
+    const struct first_order *first = &one->first;
+    (void)context;
+    if (first->is_afocal) {
+        return fail(error, ERROR_DOMAIN, "an afocal system has no principal planes");
+    }
+    double n = first->index_object, power = first->power;
+    double t = first->length + first->rear_principal - first->front_principal;
+    const struct perspective_row rows[] = {
+        {.row = "x", .x = 1},
+        {.row = "y", .y = 1},
+        {.row = "z", .z = first->index_image / n + t * power / n, .w = t},
+        {.row = "w", .z = power / n, .w = 1},
+    };
+    for (size_t i = 0; i < 4; i++) {
+        struct perspective_row row = rows[i];
+        row.wavelength = lens_wavelength_own(one->wavelength);
+        row.position = one->position;
+        row.lens = one->lens->title;
+        if (!run_emit(run, &row)) {
+            break;
+        }
+    }
+    return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct lens_question question = input->question;
+    question.fnumber = question.field = NAN;
+    return lens_each(&question, run, input->perspective ? emit_perspective : emit_factors, NULL,
+                     error);
+}
+
+static bool makes_many(const void *data)
+{
+    (void)data;
+    return true;
+}
+
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+{
+    (void)asking;
+    return ((const struct input *)data)->perspective ? &perspective_sheet : &matrix_sheet;
+}
+
+static const struct explanation explanations[] = {
+    {"c", "R = [[1, 0], [-P, 1]], T = [[1, t/n], [0, 1]], system = R_k T_(k-1) ... T1 R1",
+     "[Smith05]; v = n u", "paraxial"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"matrix double-gauss -w d", "all factors and their product"},
+    {"matrix double-gauss --perspective -w d", "the lens as a projective transformation"},
+    {NULL, NULL},
+};
+
+const struct command command_matrix = {
+    .name = "matrix",
+    .group = "a lens",
+    .summary = "refraction and transfer matrices, and the 4x4 of the thick lens",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .choose_sheet = choose_sheet,
+    .makes_many = makes_many,
+    .run = run,
+    .explanations = explanations,
+};

@@ -1,0 +1,202 @@
+/* cli/cmd_surfaces.c - lenscalc surfaces: a lens surface by surface. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/lens_options.h"
+
+struct input {
+    struct lens_question question;
+};
+
+static const struct option options[] = {
+    LENS_OPTION(struct input, question),          LENS_WAVELENGTH_OPTION(struct input, question),
+    LENS_FNUMBER_OPTION(struct input, question),  LENS_FIELD_OPTION(struct input, question),
+    LENS_POSITION_OPTION(struct input, question), LENS_SECTION_OPTION(struct input, question),
+};
+
+struct row {
+    long surface;
+    const char *kind, *name, *medium, *position, *warning, *lens;
+    double wavelength; /* mm */
+    double radius, thickness, index, diameter, conic, power;
+    double vergence_before, vergence_after;
+    struct paraxial_ray marginal, chief;
+};
+
+#define LENGTH(member_name, more)                                                                  \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+#define PER_LENGTH(member_name, more)                                                              \
+    COLUMN(struct row, member_name), .dimension = &dimension_vergence, .unit = "per_m",            \
+                                     .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+
+static const struct column columns[] = {
+    {COLUMN(struct row, wavelength), .dimension = &dimension_length, .unit = "nm",
+     .name = "wavelength", .flags = COLUMN_ECHO, .with = "wavelength", .label = "wavelength",
+     .help = "wavelength"},
+    {PLAIN(position, 0), .name = "position", .label = "position",
+     .help = "zoom or focus position; absent where there is only one"},
+    {PLAIN(surface, COLUMN_BRIEF), .name = "surface", .label = "surface",
+     .help = "number of the surface, from 1, the stop counted"},
+    {PLAIN(kind, COLUMN_BRIEF), .name = "kind", .label = "kind",
+     .help = "plane, sphere, conic, asphere, cylinder, mirror or stop"},
+    {PLAIN(name, 0), .name = "name", .label = "name", .help = "its name in the file"},
+    {LENGTH(radius, COLUMN_BRIEF | COLUMN_INFINITE), .name = "radius", .symbol = "R",
+     .label = "radius",
+     .help = "radius of curvature at the vertex, A2 included; infinite for a "
+             "plane"},
+    {LENGTH(thickness, COLUMN_BRIEF | COLUMN_ECHO), .name = "thickness", .symbol = "t",
+     .label = "thickness", .help = "to the next vertex; after the last surface as the file has it"},
+    {PLAIN(medium, COLUMN_BRIEF), .name = "medium", .label = "medium",
+     .help = "what follows the surface"},
+    {PLAIN(index, COLUMN_BRIEF), .name = "index", .symbol = "n", .label = "index",
+     .help = "index of refraction after the surface; negative after a mirror"},
+    {LENGTH(diameter, COLUMN_BRIEF | COLUMN_ECHO), .name = "diameter", .label = "diameter",
+     .help = "full clear aperture"},
+    {PLAIN(conic, COLUMN_ECHO), .name = "conic", .symbol = "k", .label = "conic",
+     .help = "conic constant; absent for a sphere or plane"},
+    {PER_LENGTH(power, COLUMN_BRIEF), .name = "power", .symbol = "P", .label = "power",
+     .help = "surface power (n' - n)/R in dioptres"},
+    {PER_LENGTH(vergence_before, COLUMN_BRIEF | COLUMN_INFINITE), .name = "vergence_before",
+     .symbol = "V", .label = "vergence before",
+     .help = "n over the distance to where the axial beam meets, before the surface"},
+    {PER_LENGTH(vergence_after, COLUMN_BRIEF | COLUMN_INFINITE), .name = "vergence_after",
+     .symbol = "V'", .label = "vergence after", .help = "the same after it"},
+    {LENGTH(marginal.y, COLUMN_BRIEF), .name = "marginal_y", .symbol = "y", .label = "marginal y",
+     .help = "height of the marginal ray; absent without an aperture"},
+    {PLAIN(marginal.after, COLUMN_BRIEF), .name = "marginal_v", .symbol = "v",
+     .label = "marginal v", .help = "its n u after the surface"},
+    {LENGTH(chief.y, COLUMN_BRIEF), .name = "chief_y", .symbol = "ybar", .label = "chief y",
+     .help = "height of the chief ray; absent without a stop or a field"},
+    {PLAIN(chief.after, COLUMN_BRIEF), .name = "chief_v", .symbol = "vbar", .label = "chief v",
+     .help = "its n u after the surface"},
+    {PLAIN(lens, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "lens", .depends = "lens", .label = "lens",
+     .help = "title of the lens"},
+    {PLAIN(warning, COLUMN_HIDDEN), .name = "warning", .label = "warning",
+     .help = "what is doubtful about the lens; absent if nothing is"},
+};
+
+static const char *kind_of(const struct surface *surface)
+{
+    bool flat = surface->is_plane && !surface->has_curvature;
+    return surface->kind == SURFACE_STOP      ? "stop"
+           : surface->kind == SURFACE_REFLECT ? "mirror"
+           : surface->curved != CURVED_BOTH   ? "cylinder"
+           : surface->coefficients != 0       ? "asphere"
+           : surface->conic.value.hi != 0     ? "conic"
+           : flat                             ? "plane"
+                                              : "sphere";
+}
+
+/* Of the beam that starts on the axis: v over -y, whatever its size. */
+static double vergence(double y, double v)
+{
+    return y == 0 ? INFINITY : -v / y + 0.0;
+}
+
+/* Rays at every surface; NaN where there is none. */
+static struct paraxial_ray *follow(const struct lens_case *one, double y, double v,
+                                   struct arena *arena)
+{
+    struct paraxial_ray *rays = ARENA_ARRAY(arena, one->system.count, struct paraxial_ray);
+    paraxial_follow(&one->system, pair_of(y), pair_of(v), rays);
+    return rays;
+}
+
+/* The beam from the object point on the axis, of any size. */
+static struct paraxial_ray *follow_axial(const struct lens_case *one, struct arena *arena)
+{
+    if (one->lens->object_is_infinite) {
+        return follow(one, 1, 0, arena);
+    }
+    return follow(one, one->lens->object.value.hi, one->first.index_object, arena);
+}
+
+static bool emit_rows(const struct lens_case *one, struct run *run, const void *context,
+                      struct error *error)
+{
+    const struct first_order *first = &one->first;
+    const struct paraxial_ray *axial = follow_axial(one, run->arena);
+    const struct paraxial_ray *marginal =
+        follow(one, first->marginal_y, first->marginal_v, run->arena);
+    const struct paraxial_ray *chief = follow(one, first->chief_y, first->chief_v, run->arena);
+    (void)context;
+    (void)error;
+    for (size_t i = 0; i < one->system.count; i++) {
+        const struct surface *surface = &one->lens->surfaces[i];
+        double curvature = one->system.curvature[i].hi;
+        struct text medium = surface->medium.written;
+        struct row row = {
+            .surface = (long)i + 1,
+            .kind = kind_of(surface),
+            .name = surface->name,
+            .medium = arena_string(run->arena, medium.start, medium.length),
+            .position = one->position,
+            .lens = one->lens->title,
+            .warning = one->warning,
+            .wavelength = lens_wavelength_own(one->wavelength),
+            .radius = curvature != 0 ? 1 / curvature : INFINITY,
+            .thickness = surface->has_thickness ? surface->thickness.value.hi : NAN,
+            .index = one->system.index[i + 1].hi,
+            .diameter = surface->has_diameter ? surface->diameter.value.hi : NAN,
+            .conic = surface->conic.value.hi != 0 ? surface->conic.value.hi : NAN,
+            .power = one->system.surfaces[i].power.hi + 0.0,
+            .vergence_before = vergence(axial[i].y, axial[i].before),
+            .vergence_after = vergence(axial[i].y, axial[i].after),
+            .marginal = marginal[i],
+            .chief = chief[i],
+        };
+        if (i == one->system.stop && !isnan(row.chief.y)) {
+            row.chief.y = 0; /* by definition, where the trace leaves 1e-16 */
+        }
+        bool plain = surface->kind != SURFACE_REFLECT && !surface->is_plane &&
+                     surface->coefficients == 0 && surface->curved == CURVED_BOTH;
+        row.radius = plain ? surface->radius.value.hi : row.radius;
+        if (!run_emit(run, &row)) {
+            break;
+        }
+    }
+    return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    struct lens_question question = ((const struct input *)data)->question;
+    if (question.wavelength.name == NULL && question.lens.lens != NULL) {
+        question.wavelength =
+            (struct wavelength_value){lens_primary_wavelength(question.lens.lens), "primary"};
+    }
+    return lens_each(&question, run, emit_rows, NULL, error);
+}
+
+static bool makes_many(const void *data)
+{
+    (void)data;
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"power", "P = (n' - n)/R", "[Smith05]", "paraxial"},
+    {"marginal_v", "v' = {v} before - {y} {P}", "[Smith05]; v = n u", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"surfaces double-gauss", "the table of the lens, with powers and paraxial rays"},
+    {"surfaces double-gauss -N 4 --field 10deg -w F --csv", "for a spreadsheet"},
+    {"surfaces double-gauss --columns surface,power_diopter,vergence_after_diopter",
+     "vergences in dioptres"},
+    {NULL, NULL},
+};
+
+const struct command command_surfaces = {
+    .name = "surfaces",
+    .group = "a lens",
+    .summary = "a lens surface by surface: powers, vergences, paraxial rays",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .makes_many = makes_many,
+    .run = run,
+    .explanations = explanations,
+};

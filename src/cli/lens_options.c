@@ -1,0 +1,176 @@
+/* cli/lens_options.c - the cases a lens command is asked for. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/lens_options.h"
+
+#include "optics/wavelength.h"
+
+const struct word section_words[] = {
+    {"y", "the y-z section"},
+    {"x", "the x-z section"},
+    {NULL, NULL},
+};
+
+static bool wants_all(const struct lens_question *question)
+{
+    return question->position != NULL && text_same(text_of(question->position), "all");
+}
+
+bool lens_makes_many(const struct lens_question *question)
+{
+    const struct lens *lens = question->lens.lens;
+    return lens != NULL && ((question->wavelength.name == NULL && lens->wavelength_count > 1) ||
+                            (wants_all(question) && lens->position_count > 1));
+}
+
+double lens_wavelength_own(double wavelength)
+{
+    char text[NUMBER_LENGTH];
+    const double nanometre = unit_to_own(unit_find(&dimension_length, text_of("nm")), 1);
+    const char *end = number_write_shortest(text, wavelength);
+    double nm, own;
+    number_read(text, end, (struct number_scale){1, 3}, &nm);
+    own = nm * nanometre;
+    double near[] = {own, nextafter(own, 0), nextafter(own, 1)};
+    for (size_t i = 0; i < 3; i++) {
+        if (near[i] / nanometre == nm) {
+            return near[i];
+        }
+    }
+    return own;
+}
+
+/* The field that counts: the one asked for, else the largest of the lens. */
+static double choose_field(const struct lens_question *question, const struct lens *lens,
+                           enum field_kind *kind)
+{
+    double largest = NAN;
+    *kind = FIELD_ANGLE;
+    if (!isnan(question->field)) {
+        return question->field;
+    }
+    *kind = lens->field_kind;
+    for (size_t i = 0; i < lens->field_count; i++) {
+        double field = lens->fields[i].value.hi;
+        largest = !(fabs(field) <= fabs(largest)) ? field : largest;
+    }
+    return largest;
+}
+
+/* The radius of the beam is fixed at the primary wavelength. */
+static bool solve_primary(const struct lens_question *question, const struct lens *lens,
+                          struct arena *arena, struct first_order *primary, struct error *error)
+{
+    const struct conjugate_object object = lens_object(lens);
+    struct aperture_setting aperture = lens_aperture(lens);
+    enum field_kind kind;
+    double field = choose_field(question, lens, &kind);
+    if (!isnan(question->fnumber)) {
+        aperture = (struct aperture_setting){APERTURE_FNUMBER, question->fnumber};
+    }
+    return first_order_of_lens(lens, lens_primary_wavelength(lens),
+                               (enum lens_section)question->section, arena, primary, error) &&
+           first_order_aperture(primary, &object, &aperture, kind, field, error);
+}
+
+static bool solve_case(const struct lens_question *question, const struct first_order *primary,
+                       struct lens_case *one, struct arena *arena, struct error *error)
+{
+    const struct conjugate_object object = lens_object(one->lens);
+    struct paraxial_trace trace;
+    enum field_kind kind;
+    double field = choose_field(question, one->lens, &kind);
+    if (!paraxial_compile(one->lens, one->wavelength, one->section, arena, &one->system, error)) {
+        return false;
+    }
+    if (one->wavelength == lens_primary_wavelength(one->lens)) {
+        one->first = *primary;
+        return true;
+    }
+    paraxial_trace(&one->system, &trace);
+    first_order_compute(&one->system, &trace, &object, &one->first);
+    if (!isnan(primary->stop_radius)) {
+        first_order_use_stop(&one->first, &object, primary->stop_radius, kind, field);
+        return true;
+    }
+    /* no stop: the same entrance beam */
+    const struct aperture_setting beam = {APERTURE_EPD, primary->entrance_diameter};
+    return isnan(beam.value) ||
+           first_order_aperture(&one->first, &object, &beam, kind, field, error);
+}
+
+static const char *join(struct arena *arena, const char *first, const char *second)
+{
+    return first == NULL    ? second
+           : second == NULL ? first
+                            : arena_printf(arena, "%s; %s", first, second);
+}
+
+static bool visit_position(const struct lens_question *question, size_t position, struct run *run,
+                           bool (*visit)(const struct lens_case *one, struct run *run,
+                                         const void *context, struct error *error),
+                           const void *context, struct error *error)
+{
+    const struct lens *all = question->lens.lens;
+    const struct lens *lens = lens_at_position(all, position, run->arena);
+    struct first_order primary, stated;
+    if (!solve_primary(question, lens, run->arena, &primary, error)) {
+        return false;
+    }
+    stated = primary;
+    stated.fnumber = isnan(question->fnumber) ? primary.fnumber : NAN;
+    struct lens_case one = {
+        .lens = lens,
+        .position = all->position_count > 0 ? all->positions[position] : NULL,
+        .section = (enum lens_section)question->section,
+        .warning = join(run->arena, question->lens.warning,
+                        lens_stated_warning(all, position, &stated, run->arena)),
+    };
+    bool given = question->wavelength.name != NULL;
+    size_t count = given || lens->wavelength_count == 0 ? 1 : lens->wavelength_count;
+    for (size_t i = 0; i < count; i++) {
+        one.wavelength = given                        ? question->wavelength.wavelength
+                         : lens->wavelength_count > 0 ? lens->wavelengths[i].wavelength
+                                                      : WAVELENGTH_D;
+        if (!solve_case(question, &primary, &one, run->arena, error) ||
+            !visit(&one, run, context, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool lens_each(const struct lens_question *question, struct run *run,
+               bool (*visit)(const struct lens_case *one, struct run *run, const void *context,
+                             struct error *error),
+               const void *context, struct error *error)
+{
+    const struct lens *lens = question->lens.lens;
+    if (lens == NULL) {
+        fail(error, ERROR_USAGE, "no lens is given");
+        return error_hint(error, "a name of 'lenscalc list lenses', or a .lens file");
+    }
+    size_t first = 0, last = 0;
+    if (wants_all(question)) {
+        last = lens->position_count > 0 ? lens->position_count - 1 : 0;
+    } else if (question->position != NULL) {
+        first = last = lens_position_find(lens, text_of(question->position));
+        if (first == LENS_NONE) {
+            struct nearest nearest = {.typed = text_of(question->position)};
+            for (size_t i = 0; i < lens->position_count; i++) {
+                nearest_offer(&nearest, text_of(lens->positions[i]));
+            }
+            fail(error, ERROR_USAGE, "the lens has no position '%s'%s%s", question->position,
+                 lens->position_count > 0 ? ": its first is " : "",
+                 lens->position_count > 0 ? lens->positions[0] : "");
+            return nearest.best.start != NULL &&
+                   error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length,
+                              nearest.best.start);
+        }
+    }
+    for (size_t i = first; i <= last; i++) {
+        if (!visit_position(question, i, run, visit, context, error)) {
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,97 @@
+/* cli/lens_options.h - the options that lens commands share, and the cases they ask for. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_LENS_OPTIONS_H
+#define LENSCALC_CLI_LENS_OPTIONS_H
+
+#include "cli/command.h"
+#include "optics/first_order.h"
+
+#include <math.h>
+
+/* What the options of a lens command say. */
+struct lens_question {
+    struct lens_value lens;
+    struct wavelength_value wavelength;
+    double fnumber, field;
+    const char *position;
+    int section;
+};
+
+/* One lens in one position at one wavelength. */
+struct lens_case {
+    const struct lens *lens;
+    const char *position; /* null = the only one */
+    double wavelength;    /* um */
+    enum lens_section section;
+    struct paraxial_system system;
+    struct first_order first;
+    const char *warning; /* null = all is well */
+};
+
+extern const struct word section_words[];
+
+#define LENS_OPTION(S, member)                                                                     \
+    {                                                                                              \
+        OPTION(S, member.lens), .name = "lens", .letter = 'l', .value = "LENS",                    \
+                                .flags = OPTION_OPERAND | OPTION_FILE,                             \
+                                .help = "a lens of lensdb (list lenses), a .lens file, or - for "  \
+                                        "standard input"                                           \
+    }
+
+#define LENS_WAVELENGTH_OPTION(S, member)                                                          \
+    {                                                                                              \
+        OPTION(S, member.wavelength), .name = "wavelength", .letter = 'w', .column = "wavelength", \
+                                      .value = "WAVE",                                             \
+                                      .help = "wavelength in nm, or a line: d F C e g; without "   \
+                                              "it all of the lens, the primary first"              \
+    }
+
+#define LENS_FNUMBER_OPTION(S, member)                                                             \
+    {                                                                                              \
+        OPTION(S, member.fnumber),                                                                 \
+            .name = "aperture", .letter = 'N', .column = "fnumber",                                \
+            .dimension = &dimension_fnumber, .lowest = 0, .highest = INFINITY,                     \
+            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "NUMBER",                  \
+            .help = "f-number in place of the lens's own aperture"                                 \
+    }
+
+#define LENS_FIELD_OPTION(S, member)                                                               \
+    {                                                                                              \
+        OPTION(S, member.field), .name = "field", .column = "field",                               \
+                                 .dimension = &dimension_angle, .unit = "deg", .lowest = -1.5707,  \
+                                 .highest = 1.5707, .value = "ANGLE",                              \
+                                 .help = "field angle in object space in place of the lens's "     \
+                                         "largest"                                                 \
+    }
+
+#define LENS_POSITION_OPTION(S, member)                                                            \
+    {                                                                                              \
+        OPTION(S, member.position), .name = "position", .value = "NAME",                           \
+                                    .help = "zoom or focus position, or all; default the first"    \
+    }
+
+#define LENS_SECTION_OPTION(S, member)                                                             \
+    {                                                                                              \
+        OPTION(S, member.section), .name = "section", .words = section_words, .fallback = "y",     \
+                                   .value = "SECTION", .help = "section of a lens with cylinders"  \
+    }
+
+/* A wavelength in um in the program's own unit of length, so that it prints in nm as typed. */
+double lens_wavelength_own(double wavelength);
+
+/* Will the question have several answers? */
+bool lens_makes_many(const struct lens_question *question);
+
+/*
+ * Answer a question, case by case: positions, and within each the wavelengths, primary first.
+ *
+ * Given     visit  gets each case; returns false to fail
+ * Errors    ERROR_USAGE: no lens, an unknown position; as first_order_of_lens and
+ *           first_order_aperture
+ */
+bool lens_each(const struct lens_question *question, struct run *run,
+               bool (*visit)(const struct lens_case *one, struct run *run, const void *context,
+                             struct error *error),
+               const void *context, struct error *error);
+
+#endif

@@ -1,0 +1,123 @@
+/* cli/list_lenses.c - lenscalc list lenses. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/list.h"
+#include "file/lens_db.h"
+#include "optics/first_order.h"
+
+#include <math.h>
+
+struct lens_row {
+    const char *name, *title, *kind, *positions, *source, *note, *place, *warning;
+    double efl, bfl, fnumber; /* of the first position */
+    long surfaces;
+};
+
+#define LENS(member)        COLUMN(struct lens_row, member)
+#define LENS_LENGTH(member) LENS(member), .dimension = &dimension_length, .unit = "mm"
+
+static const struct column lens_columns[] = {
+    {LENS(name), .name = "lens", .flags = COLUMN_BRIEF, .label = "lens",
+     .help = "name that commands take"},
+    {LENS(title), .name = "title", .flags = COLUMN_BRIEF, .label = "title", .help = "what it is"},
+    {LENS(kind), .name = "kind", .flags = COLUMN_BRIEF, .label = "kind", .help = "class of lenses"},
+    {LENS_LENGTH(efl), .name = "efl", .flags = COLUMN_BRIEF, .label = "focal length",
+     .help = "effective focal length as computed, in the first position"},
+    {LENS(fnumber), .name = "fnumber", .flags = COLUMN_BRIEF, .label = "f-number",
+     .help = "f-number by its aperture; absent where none is stated"},
+    {LENS_LENGTH(bfl), .name = "bfl", .label = "back focus", .help = "paraxial back focus"},
+    {LENS(surfaces), .name = "surfaces", .flags = COLUMN_BRIEF, .label = "surfaces",
+     .help = "number of surfaces, the stop counted"},
+    {LENS(positions), .name = "positions", .flags = COLUMN_BRIEF, .label = "positions",
+     .help = "names of zoom or focus positions"},
+    {LENS(source), .name = "source", .label = "source", .help = "where it was published"},
+    {LENS(note), .name = "note", .label = "note", .help = "what to know of it"},
+    {LENS(warning), .name = "warning", .label = "warning", .help = "what is doubtful"},
+    {LENS(place), .name = "database", .label = "database",
+     .help = "embedded, or the user's own folder"},
+};
+
+static const char *join_notes(const struct list *list, const struct lens *lens)
+{
+    const char *all = NULL;
+    for (size_t i = 0; i < lens->note_count; i++) {
+        all =
+            i == 0 ? lens->notes[0] : arena_printf(list->run->arena, "%s %s", all, lens->notes[i]);
+    }
+    return all;
+}
+
+static const char *join_positions(const struct list *list, const struct lens *lens)
+{
+    const char *all = NULL;
+    for (size_t i = 0; i < lens->position_count; i++) {
+        all = i == 0 ? lens->positions[0]
+                     : arena_printf(list->run->arena, "%s %s", all, lens->positions[i]);
+    }
+    return all;
+}
+
+/* A lens that cannot be computed keeps its row. */
+static void compute(const struct list *list, const struct lens *lens, struct lens_row *row)
+{
+    struct arena *arena = list->run->arena;
+    const struct lens *first = lens_at_position(lens, 0, arena);
+    const struct conjugate_object object = lens_object(first);
+    struct first_order all;
+    struct lens_warnings warnings;
+    struct error error;
+    if (!lens_check(lens, arena, &warnings, &error) ||
+        !first_order_of_lens(first, lens_primary_wavelength(first), SECTION_Y, arena, &all,
+                             &error)) {
+        row->warning = arena_printf(arena, "%s", error.message);
+        return;
+    }
+    const struct aperture_setting aperture = lens_aperture(first);
+    if (!first_order_aperture(&all, &object, &aperture, FIELD_NONE, NAN, &error)) {
+        row->warning = arena_printf(arena, "%s", error.message);
+    }
+    row->efl = all.is_afocal ? NAN : all.efl;
+    row->bfl = all.is_afocal ? NAN : all.bfl;
+    row->fnumber = all.fnumber;
+    const char *stated = lens_stated_warning(lens, 0, &all, arena);
+    row->warning = stated != NULL ? stated : warnings.count > 0 ? warnings.texts[0] : row->warning;
+}
+
+static bool list_place_of(struct list *list, enum lensdb_place place, struct error *error)
+{
+    const char *const *names;
+    struct arena *arena = list->run->arena;
+    if (!lens_db_names(list->run->db, place, arena, &names, error)) {
+        return false;
+    }
+    for (; *names != NULL; names++) {
+        struct lens lens;
+        struct lens_row row = {
+            .name = *names, .place = list_place(place), .efl = NAN, .bfl = NAN, .fnumber = NAN};
+        if (!lens_db_find(list->run->db, text_of(*names), arena, &lens, error)) {
+            return false;
+        }
+        row.title = lens.title;
+        row.kind = lens.kind;
+        row.source = lens.source;
+        row.positions = join_positions(list, &lens);
+        row.note = join_notes(list, &lens);
+        row.surfaces = (long)lens.surface_count;
+        /* "zoom" is any zoom: "zoom tele", "cine anamorphic zoom" */
+        const char *kind = list->input->kind != NULL && row.kind != NULL &&
+                                   text_contains_name(text_of(row.kind), text_of(list->input->kind))
+                               ? list->input->kind
+                               : row.kind;
+        if (list_matches(list, kind, (const char *[]){row.name, row.title, row.source}, 3)) {
+            compute(list, &lens, &row);
+            list_row(list, &row);
+        }
+    }
+    return true;
+}
+
+static bool list_lenses(struct list *list, struct error *error)
+{
+    return list_place_of(list, LENSDB_USER, error) && list_place_of(list, LENSDB_EMBEDDED, error);
+}
+
+const struct topic topic_lenses = {LIST_SHEET(lens_columns, struct lens_row), list_lenses};

@@ -1,0 +1,233 @@
+/* file/lens_db.c - lenses by name: the user's folder, the embedded ones, files. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_db.h"
+
+#include "file/embedded.h"
+#include "file/lens_glass.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { LARGEST_LENS = 16 * 1024 * 1024 };
+
+static const char folder[] = "lenses/", ending[] = ".lens";
+enum { FOLDER_LENGTH = sizeof folder - 1, ENDING_LENGTH = sizeof ending - 1 };
+
+static bool ends_as_lens(struct text name)
+{
+    return name.length > ENDING_LENGTH &&
+           memcmp(name.start + name.length - ENDING_LENGTH, ending, ENDING_LENGTH) == 0;
+}
+
+/* Everything a descriptor gives, in the arena. */
+static bool read_descriptor(int descriptor, const char *path, struct arena *arena,
+                            struct text *content, struct error *error)
+{
+    size_t room = 65536, used = 0;
+    char *data = arena_array(arena, room, 1);
+    for (;;) {
+        ssize_t got = read(descriptor, data + used, room - used);
+        if (got < 0) {
+            return fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
+        }
+        if (got == 0) {
+            *content = (struct text){data, used};
+            return true;
+        }
+        used += (size_t)got;
+        if (used > LARGEST_LENS) {
+            return fail(error, ERROR_IO, "cannot read %s: larger than 16 MiB", path);
+        }
+        if (used == room) {
+            char *more = arena_array(arena, 2 * room, 1);
+            data = memcpy(more, data, used);
+            room *= 2;
+        }
+    }
+}
+
+/* False with ERROR_NONE where there is no such file. */
+static bool read_path(const char *path, struct arena *arena, struct text *content,
+                      struct error *error)
+{
+    int descriptor = open(path, O_RDONLY | O_CLOEXEC);
+    error->code = ERROR_NONE;
+    if (descriptor < 0) {
+        return errno != ENOENT &&
+               fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
+    }
+    bool done = read_descriptor(descriptor, path, arena, content, error);
+    close(descriptor);
+    return done;
+}
+
+/* "lenses/double-gauss.lens" -> "double-gauss"; empty for other files. */
+static struct text embedded_lens(const struct embedded_file *file)
+{
+    struct text name = text_of(file->name);
+    if (strncmp(file->name, folder, FOLDER_LENGTH) != 0 || !ends_as_lens(name)) {
+        return (struct text){file->name, 0};
+    }
+    return (struct text){file->name + FOLDER_LENGTH, name.length - FOLDER_LENGTH - ENDING_LENGTH};
+}
+
+static const char *copy(struct arena *arena, struct text text)
+{
+    return arena_string(arena, text.start, text.length);
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+static bool user_names(struct lensdb *db, struct arena *arena, const char ***names, size_t *count,
+                       struct error *error)
+{
+    enum { MOST = 10000 };
+    DIR *directory = opendir(arena_printf(arena, "%s/lenses", db->directory));
+    if (directory == NULL) {
+        return errno == ENOENT || fail(error, ERROR_IO, "cannot read the folder %s/lenses: %s",
+                                       db->directory, strerror(errno));
+    }
+    *names = ARENA_ARRAY(arena, MOST + 1, const char *);
+    for (struct dirent *entry = readdir(directory); entry != NULL && *count < MOST;
+         entry = readdir(directory)) {
+        struct text name = text_of(entry->d_name);
+        if (ends_as_lens(name)) {
+            name.length -= ENDING_LENGTH;
+            (*names)[(*count)++] = copy(arena, name);
+        }
+    }
+    closedir(directory);
+    return true;
+}
+
+bool lens_db_names(struct lensdb *db, enum lensdb_place place, struct arena *arena,
+                   const char *const **names, struct error *error)
+{
+    static const char *const none[] = {NULL};
+    const char **all = NULL;
+    size_t count = 0;
+    if (place == LENSDB_USER) {
+        if (db->directory != NULL && !user_names(db, arena, &all, &count, error)) {
+            return false;
+        }
+    } else {
+        size_t files = 0;
+        while (embedded_files[files].name != NULL) {
+            files++;
+        }
+        all = ARENA_ARRAY(arena, files + 1, const char *);
+        for (size_t i = 0; i < files; i++) {
+            struct text name = embedded_lens(&embedded_files[i]);
+            if (name.length > 0) {
+                all[count++] = copy(arena, name);
+            }
+        }
+    }
+    *names = none;
+    if (all != NULL) {
+        qsort(all, count, sizeof all[0], by_name);
+        *names = all;
+    }
+    return true;
+}
+
+static bool find_user(struct lensdb *db, struct text name, struct arena *arena, const char **source,
+                      struct text *content, struct error *error)
+{
+    const char *const *names;
+    error->code = ERROR_NONE;
+    if (db->directory == NULL || !lens_db_names(db, LENSDB_USER, arena, &names, error)) {
+        return false;
+    }
+    for (; *names != NULL; names++) {
+        if (text_same_name(text_of(*names), name)) {
+            *source = arena_printf(arena, "%s/lenses/%s.lens", db->directory, *names);
+            return read_path(*source, arena, content, error);
+        }
+    }
+    return false;
+}
+
+static bool find_embedded(struct text name, const char **source, struct text *content)
+{
+    for (const struct embedded_file *file = embedded_files; file->name != NULL; file++) {
+        struct text known = embedded_lens(file);
+        if (known.length > 0 && text_same_name(known, name)) {
+            *source = file->name;
+            *content = (struct text){file->data, file->length};
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool fail_unknown(struct lensdb *db, struct text name, struct arena *arena,
+                         struct error *error)
+{
+    struct nearest nearest = {.typed = name};
+    for (int place = 0; place < LENSDB_PLACES; place++) {
+        const char *const *names;
+        struct error ignored;
+        if (lens_db_names(db, (enum lensdb_place)place, arena, &names, &ignored)) {
+            for (; *names != NULL; names++) {
+                nearest_offer(&nearest, text_of(*names));
+            }
+        }
+    }
+    fail(error, ERROR_USAGE, "no lens '%.*s' in lensdb, and no file of that name",
+         (int)(name.length < 60 ? name.length : 60), name.start);
+    if (nearest.best.start != NULL) {
+        return error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length,
+                          nearest.best.start);
+    }
+    return error_hint(error, "see 'lenscalc list lenses'");
+}
+
+bool lens_db_content(struct lensdb *db, struct text name, struct arena *arena, const char **source,
+                     struct text *content, struct error *error)
+{
+    const char *path = copy(arena, name);
+    if (text_equal(name, "-")) {
+        *source = "standard input";
+        return read_descriptor(STDIN_FILENO, *source, arena, content, error);
+    }
+    bool is_file = memchr(name.start, '/', name.length) != NULL || ends_as_lens(name);
+    if (!is_file) {
+        if (find_user(db, name, arena, source, content, error)) {
+            return true;
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+        if (find_embedded(name, source, content)) {
+            return true;
+        }
+    }
+    *source = path;
+    if (read_path(path, arena, content, error)) {
+        return true;
+    }
+    if (error->code != ERROR_NONE) {
+        return false;
+    }
+    return is_file ? fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(ENOENT))
+                   : fail_unknown(db, name, arena, error);
+}
+
+bool lens_db_find(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
+                  struct error *error)
+{
+    const char *source;
+    struct text content;
+    struct lens_glasses place = {db, arena};
+    const struct glass_source glasses = lens_glass_source(&place);
+    return lens_db_content(db, name, arena, &source, &content, error) &&
+           lens_read(source, content, &glasses, arena, lens, error);
+}

@@ -1,0 +1,29 @@
+/* file/lens_db.h - lenses by name: the user's folder, the embedded ones, files. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_LENS_DB_H
+#define LENSCALC_FILE_LENS_DB_H
+
+#include "file/lens_file.h"
+#include "file/lensdb.h"
+
+/*
+ * The text of a lens.
+ *
+ * Given     name     with a '/' or '.lens' at its end a file, "-" standard input, else a name in
+ *                    lensdb (case, blanks, '-' and '_' do not count), else a file of that name
+ *           source   receives what to call it in messages, in the arena
+ *           content  receives the text, in the arena or embedded
+ * Errors    ERROR_IO: a file that cannot be read; ERROR_USAGE with a suggestion: no such lens
+ */
+bool lens_db_content(struct lensdb *db, struct text name, struct arena *arena, const char **source,
+                     struct text *content, struct error *error);
+
+/* Find and read a lens. Errors as lens_db_content and lens_read. */
+bool lens_db_find(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
+                  struct error *error);
+
+/* The names of all lenses of one place, sorted; an array in the arena that ends with null. */
+bool lens_db_names(struct lensdb *db, enum lensdb_place place, struct arena *arena,
+                   const char *const **names, struct error *error);
+
+#endif

@@ -1,0 +1,572 @@
+/* file/lens_file.c - the lines of a .lens file. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_file.h"
+
+#include "file/lens_surface.h"
+#include "file/lens_words.h"
+
+#include <math.h>
+#include <string.h>
+
+static const struct number_scale plain = {1, 0};
+static const double radians = 0.017453292519943295;
+
+/* A file being read. Arrays grow by doubling in the arena. */
+struct parser {
+    struct lens_words words;
+    struct lens *lens;
+    const struct glass_source *glasses;
+    struct surface *surfaces;
+    size_t surface_room, note_room, variable_room;
+    const struct displacement *bend; /* of the next surface */
+    struct text stop_word;           /* where the stop was named, and in which line */
+    struct text aperture_word;
+    struct lens_words aperture_line;
+    struct lens_words *variable_lines; /* where each variable was first used */
+    unsigned given;                    /* keywords that may stand once */
+};
+
+/* Room for one more. */
+static void *grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size)
+{
+    if (count < *room) {
+        return array;
+    }
+    size_t more = *room > 0 ? 2 * *room : 16;
+    void *larger = arena_array(arena, more, size);
+    if (count > 0) {
+        memcpy(larger, array, count * size);
+    }
+    *room = more;
+    return larger;
+}
+
+static const char *rest_string(struct parser *parser)
+{
+    struct text rest = lens_words_rest(&parser->words);
+    return arena_string(parser->words.arena, rest.start, rest.length);
+}
+
+static bool read_title(struct parser *parser, struct error *error)
+{
+    (void)error;
+    parser->lens->title = rest_string(parser);
+    return true;
+}
+
+static bool read_source(struct parser *parser, struct error *error)
+{
+    (void)error;
+    parser->lens->source = rest_string(parser);
+    return true;
+}
+
+static bool read_kind(struct parser *parser, struct error *error)
+{
+    (void)error;
+    parser->lens->kind = rest_string(parser);
+    return true;
+}
+
+static bool read_note(struct parser *parser, struct error *error)
+{
+    struct lens *lens = parser->lens;
+    (void)error;
+    lens->notes = grow(parser->words.arena, lens->notes, lens->note_count, &parser->note_room,
+                       sizeof lens->notes[0]);
+    lens->notes[lens->note_count++] = rest_string(parser);
+    return true;
+}
+
+static bool end_of_line(struct parser *parser, struct error *error)
+{
+    struct text word = lens_words_next(&parser->words);
+    return word.length == 0 ||
+           lens_words_fail(&parser->words, word, error, "'%.*s' does not belong here",
+                           (int)(word.length < 40 ? word.length : 40), word.start);
+}
+
+static bool read_unit(struct parser *parser, struct error *error)
+{
+    static const struct {
+        const char *name;
+        struct number_scale scale;
+    } units[] = {{"mm", {1, 0}}, {"cm", {1, 1}}, {"m", {1, 3}}, {"in", {254, -1}}};
+    struct text word = lens_words_next(&parser->words);
+    if (parser->lens->surface_count > 0 || parser->given > 1) {
+        return lens_words_fail(&parser->words, word, error,
+                               "the unit must stand before all lengths");
+    }
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (text_equal(word, units[i].name)) {
+            parser->words.scale = units[i].scale;
+            parser->lens->unit = units[i].name;
+            return end_of_line(parser, error);
+        }
+    }
+    return lens_words_fail(&parser->words, word, error, "the unit is one of mm, cm, m, in");
+}
+
+static bool read_wavelengths(struct parser *parser, struct error *error)
+{
+    struct lens *lens = parser->lens;
+    struct lens_words *words = &parser->words;
+    size_t room = 0;
+    for (struct text word = lens_words_next(words); word.length > 0 || lens->wavelength_count == 0;
+         word = lens_words_next(words)) {
+        struct text weight = word, name = text_cut(&weight, ':');
+        struct figure figure = {.value = {1, 0}};
+        struct lens_wavelength *one;
+        lens->wavelengths =
+            grow(words->arena, lens->wavelengths, lens->wavelength_count, &room, sizeof *one);
+        one = &lens->wavelengths[lens->wavelength_count];
+        if (!lens_words_wavelength(words, name, &one->wavelength, error) ||
+            (weight.start != NULL &&
+             !lens_words_figure(words, weight, plain, "weight", &figure, error))) {
+            return false;
+        }
+        if (!(figure.value.hi >= 0)) {
+            return lens_words_fail(words, weight, error, "a weight is not below 0");
+        }
+        one->typed = name;
+        one->weight = figure.value.hi;
+        one->weight_typed = weight;
+        lens->wavelength_count++;
+    }
+    return true;
+}
+
+/* A distance of the object: positive, or inf. */
+static bool read_distance(struct parser *parser, struct text word, struct figure *figure,
+                          struct error *error)
+{
+    if (text_equal(word, "inf")) {
+        *figure = (struct figure){{INFINITY, 0}, word, LENS_NONE};
+        return true;
+    }
+    if (!lens_words_figure(&parser->words, word, parser->words.scale, "object's distance", figure,
+                           error)) {
+        return false;
+    }
+    return figure->value.hi > 0 ||
+           lens_words_fail(&parser->words, word, error,
+                           "the object's distance is counted to the left: it is above 0, or inf");
+}
+
+static bool read_object(struct parser *parser, struct error *error)
+{
+    struct lens *lens = parser->lens;
+    if (!read_distance(parser, lens_words_next(&parser->words), &lens->object, error)) {
+        return false;
+    }
+    lens->object_is_infinite = isinf(lens->object.value.hi);
+    return end_of_line(parser, error);
+}
+
+/* Ask the catalogues for a glass. */
+static bool find_glass(struct parser *parser, struct medium *medium, struct error *error)
+{
+    const struct glass_source *glasses = parser->glasses;
+    if (medium->kind != MEDIUM_GLASS || glasses == NULL || medium->glass_index != NULL ||
+        glasses->find(glasses->context, medium, error)) {
+        return true;
+    }
+    const struct error found = *error;
+    lens_words_fail(&parser->words, medium->written, error, "%s", found.message);
+    return error_hint(error, "%s", found.hint);
+}
+
+static bool read_medium(struct parser *parser, struct error *error)
+{
+    if (parser->lens->surface_count > 0) {
+        return lens_words_fail(&parser->words, parser->words.line, error,
+                               "the object's medium must stand before the surfaces");
+    }
+    struct medium *medium = &parser->lens->object_medium;
+    return lens_words_medium(&parser->words, lens_words_next(&parser->words), medium, error) &&
+           find_glass(parser, medium, error) && end_of_line(parser, error);
+}
+
+static bool read_field(struct parser *parser, struct error *error)
+{
+    static const struct {
+        const char *name;
+        enum field_kind kind;
+    } kinds[] = {{"angle", FIELD_ANGLE}, {"height", FIELD_HEIGHT}, {"image", FIELD_IMAGE}};
+    struct lens *lens = parser->lens;
+    struct text word = lens_words_next(&parser->words);
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (text_equal(word, kinds[i].name)) {
+            lens->field_kind = kinds[i].kind;
+        }
+    }
+    if (lens->field_kind == FIELD_NONE) {
+        return lens_words_fail(&parser->words, word, error,
+                               "a field is an angle, an object's "
+                               "height, or an image's: angle, height "
+                               "or image");
+    }
+    bool angle = lens->field_kind == FIELD_ANGLE;
+    if (!lens_words_figures(&parser->words, angle ? plain : parser->words.scale, "field",
+                            &lens->fields, &lens->field_count, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < lens->field_count && angle; i++) {
+        struct figure *field = &lens->fields[i];
+        if (!(fabs(field->value.hi) <= 180)) {
+            return lens_words_fail(&parser->words, field->typed, error,
+                                   "a field angle is not beyond 180 degrees");
+        }
+        field->value = pair_multiply(field->value, pair_of(radians));
+    }
+    return true;
+}
+
+static const struct {
+    const char *name;
+    enum aperture_kind kind;
+} aperture_words[] = {{"stop", APERTURE_STOP}, {"epd", APERTURE_EPD}, {"na", APERTURE_NA}};
+
+/* `f/2`, or `epd`, `na`, `stop` with what follows them. */
+static bool read_aperture_value(struct parser *parser, struct text word, struct figure *figure,
+                                enum aperture_kind *kind, struct error *error)
+{
+    struct lens_words *words = &parser->words;
+    for (size_t i = 0; i < sizeof aperture_words / sizeof aperture_words[0]; i++) {
+        if (text_equal(word, aperture_words[i].name)) {
+            *kind = aperture_words[i].kind;
+            word = *kind != APERTURE_STOP ? lens_words_next(words) : word;
+        }
+    }
+    if (*kind == APERTURE_STOP) {
+        *figure = (struct figure){.typed = word, .variable = LENS_NONE};
+        return true;
+    }
+    if (word.length > 2 && word.start[0] == 'f' && word.start[1] == '/' &&
+        (*kind == APERTURE_NONE || *kind == APERTURE_FNUMBER)) {
+        *kind = APERTURE_FNUMBER;
+        word = (struct text){word.start + 2, word.length - 2};
+    } else if (*kind == APERTURE_NONE || *kind == APERTURE_FNUMBER) {
+        return lens_words_fail(words, word, error, "an aperture is stop, f/2, epd 50 or na 0.25");
+    }
+    if (!lens_words_figure(words, word, *kind == APERTURE_EPD ? words->scale : plain, "aperture",
+                           figure, error)) {
+        return false;
+    }
+    return figure->value.hi > 0 ||
+           lens_words_fail(words, word, error, "the aperture must be above 0");
+}
+
+static bool read_aperture(struct parser *parser, struct error *error)
+{
+    parser->aperture_word = lens_words_next(&parser->words);
+    parser->aperture_line = parser->words;
+    return read_aperture_value(parser, parser->aperture_word, &parser->lens->aperture,
+                               &parser->lens->aperture_kind, error) &&
+           end_of_line(parser, error);
+}
+
+static bool read_focus(struct parser *parser, struct error *error)
+{
+    static const char *const names[] = {"paraxial", "table", "best"};
+    struct text word = lens_words_next(&parser->words);
+    for (int i = 0; i < 3; i++) {
+        if (text_equal(word, names[i])) {
+            parser->lens->focus = (enum focus_kind)i;
+            return end_of_line(parser, error);
+        }
+    }
+    return lens_words_fail(&parser->words, word, error, "the focus is paraxial, table or best");
+}
+
+static size_t find_variable(void *context, struct text name)
+{
+    struct parser *parser = context;
+    struct lens *lens = parser->lens;
+    struct arena *arena = parser->words.arena;
+    for (size_t i = 0; i < lens->variable_count; i++) {
+        struct text known = lens->variables[i].name;
+        if (known.length == name.length && memcmp(known.start, name.start, name.length) == 0) {
+            return i;
+        }
+    }
+    size_t room = parser->variable_room;
+    lens->variables = grow(arena, lens->variables, lens->variable_count, &parser->variable_room,
+                           sizeof lens->variables[0]);
+    parser->variable_lines = grow(arena, parser->variable_lines, lens->variable_count, &room,
+                                  sizeof parser->variable_lines[0]);
+    lens->variables[lens->variable_count] = (struct lens_variable){name, NULL};
+    parser->variable_lines[lens->variable_count] = parser->words;
+    return lens->variable_count++;
+}
+
+static bool read_positions(struct parser *parser, struct error *error)
+{
+    struct lens *lens = parser->lens;
+    struct lens_words *words = &parser->words;
+    size_t room = 0;
+    for (struct text word = lens_words_next(words); word.length > 0 || lens->position_count == 0;
+         word = lens_words_next(words)) {
+        if (word.length == 0 || text_equal(word, "all") ||
+            lens_position_find(lens, word) != LENS_NONE) {
+            return lens_words_fail(words, word, error,
+                                   word.length == 0 ? "the positions have no names"
+                                                    : "a position's name that cannot be used: "
+                                                      "twice, or 'all'");
+        }
+        lens->positions = grow(words->arena, lens->positions, lens->position_count, &room,
+                               sizeof lens->positions[0]);
+        lens->positions[lens->position_count++] =
+            arena_string(words->arena, word.start, word.length);
+    }
+    return true;
+}
+
+static bool check_count(struct parser *parser, struct text name, size_t count, struct error *error)
+{
+    return count == parser->lens->position_count ||
+           lens_words_fail(&parser->words, name, error, "%zu numbers for %zu positions", count,
+                           parser->lens->position_count);
+}
+
+static bool let_objects(struct parser *parser, struct text name, struct error *error)
+{
+    struct lens *lens = parser->lens;
+    struct figure *values = ARENA_ARRAY(parser->words.arena, lens->position_count, struct figure);
+    struct text word = lens_words_next(&parser->words);
+    size_t count = 0;
+    for (; word.length > 0 && count < lens->position_count; count++) {
+        if (!read_distance(parser, word, &values[count], error)) {
+            return false;
+        }
+        word = lens_words_next(&parser->words);
+    }
+    lens->objects = values;
+    return check_count(parser, name, count + (word.length > 0), error);
+}
+
+static bool let_apertures(struct parser *parser, struct text name, struct error *error)
+{
+    struct lens *lens = parser->lens;
+    struct figure *values = ARENA_ARRAY(parser->words.arena, lens->position_count, struct figure);
+    struct text word = lens_words_next(&parser->words);
+    size_t count = 0;
+    lens->aperture_kind = APERTURE_NONE;
+    for (; word.length > 0 && count < lens->position_count; count++) {
+        if (text_equal(word, "stop") ||
+            !read_aperture_value(parser, word, &values[count], &lens->aperture_kind, error)) {
+            return text_equal(word, "stop")
+                       ? lens_words_fail(&parser->words, word, error,
+                                         "give the stop's diameter in every position by a "
+                                         "variable in its line")
+                       : false;
+        }
+        word = lens_words_next(&parser->words);
+    }
+    lens->apertures = values;
+    return check_count(parser, name, count + (word.length > 0), error);
+}
+
+static bool read_let(struct parser *parser, struct error *error)
+{
+    struct lens *lens = parser->lens;
+    struct text name = lens_words_next(&parser->words);
+    if (lens->position_count == 0) {
+        return lens_words_fail(&parser->words, name, error,
+                               "'let' wants a line with 'position' before it");
+    }
+    if (text_equal(name, "object")) {
+        return let_objects(parser, name, error);
+    }
+    if (text_equal(name, "aperture")) {
+        return let_apertures(parser, name, error);
+    }
+    bool is_letter =
+        name.length > 0 && ((name.start[0] | 32) >= 'a' && (name.start[0] | 32) <= 'z');
+    if (!is_letter) {
+        return lens_words_fail(&parser->words, name, error, "the name of a variable is missing");
+    }
+    size_t index = find_variable(parser, name), count;
+    struct figure *values;
+    struct lens_variable *variable = &lens->variables[index];
+    if (variable->values != NULL) {
+        return lens_words_fail(&parser->words, name, error, "'%.*s' has its numbers already",
+                               (int)(name.length < 40 ? name.length : 40), name.start);
+    }
+    if (!lens_words_figures(&parser->words, parser->words.scale, "value", &values, &count, error)) {
+        return false;
+    }
+    variable->values = values;
+    return check_count(parser, name, count, error);
+}
+
+static bool read_stated(struct parser *parser, struct error *error)
+{
+    static const char *const names[STATED_COUNT] = {"efl", "bfl", "fnumber"};
+    struct lens *lens = parser->lens;
+    struct lens_words *words = &parser->words;
+    struct text word = lens_words_next(words);
+    for (int i = 0; i < STATED_COUNT; i++) {
+        if (!text_equal(word, names[i])) {
+            continue;
+        }
+        struct figure *values;
+        if (!lens_words_figures(words, i == STATED_FNUMBER ? plain : words->scale, names[i],
+                                &values, &lens->stated_count[i], error)) {
+            return false;
+        }
+        lens->stated[i] = values;
+        size_t count = lens->stated_count[i];
+        return count == 1 || check_count(parser, word, count, error);
+    }
+    return lens_words_fail(words, word, error, "what is stated is efl, bfl or fnumber");
+}
+
+/* One surface more, with the bend before it. */
+static bool add_surface(struct parser *parser, bool is_stop, struct error *error)
+{
+    struct lens *lens = parser->lens;
+    struct text word = {parser->words.line.start, 0};
+    size_t last = lens->surface_count;
+    if (last > 0 && !lens->surfaces[last - 1].has_thickness) {
+        return lens_words_fail(&parser->words, word, error,
+                               "a surface after one without a thickness");
+    }
+    lens->surfaces = grow(parser->words.arena, lens->surfaces, last, &parser->surface_room,
+                          sizeof lens->surfaces[0]);
+    struct surface *surface = &lens->surfaces[last];
+    const struct medium *before =
+        last > 0 ? &lens->surfaces[last - 1].medium : &lens->object_medium;
+    if (!lens_surface_read(&parser->words, is_stop, before, find_variable, parser, surface,
+                           error) ||
+        !find_glass(parser, &surface->medium, error)) {
+        return false;
+    }
+    surface->bend = parser->bend;
+    parser->bend = NULL;
+    lens->surface_count++;
+    if (surface->is_stop) {
+        if (lens->stop != LENS_NONE) {
+            return lens_words_fail(&parser->words, word, error,
+                                   "a second stop: surface %zu is one already", lens->stop + 1);
+        }
+        lens->stop = last;
+    }
+    return true;
+}
+
+static bool read_surface(struct parser *parser, struct error *error)
+{
+    return add_surface(parser, false, error);
+}
+
+static bool read_stop(struct parser *parser, struct error *error)
+{
+    return add_surface(parser, true, error);
+}
+
+static bool read_bend(struct parser *parser, struct error *error)
+{
+    if (parser->bend != NULL) {
+        return lens_words_fail(&parser->words, parser->words.line, error,
+                               "two bends before one surface");
+    }
+    return lens_bend_read(&parser->words, &parser->bend, error);
+}
+
+/* The bits of those that may stand once; unit is the first, so that it sees what came before. */
+static const struct {
+    const char *word;
+    unsigned once;
+    bool (*read)(struct parser *parser, struct error *error);
+} keywords[] = {
+    {"unit", 1, read_unit},
+    {"object", 2, read_object},
+    {"field", 4, read_field},
+    {"aperture", 8, read_aperture},
+    {"lens", 0, read_title},
+    {"source", 0, read_source},
+    {"kind", 0, read_kind},
+    {"note", 0, read_note},
+    {"wavelength", 0, read_wavelengths},
+    {"focus", 0, read_focus},
+    {"medium", 0, read_medium},
+    {"position", 0, read_positions},
+    {"let", 0, read_let},
+    {"stated", 16, read_stated},
+    {"surface", 0, read_surface},
+    {"stop", 0, read_stop},
+    {"bend", 0, read_bend},
+};
+
+static bool read_line(struct parser *parser, struct error *error)
+{
+    struct text word = lens_words_next(&parser->words);
+    struct nearest nearest = {.typed = word};
+    struct lens *lens = parser->lens;
+    for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
+        if (!text_equal(word, keywords[i].word)) {
+            nearest_offer(&nearest, text_of(keywords[i].word));
+            continue;
+        }
+        bool twice = (keywords[i].once & parser->given) != 0 && keywords[i].once != 16;
+        twice = twice || (keywords[i].read == read_title && lens->title != NULL) ||
+                (keywords[i].read == read_wavelengths && lens->wavelength_count > 0) ||
+                (keywords[i].read == read_positions && lens->position_count > 0);
+        if (twice) {
+            return lens_words_fail(&parser->words, word, error, "'%s' stands here twice",
+                                   keywords[i].word);
+        }
+        parser->given |= keywords[i].once;
+        return keywords[i].read(parser, error);
+    }
+    lens_words_fail(&parser->words, word, error, "unknown word '%.*s'",
+                    (int)(word.length < 40 ? word.length : 40), word.start);
+    if (nearest.best.start != NULL) {
+        error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+    }
+    return false;
+}
+
+/* What only the whole file shows. */
+static bool finish(struct parser *parser, struct error *error)
+{
+    const struct lens *lens = parser->lens;
+    if (lens->surface_count == 0) {
+        fail(error, ERROR_DATA, "the file has no surface");
+        return error_locate(error, parser->words.source, 0, 0);
+    }
+    for (size_t i = 0; i < lens->variable_count; i++) {
+        struct text name = lens->variables[i].name;
+        if (lens->variables[i].values == NULL) {
+            return lens_words_fail(&parser->variable_lines[i], name, error,
+                                   "'%.*s' gets no numbers by a line with 'let'",
+                                   (int)(name.length < 40 ? name.length : 40), name.start);
+        }
+    }
+    if (lens->aperture_kind == APERTURE_STOP && lens->stop == LENS_NONE) {
+        return lens_words_fail(&parser->aperture_line, parser->aperture_word, error,
+                               "'aperture stop' wants a stop, and the lens has none");
+    }
+    return true;
+}
+
+bool lens_read(const char *source, struct text content, const struct glass_source *glasses,
+               struct arena *arena, struct lens *lens, struct error *error)
+{
+    struct parser parser = {.lens = lens, .glasses = glasses};
+    *lens = (struct lens){.unit = "mm",
+                          .object_is_infinite = true,
+                          .object = {{INFINITY, 0}, {NULL, 0}, LENS_NONE},
+                          .object_medium = medium_air,
+                          .stop = LENS_NONE};
+    if (!lens_words_open(&parser.words, source, content, arena, error)) {
+        return false;
+    }
+    while (lens_words_line(&parser.words)) {
+        if (!read_line(&parser, error)) {
+            return false;
+        }
+    }
+    return finish(&parser, error);
+}

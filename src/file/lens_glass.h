@@ -1,0 +1,18 @@
+/* file/lens_glass.h - the glasses that a lens names. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_LENS_GLASS_H
+#define LENSCALC_FILE_LENS_GLASS_H
+
+#include "file/lens_file.h"
+#include "file/lensdb.h"
+
+/* Where glasses are looked for, and where they are kept. */
+struct lens_glasses {
+    struct lensdb *db;
+    struct arena *arena;
+};
+
+/* The source of glasses for lens_read; it lives as long as `glasses`. */
+struct glass_source lens_glass_source(struct lens_glasses *glasses);
+
+#endif

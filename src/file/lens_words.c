@@ -1,0 +1,313 @@
+/* file/lens_words.c - the words of a .lens file, and the numbers in them. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_words.h"
+
+#include "base/quantity.h"
+#include "optics/wavelength.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct number_scale plain = {1, 0};
+
+bool lens_words_open(struct lens_words *words, const char *source, struct text content,
+                     struct arena *arena, struct error *error)
+{
+    *words = (struct lens_words){.source = source, .rest = content, .scale = plain, .arena = arena};
+    if (content.length >= 3 && memcmp(content.start, "\xef\xbb\xbf", 3) == 0) {
+        words->rest = (struct text){content.start + 3, content.length - 3};
+    }
+    bool marked = content.length >= 2 && (memcmp(content.start, "\xff\xfe", 2) == 0 ||
+                                          memcmp(content.start, "\xfe\xff", 2) == 0);
+    const char *nul = content.length > 0 ? memchr(content.start, '\0', content.length) : NULL;
+    if (marked || nul != NULL) {
+        fail(error, ERROR_DATA, "not plain text: %s", marked ? "a file in UTF-16" : "a NUL byte");
+        return error_locate(error, source, 1, 1);
+    }
+    return true;
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+/* A '#' begins a comment where a word may begin. */
+static struct text without_comment(struct text line)
+{
+    for (size_t i = 0; i < line.length; i++) {
+        if (line.start[i] == '#' && (i == 0 || is_blank(line.start[i - 1]))) {
+            line.length = i;
+        }
+    }
+    return line;
+}
+
+bool lens_words_line(struct lens_words *words)
+{
+    while (words->rest.start != NULL && words->rest.length > 0) {
+        struct text line = without_comment(text_cut(&words->rest, '\n'));
+        words->number++;
+        while (line.length > 0 && is_blank(line.start[line.length - 1])) {
+            line.length--;
+        }
+        words->line = line;
+        words->at = line.start;
+        if (line.length > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static const char *line_end(const struct lens_words *words)
+{
+    return words->line.start + words->line.length;
+}
+
+struct text lens_words_next(struct lens_words *words)
+{
+    const char *end = line_end(words), *at = words->at;
+    while (at < end && is_blank(*at)) {
+        at++;
+    }
+    const char *start = at;
+    char closing = '\0';
+    for (; at < end && (closing != '\0' || !is_blank(*at)); at++) {
+        if (closing != '\0') {
+            closing = *at == closing ? '\0' : closing;
+        } else if (*at == '{' || *at == '"') {
+            closing = *at == '{' ? '}' : '"';
+        }
+    }
+    words->at = at;
+    return (struct text){start, (size_t)(at - start)};
+}
+
+struct text lens_words_rest(struct lens_words *words)
+{
+    struct text rest = text_trim((struct text){words->at, (size_t)(line_end(words) - words->at)});
+    words->at = line_end(words);
+    return rest;
+}
+
+bool lens_words_fail(const struct lens_words *words, struct text word, struct error *error,
+                     const char *format, ...)
+{
+    char message[sizeof error->message];
+    size_t column = (size_t)(word.start - words->line.start) + 1;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    fail_at(error, ERROR_DATA, words->line.start, words->line.length, column, "%s", message);
+    return error_locate(error, words->source, words->number, column);
+}
+
+/* Words in messages are not longer than this. */
+static int shown(struct text text)
+{
+    return text.length < 60 ? (int)text.length : 60;
+}
+
+bool lens_words_figure(const struct lens_words *words, struct text text, struct number_scale scale,
+                       const char *what, struct figure *figure, struct error *error)
+{
+    const char *end = text.start + text.length;
+    *figure = (struct figure){.typed = text, .variable = LENS_NONE};
+    const char *behind = text.length > 0 ? pair_read(text.start, end, scale, &figure->value) : NULL;
+    if (text.length == 0) {
+        return lens_words_fail(words, text, error, "the %s is missing", what);
+    }
+    if (behind != end) {
+        struct text wrong = {behind != NULL ? behind : text.start, 1};
+        lens_words_fail(words, wrong, error, "the %s '%.*s' is no number", what, shown(text),
+                        text.start);
+        if (behind != NULL && *behind == ',') {
+            error_hint(error, "the decimal point is a point");
+        }
+        return false;
+    }
+    if (!(fabs(figure->value.hi) < 1e100)) {
+        return lens_words_fail(words, text, error, "the %s must be finite and below 1e100", what);
+    }
+    return true;
+}
+
+bool lens_words_figures(struct lens_words *words, struct number_scale scale, const char *what,
+                        struct figure **figures, size_t *count, struct error *error)
+{
+    size_t room = 8;
+    *figures = ARENA_ARRAY(words->arena, room, struct figure);
+    *count = 0;
+    for (struct text word = lens_words_next(words); word.length > 0 || *count == 0;
+         word = lens_words_next(words)) {
+        if (*count == room) {
+            struct figure *more = ARENA_ARRAY(words->arena, 2 * room, struct figure);
+            memcpy(more, *figures, room * sizeof *more);
+            *figures = more;
+            room *= 2;
+        }
+        if (!lens_words_figure(words, word, scale, what, &(*figures)[*count], error)) {
+            return false;
+        }
+        ++*count;
+    }
+    return true;
+}
+
+/* A wavelength beyond this is a mistake of the unit: um. */
+static const double shortest_wave = 0.001, longest_wave = 1000;
+
+bool lens_words_wavelength(const struct lens_words *words, struct text text, double *wavelength,
+                           struct error *error)
+{
+    static const struct {
+        const char *name;
+        struct number_scale scale; /* to um */
+    } units[] = {{"nm", {1, -3}}, {"um", {1, 0}}};
+    const struct spectral_line *line = spectral_line_find(text);
+    if (line != NULL) {
+        *wavelength = line->wavelength;
+        return true;
+    }
+    const char *end = text.start + text.length;
+    double bare;
+    const char *behind = text.length > 0 ? number_read(text.start, end, plain, &bare) : NULL;
+    if (behind == NULL) {
+        return lens_words_fail(words, text, error,
+                               "'%.*s' is no wavelength: a line such as d F C, "
+                               "or a number with nm or um",
+                               shown(text), text.start);
+    }
+    struct text unit = text_between(behind, end);
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (text_equal(unit, units[i].name)) {
+            number_read(text.start, end, units[i].scale, wavelength);
+            if (*wavelength >= shortest_wave && *wavelength <= longest_wave) {
+                return true;
+            }
+            return lens_words_fail(words, text, error, "the wavelength is not within 1 nm to 1 mm");
+        }
+    }
+    lens_words_fail(words, text_between(behind, end), error,
+                    unit.length == 0 ? "the wavelength %.*s has no unit: nm or um"
+                                     : "the wavelength %.*s has an unknown unit: nm or um",
+                    shown(text), text.start);
+    if (unit.length == 0) {
+        error_hint(error, "did you mean '%.*s%s'?", shown(text), text.start,
+                   bare < 100 ? "um" : "nm");
+    }
+    return false;
+}
+
+static bool read_index(const struct lens_words *words, struct text text, const char *what,
+                       struct pair *value, struct error *error)
+{
+    struct figure figure;
+    if (!lens_words_figure(words, text, plain, what, &figure, error)) {
+        return false;
+    }
+    if (!(figure.value.hi > 0)) {
+        return lens_words_fail(words, text, error, "the %s %.*s is not above 0", what, shown(text),
+                               text.start);
+    }
+    *value = figure.value;
+    return true;
+}
+
+static int by_wavelength(const void *a, const void *b)
+{
+    double left = ((const struct index_point *)a)->wavelength;
+    double right = ((const struct index_point *)b)->wavelength;
+    return (left > right) - (left < right);
+}
+
+/* {587.56nm 1.5168, F 1.5224} */
+static bool read_table(const struct lens_words *words, struct text text, struct medium *medium,
+                       struct error *error)
+{
+    if (text.length < 2 || text.start[text.length - 1] != '}') {
+        return lens_words_fail(words, text, error, "the table of indices does not end with '}'");
+    }
+    struct text rest = {text.start + 1, text.length - 2};
+    size_t most = 1;
+    for (size_t i = 0; i < rest.length; i++) {
+        most += rest.start[i] == ',';
+    }
+    struct index_point *points = ARENA_ARRAY(words->arena, most, struct index_point);
+    size_t count = 0;
+    while (rest.start != NULL) {
+        struct text entry = text_trim(text_cut(&rest, ','));
+        struct text index = entry, name = text_cut(&index, ' ');
+        index = index.start != NULL
+                    ? text_trim(index)
+                    : text_between(name.start + name.length, name.start + name.length);
+        if (!lens_words_wavelength(words, name, &points[count].wavelength, error) ||
+            !read_index(words, index, "index", &points[count].index, error)) {
+            return false;
+        }
+        count++;
+    }
+    qsort(points, count, sizeof points[0], by_wavelength);
+    for (size_t i = 1; i < count; i++) {
+        if (!(points[i].wavelength > points[i - 1].wavelength)) {
+            return lens_words_fail(words, text, error, "the table has one wavelength twice");
+        }
+    }
+    medium->kind = MEDIUM_TABLE;
+    medium->points = points;
+    medium->point_count = count;
+    return true;
+}
+
+static bool begins_number(struct text text)
+{
+    return text.length > 0 && text.start[0] != '\0' &&
+           strchr("0123456789.+-", text.start[0]) != NULL;
+}
+
+bool lens_words_medium(const struct lens_words *words, struct text text, struct medium *medium,
+                       struct error *error)
+{
+    *medium = (struct medium){.kind = MEDIUM_GLASS, .written = text, .index = {1, 0}};
+    if (text.length == 0) {
+        return lens_words_fail(words, text, error, "the medium is missing");
+    }
+    if (text.start[0] == '{') {
+        return read_table(words, text, medium, error);
+    }
+    if (text_equal(text, "air")) {
+        medium->kind = MEDIUM_CONSTANT;
+        return true;
+    }
+    if (!begins_number(text)) {
+        return true;
+    }
+    struct text abbe = text, index = text_cut(&abbe, '/');
+    medium->kind = abbe.start != NULL ? MEDIUM_MODEL : MEDIUM_CONSTANT;
+    return read_index(words, index, "index", &medium->index, error) &&
+           (abbe.start == NULL || read_index(words, abbe, "Abbe number", &medium->abbe, error));
+}
+
+bool lens_words_vector(const struct lens_words *words, struct text text, struct number_scale scale,
+                       double factor, const char *what, struct figure *figures, size_t count,
+                       struct error *error)
+{
+    struct text rest = text;
+    for (size_t i = 0; i < count && rest.start != NULL; i++) {
+        if (!lens_words_figure(words, text_cut(&rest, ','), scale, what, &figures[i], error)) {
+            return false;
+        }
+        if (factor != 1) {
+            figures[i].value = pair_multiply(figures[i].value, pair_of(factor));
+        }
+    }
+    if (rest.start != NULL) {
+        return lens_words_fail(words, rest, error, "the %s has more than %zu numbers", what, count);
+    }
+    return true;
+}

@@ -1,0 +1,79 @@
+/* file/lens_words.h - the words of a .lens file, and the numbers in them. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_LENS_WORDS_H
+#define LENSCALC_FILE_LENS_WORDS_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "optics/lens.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A .lens file while it is read, line by line. Texts point into the content. */
+struct lens_words {
+    const char *source;        /* for messages */
+    struct text rest;          /* lines that are still to read */
+    struct text line;          /* the present one, without its end and its comment */
+    long number;               /* of that line, 1-based */
+    const char *at;            /* where the next word of the line begins */
+    struct number_scale scale; /* unit of a length in mm */
+    struct arena *arena;
+};
+
+/*
+ * Begin to read.
+ *
+ * Errors    ERROR_DATA: NUL bytes or a mark of UTF-16
+ */
+bool lens_words_open(struct lens_words *words, const char *source, struct text content,
+                     struct arena *arena, struct error *error);
+
+/* Go to the next line that has words; false at the end. CRLF and comments are passed over. */
+bool lens_words_line(struct lens_words *words);
+
+/*
+ * The next word of the line: up to a blank outside of {...} and "..."; its length is 0 at the end
+ * of the line.
+ */
+struct text lens_words_next(struct lens_words *words);
+
+/* All that is left of the line, trimmed. */
+struct text lens_words_rest(struct lens_words *words);
+
+/* Report something wrong with a word of the line; `word` may lie behind its end. Returns false. */
+bool lens_words_fail(const struct lens_words *words, struct text word, struct error *error,
+                     const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+/*
+ * A number as it is typed.
+ *
+ * Given     text   the whole number, a part of the present line
+ *           scale  of its unit
+ *           what   for messages: "radius"
+ * Errors    ERROR_DATA with line and column: no finite number
+ */
+bool lens_words_figure(const struct lens_words *words, struct text text, struct number_scale scale,
+                       const char *what, struct figure *figure, struct error *error);
+
+/* A list of figures up to the end of the line, in the arena. */
+bool lens_words_figures(struct lens_words *words, struct number_scale scale, const char *what,
+                        struct figure **figures, size_t *count, struct error *error);
+
+/* A wavelength with its unit, or the name of a line, in um. */
+bool lens_words_wavelength(const struct lens_words *words, struct text text, double *wavelength,
+                           struct error *error);
+
+/*
+ * What stands in the column of the medium: air, an index, nd/Vd, {...}, or the name of a glass.
+ */
+bool lens_words_medium(const struct lens_words *words, struct text text, struct medium *medium,
+                       struct error *error);
+
+/* Two or three numbers with commas between, of which those not given stay 0. */
+bool lens_words_vector(const struct lens_words *words, struct text text, struct number_scale scale,
+                       double factor, const char *what, struct figure *figures, size_t count,
+                       struct error *error);
+
+#endif

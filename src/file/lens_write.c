@@ -1,0 +1,288 @@
+/* file/lens_write.c - a lens as a .lens file. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_file.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Text that grows in the arena. */
+struct writer {
+    struct arena *arena;
+    const struct lens *lens;
+    char *data;
+    size_t length, room;
+    double unit; /* mm */
+};
+
+static void put(struct writer *writer, const char *start, size_t length)
+{
+    if (writer->length + length > writer->room) {
+        size_t room = 2 * (writer->room + length) + 1024;
+        char *more = arena_array(writer->arena, room, 1);
+        if (writer->length > 0) {
+            memcpy(more, writer->data, writer->length);
+        }
+        writer->data = more;
+        writer->room = room;
+    }
+    memcpy(writer->data + writer->length, start, length);
+    writer->length += length;
+}
+
+static void put_string(struct writer *writer, const char *string)
+{
+    put(writer, string, strlen(string));
+}
+
+/* Blanks up to a column of the present line, at least one. */
+static void put_tab(struct writer *writer, size_t line_start, size_t column)
+{
+    do {
+        put(writer, " ", 1);
+    } while (writer->length - line_start < column);
+}
+
+/* As typed; a computed value with the shortest digits. */
+static void put_figure(struct writer *writer, const struct figure *figure, double unit)
+{
+    char number[NUMBER_LENGTH];
+    if (figure->typed.start != NULL) {
+        put(writer, figure->typed.start, figure->typed.length);
+    } else {
+        put(writer, number,
+            (size_t)(number_write_shortest(number, figure->value.hi / unit) - number));
+    }
+}
+
+static void put_cell(struct writer *writer, bool is_given, const struct figure *figure)
+{
+    if (!is_given) {
+        put(writer, "-", 1);
+    } else if (figure->variable != LENS_NONE) {
+        struct text name = writer->lens->variables[figure->variable].name;
+        put(writer, name.start, name.length);
+    } else {
+        put_figure(writer, figure, writer->unit);
+    }
+}
+
+static void put_vector(struct writer *writer, const char *key, const struct figure *figures,
+                       size_t count, double unit)
+{
+    put_string(writer, key);
+    for (size_t i = 0; i < count; i++) {
+        put(writer, ",", i > 0);
+        put_figure(writer, &figures[i], unit);
+    }
+}
+
+static void put_displacement(struct writer *writer, const struct displacement *all, size_t turns)
+{
+    put_vector(writer, " decenter=", all->decenter, 2, writer->unit);
+    put_vector(writer, " tilt=", all->tilt, turns, 0.017453292519943295);
+}
+
+static void put_extras(struct writer *writer, const struct surface *surface)
+{
+    if (surface->has_curvature) {
+        put_string(writer, " c=");
+        put_figure(writer, &surface->curvature, 1 / writer->unit);
+    }
+    if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
+        put_string(writer, " k=");
+        put_figure(writer, &surface->conic, 1);
+    }
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        if ((surface->coefficients >> i & 1) != 0) {
+            put_string(writer, arena_printf(writer->arena, " A%d=", 2 * i + 2));
+            put_figure(writer, &surface->coefficient[i], pow(writer->unit, -(2 * i + 1)));
+        }
+    }
+    if (surface->is_stop && surface->kind != SURFACE_STOP) {
+        put_string(writer, " stop");
+    }
+    if (surface->moved != NULL) {
+        put_displacement(writer, surface->moved, 2);
+    }
+    if (surface->curved != CURVED_BOTH) {
+        put_string(writer, surface->curved == CURVED_X ? " cyl=x" : " cyl=y");
+    }
+    for (size_t i = 0; i < surface->vary_count; i++) {
+        const struct vary *vary = &surface->varies[i];
+        put(writer, " ", 1);
+        put(writer, vary->what.start, vary->what.length);
+        put(writer, "~", 1);
+        if (vary->has_bounds) {
+            const struct figure both[2] = {vary->low, vary->high};
+            put_vector(writer, "[", both, 2, writer->unit);
+            put(writer, "]", 1);
+        }
+    }
+    if (surface->name != NULL) {
+        put_string(writer, arena_printf(writer->arena, " name=\"%s\"", surface->name));
+    }
+}
+
+static void put_surface(struct writer *writer, const struct surface *surface)
+{
+    if (surface->bend != NULL) {
+        put_string(writer, "bend");
+        put_displacement(writer, surface->bend, 3);
+        put(writer, "\n", 1);
+    }
+    size_t start = writer->length;
+    put_string(writer, surface->kind == SURFACE_STOP ? "stop" : "surface");
+    put_tab(writer, start, 12);
+    put_cell(writer, !surface->is_plane, &surface->radius);
+    put_tab(writer, start, 26);
+    put_cell(writer, surface->has_thickness, &surface->thickness);
+    put_tab(writer, start, 38);
+    if (surface->kind == SURFACE_REFLECT) {
+        put_string(writer, "mirror");
+    } else {
+        put(writer, surface->medium.written.start, surface->medium.written.length);
+    }
+    put_tab(writer, start, 58);
+    put_cell(writer, surface->has_diameter, &surface->diameter);
+    put_extras(writer, surface);
+    put(writer, "\n", 1);
+}
+
+/* `keyword     text`, where there is a text. */
+static void put_line(struct writer *writer, const char *keyword, const char *text)
+{
+    if (text != NULL) {
+        put_string(writer, arena_printf(writer->arena, "%-11s %s\n", keyword, text));
+    }
+}
+
+static void put_figures(struct writer *writer, const char *keyword, const struct figure *figures,
+                        size_t count, double unit)
+{
+    put_string(writer, keyword);
+    for (size_t i = 0; i < count; i++) {
+        put(writer, " ", 1);
+        put_figure(writer, &figures[i], unit);
+    }
+    put(writer, "\n", 1);
+}
+
+static void put_wavelengths(struct writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        const struct lens_wavelength *one = &lens->wavelengths[i];
+        put_string(writer, i == 0 ? "wavelength  " : " ");
+        put(writer, one->typed.start, one->typed.length);
+        if (one->weight_typed.start != NULL) {
+            put(writer, ":", 1);
+            put(writer, one->weight_typed.start, one->weight_typed.length);
+        }
+    }
+    put_string(writer, lens->wavelength_count > 0 ? "\n" : "");
+}
+
+static void put_apertures(struct writer *writer, const char *before, const struct figure *figures,
+                          size_t count)
+{
+    static const char *const words[] = {"", "stop", "f/", "epd ", "na "};
+    enum aperture_kind kind = writer->lens->aperture_kind;
+    double unit = kind == APERTURE_EPD ? writer->unit : 1;
+    put_string(writer, before);
+    for (size_t i = 0; i < count; i++) {
+        put_string(writer, i == 0 || kind != APERTURE_STOP ? words[kind] : "");
+        if (kind != APERTURE_STOP) {
+            put_figure(writer, &figures[i], unit);
+        }
+        put_string(writer, i + 1 < count ? " " : "\n");
+    }
+}
+
+static void put_header(struct writer *writer)
+{
+    static const char *const fields[] = {"", "field       angle", "field       height",
+                                         "field       image"};
+    static const char *const focuses[] = {"paraxial", "table", "best"};
+    const struct lens *lens = writer->lens;
+    put_line(writer, "lens", lens->title);
+    put_line(writer, "kind", lens->kind);
+    put_line(writer, "source", lens->source);
+    for (size_t i = 0; i < lens->note_count; i++) {
+        put_line(writer, "note", lens->notes[i]);
+    }
+    put_line(writer, "unit", lens->unit);
+    put_wavelengths(writer);
+    if (lens->objects == NULL) {
+        put_figures(writer, "object     ", &lens->object, 1, writer->unit);
+    }
+    if (lens->object_medium.written.start != medium_air.written.start) {
+        put_string(writer, "medium      ");
+        put(writer, lens->object_medium.written.start, lens->object_medium.written.length);
+        put_string(writer, "\n");
+    }
+    if (lens->field_kind != FIELD_NONE) {
+        put_figures(writer, fields[lens->field_kind], lens->fields, lens->field_count,
+                    lens->field_kind == FIELD_ANGLE ? 0.017453292519943295 : writer->unit);
+    }
+    if (lens->aperture_kind != APERTURE_NONE && lens->apertures == NULL) {
+        put_apertures(writer, "aperture    ", &lens->aperture, 1);
+    }
+    put_line(writer, "focus", focuses[lens->focus]);
+}
+
+static void put_positions(struct writer *writer)
+{
+    static const char *const stated[] = {"stated efl", "stated bfl", "stated fnumber"};
+    const struct lens *lens = writer->lens;
+    size_t count = lens->position_count;
+    for (size_t i = 0; i < count; i++) {
+        put_string(writer, arena_printf(writer->arena, "%s %s", i == 0 ? "position   " : "",
+                                        lens->positions[i]));
+    }
+    put_string(writer, count > 0 ? "\n" : "");
+    for (int i = 0; i < STATED_COUNT; i++) {
+        if (lens->stated[i] != NULL) {
+            put_figures(writer, stated[i], lens->stated[i], lens->stated_count[i],
+                        i == STATED_FNUMBER ? 1 : writer->unit);
+        }
+    }
+    for (size_t i = 0; i < lens->variable_count; i++) {
+        struct text name = lens->variables[i].name;
+        put_figures(writer, arena_printf(writer->arena, "let %.*s", (int)name.length, name.start),
+                    lens->variables[i].values, count, writer->unit);
+    }
+    if (lens->objects != NULL) {
+        put_figures(writer, "let object", lens->objects, count, writer->unit);
+    }
+    if (lens->apertures != NULL) {
+        put_apertures(writer, "let aperture ", lens->apertures, count);
+    }
+}
+
+static double unit_of(const char *name)
+{
+    static const struct {
+        const char *name;
+        double mm;
+    } units[] = {{"cm", 10}, {"m", 1000}, {"in", 25.4}};
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (strcmp(units[i].name, name) == 0) {
+            return units[i].mm;
+        }
+    }
+    return 1;
+}
+
+struct text lens_write(const struct lens *lens, struct arena *arena)
+{
+    struct writer writer = {.arena = arena, .lens = lens, .unit = unit_of(lens->unit)};
+    put_header(&writer);
+    put_positions(&writer);
+    put_string(&writer, "#           radius        thickness   medium              diameter\n");
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        put_surface(&writer, &lens->surfaces[i]);
+    }
+    return (struct text){writer.data, writer.length};
+}

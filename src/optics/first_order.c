@@ -1,0 +1,277 @@
+/* optics/first_order.c - cardinal points, pupils and brightness of a lens, paraxially. */
+/* SPDX-License-Identifier: MIT */
+#include "optics/first_order.h"
+
+#include <math.h>
+
+/* Below this share of the strongest surface a power is rounding of the decimals: 2^-95. */
+static const double afocal_share = 2.5243548967072378e-29;
+
+struct conjugate_object lens_object(const struct lens *lens)
+{
+    return (struct conjugate_object){lens->object_is_infinite, lens->object.value};
+}
+
+struct aperture_setting lens_aperture(const struct lens *lens)
+{
+    struct aperture_setting setting = {lens->aperture_kind, lens->aperture.value.hi};
+    if (setting.kind == APERTURE_STOP) {
+        setting.value = lens->surfaces[lens->stop].diameter.value.hi;
+    }
+    return setting;
+}
+
+/* a/b with 1/b near at hand: to about 1e-30. */
+static inline double quotient(struct pair a, struct pair b, double reciprocal)
+{
+    double q = a.hi * reciprocal;
+    struct pair p = pair_product(q, b.hi);
+    double rest = ((a.hi - p.hi) - p.lo) + (a.lo - q * b.lo);
+    return q + rest * reciprocal;
+}
+
+static inline struct pair times(double n, struct pair n_pair, struct pair a)
+{
+    return n == 1 && n_pair.lo == 0 ? a : pair_multiply(n_pair, a);
+}
+
+static void set_afocal(struct first_order *all)
+{
+    all->is_afocal = true;
+    all->power = 0;
+    all->efl = all->rear_focal = all->ffl = all->bfl = INFINITY;
+    all->front_focal = all->front_principal = all->rear_principal = INFINITY;
+    all->front_nodal = all->rear_nodal = INFINITY;
+}
+
+static void set_cardinal_points(struct first_order *all, struct pair n, struct pair n_image)
+{
+    const struct paraxial_matrix *m = &all->matrix;
+    struct pair c = m->c;
+    double r = 1 / c.hi;
+    struct pair n_d = times(n.hi, n, m->d), n_a = times(n_image.hi, n_image, m->a);
+    all->power = -c.hi;
+    all->efl = quotient(pair_of(-1), c, r);
+    all->front_focal = quotient(n, c, r);
+    all->rear_focal = quotient(pair_negate(n_image), c, r);
+    all->ffl = quotient(n_d, c, r);
+    all->bfl = quotient(pair_negate(n_a), c, r);
+    all->front_principal = quotient(pair_subtract(n_d, n), c, r);
+    all->rear_principal = quotient(pair_subtract(n_image, n_a), c, r);
+    all->front_nodal = quotient(pair_subtract(n_d, n_image), c, r);
+    all->rear_nodal = quotient(pair_subtract(n, n_a), c, r);
+}
+
+static double divide(struct pair a, struct pair b)
+{
+    return b.hi == 0 ? (a.hi == 0 ? NAN : INFINITY) : quotient(a, b, 1 / b.hi);
+}
+
+static void set_pupils(struct first_order *all, const struct paraxial_trace *trace, struct pair n,
+                       struct pair n_image)
+{
+    const struct paraxial_matrix *m = &trace->whole, *front = &trace->front;
+    struct pair a1 = front->a, b1 = front->b;
+    struct pair b2 = pair_subtract(pair_multiply(m->b, a1), pair_multiply(m->a, b1));
+    struct pair d2 = pair_subtract(pair_multiply(m->d, a1), pair_multiply(m->c, b1));
+    all->entrance_pupil = divide(times(n.hi, n, b1), a1);
+    all->entrance_scale = divide(pair_of(1), a1);
+    all->exit_pupil = divide(pair_negate(times(n_image.hi, n_image, b2)), d2);
+    all->exit_scale = divide(pair_of(1), d2);
+    all->pupil_magnification = divide(a1, d2);
+}
+
+static void set_image(struct first_order *all, const struct conjugate_object *object, struct pair n,
+                      struct pair n_image)
+{
+    const struct paraxial_matrix *m = &all->matrix;
+    if (object->is_infinite) {
+        all->image = all->bfl;
+        all->magnification = 0;
+        return;
+    }
+    struct pair reduced = pair_divide(object->distance, n);
+    struct pair y = pair_add(pair_multiply(m->a, reduced), m->b);
+    struct pair v = pair_add(pair_multiply(m->c, reduced), m->d);
+    all->image = divide(pair_negate(pair_multiply(n_image, y)), v);
+    all->magnification = divide(pair_of(1), v);
+}
+
+void first_order_compute(const struct paraxial_system *system, const struct paraxial_trace *trace,
+                         const struct conjugate_object *object, struct first_order *first_order)
+{
+    struct first_order *all = first_order;
+    struct pair n = system->index[0], n_image = system->index[system->count];
+    all->matrix = trace->whole;
+    all->index_object = n.hi;
+    all->index_image = n_image.hi;
+    all->is_afocal = !(fabs(trace->whole.c.hi) > afocal_share * system->strongest);
+    if (all->is_afocal) {
+        set_afocal(all);
+    } else {
+        set_cardinal_points(all, n, n_image);
+    }
+    if (system->stop != LENS_NONE) {
+        set_pupils(all, trace, n, n_image);
+    } else {
+        all->entrance_pupil = all->exit_pupil = all->pupil_magnification = NAN;
+        all->entrance_scale = all->exit_scale = NAN;
+    }
+    set_image(all, object, n, n_image);
+    all->petzval_sum = system->petzval;
+    all->petzval_radius = system->petzval == 0 ? INFINITY : -1 / (n_image.hi * system->petzval);
+    all->length = system->length;
+    all->stop_radius = all->entrance_diameter = all->exit_diameter = NAN;
+    all->fnumber = all->working_fnumber = all->na_image = NAN;
+    all->marginal_y = all->marginal_v = all->chief_y = all->chief_v = all->lagrange = NAN;
+}
+
+/* n u of the chief ray in object space, through the centre of the entrance pupil. */
+static double chief_slope(const struct first_order *all, const struct conjugate_object *object,
+                          enum field_kind kind, double field)
+{
+    double n = all->index_object, height = field;
+    if (kind == FIELD_ANGLE) {
+        return n * tan(field);
+    }
+    if (object->is_infinite) {
+        return kind == FIELD_IMAGE ? field * all->power : NAN;
+    }
+    if (kind == FIELD_IMAGE) {
+        height = field / all->magnification;
+    }
+    return -n * height / (object->distance.hi + all->entrance_pupil);
+}
+
+/* Pupils, f-numbers and the two rays from the radius of the entrance pupil (signed). */
+static void set_beam(struct first_order *all, const struct conjugate_object *object, double radius,
+                     enum field_kind kind, double field)
+{
+    double n = all->index_object;
+    double place = all->entrance_pupil;
+    all->entrance_diameter = 2 * fabs(radius);
+    all->exit_diameter = all->entrance_diameter * fabs(all->pupil_magnification);
+    all->fnumber = fabs(all->rear_focal) / all->entrance_diameter;
+    if (object->is_infinite) {
+        all->marginal_y = radius;
+        all->marginal_v = 0;
+    } else {
+        all->marginal_v = n * radius / (object->distance.hi + place);
+        all->marginal_y = all->marginal_v / n * object->distance.hi;
+    }
+    double v = object->is_infinite ? -radius * all->power : all->marginal_v / all->magnification;
+    v = object->is_infinite || all->magnification != 0 ? v : NAN;
+    double slope = v / all->index_image;
+    all->working_fnumber = 1 / (2 * fabs(v));
+    all->na_image = fabs(all->index_image) * fabs(slope) / sqrt(1 + slope * slope);
+    if (kind == FIELD_NONE || isnan(field)) {
+        return;
+    }
+    all->chief_v = chief_slope(all, object, kind, field);
+    all->chief_y = -all->chief_v / n * place;
+    /* at the entrance pupil, where ybar = 0 */
+    all->lagrange = radius * all->chief_v;
+}
+
+void first_order_use_stop(struct first_order *all, const struct conjugate_object *object,
+                          double stop_radius, enum field_kind field_kind, double field)
+{
+    if (!isnan(stop_radius)) {
+        all->stop_radius = stop_radius;
+        set_beam(all, object, stop_radius * all->entrance_scale, field_kind, field);
+    }
+}
+
+static bool radius_of(const struct first_order *all, const struct conjugate_object *object,
+                      const struct aperture_setting *aperture, double *radius, struct error *error)
+{
+    double value = aperture->value;
+    if (aperture->kind == APERTURE_STOP) {
+        if (isnan(all->entrance_scale)) {
+            return fail(error, ERROR_DOMAIN, "the lens has no stop");
+        }
+        *radius = value / 2 * all->entrance_scale;
+    } else if (aperture->kind == APERTURE_EPD) {
+        *radius = value / 2;
+    } else if (aperture->kind == APERTURE_FNUMBER) {
+        if (all->is_afocal) {
+            return fail(error, ERROR_DOMAIN, "an afocal system has no f-number");
+        }
+        *radius = fabs(all->rear_focal) / value / 2;
+    } else {
+        double n = all->index_object;
+        if (object->is_infinite) {
+            return fail(error, ERROR_DOMAIN, "an object at infinity has no numerical aperture");
+        }
+        if (!(value < n)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the numerical aperture %.6g is not below the index %.6g", value, n);
+        }
+        double tangent = value / sqrt((n - value) * (n + value));
+        *radius = tangent * (object->distance.hi + all->entrance_pupil);
+    }
+    return true;
+}
+
+bool first_order_aperture(struct first_order *first_order, const struct conjugate_object *object,
+                          const struct aperture_setting *aperture, enum field_kind field_kind,
+                          double field, struct error *error)
+{
+    double radius = NAN;
+    if (aperture->kind == APERTURE_NONE) {
+        return true;
+    }
+    if (!radius_of(first_order, object, aperture, &radius, error)) {
+        return false;
+    }
+    double scale = first_order->entrance_scale;
+    if (!isnan(scale) && aperture->kind != APERTURE_STOP) {
+        radius = copysign(radius, scale); /* the marginal ray is positive at the stop */
+    }
+    first_order->stop_radius =
+        aperture->kind == APERTURE_STOP ? aperture->value / 2 : radius / scale;
+    set_beam(first_order, object, radius, field_kind, field);
+    return true;
+}
+
+bool first_order_of_lens(const struct lens *lens, double wavelength, enum lens_section section,
+                         struct arena *arena, struct first_order *first_order, struct error *error)
+{
+    struct paraxial_system system;
+    struct paraxial_trace trace;
+    if (!paraxial_compile(lens, wavelength, section, arena, &system, error)) {
+        return false;
+    }
+    const struct conjugate_object object = lens_object(lens);
+    paraxial_trace(&system, &trace);
+    first_order_compute(&system, &trace, &object, first_order);
+    return true;
+}
+
+static bool is_off(double stated, double actual, double tolerance)
+{
+    return !isnan(stated) && !isnan(actual) && !(fabs(actual - stated) <= tolerance * fabs(stated));
+}
+
+const char *lens_stated_warning(const struct lens *lens, size_t position,
+                                const struct first_order *first_order, struct arena *arena)
+{
+    const struct {
+        const char *what;
+        double stated, actual, tolerance;
+    } all[] = {
+        {"focal length", lens_stated(lens, STATED_EFL, position), first_order->efl, 0.04},
+        {"back focus", lens_stated(lens, STATED_BFL, position), first_order->bfl, 0.1},
+        {"f-number", lens_stated(lens, STATED_FNUMBER, position), first_order->fnumber, 0.1},
+    };
+    const char *warning = NULL;
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        if (is_off(all[i].stated, all[i].actual, all[i].tolerance)) {
+            const char *text =
+                arena_printf(arena, "the source states the %s %.6g, the prescription has %.6g",
+                             all[i].what, all[i].stated, all[i].actual);
+            warning = warning == NULL ? text : arena_printf(arena, "%s; %s", warning, text);
+        }
+    }
+    return warning;
+}

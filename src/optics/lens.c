@@ -1,0 +1,246 @@
+/* optics/lens.c - positions of a lens, and what is physically wrong with it. */
+/* SPDX-License-Identifier: MIT */
+#include "optics/lens.h"
+
+#include "optics/wavelength.h"
+
+#include <math.h>
+#include <string.h>
+
+static void substitute(const struct lens *lens, struct figure *figure, size_t position)
+{
+    if (figure->variable != LENS_NONE) {
+        *figure = lens->variables[figure->variable].values[position];
+    }
+}
+
+const struct lens *lens_at_position(const struct lens *lens, size_t position, struct arena *arena)
+{
+    if (lens->position_count == 0) {
+        return lens;
+    }
+    struct lens *copy = ARENA_NEW(arena, struct lens);
+    *copy = *lens;
+    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        copy->surfaces[i] = lens->surfaces[i];
+        substitute(lens, &copy->surfaces[i].thickness, position);
+        substitute(lens, &copy->surfaces[i].diameter, position);
+    }
+    if (lens->objects != NULL) {
+        copy->object = lens->objects[position];
+        copy->object_is_infinite = isinf(copy->object.value.hi);
+    }
+    if (lens->apertures != NULL) {
+        copy->aperture = lens->apertures[position];
+    }
+    return copy;
+}
+
+size_t lens_position_find(const struct lens *lens, struct text name)
+{
+    for (size_t i = 0; i < lens->position_count; i++) {
+        if (text_same(name, lens->positions[i])) {
+            return i;
+        }
+    }
+    return LENS_NONE;
+}
+
+struct pair surface_curvature(const struct surface *surface, enum lens_section section)
+{
+    struct pair curvature = {0, 0};
+    if ((surface->curved == CURVED_X && section == SECTION_Y) ||
+        (surface->curved == CURVED_Y && section == SECTION_X)) {
+        return curvature;
+    }
+    if (surface->has_curvature) {
+        curvature = surface->curvature.value;
+    } else if (!surface->is_plane) {
+        curvature = pair_divide(pair_of(1), surface->radius.value);
+    }
+    struct pair a2 = surface->coefficient[0].value;
+    return pair_add(curvature, pair_add(a2, a2));
+}
+
+double lens_stated(const struct lens *lens, int what, size_t position)
+{
+    if (lens->stated[what] == NULL) {
+        return NAN;
+    }
+    return lens->stated[what][lens->stated_count[what] > 1 ? position : 0].value.hi;
+}
+
+double lens_primary_wavelength(const struct lens *lens)
+{
+    return lens->wavelength_count > 0 ? lens->wavelengths[0].wavelength : WAVELENGTH_D;
+}
+
+double surface_sag(const struct surface *surface, double r)
+{
+    double c = surface->has_curvature ? surface->curvature.value.hi
+               : surface->is_plane    ? 0
+                                      : 1 / surface->radius.value.hi;
+    double r2 = r * r, polynomial = 0;
+    double z = c * r2 / (1 + sqrt(1 - (1 + surface->conic.value.hi) * c * c * r2));
+    for (int i = LENS_COEFFICIENTS - 1; i >= 0; i--) {
+        polynomial = (polynomial + surface->coefficient[i].value.hi) * r2;
+    }
+    return z + polynomial;
+}
+
+/* One lens being checked. */
+struct check {
+    const struct lens *lens;
+    struct arena *arena;
+    struct lens_warnings *warnings;
+    const char *position; /* null = the only one */
+};
+
+enum { MOST_WARNINGS = 20 };
+
+static void warn(const struct check *check, const char *text)
+{
+    struct lens_warnings *warnings = check->warnings;
+    for (size_t i = 0; i < warnings->count; i++) {
+        if (strcmp(warnings->texts[i], text) == 0) {
+            return;
+        }
+    }
+    if (warnings->count < MOST_WARNINGS) {
+        warnings->texts[warnings->count++] = text;
+    }
+}
+
+static bool is_sound(struct pair value)
+{
+    return fabs(value.hi) < 1e100;
+}
+
+static bool check_numbers(const struct surface *surface, size_t number, struct error *error)
+{
+    if (!is_sound(surface->radius.value) || !is_sound(surface->curvature.value) ||
+        !is_sound(surface->thickness.value) || !is_sound(surface->diameter.value) ||
+        !is_sound(surface->conic.value)) {
+        return fail(error, ERROR_DATA, "surface %zu has a number beyond 1e100", number);
+    }
+    if (!surface->is_plane && !surface->has_curvature &&
+        !(fabs(surface->radius.value.hi) > 1e-100)) {
+        return fail(error, ERROR_DATA, "surface %zu has the radius 0: a plane is '-' or 'inf'",
+                    number);
+    }
+    if (surface->has_diameter && !(surface->diameter.value.hi > 0)) {
+        return fail(error, ERROR_DATA, "surface %zu has the diameter %.6g: it must be above 0",
+                    number, surface->diameter.value.hi);
+    }
+    const struct medium *medium = &surface->medium;
+    bool has_index = medium->kind == MEDIUM_CONSTANT || medium->kind == MEDIUM_MODEL;
+    if (has_index && !(medium->index.hi > 0)) {
+        return fail(error, ERROR_DATA, "surface %zu: the index %.6g is not above 0", number,
+                    medium->index.hi);
+    }
+    return true;
+}
+
+/* The largest r at which the sag exists; infinite for most surfaces. */
+static void check_sag(const struct check *check, const struct surface *surface, size_t number)
+{
+    if (surface->has_diameter && isnan(surface_sag(surface, surface->diameter.value.hi / 2))) {
+        warn(check, arena_printf(check->arena,
+                                 "surface %zu: the diameter %.6g mm is beyond the sag's domain",
+                                 number, surface->diameter.value.hi));
+    }
+}
+
+/* Glass or air between two surfaces must not be negative inside both apertures. */
+static void check_gap(const struct check *check, size_t i, double direction)
+{
+    const struct surface *left = &check->lens->surfaces[i], *right = left + 1;
+    bool air = medium_is_air(&left->medium);
+    double gap = direction * left->thickness.value.hi;
+    if (gap < 0) {
+        warn(check, arena_printf(check->arena, "the %s after surface %zu is negative: %.6g mm",
+                                 air ? "air gap" : "thickness", i + 1, left->thickness.value.hi));
+        return;
+    }
+    if (!left->has_diameter || !right->has_diameter) {
+        return;
+    }
+    double r = fmin(left->diameter.value.hi, right->diameter.value.hi) / 2;
+    double edge = gap + direction * (surface_sag(right, r) - surface_sag(left, r));
+    if (edge < -1e-9 * (1 + r) && left->kind != SURFACE_STOP && right->kind != SURFACE_STOP) {
+        warn(check,
+             arena_printf(check->arena,
+                          "surfaces %zu and %zu overlap inside their apertures (by %.3g mm at "
+                          "%.6g mm from the axis)",
+                          i + 1, i + 2, -edge, r));
+    }
+}
+
+static bool check_position(const struct check *check, struct error *error)
+{
+    const struct lens *lens = check->lens;
+    double direction = 1;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        if (!check_numbers(surface, i + 1, error)) {
+            return false;
+        }
+        check_sag(check, surface, i + 1);
+        direction = surface->kind == SURFACE_REFLECT ? -direction : direction;
+        if (i + 1 < lens->surface_count) {
+            check_gap(check, i, direction);
+        }
+    }
+    if (!lens->object_is_infinite && !is_sound(lens->object.value)) {
+        return fail(error, ERROR_DATA, "the object's distance is beyond 1e100");
+    }
+    bool needs_value = lens->aperture_kind > APERTURE_STOP;
+    if (needs_value && !(lens->aperture.value.hi > 0 && is_sound(lens->aperture.value))) {
+        return fail(error, ERROR_DATA, "the aperture %.6g is not above 0", lens->aperture.value.hi);
+    }
+    return true;
+}
+
+static bool check_stop(const struct lens *lens, struct error *error)
+{
+    size_t stops = 0, last = 0;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (lens->surfaces[i].is_stop && stops++ > 0) {
+            return fail(error, ERROR_DATA, "two stops: surfaces %zu and %zu", last + 1, i + 1);
+        }
+        last = lens->surfaces[i].is_stop ? i : last;
+    }
+    if (lens->aperture_kind != APERTURE_STOP) {
+        return true;
+    }
+    if (stops == 0) {
+        return fail(error, ERROR_DATA, "'aperture stop' wants a stop, and the lens has none");
+    }
+    if (!lens->surfaces[last].has_diameter) {
+        return fail(error, ERROR_DATA,
+                    "'aperture stop' wants the diameter of the stop, surface %zu", last + 1);
+    }
+    return true;
+}
+
+bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnings *warnings,
+                struct error *error)
+{
+    *warnings = (struct lens_warnings){ARENA_ARRAY(arena, MOST_WARNINGS, const char *), 0};
+    if (lens->surface_count == 0) {
+        return fail(error, ERROR_DATA, "the lens has no surface");
+    }
+    if (!check_stop(lens, error)) {
+        return false;
+    }
+    size_t positions = lens->position_count > 0 ? lens->position_count : 1;
+    for (size_t i = 0; i < positions; i++) {
+        struct check check = {lens_at_position(lens, i, arena), arena, warnings,
+                              lens->position_count > 0 ? lens->positions[i] : NULL};
+        if (!check_position(&check, error)) {
+            return false;
+        }
+    }
+    return true;
+}

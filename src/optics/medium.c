@@ -1,0 +1,95 @@
+/* optics/medium.c - the index of refraction of a medium. */
+/* SPDX-License-Identifier: MIT */
+#include "optics/medium.h"
+
+#include "optics/wavelength.h"
+
+#include <math.h>
+
+const struct medium medium_air = {.kind = MEDIUM_CONSTANT, .written = {"air", 3}, .index = {1, 0}};
+
+bool medium_is_air(const struct medium *medium)
+{
+    return medium->kind == MEDIUM_CONSTANT && medium->index.hi == 1 && medium->index.lo == 0;
+}
+
+static struct pair inverse_square(double wavelength)
+{
+    return pair_divide(pair_of(1), pair_product(wavelength, wavelength));
+}
+
+static struct pair model_index(const struct medium *medium, double wavelength)
+{
+    struct pair dispersion =
+        pair_divide(pair_add(medium->index, pair_of(-1)), medium->abbe); /* nF - nC */
+    struct pair d = inverse_square(WAVELENGTH_D);
+    struct pair part =
+        pair_divide(pair_subtract(inverse_square(wavelength), d),
+                    pair_subtract(inverse_square(WAVELENGTH_F), inverse_square(WAVELENGTH_C)));
+    return pair_add(medium->index, pair_multiply(dispersion, part));
+}
+
+/* Lagrange's polynomial in 1/l^2. */
+static struct pair interpolate(const struct index_point *points, size_t count, double wavelength)
+{
+    struct pair x = inverse_square(wavelength), sum = {0, 0};
+    for (size_t i = 0; i < count; i++) {
+        struct pair term = points[i].index, x_i = inverse_square(points[i].wavelength);
+        for (size_t j = 0; j < count; j++) {
+            struct pair x_j = inverse_square(points[j].wavelength);
+            if (j != i) {
+                term = pair_multiply(term,
+                                     pair_divide(pair_subtract(x, x_j), pair_subtract(x_i, x_j)));
+            }
+        }
+        sum = pair_add(sum, term);
+    }
+    return sum;
+}
+
+static bool table_index(const struct medium *medium, double wavelength, struct pair *index,
+                        struct error *error)
+{
+    enum { NEAREST = 3 };
+    const struct index_point *points = medium->points;
+    size_t count = medium->point_count, first = 0;
+    if (count > 1 &&
+        !(wavelength >= points[0].wavelength && wavelength <= points[count - 1].wavelength)) {
+        return fail(error, ERROR_DOMAIN,
+                    "%.7g nm is outside the table %.*s, which reaches from %.7g to %.7g nm",
+                    1000 * wavelength, (int)medium->written.length, medium->written.start,
+                    1000 * points[0].wavelength, 1000 * points[count - 1].wavelength);
+    }
+    while (count > NEAREST) {
+        bool drop_first = fabs(points[first].wavelength - wavelength) >
+                          fabs(points[first + count - 1].wavelength - wavelength);
+        first += drop_first;
+        count--;
+    }
+    *index = interpolate(points + first, count, wavelength);
+    return true;
+}
+
+bool medium_index(const struct medium *medium, double wavelength, struct pair *index,
+                  struct error *error)
+{
+    bool done = true;
+    if (medium->kind == MEDIUM_CONSTANT) {
+        *index = medium->index;
+    } else if (medium->kind == MEDIUM_MODEL) {
+        *index = model_index(medium, wavelength);
+    } else if (medium->kind == MEDIUM_TABLE) {
+        done = table_index(medium, wavelength, index, error);
+    } else if (medium->glass_index == NULL) {
+        done = fail(error, ERROR_DOMAIN, "glass '%.*s' is in no catalogue of this program",
+                    (int)medium->written.length, medium->written.start);
+    } else {
+        done = medium->glass_index(medium->glass, wavelength, index, error);
+    }
+    if (done && !(index->hi > 0)) {
+        return fail(error, ERROR_DOMAIN, "the index of %.*s at %.7g nm is %.6g: not above 0",
+                    (int)medium->written.length, medium->written.start, 1000 * wavelength,
+                    index->hi);
+    }
+    return done;
+}

@@ -1,0 +1,59 @@
+/* optics/medium.h - what lies behind a surface, and its index of refraction. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_OPTICS_MEDIUM_H
+#define LENSCALC_OPTICS_MEDIUM_H
+
+#include "base/error.h"
+#include "base/pair.h"
+#include "base/text.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum medium_kind {
+    MEDIUM_CONSTANT, /* one index at all wavelengths; air is 1 */
+    MEDIUM_MODEL,    /* nd and Vd */
+    MEDIUM_TABLE,    /* index at some wavelengths */
+    MEDIUM_GLASS     /* of a catalogue */
+};
+
+/* The index of a catalogue glass. `glass` is what the catalogue's reader put into the medium. */
+typedef bool medium_index_function(const void *glass, double wavelength, struct pair *index,
+                                   struct error *error);
+
+/* Index of refraction at one wavelength. */
+struct index_point {
+    double wavelength; /* um */
+    struct pair index;
+};
+
+struct medium {
+    enum medium_kind kind;
+    struct text written;              /* as typed: "air", "1.670/47.1", "SCHOTT:N-BK7" */
+    struct pair index;                /* of a constant; nd of a model */
+    struct pair abbe;                 /* Vd of a model */
+    const struct index_point *points; /* of a table, by rising wavelength; in the lens's arena */
+    size_t point_count;
+    medium_index_function *glass_index; /* of a glass; null = nobody knows it */
+    const void *glass;
+};
+
+extern const struct medium medium_air;
+
+bool medium_is_air(const struct medium *medium);
+
+/*
+ * Index of refraction.
+ *
+ * Given     wavelength  um
+ *           index       receives n, relative to air, above 0
+ * Formula   model: n(l) = A + B/l^2 with n(d) = nd and n(F) - n(C) = (nd - 1)/Vd
+ *           table: polynomial in 1/l^2 through the three nearest points (two: a line, one: the
+ *           index itself at all wavelengths)
+ * Errors    ERROR_DOMAIN: outside the table's or the glass's range, an index of 0 or less, a
+ *           glass that is in no catalogue
+ */
+bool medium_index(const struct medium *medium, double wavelength, struct pair *index,
+                  struct error *error);
+
+#endif

@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""tests/truth/check_lens.py - first-order data of lenses against numbers from outside:
+check_lens.py BUILD_DIR
+
+first_order.json: systems with the values of an independent 50-digit program. Each figure must be
+within 16 x 2^-53 x (sensitivity + |value|), where the program states the sensitivity, else within
+16 x 2^-53 of the value; Galilean telescopes within 4e-16.
+lenses.tsv: what the sources of the lenses in lensdb state, and what an independent program found.
+"""
+# SPDX-License-Identifier: MIT
+
+import csv
+import json
+import math
+import os
+import shlex
+import subprocess
+import sys
+from fractions import Fraction
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import ROOT, Checks
+
+EPS = 2.0 ** -53
+# key of the truth -> column of the program, factor from the column to the truth
+COLUMNS = {
+    "power": ("power_per_m", Fraction(1, 1000)), "efl": ("efl_mm", 1), "bfl": ("bfl_mm", 1),
+    "ffl": ("ffl_mm", 1), "H": ("front_principal_mm", 1), "Hp": ("rear_principal_mm", 1),
+    "N": ("front_nodal_mm", 1), "Np": ("rear_nodal_mm", 1), "f_front": ("front_focal_mm", 1),
+    "f_rear": ("rear_focal_mm", 1), "petzval_radius": ("petzval_radius_mm", 1),
+    "mag": ("magnification", 1), "ep_z": ("entrance_pupil_mm", 1), "xp_z": ("exit_pupil_mm", 1),
+    "lagrange": ("lagrange_mm", 1), "ep_diameter": ("entrance_pupil_diameter_mm", 1),
+    "xp_diameter": ("exit_pupil_diameter_mm", 1), "fno_working_paraxial": ("working_fnumber", 1),
+    "na_image_paraxial": ("na_image", 1), "fno_infinity": ("fnumber", 1),
+}
+worst = {}
+
+
+def answer(program, words, lens=None):
+    wrapper = shlex.split(os.environ.get("LENSCALC_WRAPPER", ""))
+    result = subprocess.run([*wrapper, program, "lens", *words, "--json"], input=lens,
+                            capture_output=True, text=True)
+    return json.loads(result.stdout)["rows"] if result.returncode == 0 else result.stderr
+
+
+def check_figure(checks, case, row, key, expected):
+    column, factor = COLUMNS[key]
+    name = f"{case['lens'].splitlines()[0][5:]}: {key}"
+    value = row[column]
+    if value is None:
+        infinite = row.get(column.rsplit("_mm", 1)[0] + "_is_infinite") is True
+        return checks.check(infinite and (expected == "inf" or case.get("afocal", False)),
+                            f"{name} is absent, expected {expected}")
+    if expected == "inf":
+        return checks.check(math.isinf(value), f"{name} is {value!r}, expected inf")
+    truth = Fraction(expected)
+    error = abs(Fraction(value) * factor - truth)
+    sensitivity = Fraction(case.get("sensitivity", {}).get(key, "0"))
+    unit = Fraction(EPS) * (sensitivity + abs(truth))
+    allowed = 16 * unit
+    if case["family"] == "galilean" and key in ("power", "efl", "bfl", "ffl", "H", "Hp"):
+        allowed = min(allowed, Fraction("4e-16") * abs(truth))
+    if unit == 0:
+        return checks.check(error == 0, f"{name} is {value!r}, expected 0")
+    used = float(error / unit)
+    kind = case["family"]
+    worst[kind] = max(worst.get(kind, (0, "")), (used, name))
+    return checks.check(error <= allowed, f"{name} is {value!r}, expected {expected}: "
+                                          f"{used:.3g} units of the criterion")
+
+
+def check_first_order(checks, program):
+    with open("tests/truth/first_order.json", encoding="utf-8") as file:
+        cases = json.load(file)["cases"]
+    checks.check(len(cases) > 300, "first_order.json has lost its cases")
+    for case in cases:
+        rows = answer(program, ["-"], case["lens"])
+        if not checks.check(isinstance(rows, list), f"{case['lens']}: {rows}"):
+            continue
+        for key, expected in case["expected"].items():
+            check_figure(checks, case, rows[0], key, expected)
+
+
+def check_lensdb(checks, program):
+    with open("tests/truth/lenses.tsv", encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader((line for line in file if not line.startswith("#")),
+                                   delimiter="\t"))
+    checks.check(len(rows) > 250, "lenses.tsv has lost its rows")
+    for row in rows:
+        words = [row["lens"]] + (["--position", row["position"]] if row["position"] != "-" else [])
+        found = answer(program, words)
+        name = f"{row['lens']} {row['position']}: {row['column']}"
+        if not checks.check(isinstance(found, list), f"{name}: {found}"):
+            continue
+        value, expected = found[0][row["column"]], float(row["expected"])
+        tolerance = float(row["tolerance"].rstrip("%")) / 100
+        checks.check(value is not None and abs(value - expected) <= tolerance * abs(expected),
+                     f"{name} is {value!r}, expected {expected} within {row['tolerance']} "
+                     f"({row['source']}); {found[0]['warning']}")
+
+
+def main():
+    os.chdir(ROOT)
+    checks = Checks()
+    program = os.path.join(os.path.abspath(sys.argv[1]), "lenscalc")
+    check_first_order(checks, program)
+    check_lensdb(checks, program)
+    if "--worst" in sys.argv:
+        for kind, (used, name) in sorted(worst.items()):
+            print(f"{kind}: worst {used:.3g} units, {name}")
+    checks.finish()
+
+
+main()
