@@ -8,6 +8,7 @@ extern const struct command command_exposure, command_flash, command_bracket, co
 extern const struct command command_focus, command_diffraction, command_equivalent;
 extern const struct command command_tilt, command_panorama;
 extern const struct command command_refract, command_lensmaker;
+extern const struct command command_draw;
 extern const struct command command_lens, command_surfaces, command_matrix;
 extern const struct command command_list, command_glass;
 extern const struct command command_help, command_completion;
@@ -30,7 +31,8 @@ const struct command *const commands[] = {
     &command_lensmaker, /* one surface, one lens */
     &command_lens,
     &command_surfaces,
-    &command_matrix, /* a lens */
+    &command_matrix,
+    &command_draw, /* a lens */
     &command_list,
     &command_glass, /* data */
     &command_help,

@@ -1,0 +1,69 @@
+/* cli/picture.h - a lens as parts of a cross-section, for lenscalc draw. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_PICTURE_H
+#define LENSCALC_CLI_PICTURE_H
+
+#include "cli/lens_options.h"
+#include "report/section.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A cross-section being made; everything in the arena. Lengths in mm, z from the first vertex. */
+struct picture {
+    const struct lens_case *one;
+    struct arena *arena;
+    struct section_part *parts;
+    size_t part_count, part_room;
+    const char **glasses, **notes;
+    size_t glass_count, note_count;
+    /* one a surface */
+    double *vertex, *semi;
+    bool *is_drawn;                        /* false: a plane in air that bends no ray */
+    double *direction;                     /* in which light arrives: 1 or -1 */
+    double size;                           /* the largest semi-diameter drawn */
+    double left, right;                    /* of what is drawn of the lens itself */
+    double image;                          /* the image plane; NaN = none within reach */
+    double heading;                        /* in which light leaves: 1 or -1 */
+    struct paraxial_ray *marginal, *chief; /* one a surface; NaN where there is no such ray */
+};
+
+/* A part with room for `count` points. */
+struct section_part *picture_part(struct picture *picture, enum section_kind kind, size_t count,
+                                  double **z, double **y);
+void picture_line(struct picture *picture, enum section_kind kind, double z1, double y1, double z2,
+                  double y2, const char *label);
+void picture_note(struct picture *picture, const char *note);
+
+/* Sag in the section drawn. */
+double picture_sag(const struct picture *picture, size_t surface, double r);
+
+/* -------- cli/picture_lens.c -------- */
+
+/*
+ * Places, diameters, elements, mirrors, stop and image plane.
+ *
+ * Limits    a surface without a diameter gets the height of marginal plus chief ray, less where
+ *           its glass would end or the sag does
+ * Errors    ERROR_DOMAIN: a surface without a diameter that no ray gives one; a tilted lens
+ */
+bool picture_lens(struct picture *picture, struct error *error);
+
+/* -------- cli/picture_rays.c -------- */
+
+/* Marginal rays and the bundle from the edge of the field, as far as the rims let them pass. */
+void picture_rays(struct picture *picture);
+
+/* -------- cli/picture_planes.c -------- */
+
+/* Focal points, principal planes and pupils; those far outside are only noted. */
+void picture_planes(struct picture *picture, bool with_pupils);
+
+/*
+ * The three Gauss rays of the equivalent lens: parallel to the axis, through F, through N and N'.
+ *
+ * Errors    ERROR_DOMAIN: an afocal lens; an odd number of mirrors
+ */
+bool picture_construction(struct picture *picture, struct error *error);
+
+#endif

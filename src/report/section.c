@@ -1,0 +1,358 @@
+/* report/section.c - cross-section of a lens on a page, in SVG. */
+/* SPDX-License-Identifier: MIT */
+#include "report/section.h"
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "report/svg.h"
+
+#include <math.h>
+
+#define MARGIN     44.0
+#define TOP        74.0  /* title and subtitle */
+#define MOST_HIGH  540.0 /* of the lens, px */
+#define LEAST_HIGH 150.0
+#define SMALL      12.0 /* size of labels */
+#define LINE       18.0 /* of the legend */
+
+/* A place on the page, px. */
+struct box {
+    double left, right, top, bottom;
+};
+
+/* Millimetres to px: x = x0 + scale z, y = y0 - scale y. */
+struct page {
+    struct svg *svg;
+    const struct section *section;
+    double x0, y0, scale;
+    double bottom, height; /* of the lens; of the page */
+    struct box *taken;     /* by labels */
+    size_t taken_count;
+};
+
+static const struct svg_style styles[SECTION_KINDS] = {
+    [SECTION_ELEMENT] = {.stroke = "#26323d", .width = 1.1},
+    [SECTION_AXIS] = {.stroke = "#777777", .width = 0.8, .dash = "14 4 2 4"},
+    [SECTION_AXIAL] = {.stroke = "#c0392b", .width = 1},
+    [SECTION_OBLIQUE] = {.stroke = "#1f5fa8", .width = 0.9},
+    [SECTION_CHIEF] = {.stroke = "#1f5fa8", .width = 1.5},
+    [SECTION_GAUSS] = {.stroke = "#c0392b", .width = 1.2},
+    [SECTION_EXTENDED] = {.stroke = "#c0392b", .width = 0.9, .dash = "4 4"},
+    [SECTION_ARROW] = {.stroke = "#000000", .width = 2},
+    [SECTION_HATCH] = {.stroke = "#555555", .width = 0.8},
+    [SECTION_MIRROR] = {.stroke = "#000000", .width = 2.6},
+    [SECTION_STOP] = {.stroke = "#000000", .width = 2.4},
+    [SECTION_IMAGE] = {.stroke = "#000000", .width = 1.6},
+    [SECTION_PLANE] = {.stroke = "#1b7a3d", .width = 1.1, .dash = "6 3"},
+    [SECTION_PUPIL] = {.stroke = "#8e44ad", .width = 1.8},
+    [SECTION_POINT] = {.fill = "#1b7a3d"},
+};
+
+static const char *const names[SECTION_KINDS] = {
+    [SECTION_AXIAL] = "marginal rays (paraxial)",
+    [SECTION_OBLIQUE] = "rays of the field's edge (paraxial)",
+    [SECTION_CHIEF] = "chief ray (paraxial)",
+    [SECTION_GAUSS] = "rays of the equivalent lens",
+    [SECTION_EXTENDED] = "extended backwards",
+    [SECTION_STOP] = "aperture stop",
+    [SECTION_MIRROR] = "mirror",
+    [SECTION_PLANE] = "principal plane",
+    [SECTION_PUPIL] = "pupil",
+};
+
+static const char *const tints[] = {
+    "#cfe3f5", "#fbe3bf", "#d3ecd0", "#f3d1d6", "#ddd5f0", "#f6f0b8", "#c5ebe8", "#ecd9c6",
+    "#e3e7ea", "#f2cfe6", "#b9d3ea", "#e4efb6", "#f7cdb4", "#c9d8c5", "#d0cbe8", "#e6dfa8",
+};
+enum { TINTS = sizeof tints / sizeof tints[0] };
+
+/* The box of all parts, mm. */
+struct extent {
+    double left, right, low, high;
+};
+
+static struct extent measure(const struct section *section)
+{
+    struct extent box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
+    for (size_t i = 0; i < section->part_count; i++) {
+        const struct section_part *part = &section->parts[i];
+        for (size_t k = 0; k < part->count; k++) {
+            box.left = fmin(box.left, part->z[k]);
+            box.right = fmax(box.right, part->z[k]);
+            box.low = fmin(box.low, part->y[k]);
+            box.high = fmax(box.high, part->y[k]);
+        }
+    }
+    return box;
+}
+
+static void write_text(const struct page *page, double x, double y, enum svg_anchor anchor,
+                       const char *colour, const char *text)
+{
+    const struct svg_label label = {.x = x,
+                                    .y = y,
+                                    .size = SMALL,
+                                    .anchor = anchor,
+                                    .colour = colour,
+                                    .width = anchor == SVG_START ? SECTION_WIDTH - 16 - x : 0};
+    svg_text(page->svg, &label, text);
+}
+
+/* The end of what lies under or over a label of this width: the element's rim, or `end` (px). */
+static double clear_of_glass(const struct page *page, double x, double width, double end, double up)
+{
+    for (size_t i = 0; i < page->section->part_count; i++) {
+        const struct section_part *part = &page->section->parts[i];
+        for (size_t k = 0; part->kind == SECTION_ELEMENT && k < part->count; k++) {
+            double at = page->x0 + page->scale * part->z[k];
+            double y = page->y0 - page->scale * part->y[k];
+            if (fabs(at - x) < width / 2 + 3 && (y - end) * up < 0) {
+                end = y;
+            }
+        }
+    }
+    return end;
+}
+
+static bool is_taken(const struct page *page, const struct box *box)
+{
+    for (size_t i = 0; i < page->taken_count; i++) {
+        const struct box *other = &page->taken[i];
+        if (box->left < other->right && other->left < box->right && box->top < other->bottom &&
+            other->top < box->bottom) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Above or below its part, outwards until it touches no other label. */
+static void write_label(struct page *page, const struct section_part *part)
+{
+    bool point = part->kind == SECTION_POINT, below = part->kind == SECTION_PUPIL || point;
+    double width = svg_text_width(part->label, SMALL), x = page->x0 + page->scale * part->z[0];
+    double up = below ? -1 : 1, end = part->y[part->count - 1];
+    double y = page->y0 - page->scale * end;
+    x += point ? 5 + width / 2 : 0;
+    x = fmax(8 + width / 2, fmin(SECTION_WIDTH - 8 - width / 2, x));
+    y = (point ? y : clear_of_glass(page, x, width, y, up)) + (below ? 15 : -6);
+    struct box box = {x - width / 2 - 2, x + width / 2 + 2, y - 10, y + 2};
+    while (is_taken(page, &box)) {
+        y -= 13 * up;
+        box.top = y - 10;
+        box.bottom = y + 2;
+    }
+    page->taken[page->taken_count++] = box;
+    const struct svg_style *style = &styles[part->kind];
+    write_text(page, x, y, SVG_MIDDLE, style->stroke != NULL ? style->stroke : style->fill,
+               part->label);
+}
+
+/* Labels from left to right, so that each sees what is taken. */
+static void write_labels(struct page *page)
+{
+    const struct section *section = page->section;
+    double from = -INFINITY;
+    size_t index = 0;
+    for (;;) {
+        const struct section_part *next = NULL;
+        size_t place = 0;
+        for (size_t i = 0; i < section->part_count; i++) {
+            const struct section_part *part = &section->parts[i];
+            bool later =
+                part->label != NULL && (part->z[0] > from || (!(part->z[0] < from) && i > index));
+            if (later && (next == NULL || part->z[0] < next->z[0])) {
+                next = part;
+                place = i;
+            }
+        }
+        if (next == NULL) {
+            return;
+        }
+        write_label(page, next);
+        from = next->z[0];
+        index = place;
+    }
+}
+
+static void draw_tip(const struct page *page, const double *x, const double *y, size_t last)
+{
+    const struct svg_style style = {.fill = styles[SECTION_ARROW].stroke};
+    double down = y[last] > y[0] ? -9 : 9;
+    const double tip_x[] = {x[last], x[last] - 4.5, x[last] + 4.5};
+    const double tip_y[] = {y[last], y[last] + down, y[last] + down};
+    svg_group_begin(page->svg, &style);
+    svg_polygon(page->svg, tip_x, tip_y, 3);
+    svg_group_end(page->svg);
+}
+
+static void draw_part(const struct page *page, const struct section_part *part)
+{
+    struct svg *svg = page->svg;
+    struct svg_style style = styles[part->kind];
+    double *x = ARENA_ARRAY(svg->arena, part->count, double);
+    double *y = ARENA_ARRAY(svg->arena, part->count, double);
+    for (size_t i = 0; i < part->count; i++) {
+        x[i] = page->x0 + page->scale * part->z[i];
+        y[i] = page->y0 - page->scale * part->y[i];
+    }
+    if (part->kind == SECTION_ELEMENT) {
+        style.fill = tints[part->glass % TINTS];
+        style.opacity = page->section->faint ? 0.45 : 0;
+    }
+    svg_group_begin(svg, &style);
+    if (part->kind == SECTION_ELEMENT) {
+        svg_polygon(svg, x, y, part->count);
+    } else if (part->kind == SECTION_POINT) {
+        svg_circle(svg, x[0], y[0], 3);
+    } else {
+        svg_polyline(svg, x, y, part->count);
+    }
+    svg_group_end(svg);
+    if (part->kind == SECTION_ARROW) {
+        draw_tip(page, x, y, part->count - 1);
+    }
+}
+
+/* 1, 2 or 5 times a power of ten, at most a sixth of the page. */
+static void draw_bar(const struct page *page, double y)
+{
+    double most = SECTION_WIDTH / 6 / page->scale, decade = pow(10, floor(log10(most)));
+    double length = most >= 5 * decade ? 5 * decade : most >= 2 * decade ? 2 * decade : decade;
+    double x = MARGIN, end = MARGIN + length * page->scale;
+    const struct svg_style style = {.stroke = "#000000", .width = 1.4};
+    svg_group_begin(page->svg, &style);
+    svg_line(page->svg, x, y, end, y);
+    svg_line(page->svg, x, y - 4, x, y + 4);
+    svg_line(page->svg, end, y - 4, end, y + 4);
+    svg_group_end(page->svg);
+    write_text(page, end + 8, y + 4, SVG_START, NULL,
+               arena_printf(page->svg->arena, "%.10g mm", length));
+}
+
+static bool occurs(const struct section *section, enum section_kind kind)
+{
+    for (size_t i = 0; i < section->part_count; i++) {
+        if (section->parts[i].kind == kind) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Go on behind a text of the legend, or in the next line. */
+static void place(double *x, double *y, double width)
+{
+    if (*x > MARGIN && *x + width > SECTION_WIDTH - MARGIN) {
+        *x = MARGIN;
+        *y += LINE;
+    }
+}
+
+/* The legend from y down; returns where it ends. With `draw` false it is only measured. */
+static double draw_legend(const struct page *page, double y, bool draw)
+{
+    const struct section *section = page->section;
+    double x = MARGIN;
+    for (size_t i = 0; i < section->glass_count + SECTION_KINDS; i++) {
+        bool glass = i < section->glass_count;
+        size_t kind = glass ? SECTION_ELEMENT : i - section->glass_count;
+        const char *name = glass ? section->glasses[i] : names[kind];
+        if (i == section->glass_count && x > MARGIN) {
+            x = MARGIN;
+            y += LINE;
+        }
+        if (name == NULL || (!glass && !occurs(section, (enum section_kind)kind))) {
+            continue;
+        }
+        double width = 28 + svg_text_width(name, SMALL) + 14;
+        place(&x, &y, width);
+        if (draw) {
+            struct svg_style style = styles[kind];
+            style.fill = glass ? tints[i % TINTS] : NULL;
+            svg_group_begin(page->svg, &style);
+            if (glass) {
+                svg_rect(page->svg, x, y - 10, 20, 11);
+            } else {
+                svg_line(page->svg, x, y - 4, x + 22, y - 4);
+            }
+            svg_group_end(page->svg);
+            write_text(page, x + 28, y, SVG_START, NULL, name);
+        }
+        x += width;
+    }
+    y += x > MARGIN ? LINE : 0;
+    for (size_t i = 0; i < section->note_count; i++, y += LINE) {
+        if (draw) {
+            write_text(page, MARGIN, y, SVG_START, "#444444", section->notes[i]);
+        }
+    }
+    return y;
+}
+
+static void draw_head(const struct page *page)
+{
+    const struct section *section = page->section;
+    struct svg_label label = {.x = SECTION_WIDTH / 2,
+                              .y = 30,
+                              .size = 18,
+                              .anchor = SVG_MIDDLE,
+                              .width = SECTION_WIDTH - 40,
+                              .bold = true};
+    if (section->title != NULL) {
+        svg_text(page->svg, &label, section->title);
+    }
+    label.y = 52;
+    label.size = 13;
+    label.bold = false;
+    label.colour = "#444444";
+    if (section->subtitle != NULL) {
+        svg_text(page->svg, &label, section->subtitle);
+    }
+}
+
+/* Room for rows of labels above and below the lens, px. */
+static double label_room(const struct section *section, bool below)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < section->part_count; i++) {
+        enum section_kind kind = section->parts[i].kind;
+        bool under = kind == SECTION_POINT || kind == SECTION_PUPIL;
+        count += section->parts[i].label != NULL && under == below;
+    }
+    return 20 + 13 * fmin((double)count, 4);
+}
+
+bool section_draw(const struct section *section, struct svg *svg, struct error *error)
+{
+    struct page page = {.svg = svg, .section = section};
+    const struct extent box = measure(section);
+    double across = box.right - box.left, high = box.high - box.low;
+    if (!(across > 0 && high > 0)) {
+        return fail(error, ERROR_DOMAIN, "nothing to draw: the lens has no extent");
+    }
+    if (!(across < 1e12 && high < 1e12)) {
+        return fail(error, ERROR_DOMAIN, "the lens is too large to be drawn");
+    }
+    page.scale = fmin((SECTION_WIDTH - 2 * MARGIN) / across, MOST_HIGH / high);
+    double above = TOP + label_room(section, false), room = fmax(LEAST_HIGH, page.scale * high);
+    page.x0 = (SECTION_WIDTH - page.scale * (box.left + box.right)) / 2;
+    page.y0 = above + room / 2 + page.scale * (box.low + box.high) / 2;
+    page.bottom = above + room + label_room(section, true);
+    page.height = draw_legend(&page, page.bottom + 46, false) + 8;
+    page.taken = ARENA_ARRAY(svg->arena, section->part_count, struct box);
+    svg_begin(svg, SECTION_WIDTH, page.height, section->title);
+    draw_head(&page);
+    for (int kind = 0; kind < SECTION_KINDS; kind++) {
+        for (size_t i = 0; i < section->part_count; i++) {
+            if ((int)section->parts[i].kind == kind) {
+                draw_part(&page, &section->parts[i]);
+            }
+        }
+    }
+    write_labels(&page);
+    draw_bar(&page, page.bottom + 12);
+    draw_legend(&page, page.bottom + 46, true);
+    svg_end(svg);
+    return true;
+}

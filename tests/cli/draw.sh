@@ -1,0 +1,16 @@
+# cross-sections as SVG: to a file, to standard output, and what is refused
+printf 'lens Singlet\naperture f/4\nsurface 50 6 1.5 20\nsurface -50 40 air 20\n' > one.lens
+lenscalc draw ./one.lens --no-rays | sed 's/ d="[^"]*"//' | grep -v '^<g\|^</g'
+lenscalc draw double-gauss -o lens.svg
+lenscalc draw nikkor-z-14-24 --position tele --planes -o zoom.svg
+lenscalc draw double-gauss --construction --title "Gauss rays" -o rays.svg
+ls
+grep -o '>[^<]*</text>' rays.svg
+lenscalc draw erfle-eyepiece -o none.svg
+lenscalc draw nikkor-z-14-24 --position all
+lenscalc draw double-gauss --construction --planes
+lenscalc draw schmidt-flat --construction
+printf 'surface 50 0 1.5 20\nsurface 50 0 air 20\n' | lenscalc draw - --construction
+printf 'surface - 5 air 20\n' | lenscalc draw -
+lenscalc draw
+ls none.svg
