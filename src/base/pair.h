@@ -88,4 +88,21 @@ static inline struct pair pair_divide(struct pair a, struct pair b)
 const char *pair_read(const char *at, const char *end, struct number_scale scale,
                       struct pair *value);
 
+/* The longest text that pair_write writes (no NUL is written). */
+#define PAIR_LENGTH 48
+
+/*
+ * Write a pair with the fewest digits, at most 31, that pair_read gives the same pair for.
+ *
+ * Given     to      room for PAIR_LENGTH characters
+ *           unit    the number is divided by it: the text is in the file's unit
+ * Result    the end of what was written, laid out as number_write_shortest does; "0" for 0
+ * Limits    the text reads back to within 1e-30 of the value, and to the same hi unless hi + lo
+ *           lies that near to the middle between two doubles; |value| in 1e-200 .. 1e200
+ */
+char *pair_write_shortest(char *to, struct pair value, struct number_scale unit);
+
+/* The same rounded to `digits` significant digits, 1 .. 31; zeros at the end are kept. */
+char *pair_write_digits(char *to, struct pair value, struct number_scale unit, int digits);
+
 #endif

@@ -3,6 +3,7 @@
 #include "file/lens_db.h"
 
 #include "file/embedded.h"
+#include "file/foreign.h"
 #include "file/lens_glass.h"
 
 #include <dirent.h>
@@ -228,6 +229,9 @@ bool lens_db_find(struct lensdb *db, struct text name, struct arena *arena, stru
     struct text content;
     struct lens_glasses place = {db, arena};
     const struct glass_source glasses = lens_glass_source(&place);
-    return lens_db_content(db, name, arena, &source, &content, error) &&
-           lens_read(source, content, &glasses, arena, lens, error);
+    if (!lens_db_content(db, name, arena, &source, &content, error)) {
+        return false;
+    }
+    struct foreign_job job = {.source = source, .arena = arena, .glasses = &glasses};
+    return foreign_read(&job, content, lens, error);
 }

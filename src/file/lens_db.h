@@ -18,7 +18,9 @@
 bool lens_db_content(struct lensdb *db, struct text name, struct arena *arena, const char **source,
                      struct text *content, struct error *error);
 
-/* Find and read a lens. Errors as lens_db_content and lens_read. */
+/*
+ * Find and read a lens, also one of another program. Errors as lens_db_content and foreign_read.
+ */
 bool lens_db_find(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
                   struct error *error);
 

@@ -16,7 +16,8 @@ static const struct number_scale plain = {1, 0};
 bool lens_words_open(struct lens_words *words, const char *source, struct text content,
                      struct arena *arena, struct error *error)
 {
-    *words = (struct lens_words){.source = source, .rest = content, .scale = plain, .arena = arena};
+    *words = (struct lens_words){
+        .source = source, .rest = content, .scale = plain, .comment = "#", .arena = arena};
     if (content.length >= 3 && memcmp(content.start, "\xef\xbb\xbf", 3) == 0) {
         words->rest = (struct text){content.start + 3, content.length - 3};
     }
@@ -35,11 +36,12 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* A '#' begins a comment where a word may begin. */
-static struct text without_comment(struct text line)
+/* A comment begins where a word may begin. */
+static struct text without_comment(struct text line, const char *mark)
 {
-    for (size_t i = 0; i < line.length; i++) {
-        if (line.start[i] == '#' && (i == 0 || is_blank(line.start[i - 1]))) {
+    size_t length = mark != NULL ? strlen(mark) : 0;
+    for (size_t i = 0; length > 0 && i + length <= line.length; i++) {
+        if (memcmp(line.start + i, mark, length) == 0 && (i == 0 || is_blank(line.start[i - 1]))) {
             line.length = i;
         }
     }
@@ -49,7 +51,7 @@ static struct text without_comment(struct text line)
 bool lens_words_line(struct lens_words *words)
 {
     while (words->rest.start != NULL && words->rest.length > 0) {
-        struct text line = without_comment(text_cut(&words->rest, '\n'));
+        struct text line = without_comment(text_cut(&words->rest, '\n'), words->comment);
         words->number++;
         while (line.length > 0 && is_blank(line.start[line.length - 1])) {
             line.length--;

@@ -19,6 +19,7 @@ struct lens_words {
     long number;               /* of that line, 1-based */
     const char *at;            /* where the next word of the line begins */
     struct number_scale scale; /* unit of a length in mm */
+    const char *comment;       /* what begins a comment, where a word may begin; null = nothing */
     struct arena *arena;
 };
 
@@ -30,7 +31,10 @@ struct lens_words {
 bool lens_words_open(struct lens_words *words, const char *source, struct text content,
                      struct arena *arena, struct error *error);
 
-/* Go to the next line that has words; false at the end. CRLF and comments are passed over. */
+/*
+ * Go to the next line that has words; false at the end. CRLF and comments are passed over; of
+ * another program's file `comment` is set after lens_words_open.
+ */
 bool lens_words_line(struct lens_words *words);
 
 /*

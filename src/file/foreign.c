@@ -1,0 +1,162 @@
+/* file/foreign.c - lens files of other programs: which there are, and what they lose. */
+/* SPDX-License-Identifier: MIT */
+#include "file/foreign.h"
+
+#include "file/encoding.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+const struct foreign_format *const foreign_formats[] = {
+    NULL,
+};
+
+const struct foreign_format *foreign_by_name(struct text name)
+{
+    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
+        if (text_same(name, (*one)->name)) {
+            return *one;
+        }
+    }
+    return NULL;
+}
+
+static bool ends_with(struct text path, const char *ending)
+{
+    struct text last = text_of(ending);
+    return path.length > last.length &&
+           text_same((struct text){path.start + path.length - last.length, last.length}, ending);
+}
+
+const struct foreign_format *foreign_by_ending(struct text path)
+{
+    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
+        if (ends_with(path, (*one)->ending)) {
+            return *one;
+        }
+    }
+    return NULL;
+}
+
+const struct foreign_format *foreign_of(struct text source, struct text content)
+{
+    if (ends_with(source, ".lens")) {
+        return NULL;
+    }
+    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
+        if ((*one)->is_like(content)) {
+            return *one;
+        }
+    }
+    return foreign_by_ending(source);
+}
+
+static void add_loss(struct foreign_job *job, long line, const char *what)
+{
+    if (job->loss_count == job->loss_room) {
+        size_t room = job->loss_room > 0 ? 2 * job->loss_room : 16;
+        struct foreign_loss *more = ARENA_ARRAY(job->arena, room, struct foreign_loss);
+        if (job->loss_count > 0) {
+            memcpy(more, job->losses, job->loss_count * sizeof *more);
+        }
+        job->losses = more;
+        job->loss_room = room;
+    }
+    job->losses[job->loss_count++] = (struct foreign_loss){line, what};
+}
+
+bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struct text word,
+                  struct error *error, const char *format, ...)
+{
+    char message[sizeof error->message];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    if (job->lossy) {
+        add_loss(job, words != NULL ? words->number : 0, arena_printf(job->arena, "%s", message));
+        return true;
+    }
+    if (words != NULL) {
+        lens_words_fail(words, word, error, "%s", message);
+    } else {
+        fail(error, ERROR_DATA, "%s", message);
+        error_locate(error, job->source, 0, 0);
+    }
+    return error_hint(error, "'lenscalc convert --lossy' leaves it out and lists what is lost");
+}
+
+/* Ask the source for one name; true if it knows it. */
+static bool ask(const struct foreign_job *job, const char *written, struct medium *medium,
+                struct error *error)
+{
+    *medium = (struct medium){.kind = MEDIUM_GLASS, .written = text_of(written), .index = {1, 0}};
+    return job->glasses->find(job->glasses->context, medium, error);
+}
+
+/* Ask one catalogue; "CDGM-ZEMAX201409" and "OHARA_2021-04" are editions of CDGM and OHARA. */
+static bool ask_catalog(const struct foreign_job *job, struct text catalog, struct text name,
+                        struct medium *medium, struct error *error)
+{
+    size_t maker = 0;
+    while (maker < catalog.length && catalog.start[maker] != '-' && catalog.start[maker] != '_') {
+        maker++;
+    }
+    return ask(job,
+               arena_printf(job->arena, "%.*s:%.*s", (int)catalog.length, catalog.start,
+                            (int)name.length, name.start),
+               medium, error) ||
+           (maker < catalog.length && ask(job,
+                                          arena_printf(job->arena, "%.*s:%.*s", (int)maker,
+                                                       catalog.start, (int)name.length, name.start),
+                                          medium, error));
+}
+
+bool foreign_glass(struct foreign_job *job, const struct lens_words *words, struct text name,
+                   const struct text *catalogs, size_t count, struct medium *medium,
+                   struct error *error)
+{
+    if (job->glasses == NULL) {
+        *medium = (struct medium){.kind = MEDIUM_GLASS, .written = name, .index = {1, 0}};
+        return true;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (ask_catalog(job, catalogs[i], name, medium, error)) {
+            return true;
+        }
+    }
+    if (ask(job, arena_string(job->arena, name.start, name.length), medium, error)) {
+        return true;
+    }
+    const struct error found = *error;
+    if (strncmp(found.message, "several ", 8) != 0) { /* not a homonym: unknown */
+        error->code = ERROR_NONE;
+        return false;
+    }
+    lens_words_fail(words, name, error, "%s", found.message);
+    return error_hint(error, "%s", found.hint);
+}
+
+bool foreign_read(struct foreign_job *job, struct text content, struct lens *lens,
+                  struct error *error)
+{
+    struct text source = text_of(job->source), text = content;
+    if (ends_with(source, ".lens")) {
+        return lens_read(job->source, content, job->glasses, job->arena, lens, error);
+    }
+    bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
+    const struct foreign_format *format = foreign_of(source, is_text ? text : content);
+    if (format == NULL) {
+        return lens_read(job->source, content, job->glasses, job->arena, lens, error);
+    }
+    if (!is_text) {
+        return false;
+    }
+    if (format->read == NULL) {
+        fail(error, ERROR_DATA, "lenscalc writes files of the format '%s' but does not read them",
+             format->name);
+        return error_locate(error, job->source, 0, 0);
+    }
+    return format->read(job, text, lens, error);
+}

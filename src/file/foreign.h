@@ -1,0 +1,106 @@
+/* file/foreign.h - lens files of other programs: which there are, and what they lose. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_FOREIGN_H
+#define LENSCALC_FILE_FOREIGN_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "file/lens_file.h"
+#include "file/lens_words.h"
+#include "optics/lens.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Something that a lens of lenscalc, or the other program's file, cannot hold. */
+struct foreign_loss {
+    long line;        /* in the file read; 0 = written, or not of one line */
+    const char *what; /* one line, in the arena */
+};
+
+/* One file being read or written. */
+struct foreign_job {
+    const char *source; /* for messages */
+    struct arena *arena;
+    const struct glass_source *glasses; /* null: named glasses stay unresolved */
+    bool lossy;                         /* losses are listed; else the first one is an error */
+    struct foreign_loss *losses;
+    size_t loss_count, loss_room;
+};
+
+/* A kind of file. `read` or `write` is null where it does not exist. */
+struct foreign_format {
+    const char *name;   /* "zmx" */
+    const char *ending; /* ".zmx" */
+    const char *help;   /* "Zemax sequential lens" */
+    /* Does the text look like one? Content decides before the name's ending does. */
+    bool (*is_like)(struct text content);
+    /*
+     * Read a lens.
+     *
+     * Given     content  UTF-8 with \n line ends; the lens may point into it
+     * Errors    ERROR_DATA with line, column and caret; what a lens cannot hold, unless lossy
+     */
+    bool (*read)(struct foreign_job *job, struct text content, struct lens *lens,
+                 struct error *error);
+    /*
+     * Write a lens of one position (or of all, where the format has them) into the arena.
+     *
+     * Errors    ERROR_DATA: what the format cannot hold, unless lossy
+     */
+    bool (*write)(struct foreign_job *job, const struct lens *lens, struct text *text,
+                  struct error *error);
+};
+
+/* All of them; ends with null. */
+extern const struct foreign_format *const foreign_formats[];
+
+/* The format of this name ("zmx"), or of a file name's ending; null if there is none. */
+const struct foreign_format *foreign_by_name(struct text name);
+const struct foreign_format *foreign_by_ending(struct text path);
+
+/*
+ * The format of a file: what its content looks like, else its ending; null for a .lens file.
+ *
+ * Given     source   its name; one that ends in .lens is never foreign
+ *           content  UTF-8
+ */
+const struct foreign_format *foreign_of(struct text source, struct text content);
+
+/*
+ * Record that something is lost; never drop or replace anything without it.
+ *
+ * Given     words, word  where it stands (a line's words, and the word); words null: nowhere
+ *           format       what is lost, and what stands for it if anything does
+ * Result    lossy: true, and the loss is in the list; else false with ERROR_DATA and a hint
+ */
+bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struct text word,
+                  struct error *error, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+
+/*
+ * Find a glass as the file's catalogues have it, so that homonyms are decided by their order.
+ *
+ * Given     catalogs  names in the order of the file; count may be 0
+ *           medium    receives it, written CATALOG:NAME, or NAME where none of them has it
+ * Result    false with ERROR_NONE where no catalogue has it: the reader may know an index
+ * Errors    ERROR_DATA with the place: several catalogues have the name with different data
+ * Note      where none of the file's catalogues has the glass, but exactly one glass of that name
+ *           is known, it is that one: a name is never changed
+ */
+bool foreign_glass(struct foreign_job *job, const struct lens_words *words, struct text name,
+                   const struct text *catalogs, size_t count, struct medium *medium,
+                   struct error *error);
+
+/*
+ * Read a lens in whichever format it is, a .lens file included.
+ *
+ * Given     job      source, arena, glasses, lossy
+ *           content  bytes as they lie in the file
+ * Errors    as lens_read, encoding_to_utf8 and the format's reader
+ */
+bool foreign_read(struct foreign_job *job, struct text content, struct lens *lens,
+                  struct error *error);
+
+#endif

@@ -1,0 +1,216 @@
+/* file/lens_build.c - put a lens together while another program's file is read. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_build.h"
+
+#include <math.h>
+#include <string.h>
+
+static const struct number_scale plain = {1, 0};
+
+/* Room for one more. */
+static void *grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size)
+{
+    if (count < *room) {
+        return array;
+    }
+    size_t more = *room > 0 ? 2 * *room : 16;
+    void *larger = arena_array(arena, more, size);
+    if (count > 0) {
+        memcpy(larger, array, count * size);
+    }
+    *room = more;
+    return larger;
+}
+
+static const struct figure no_figure = {.variable = LENS_NONE};
+
+static struct figure zero_figure(void)
+{
+    struct figure zero = no_figure;
+    zero.typed = text_of("0");
+    return zero;
+}
+
+void lens_build_begin(struct lens_build *build, struct lens *lens, struct arena *arena)
+{
+    *build = (struct lens_build){.lens = lens, .arena = arena};
+    *lens = (struct lens){.unit = "mm",
+                          .object_is_infinite = true,
+                          .object = {{INFINITY, 0}, {NULL, 0}, LENS_NONE},
+                          .object_medium = medium_air,
+                          .aperture = no_figure,
+                          .focus = FOCUS_PARAXIAL,
+                          .stop = LENS_NONE};
+    lens->object.typed = text_of("inf");
+}
+
+struct surface *lens_build_surface(struct lens_build *build)
+{
+    struct lens *lens = build->lens;
+    lens->surfaces = grow(build->arena, lens->surfaces, lens->surface_count, &build->surface_room,
+                          sizeof lens->surfaces[0]);
+    struct surface *surface = &lens->surfaces[lens->surface_count++];
+    *surface = (struct surface){.kind = SURFACE_REFRACT,
+                                .is_plane = true,
+                                .has_thickness = true,
+                                .radius = no_figure,
+                                .curvature = no_figure,
+                                .thickness = zero_figure(),
+                                .diameter = no_figure,
+                                .conic = no_figure,
+                                .medium = medium_air};
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        surface->coefficient[i] = no_figure;
+    }
+    return surface;
+}
+
+static bool is_same_medium(const struct medium *a, const struct medium *b)
+{
+    return a->kind == b->kind && a->written.length == b->written.length &&
+           memcmp(a->written.start, b->written.start, a->written.length) == 0;
+}
+
+void lens_build_stop(struct lens_build *build, size_t index)
+{
+    struct lens *lens = build->lens;
+    struct surface *surface = &lens->surfaces[index];
+    const struct medium *before =
+        index > 0 ? &lens->surfaces[index - 1].medium : &lens->object_medium;
+    bool bare = surface->kind == SURFACE_REFRACT && surface->is_plane && !surface->has_curvature &&
+                surface->coefficients == 0 && surface->conic.value.hi == 0 &&
+                surface->curved == CURVED_BOTH && is_same_medium(before, &surface->medium);
+    surface->kind = bare ? SURFACE_STOP : surface->kind;
+    surface->is_stop = true;
+    lens->stop = index;
+}
+
+void lens_build_note(struct lens_build *build, struct text note)
+{
+    struct lens *lens = build->lens;
+    lens->notes =
+        grow(build->arena, lens->notes, lens->note_count, &build->note_room, sizeof lens->notes[0]);
+    lens->notes[lens->note_count++] = arena_string(build->arena, note.start, note.length);
+}
+
+struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double micrometres,
+                                              double weight)
+{
+    struct lens *lens = build->lens;
+    lens->wavelengths = grow(build->arena, lens->wavelengths, lens->wavelength_count,
+                             &build->wavelength_room, sizeof lens->wavelengths[0]);
+    struct lens_wavelength *one = &lens->wavelengths[lens->wavelength_count++];
+    *one = (struct lens_wavelength){.wavelength = micrometres, .weight = weight};
+    char number[NUMBER_LENGTH];
+    char *end = number_write_shortest(number, micrometres);
+    one->typed = text_of(arena_printf(build->arena, "%.*sum", (int)(end - number), number));
+    if (weight != 1) {
+        end = number_write_shortest(number, weight);
+        one->weight_typed = text_of(arena_string(build->arena, number, (size_t)(end - number)));
+    }
+    return one;
+}
+
+struct figure *lens_build_field(struct lens_build *build)
+{
+    struct lens *lens = build->lens;
+    lens->fields = grow(build->arena, lens->fields, lens->field_count, &build->field_room,
+                        sizeof lens->fields[0]);
+    lens->fields[lens->field_count] = no_figure;
+    return &lens->fields[lens->field_count++];
+}
+
+size_t lens_build_variable(struct lens_build *build, const char *name, const struct figure *values)
+{
+    struct lens *lens = build->lens;
+    lens->variables = grow(build->arena, lens->variables, lens->variable_count,
+                           &build->variable_room, sizeof lens->variables[0]);
+    lens->variables[lens->variable_count] =
+        (struct lens_variable){text_of(arena_string(build->arena, name, strlen(name))), values};
+    return lens->variable_count++;
+}
+
+static struct figure figure_typed(const char *start, const char *end, struct number_scale unit,
+                                  struct arena *arena)
+{
+    struct figure figure = no_figure;
+    figure.typed = text_of(arena_string(arena, start, (size_t)(end - start)));
+    pair_read(figure.typed.start, figure.typed.start + figure.typed.length, unit, &figure.value);
+    return figure;
+}
+
+struct figure figure_computed(struct pair value, struct number_scale unit, struct arena *arena)
+{
+    char text[PAIR_LENGTH];
+    return figure_typed(text, pair_write_shortest(text, value, unit), unit, arena);
+}
+
+struct figure figure_of(double value, struct arena *arena)
+{
+    char text[NUMBER_LENGTH];
+    return figure_typed(text, number_write_shortest(text, value), plain, arena);
+}
+
+struct number_scale lens_unit_scale(const char *unit)
+{
+    static const struct {
+        const char *name;
+        struct number_scale scale;
+    } units[] = {{"cm", {1, 1}}, {"m", {1, 3}}, {"in", {254, -1}}};
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (strcmp(units[i].name, unit) == 0) {
+            return units[i].scale;
+        }
+    }
+    return plain;
+}
+
+/* Significant digits of a typed number. */
+static int count_digits(struct text typed)
+{
+    int count = 0;
+    for (size_t i = 0; i < typed.length && (typed.start[i] | 32) != 'e'; i++) {
+        bool digit = typed.start[i] >= '0' && typed.start[i] <= '9';
+        count += digit && (count > 0 || typed.start[i] != '0');
+    }
+    return count;
+}
+
+/* Is the curvature what a program that works with doubles makes of this radius? */
+static bool is_reciprocal(struct text curvature, struct text radius)
+{
+    double c = 0, r = 0;
+    number_read(curvature.start, curvature.start + curvature.length, plain, &c);
+    number_read(radius.start, radius.start + radius.length, plain, &r);
+    return c == 1 / r;
+}
+
+/* The same to all digits that a pair has. */
+static bool is_exact_reciprocal(struct pair curvature, struct pair radius)
+{
+    struct pair rest = pair_subtract(pair_multiply(curvature, radius), pair_of(1));
+    return fabs(rest.hi) <= 1e-28;
+}
+
+bool figure_radius_of(const struct figure *curvature, const char *unit, struct arena *arena,
+                      struct figure *radius)
+{
+    enum { FEW = 12, MANY = 20, LONG = 25 };
+    int digits = count_digits(curvature->typed);
+    if (curvature->value.hi == 0 || digits < 15) {
+        return false;
+    }
+    const struct number_scale scale = lens_unit_scale(unit);
+    const struct pair exact = pair_divide(pair_of(1), curvature->value);
+    for (int count = 1; count <= (digits < LONG ? FEW : MANY); count++) {
+        char text[PAIR_LENGTH];
+        struct figure figure =
+            figure_typed(text, pair_write_digits(text, exact, scale, count), scale, arena);
+        if (digits < LONG ? is_reciprocal(curvature->typed, figure.typed)
+                          : is_exact_reciprocal(curvature->value, figure.value)) {
+            *radius = figure_computed(figure.value, scale, arena);
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,71 @@
+/* file/lens_build.h - put a lens together while another program's file is read. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_LENS_BUILD_H
+#define LENSCALC_FILE_LENS_BUILD_H
+
+#include "base/arena.h"
+#include "optics/lens.h"
+
+/* A lens that grows; arrays live in the arena. */
+struct lens_build {
+    struct lens *lens;
+    struct arena *arena;
+    size_t surface_room, variable_room, note_room, wavelength_room, field_room;
+};
+
+/* Begin with nothing: mm, object at infinity in air, paraxial focus. */
+void lens_build_begin(struct lens_build *build, struct lens *lens, struct arena *arena);
+
+/*
+ * One surface more: a refracting plane with thickness 0, air behind it and no diameter.
+ *
+ * Result    the surface; valid until the next one is added
+ */
+struct surface *lens_build_surface(struct lens_build *build);
+
+/* A surface that is the stop: a plane of its own if it neither bends nor turns light. */
+void lens_build_stop(struct lens_build *build, size_t surface);
+
+/* One more of each; the note is copied. */
+void lens_build_note(struct lens_build *build, struct text note);
+struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double micrometres,
+                                              double weight);
+struct figure *lens_build_field(struct lens_build *build);
+
+/*
+ * A number that stands for a cell in every position.
+ *
+ * Given     name    copied; values  one a position, in the arena
+ * Result    its index, for figure.variable
+ */
+size_t lens_build_variable(struct lens_build *build, const char *name, const struct figure *values);
+
+/*
+ * A figure of a computed number, with digits that read back to the same pair.
+ *
+ * Given     value  in the program's own unit (mm, rad, 1/mm)
+ *           unit   of the file, in the same: the digits are those of value/unit. What they say is
+ *                  what the figure's value becomes, so that writing and reading change nothing
+ */
+struct figure figure_computed(struct pair value, struct number_scale unit, struct arena *arena);
+
+/* The same of a double: the shortest digits that read back to it. */
+struct figure figure_of(double value, struct arena *arena);
+
+/* A number of a lens's unit in its unit ("mm", "cm", "m", "in"). */
+struct number_scale lens_unit_scale(const char *unit);
+
+/*
+ * The radius whose reciprocal a curvature is.
+ *
+ * Given     curvature  typed digits and value, 1/mm, of a program that stores 1/R as a double
+ *           unit       of the lens
+ *           radius     receives it with its digits
+ * Result    true where an R of at most 12 digits has this double as its reciprocal, computed in
+ *           doubles (of a curvature with 25 digits or more: an R of at most 20 digits whose
+ *           reciprocal it is to 28 digits): then R was meant, and the curvature was rounded
+ */
+bool figure_radius_of(const struct figure *curvature, const char *unit, struct arena *arena,
+                      struct figure *radius);
+
+#endif

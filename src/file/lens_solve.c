@@ -1,0 +1,79 @@
+/* file/lens_solve.c - thicknesses and curvatures that follow from rays. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_solve.h"
+
+#include "optics/first_order.h"
+
+#include <math.h>
+
+/* Height and n u before the first vertex. */
+static bool start_of(const struct lens *lens, enum solve_ray ray, struct arena *arena,
+                     double *height, double *slope, struct error *error)
+{
+    struct first_order first;
+    struct aperture_setting aperture = lens_aperture(lens);
+    struct conjugate_object object = lens_object(lens);
+    double field = lens->field_count > 0 ? lens->fields[lens->field_count - 1].value.hi : NAN;
+    for (size_t i = 0; i + 1 < lens->field_count; i++) {
+        double other = lens->fields[i].value.hi;
+        field = fabs(other) > fabs(field) ? other : field;
+    }
+    if (!first_order_of_lens(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &first,
+                             error)) {
+        return false;
+    }
+    bool none = aperture.kind == APERTURE_NONE;
+    if (!none &&
+        !first_order_aperture(&first, &object, &aperture,
+                              isnan(field) ? FIELD_NONE : lens->field_kind, field, error)) {
+        if (ray == SOLVE_CHIEF) {
+            return false;
+        }
+        none = true;
+    }
+    *height = ray == SOLVE_MARGINAL ? first.marginal_y : first.chief_y;
+    *slope = ray == SOLVE_MARGINAL ? first.marginal_v : first.chief_v;
+    if (ray == SOLVE_MARGINAL && (none || !isfinite(*height) || !isfinite(*slope))) {
+        *height = object.is_infinite ? 1 : object.distance.hi;
+        *slope = object.is_infinite ? 0 : first.index_object;
+    }
+    return (isfinite(*height) && isfinite(*slope)) ||
+           fail(error, ERROR_DOMAIN, "a solve of a chief ray wants a stop and a field");
+}
+
+bool solve_follow(const struct lens *lens, size_t surface, enum solve_ray ray, struct arena *arena,
+                  struct solve_state *state, struct error *error)
+{
+    struct paraxial_system system;
+    double height, slope;
+    if (!start_of(lens, ray, arena, &height, &slope, error) ||
+        !paraxial_compile(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &system, error)) {
+        return false;
+    }
+    struct pair y = pair_of(height), v = pair_of(slope);
+    for (size_t i = 0; i <= surface; i++) {
+        if (i > 0) {
+            y = pair_add(y, pair_multiply(system.surfaces[i - 1].reduced, v));
+        }
+        state->before = v;
+        v = pair_subtract(v, pair_multiply(y, system.surfaces[i].power));
+    }
+    state->y = y;
+    state->after = v;
+    state->index_before = system.index[surface];
+    state->index_after = system.index[surface + 1];
+    return true;
+}
+
+struct pair solve_thickness(const struct solve_state *state, struct pair height)
+{
+    struct pair rise = pair_multiply(pair_subtract(height, state->y), state->index_after);
+    return pair_divide(rise, state->after);
+}
+
+struct pair solve_curvature(const struct solve_state *state, struct pair angle)
+{
+    struct pair wanted = pair_multiply(angle, state->index_after);
+    struct pair step = pair_subtract(state->index_after, state->index_before);
+    return pair_divide(pair_subtract(state->before, wanted), pair_multiply(state->y, step));
+}
