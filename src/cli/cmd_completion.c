@@ -245,9 +245,6 @@ const struct command command_completion = {
     .name = "completion",
     .group = "tool",
     .summary = "completion script for bash, zsh or fish",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
+    COMMAND_ASKS(struct input),
     .print = print,
 };

@@ -68,12 +68,6 @@ struct row {
 #define ANGLE(member_name)                                                                         \
     COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "arcsec"
 
-#define COLUMN_FNUMBER                                                                             \
-    {                                                                                              \
-        COLUMN(struct row, setting.N), .name = "fnumber", .flags = COLUMN_ECHO,                    \
-                                       .with = "aperture", .symbol = "N", .label = "f-number",     \
-                                       .help = "f-number as marked"                                \
-    }
 #define COLUMN_CUTOFF(more)                                                                        \
     {                                                                                              \
         FREQUENCY(airy.cutoff), .name = "cutoff", .flags = (more), .symbol = "nu0",                \
@@ -88,13 +82,7 @@ struct row {
     }
 /* What contrast and Airy disc have in common. */
 #define COLUMNS_ASSUMED                                                                            \
-    {LENGTH(wavelength, "nm"),                                                                     \
-     .name = "wavelength",                                                                         \
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                                         \
-     .symbol = "w",                                                                                \
-     .depends = "wavelength",                                                                      \
-     .label = "wavelength",                                                                        \
-     .help = "wavelength of the light"},                                                           \
+    COLUMN_WAVELENGTH(struct row, wavelength),                                                     \
         {COLUMN(struct row, setting.m),                                                            \
          .name = "magnification",                                                                  \
          .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                                     \
@@ -102,15 +90,7 @@ struct row {
          .depends = "magnification",                                                               \
          .label = "magnification",                                                                 \
          .help = "size on the sensor over size of the subject"},                                   \
-        {COLUMN(struct row, setting.P),                                                            \
-         .name = "pupil_magnification",                                                            \
-         .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                                     \
-         .symbol = "P",                                                                            \
-         .depends = "pupil",                                                                       \
-         .label = "pupil magnification",                                                           \
-         .help = "diameter of the exit over the entrance pupil"},                                  \
-        {COLUMN(struct row, sensor), .name = "sensor",  .flags = COLUMN_ASSUMED | COLUMN_EXTRA,    \
-         .depends = "sensor",        .label = "sensor", .help = "format or camera"},               \
+        COLUMN_PUPIL(struct row, setting.P), COLUMN_SENSOR(struct row, sensor),                    \
     {                                                                                              \
         LENGTH(pitch, "um"), .name = "pitch", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,              \
                              .symbol = "p", .depends = "pitch sensor", .label = "pixel pitch",     \
@@ -134,7 +114,7 @@ struct row {
     }
 
 static const struct column columns[] = {
-    COLUMN_FNUMBER,
+    COLUMN_FNUMBER(struct row, setting.N, 0),
     {COLUMN(struct row, airy.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
      .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
     {LENGTH(airy.airy_diameter, "um"), .name = "airy_diameter", .flags = COLUMN_BRIEF,
@@ -168,12 +148,8 @@ static const struct column columns[] = {
      .symbol = "M", .label = "contrast, lens", .help = "perfect lens in focus"},
     {COLUMN(struct row, mtf.total), .name = "mtf_total", .flags = COLUMN_EXTRA, .with = "frequency",
      .label = "contrast, all", .help = "lens, defocus and pixels"},
-    {LENGTH(coc, "mm"), .name = "coc", .flags = COLUMN_ASSUMED, .symbol = "c",
-     .depends = "coc sensor pitch print viewing acuity wavelength", .label = "circle of confusion",
-     .help = "circle of confusion, diameter on the sensor"},
-    {COLUMN(struct row, criterion), .name = "coc_criterion", .symbol = "criterion",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "coc", .label = "criterion",
-     .help = "where the circle of confusion comes from"},
+    COLUMN_COC(struct row, coc, 0, ""),
+    COLUMN_CRITERION(struct row, criterion),
     {COLUMN(struct row, pixels), .name = "pixels", .symbol = "k",
      .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "pixels", .label = "pixels across the Airy disc",
      .help = "width of the Airy disc that fnumber_pixel allows"},
@@ -186,7 +162,7 @@ static const struct column columns[] = {
 
 /* With --frequency: contrast alone, a row a frequency. */
 static const struct column contrast_columns[] = {
-    COLUMN_FNUMBER,
+    COLUMN_FNUMBER(struct row, setting.N, 0),
     {FREQUENCY(frequency), .name = "frequency", .flags = COLUMN_ECHO | COLUMN_BRIEF,
      .with = "frequency", .symbol = "nu", .label = "spatial frequency",
      .help = "frequency on the sensor"},
@@ -210,8 +186,7 @@ static const struct column contrast_columns[] = {
 
 /* Without --aperture, with --near or --focus-spread: the best f-number. */
 static const struct column best_columns[] = {
-    {LENGTH(focal, "mm"), .name = "focal", .flags = COLUMN_ECHO | COLUMN_EXTRA,
-     .with = "focal-length", .symbol = "f", .label = "focal length", .help = "focal length"},
+    COLUMN_FOCAL(struct row, focal, COLUMN_EXTRA),
     {LENGTH(near, "m"), .name = "near", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "near",
      .symbol = "n", .label = "near point", .help = "nearest point that shall be sharp"},
     {LENGTH(far, "m"), .name = "far", .flags = COLUMN_ECHO | COLUMN_EXTRA | COLUMN_INFINITE,
@@ -220,11 +195,9 @@ static const struct column best_columns[] = {
     COLUMNS_ASSUMED,
 };
 
-static const struct sheet best = {best_columns, sizeof best_columns / sizeof best_columns[0],
-                                  sizeof(struct row)};
-static const struct sheet contrast = {
-    contrast_columns, sizeof contrast_columns / sizeof contrast_columns[0], sizeof(struct row)};
-static const struct sheet all = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)};
+static const struct sheet best = SHEET(best_columns, struct row);
+static const struct sheet contrast = SHEET(contrast_columns, struct row);
+static const struct sheet all = SHEET(columns, struct row);
 
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
@@ -386,14 +359,9 @@ const struct command command_diffraction = {
     .name = "diffraction",
     .group = "photography",
     .summary = "Airy disc, contrast (MTF), and the f-number where diffraction takes over",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
-    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
-    .run = run,
-    .explanations = explanations,
     .plot = "mtf_total|airy_diameter_um|fnumber",
     .cell = "airy_diameter_um",
 };

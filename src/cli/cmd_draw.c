@@ -194,9 +194,6 @@ const struct command command_draw = {
     .name = "draw",
     .group = "a lens",
     .summary = "cross-section of a lens as an SVG drawing",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
+    COMMAND_ASKS(struct input),
     .print = print,
 };

@@ -1,6 +1,7 @@
 /* cli/cmd_focus.c - lenscalc focus: conjugate points, close-up attachments, exposure factor. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
+#include "cli/photo_columns.h"
 #include "cli/photo_options.h"
 #include "photo/attach.h"
 #include "photo/conjugate.h"
@@ -100,10 +101,8 @@ static const struct column columns[] = {
      .label = "lens itself focused", .help = "at infinity, or as given"},
     {LENGTH(c.f, "mm"), .name = "combined_focal", .symbol = "f", .label = "focal length together",
      .help = "focal length of lens and attachments"},
-    {LENGTH(focal, "mm"), .name = "focal", .flags = COLUMN_ECHO, .with = "focal-length",
-     .symbol = "f", .label = "focal length", .help = "focal length"},
-    {COLUMN(struct row, fnumber), .name = "fnumber", .flags = COLUMN_ECHO, .with = "aperture",
-     .symbol = "N", .label = "f-number", .help = "f-number as marked"},
+    COLUMN_FOCAL(struct row, focal, 0),
+    COLUMN_FNUMBER(struct row, fnumber, 0),
     {COLUMN(struct row, close_up), .name = "close_up", .dimension = &dimension_vergence,
      .unit = "diopter", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "close-up",
      .label = "close-up lens", .help = "close-up lens before the lens"},
@@ -121,8 +120,7 @@ static const struct column columns[] = {
      .help = "distance of the subject"},
     {LENGTH(c.v, "mm"), .name = "image", .flags = COLUMN_BRIEF, .symbol = "v",
      .label = "image distance", .help = "sensor from the rear principal plane"},
-    {COLUMN(struct row, c.m), .name = "magnification", .flags = COLUMN_BRIEF, .symbol = "m",
-     .label = "magnification", .help = "size on the sensor over size of the subject"},
+    COLUMN_MAGNIFICATION(struct row, c.m, COLUMN_BRIEF),
     {LENGTH(c.T, "m"), .name = "sensor_distance", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "T", .label = "subject to sensor", .help = "distance from subject to sensor"},
     {LENGTH(c.extension, "mm"), .name = "extension", .symbol = "x", .label = "extension",
@@ -141,12 +139,8 @@ static const struct column columns[] = {
     {LENGTH(pupil_distance, "m"), .name = "pupil_distance",
      .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .symbol = "X", .label = "subject to entrance pupil",
      .help = "distance of the subject from the centre of perspective"},
-    {COLUMN(struct row, pupil), .name = "pupil_magnification", .symbol = "P",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil",
-     .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
-    {COLUMN(struct row, from), .name = "distance_from",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_HIDDEN, .with = "from", .depends = "from",
-     .label = "distances from", .help = "where --distance is measured from"},
+    COLUMN_PUPIL(struct row, pupil),
+    COLUMN_FROM(struct row, from),
     {LENGTH(c.s, "m"), .name = "principal_distance", .flags = COLUMN_EXTRA | COLUMN_INFINITE,
      .symbol = "s", .label = "distance from the principal plane",
      .help = "distance of the subject from the front principal plane"},
@@ -155,8 +149,7 @@ static const struct column columns[] = {
 static const struct sheet plain = {columns + ATTACHED_COLUMNS,
                                    sizeof columns / sizeof columns[0] - ATTACHED_COLUMNS,
                                    sizeof(struct row)};
-static const struct sheet attached = {columns, sizeof columns / sizeof columns[0],
-                                      sizeof(struct row)};
+static const struct sheet attached = SHEET(columns, struct row);
 
 static bool has_attachments(const void *data)
 {
@@ -368,10 +361,7 @@ const struct command command_focus = {
     .name = "focus",
     .group = "photography",
     .summary = "conjugate distances, magnification, close-up attachments, exposure factor",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
+    COMMAND_ASKS(struct input),
     .sheet = {columns + ATTACHED_COLUMNS, sizeof columns / sizeof columns[0] - ATTACHED_COLUMNS,
               sizeof(struct row)},
     .choose_sheet = choose_sheet,

@@ -1,6 +1,7 @@
 /* cli/cmd_fov.c - lenscalc fov: field of view. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
+#include "cli/photo_columns.h"
 #include "cli/photo_options.h"
 #include "photo/fov.h"
 
@@ -63,8 +64,7 @@ struct row {
     COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg"
 
 static const struct column columns[] = {
-    {LENGTH(setting.f, "mm"), .name = "focal", .flags = COLUMN_ECHO | COLUMN_BRIEF,
-     .with = "focal-length", .symbol = "f", .label = "focal length", .help = "focal length"},
+    COLUMN_FOCAL(struct row, setting.f, COLUMN_BRIEF),
     {LENGTH(setting.s, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
      .with = "distance", .symbol = "s", .label = "focused at",
      .help = "distance the lens is focused at, from the front principal plane"},
@@ -81,8 +81,7 @@ static const struct column columns[] = {
      .with = "distance", .label = "field height", .help = "height seen in the plane of focus"},
     {LENGTH(fov.diagonal_at_s, "m"), .name = "field_diagonal", .flags = COLUMN_INFINITE,
      .with = "distance", .label = "field diagonal", .help = "diagonal seen in the plane of focus"},
-    {COLUMN(struct row, magnification), .name = "magnification", .symbol = "m",
-     .label = "magnification", .help = "size on the sensor over size of the subject"},
+    COLUMN_MAGNIFICATION(struct row, magnification, 0),
     {COLUMN(struct row, fov.kind), .name = "class", .flags = COLUMN_BRIEF, .label = "kind of lens",
      .help = "narrow, medium, normal, wide or ultra-wide, by the diagonal angle"},
     {LENGTH(width, "mm"), .name = "sensor_width", .flags = COLUMN_HIDDEN, .symbol = "w",
@@ -91,13 +90,10 @@ static const struct column columns[] = {
      .label = "sensor height", .help = "height of the sensor"},
     {COLUMN(struct row, crop), .name = "crop_factor", .label = "crop factor",
      .help = "43.27 mm over the sensor's diagonal"},
-    {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
-     .depends = "sensor", .label = "sensor", .help = "format or camera"},
+    COLUMN_SENSOR(struct row, sensor),
     {COLUMN(struct row, projection), .name = "projection", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "projection", .label = "projection", .help = "how the lens maps angles"},
-    {COLUMN(struct row, setting.P), .name = "pupil_magnification", .symbol = "P",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil",
-     .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
+    COLUMN_PUPIL(struct row, setting.P),
     {COLUMN(struct row, setting.squeeze), .name = "squeeze", .symbol = "q",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "squeeze", .label = "squeeze",
      .help = "anamorphic squeeze"},
@@ -158,13 +154,8 @@ const struct command command_fov = {
     .name = "fov",
     .group = "photography",
     .summary = "field of view, and the focal length for a wanted one",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
-    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
-    .run = run,
-    .explanations = explanations,
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
     .plot = "horizontal_deg,vertical_deg,diagonal_deg",
     .cell = "horizontal_deg",
 };

@@ -62,9 +62,6 @@ const struct command command_help = {
     .name = "help",
     .group = "tool",
     .summary = "explain a command or a topic",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
+    COMMAND_ASKS(struct input),
     .print = print,
 };

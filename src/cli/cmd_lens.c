@@ -24,11 +24,8 @@ struct row {
 #define NUMBER(member_name, more) COLUMN(struct row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN(struct row, wavelength), .dimension = &dimension_length, .unit = "nm",
-     .name = "wavelength", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "wavelength",
-     .help = "wavelength; the primary one first"},
-    {NUMBER(position, COLUMN_BRIEF), .name = "position", .label = "position",
-     .help = "zoom or focus position; absent where there is only one"},
+    LENS_WAVELENGTH_COLUMN(struct row, wavelength),
+    LENS_POSITION_COLUMN(struct row, position, COLUMN_BRIEF),
     {COLUMN(struct row, first.power), .dimension = &dimension_vergence, .unit = "per_m",
      .name = "power", .symbol = "P", .label = "power",
      .help = "power, from before the first to "
@@ -81,8 +78,7 @@ static const struct column columns[] = {
      .label = "Petzval radius", .help = "radius of the Petzval surface at the image"},
     {PLACE(track, COLUMN_INFINITE), .name = "track", .label = "track",
      .help = "first vertex to the image plane"},
-    {NUMBER(lens, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "lens", .depends = "lens",
-     .label = "lens", .help = "title of the lens"},
+    LENS_TITLE_COLUMN(struct row, lens),
     {NUMBER(warning, 0), .name = "warning", .label = "warning",
      .help = "what is doubtful about the lens; absent if nothing is"},
 };
@@ -139,14 +135,9 @@ const struct command command_lens = {
     .name = "lens",
     .group = "a lens",
     .summary = "first-order data: focal length, cardinal points, pupils",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
-    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
-    .run = run,
-    .explanations = explanations,
     .plot = "bfl_mm",
     .cell = "efl_mm",
 };

@@ -111,10 +111,7 @@ const struct command command_list = {
     .group = "data",
     .summary = "lenses, formats, cameras, films, scenes, filters, glasses, stops, units, commands, "
                "options",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct list_input),
+    COMMAND_ASKS(struct list_input),
     .choose_sheet = choose_sheet,
     .makes_many = makes_many,
     .run = run,

@@ -25,11 +25,8 @@ struct row {
 #define PLAIN(member_name) COLUMN(struct row, member_name), .flags = COLUMN_BRIEF
 
 static const struct column columns[] = {
-    {COLUMN(struct row, wavelength), .dimension = &dimension_length, .unit = "nm",
-     .name = "wavelength", .flags = COLUMN_ECHO | COLUMN_BRIEF, .label = "wavelength",
-     .help = "wavelength; the primary one first"},
-    {COLUMN(struct row, position), .name = "position", .label = "position",
-     .help = "zoom or focus position; absent where there is only one"},
+    LENS_WAVELENGTH_COLUMN(struct row, wavelength),
+    LENS_POSITION_COLUMN(struct row, position, 0),
     {PLAIN(factor), .name = "factor", .label = "factor",
      .help = "R1 refraction at surface 1, T1 transfer from it to the next; system, their product"},
     {PLAIN(a), .name = "a", .label = "a", .help = "[y'; v'] = [[a, b], [c, d]] [y; v], v = n u"},
@@ -39,8 +36,7 @@ static const struct column columns[] = {
      .flags = COLUMN_BRIEF, .label = "c", .help = "of a refraction -P; of the system -power"},
     {PLAIN(d), .name = "d", .label = "d", .help = "the fourth"},
     {PLAIN(determinant), .name = "determinant", .label = "determinant", .help = "a d - b c: 1"},
-    {COLUMN(struct row, lens), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "lens",
-     .depends = "lens", .label = "lens", .help = "title of the lens"},
+    LENS_TITLE_COLUMN(struct row, lens),
 };
 
 struct perspective_row {
@@ -53,11 +49,8 @@ struct perspective_row {
     COLUMN(struct perspective_row, member_name), .name = #member_name, .flags = COLUMN_BRIEF
 
 static const struct column perspective_columns[] = {
-    {COLUMN(struct perspective_row, wavelength), .dimension = &dimension_length, .unit = "nm",
-     .name = "wavelength", .flags = COLUMN_ECHO | COLUMN_BRIEF, .label = "wavelength",
-     .help = "wavelength; the primary one first"},
-    {COLUMN(struct perspective_row, position), .name = "position", .label = "position",
-     .help = "zoom or focus position; absent where there is only one"},
+    LENS_WAVELENGTH_COLUMN(struct perspective_row, wavelength),
+    LENS_POSITION_COLUMN(struct perspective_row, position, 0),
     {COLUMN(struct perspective_row, row), .name = "row", .flags = COLUMN_BRIEF, .label = "row",
      .help = "row of the matrix"},
     {CELL(x), .label = "x", .help = "times x of the object point"},
@@ -66,15 +59,11 @@ static const struct column perspective_columns[] = {
      .help = "times z in mm from the front principal point, negative "
              "in front of it"},
     {CELL(w), .label = "w", .help = "times 1"},
-    {COLUMN(struct perspective_row, lens), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "lens",
-     .depends = "lens", .label = "lens", .help = "title of the lens"},
+    LENS_TITLE_COLUMN(struct perspective_row, lens),
 };
 
-static const struct sheet matrix_sheet = {columns, sizeof columns / sizeof columns[0],
-                                          sizeof(struct row)};
-static const struct sheet perspective_sheet = {
-    perspective_columns, sizeof perspective_columns / sizeof perspective_columns[0],
-    sizeof(struct perspective_row)};
+static const struct sheet matrix_sheet = SHEET(columns, struct row);
+static const struct sheet perspective_sheet = SHEET(perspective_columns, struct perspective_row);
 
 static double determinant(const struct paraxial_matrix *m)
 {
@@ -182,13 +171,8 @@ const struct command command_matrix = {
     .name = "matrix",
     .group = "a lens",
     .summary = "refraction and transfer matrices, and the 4x4 of the thick lens",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
-    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
     .makes_many = makes_many,
-    .run = run,
-    .explanations = explanations,
 };

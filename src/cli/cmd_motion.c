@@ -72,12 +72,10 @@ struct row {
 #define BRIEF_WITH(option)      .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = option
 
 static const struct column columns[] = {
-    {LENGTH(focal, "mm"), .name = "focal", ECHO_WITH("focal-length"), .symbol = "f",
-     .label = "focal length", .help = "focal length"},
+    COLUMN_FOCAL(struct row, focal, 0),
     {LENGTH(distance, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
      .with = "distance", .symbol = "s", .label = "distance", .help = "distance of the subject"},
-    {NUMBER(motion.m), .name = "magnification", .symbol = "m", .label = "magnification",
-     .help = "size on the sensor over size of the subject"},
+    COLUMN_MAGNIFICATION(struct row, motion.m, 0),
     {NUMBER(motion.v), .dimension = &dimension_speed, .unit = "m_s", .name = "speed",
      .flags = COLUMN_BRIEF, .symbol = "v", .label = "speed", .help = "of the subject"},
     {ANGLE(motion.angle), .name = "angle", ECHO_WITH("angle"), .symbol = "a", .label = "angle",
@@ -111,13 +109,9 @@ static const struct column columns[] = {
      .symbol = "x", .label = "rolling shutter shifts", .help = "from first to last row"},
     {ANGLE(skew.angle), .name = "skew", BRIEF_WITH("readout"), .symbol = "lean",
      .label = "upright edges lean", .help = "by the rolling shutter"},
-    {NUMBER(sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "sensor",
-     .label = "sensor", .help = "format or camera"},
-    {LENGTH(c, "mm"), .name = "coc", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .symbol = "c",
-     .depends = "coc sensor pitch print viewing acuity wavelength", .label = "circle of confusion",
-     .help = "circle of confusion, diameter on the sensor"},
-    {NUMBER(criterion), .name = "coc_criterion", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
-     .depends = "coc", .label = "criterion", .help = "where the circle of confusion comes from"},
+    COLUMN_SENSOR(struct row, sensor),
+    COLUMN_COC(struct row, c, COLUMN_EXTRA, ""),
+    COLUMN_CRITERION(struct row, criterion),
 };
 
 /* The blur that is given, or the circle of confusion where it limits an unknown. */
@@ -264,13 +258,8 @@ const struct command command_motion = {
     .name = "motion",
     .group = "photography",
     .summary = "blur of moving subjects, panning, shake, rolling shutter",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
-    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
-    .run = run,
-    .explanations = explanations,
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
     .plot = "time_s|blur_um|speed_m_s",
     .cell = "time_s",
 };

@@ -1,6 +1,7 @@
 /* cli/cmd_panorama.c - lenscalc panorama: frames, steps, size and parallax. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
+#include "cli/photo_columns.h"
 #include "cli/photo_options.h"
 #include "photo/conjugate.h"
 #include "photo/panorama.h"
@@ -87,8 +88,7 @@ struct row {
     COLUMN(struct row, member_name), .dimension = &dimension_ratio, .unit = "percent"
 
 #define COLUMNS_ASSUMED                                                                            \
-    {COLUMN(struct row, sensor), .name = "sensor",  .flags = COLUMN_ASSUMED | COLUMN_EXTRA,        \
-     .depends = "sensor",        .label = "sensor", .help = "format or camera"},                   \
+    COLUMN_SENSOR(struct row, sensor),                                                             \
         {COLUMN(struct row, held), .name = "held", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,         \
          .label = "held", .help = "landscape or portrait"},                                        \
         {ANGLE(arc),                                                                               \
@@ -105,8 +105,7 @@ struct row {
     }
 
 static const struct column columns[] = {
-    {LENGTH(focal, "mm"), .name = "focal", .flags = COLUMN_ECHO, .with = "focal-length",
-     .symbol = "f", .label = "focal length", .help = "focal length"},
+    COLUMN_FOCAL(struct row, focal, 0),
     {LENGTH(distance, "m"), .name = "distance",
      .flags = COLUMN_ECHO | COLUMN_EXTRA | COLUMN_INFINITE, .with = "distance", .symbol = "s",
      .label = "focused at", .help = "distance the lens is focused at"},
@@ -155,9 +154,7 @@ static const struct column columns[] = {
      .label = "pupil before the sensor",
      .help = "thin-lens estimate of what to put between the axis and the sensor mark"},
     COLUMNS_ASSUMED,
-    {COLUMN(struct row, pupil), .name = "pupil_magnification", .symbol = "P",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "pupil",
-     .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
+    COLUMN_PUPIL(struct row, pupil),
 };
 
 /* With --each-row. */
@@ -170,8 +167,7 @@ static const struct column row_columns[] = {
      .label = "frames in this row", .help = "enough at this elevation"},
     {ANGLE(step), .name = "step", .flags = COLUMN_BRIEF, .label = "step",
      .help = "from frame to frame"},
-    {LENGTH(focal, "mm"), .name = "focal", .flags = COLUMN_ECHO, .with = "focal-length",
-     .label = "focal length", .help = "focal length"},
+    COLUMN_FOCAL(struct row, focal, 0),
     {ANGLE(frame.horizontal), .name = "horizontal", .label = "horizontal angle",
      .help = "of one frame as held"},
     {ANGLE(frame.vertical), .name = "vertical", .label = "vertical angle",
@@ -179,9 +175,8 @@ static const struct column row_columns[] = {
     COLUMNS_ASSUMED,
 };
 
-static const struct sheet whole = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)};
-static const struct sheet by_row = {row_columns, sizeof row_columns / sizeof row_columns[0],
-                                    sizeof(struct row)};
+static const struct sheet whole = SHEET(columns, struct row);
+static const struct sheet by_row = SHEET(row_columns, struct row);
 
 static bool makes_many(const void *data)
 {
@@ -383,15 +378,10 @@ const struct command command_panorama = {
     .name = "panorama",
     .group = "photography",
     .summary = "frames, steps and size of a panorama, and parallax",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
-    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
     .makes_many = makes_many,
-    .run = run,
-    .explanations = explanations,
     .plot = "shots|columns",
     .cell = "shots",
 };

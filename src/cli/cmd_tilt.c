@@ -78,10 +78,8 @@ struct row {
     COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg"
 
 static const struct column columns[] = {
-    {LENGTH(camera.f, "mm"), .name = "focal", .flags = COLUMN_ECHO, .with = "focal-length",
-     .symbol = "f", .label = "focal length", .help = "focal length"},
-    {COLUMN(struct row, camera.N), .name = "fnumber", .flags = COLUMN_ECHO, .with = "aperture",
-     .symbol = "N", .label = "f-number", .help = "f-number"},
+    COLUMN_FOCAL(struct row, camera.f, 0),
+    COLUMN_FNUMBER(struct row, camera.N, 0),
     {ANGLE(camera.tilt), .name = "tilt", .flags = COLUMN_BRIEF, .symbol = "a", .label = "tilt",
      .help = "of the lens against the sensor"},
     {LENGTH(camera.hinge, "m"), .name = "hinge", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
@@ -132,14 +130,9 @@ static const struct column columns[] = {
      .label = "most rise or fall", .help = "how far the untilted lens may be raised or lowered"},
     {LENGTH(shift_limit, "mm"), .name = "shift_limit", .flags = COLUMN_EXTRA, .with = "circle",
      .label = "most shift", .help = "how far the untilted lens may be moved sideways"},
-    {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
-     .depends = "sensor", .label = "sensor", .help = "format or camera"},
-    {LENGTH(camera.c, "mm"), .name = "coc", .flags = COLUMN_ASSUMED, .symbol = "c",
-     .depends = "coc sensor pitch print viewing acuity wavelength", .label = "circle of confusion",
-     .help = "circle of confusion, diameter on the sensor"},
-    {COLUMN(struct row, criterion), .name = "coc_criterion", .symbol = "criterion",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "coc", .label = "criterion",
-     .help = "where the circle of confusion comes from"},
+    COLUMN_SENSOR(struct row, sensor),
+    COLUMN_COC(struct row, camera.c, 0, ""),
+    COLUMN_CRITERION(struct row, criterion),
 };
 
 /* -------- two points that shall be sharp -------- */
@@ -326,13 +319,8 @@ const struct command command_tilt = {
     .name = "tilt",
     .group = "photography",
     .summary = "tilted lens: Scheimpflug, hinge rule, wedge of sharpness, image circle",
-    .examples = examples,
-    .options = options,
-    .option_count = sizeof options / sizeof options[0],
-    .input_size = sizeof(struct input),
-    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
-    .run = run,
-    .explanations = explanations,
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
     .drawings = drawings,
     .plot = "angle_deg,near_angle_deg,far_angle_deg",
     .cell = "near_m+far_m",

@@ -76,6 +76,14 @@ struct command {
     const char *cell; /* columns in the cells of --table */
 };
 
+/* What all command files have by the same names: `examples`, `options`, the struct they fill. */
+#define COMMAND_ASKS(S)                                                                            \
+    .examples = examples, .options = options, .option_count = sizeof options / sizeof options[0],  \
+    .input_size = sizeof(S)
+
+/* And that of a command whose rows are all alike: `columns` of a struct, `explanations`, `run`. */
+#define COMMAND_ANSWERS(S) .sheet = SHEET(columns, S), .explanations = explanations, .run = run
+
 /* All commands in the order of the manual; ends with null. */
 extern const struct command *const commands[];
 

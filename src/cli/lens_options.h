@@ -76,6 +76,26 @@ extern const struct word section_words[];
                                    .value = "SECTION", .help = "section of a lens with cylinders"  \
     }
 
+/* What the rows of lens commands say of their case. */
+#define LENS_WAVELENGTH_COLUMN(S, member)                                                          \
+    {                                                                                              \
+        COLUMN(S, member), .name = "wavelength", .dimension = &dimension_length, .unit = "nm",     \
+                           .flags = COLUMN_ECHO | COLUMN_BRIEF, .label = "wavelength",             \
+                           .help = "wavelength; the primary one first"                             \
+    }
+
+#define LENS_POSITION_COLUMN(S, member, more)                                                      \
+    {                                                                                              \
+        COLUMN(S, member), .name = "position", .flags = (more), .label = "position",               \
+                           .help = "zoom or focus position; absent where there is only one"        \
+    }
+
+#define LENS_TITLE_COLUMN(S, member)                                                               \
+    {                                                                                              \
+        COLUMN(S, member), .name = "lens", .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                 \
+                           .depends = "lens", .label = "lens", .help = "title of the lens"         \
+    }
+
 /* A wavelength in um in the program's own unit of length, so that it prints in nm as typed. */
 double lens_wavelength_own(double wavelength);
 

@@ -23,11 +23,6 @@ struct topic {
     bool (*list)(struct list *list, struct error *error);
 };
 
-#define LIST_SHEET(columns, type)                                                                  \
-    {                                                                                              \
-        columns, sizeof columns / sizeof columns[0], sizeof(type)                                  \
-    }
-
 /* A text that lives as long as a row; null where it is empty. */
 const char *list_string(const struct list *list, struct text text);
 

@@ -62,4 +62,4 @@ static bool list_glasses(struct list *list, struct error *error)
     return error->code == ERROR_NONE;
 }
 
-const struct topic topic_glasses = {LIST_SHEET(columns, struct glass_row), list_glasses};
+const struct topic topic_glasses = {SHEET(columns, struct glass_row), list_glasses};

@@ -120,4 +120,4 @@ static bool list_lenses(struct list *list, struct error *error)
     return list_place_of(list, LENSDB_USER, error) && list_place_of(list, LENSDB_EMBEDDED, error);
 }
 
-const struct topic topic_lenses = {LIST_SHEET(lens_columns, struct lens_row), list_lenses};
+const struct topic topic_lenses = {SHEET(lens_columns, struct lens_row), list_lenses};

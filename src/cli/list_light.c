@@ -205,6 +205,6 @@ static bool list_filters(struct list *list, struct error *error)
     return true;
 }
 
-const struct topic topic_films = {LIST_SHEET(film_columns, struct film_row), list_films};
-const struct topic topic_scenes = {LIST_SHEET(scene_columns, struct scene_row), list_scenes};
-const struct topic topic_filters = {LIST_SHEET(filter_columns, struct filter_row), list_filters};
+const struct topic topic_films = {SHEET(film_columns, struct film_row), list_films};
+const struct topic topic_scenes = {SHEET(scene_columns, struct scene_row), list_scenes};
+const struct topic topic_filters = {SHEET(filter_columns, struct filter_row), list_filters};

@@ -190,8 +190,7 @@ static bool list_options(struct list *list, struct error *error)
     return true;
 }
 
-const struct topic topic_stops = {LIST_SHEET(stop_columns, struct stop_row), list_stops};
-const struct topic topic_units = {LIST_SHEET(unit_columns, struct unit_row), list_units};
-const struct topic topic_commands = {LIST_SHEET(command_columns, struct command_row),
-                                     list_commands};
-const struct topic topic_options = {LIST_SHEET(option_columns, struct option_row), list_options};
+const struct topic topic_stops = {SHEET(stop_columns, struct stop_row), list_stops};
+const struct topic topic_units = {SHEET(unit_columns, struct unit_row), list_units};
+const struct topic topic_commands = {SHEET(command_columns, struct command_row), list_commands};
+const struct topic topic_options = {SHEET(option_columns, struct option_row), list_options};

@@ -111,5 +111,5 @@ static bool list_cameras(struct list *list, struct error *error)
            list_sensors(list, LENSDB_EMBEDDED, true, error);
 }
 
-const struct topic topic_formats = {LIST_SHEET(format_columns, struct sensor_row), list_formats};
-const struct topic topic_cameras = {LIST_SHEET(camera_columns, struct sensor_row), list_cameras};
+const struct topic topic_formats = {SHEET(format_columns, struct sensor_row), list_formats};
+const struct topic topic_cameras = {SHEET(camera_columns, struct sensor_row), list_cameras};

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_CLI_SHARPNESS_H
 #define LENSCALC_CLI_SHARPNESS_H
 
+#include "cli/photo_columns.h"
 #include "cli/photo_options.h"
 
 /* A circle of confusion, and what it may be derived from. */
@@ -22,9 +23,33 @@ struct sharpness {
         OPTION_VIEWING(S, member.viewing), OPTION_ACUITY(S, member.acuity),                        \
         OPTION_WAVELENGTH(S, member.wavelength)
 
-/* What the circle of confusion follows from; with a wish it may be the unknown of every row. */
-#define SHARPNESS_DEPENDS                                                                          \
-    "coc sensor pitch print viewing acuity wavelength +near +far +dof +hyperfocal"
+/* With one of these wishes the circle of confusion may be the unknown of every row. */
+#define SHARPNESS_WISHES " +near +far +dof +hyperfocal"
+
+/* The circle of confusion; `wishes` is SHARPNESS_WISHES where the command has them, else "". */
+#define COLUMN_COC(S, member, more, wishes)                                                        \
+    {                                                                                              \
+        COLUMN(S, member), .name = "coc", .dimension = &dimension_length, .unit = "mm",            \
+                           .flags = COLUMN_ASSUMED | (more), .symbol = "c",                        \
+                           .depends = "coc sensor pitch print viewing acuity wavelength" wishes,   \
+                           .label = "circle of confusion",                                         \
+                           .help = "circle of confusion, diameter on the sensor"                   \
+    }
+
+#define COLUMN_CRITERION(S, member)                                                                \
+    {                                                                                              \
+        COLUMN(S, member), .name = "coc_criterion", .symbol = "criterion", .depends = "coc",       \
+                           .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .label = "criterion",           \
+                           .help = "where the circle of confusion comes from"                      \
+    }
+
+#define COLUMN_WAVELENGTH(S, member)                                                               \
+    {                                                                                              \
+        COLUMN(S, member), .name = "wavelength", .dimension = &dimension_length, .unit = "nm",     \
+                           .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .symbol = "w",    \
+                           .depends = "wavelength", .label = "wavelength",                         \
+                           .help = "of the light that makes the Airy disc"                         \
+    }
 
 /*
  * The circle of confusion.

@@ -59,6 +59,12 @@ struct sheet {
     size_t row_size;
 };
 
+/* The sheet of an array of columns over a struct. */
+#define SHEET(columns_of, S)                                                                       \
+    {                                                                                              \
+        (columns_of), sizeof(columns_of) / sizeof(columns_of)[0], sizeof(S)                        \
+    }
+
 /* How a value was computed, for --explain. {symbol} stands for a column's symbol and value. */
 struct explanation {
     const char *column;  /* the column it explains, without unit */

@@ -1,0 +1,49 @@
+/* cli/photo_columns.h - the columns that photographic commands share: one name, one meaning. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_PHOTO_COLUMNS_H
+#define LENSCALC_CLI_PHOTO_COLUMNS_H
+
+#include "report/table.h"
+
+#define COLUMN_FOCAL(S, member, more)                                                              \
+    {                                                                                              \
+        COLUMN(S, member), .name = "focal", .dimension = &dimension_length, .unit = "mm",          \
+                           .flags = COLUMN_ECHO | (more), .with = "focal-length", .symbol = "f",   \
+                           .label = "focal length", .help = "focal length"                         \
+    }
+
+#define COLUMN_FNUMBER(S, member, more)                                                            \
+    {                                                                                              \
+        COLUMN(S, member), .name = "fnumber", .flags = COLUMN_ECHO | (more), .with = "aperture",   \
+                           .symbol = "N", .label = "f-number", .help = "f-number as marked"        \
+    }
+
+#define COLUMN_MAGNIFICATION(S, member, more)                                                      \
+    {                                                                                              \
+        COLUMN(S, member), .name = "magnification", .flags = (more), .symbol = "m",                \
+                           .label = "magnification",                                               \
+                           .help = "size on the sensor over size of the subject"                   \
+    }
+
+#define COLUMN_SENSOR(S, member)                                                                   \
+    {                                                                                              \
+        COLUMN(S, member), .name = "sensor", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,               \
+                           .depends = "sensor", .label = "sensor", .help = "format or camera"      \
+    }
+
+#define COLUMN_PUPIL(S, member)                                                                    \
+    {                                                                                              \
+        COLUMN(S, member), .name = "pupil_magnification", .symbol = "P", .depends = "pupil",       \
+                           .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                   \
+                           .label = "pupil magnification",                                         \
+                           .help = "diameter of the exit over the entrance pupil"                  \
+    }
+
+#define COLUMN_FROM(S, member)                                                                     \
+    {                                                                                              \
+        COLUMN(S, member), .name = "distance_from", .with = "from", .depends = "from",             \
+                           .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_HIDDEN,                 \
+                           .label = "distances from", .help = "where distances are measured from"  \
+    }
+
+#endif
