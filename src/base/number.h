@@ -17,6 +17,8 @@ struct number_scale {
     int power;           /* -60 .. 60 */
 };
 
+#define NUMBER_UNSCALED ((struct number_scale){1, 0})
+
 /*
  * Read the decimal number at `at`: [+-] digits [. digits] [e [+-] digits], with at least one digit
  * before or after the point ("1." and ".5" are numbers), or [+-] inf in lower case. C locale; no

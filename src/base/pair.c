@@ -3,8 +3,73 @@
 #include "base/pair.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdlib.h>
+
+/* -------- short numbers, as most are: an integer over a power of ten -------- */
+
+enum { MOST_POWER = 22, MOST_DECIMALS = 40 };
+
+/* mantissa x 10^exponent, of at most 18 digits. */
+struct decimal {
+    int64_t mantissa;
+    int exponent;
+};
+
+/* Take apart what number_read has found to be a finite number without its sign. */
+static bool take_apart(const char *at, const char *end, struct decimal *decimal)
+{
+    const int64_t full = 99999999999999999;
+    int64_t mantissa = 0;
+    int exponent = 0;
+    bool point = false;
+    for (; at < end && *at != 'e' && *at != 'E'; at++) {
+        if (*at == '.') {
+            point = true;
+            continue;
+        }
+        if (mantissa > full) {
+            return false;
+        }
+        mantissa = 10 * mantissa + (*at - '0');
+        exponent -= point;
+    }
+    if (at < end) {
+        bool down = at[1] == '-';
+        int typed = 0;
+        for (at += 1 + (down || at[1] == '+'); at < end; at++) {
+            typed = typed < 1000 ? 10 * typed + (*at - '0') : typed;
+        }
+        exponent += down ? -typed : typed;
+    }
+    *decimal = (struct decimal){mantissa, exponent};
+    return true;
+}
+
+/* 10^n for 0 <= n <= 40, exact up to 22, else to 2^-104. */
+static struct pair small_power_of_ten(int n)
+{
+    static const double exact[] = {1,    1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    return n <= MOST_POWER ? pair_of(exact[n])
+                           : pair_product(exact[MOST_POWER], exact[n - MOST_POWER]);
+}
+
+/* What the double `hi` leaves over of the decimal: (mantissa - hi 10^n) / 10^n. */
+static double left_over(const struct decimal *decimal, double hi)
+{
+    const int64_t split = 1 << 30; /* the mantissa as the sum of two doubles, each exact */
+    struct pair mantissa =
+        pair_sum((double)(decimal->mantissa / split * split), (double)(decimal->mantissa % split));
+    struct pair power = small_power_of_ten(-decimal->exponent);
+    struct pair rest = pair_subtract(mantissa, pair_multiply(power, pair_of(hi)));
+    return rest.hi / power.hi;
+}
+
+/* -------- all others -------- */
 
 enum { CHUNK_DIGITS = 15, CHUNKS = 3, MOST_EXPONENT = 250 };
 
@@ -38,7 +103,7 @@ static struct digits scan(const char *at, const char *end)
         double typed;
         at++;
         at += *at == '+';
-        if (number_read(at, end, (struct number_scale){1, 0}, &typed) != NULL) {
+        if (number_read(at, end, NUMBER_UNSCALED, &typed) != NULL) {
             digits.exponent += typed;
         }
     }
@@ -72,26 +137,34 @@ static struct pair value_of(const struct digits *digits, struct number_scale sca
     return exponent < 0 ? pair_divide(value, power) : pair_multiply(value, power);
 }
 
+static double long_left_over(const char *at, const char *end, struct number_scale scale, double hi)
+{
+    struct digits digits = scan(at, end);
+    if (!(hi < 1e200) || !(hi > 1e-200) || !(fabs(digits.exponent) <= MOST_EXPONENT)) {
+        return 0;
+    }
+    struct pair exact = value_of(&digits, scale);
+    return (exact.hi - hi) + exact.lo;
+}
+
 const char *pair_read(const char *at, const char *end, struct number_scale scale,
                       struct pair *value)
 {
-    double hi;
-    const char *behind = number_read(at, end, scale, &hi);
+    const char *behind = number_read(at, end, scale, &value->hi);
     if (behind == NULL) {
         return NULL;
     }
-    *value = pair_of(hi);
     bool negative = *at == '-';
     at += *at == '-' || *at == '+';
-    if (hi == 0 || !(fabs(hi) < 1e200) || !(fabs(hi) > 1e-200)) {
-        return behind;
+    double hi = fabs(value->hi), lo = 0;
+    struct decimal decimal;
+    if (scale.multiplier == 1 && *at != 'i' && take_apart(at, behind, &decimal) &&
+        decimal.exponent + scale.power <= 0 && decimal.exponent + scale.power >= -MOST_DECIMALS) {
+        decimal.exponent += scale.power;
+        lo = left_over(&decimal, hi);
+    } else if (hi > 0 && hi < INFINITY) {
+        lo = long_left_over(at, behind, scale, hi);
     }
-    struct digits digits = scan(at, behind);
-    if (!(fabs(digits.exponent) <= MOST_EXPONENT)) {
-        return behind;
-    }
-    struct pair exact = value_of(&digits, scale);
-    exact = negative ? pair_negate(exact) : exact;
-    value->lo = (exact.hi - hi) + exact.lo;
+    value->lo = negative ? -lo : lo;
     return behind;
 }

@@ -21,7 +21,7 @@ static struct pair power_of_ten(int exponent)
     char text[8];
     struct pair power = {1, 0};
     int length = snprintf(text, sizeof text, "1e%d", exponent);
-    pair_read(text, text + length, (struct number_scale){1, 0}, &power);
+    pair_read(text, text + length, NUMBER_UNSCALED, &power);
     return power;
 }
 

@@ -223,7 +223,7 @@ static bool read_denominator(struct reading *reading, double *value)
     }
     const char *slash = reading->at++;
     double denominator;
-    if (!read_scaled(reading, (struct number_scale){1, 0}, &denominator)) {
+    if (!read_scaled(reading, NUMBER_UNSCALED, &denominator)) {
         return false;
     }
     if (!(denominator > 0) || isinf(denominator)) {
@@ -338,7 +338,7 @@ bool quantity_read(struct text text, const struct dimension *dimension, const st
     skip_prefix(&reading);
     const char *from = reading.at;
     double plain;
-    if (!read_scaled(&reading, (struct number_scale){1, 0}, &plain)) {
+    if (!read_scaled(&reading, NUMBER_UNSCALED, &plain)) {
         return false;
     }
     const char *behind = reading.at;

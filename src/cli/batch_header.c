@@ -118,7 +118,7 @@ static void set_scale(struct batch_column *column, const struct reader *reader)
 {
     const struct unit *unit = option_unit(&column->as_read);
     const struct dimension *dimension = column->option->dimension;
-    column->scale = unit != NULL ? unit->scale : (struct number_scale){1, 0};
+    column->scale = unit != NULL ? unit->scale : NUMBER_UNSCALED;
     column->factor = unit != NULL ? unit->factor : 1;
     bool limited = column->option->lowest != 0 || column->option->highest != 0;
     column->lowest = limited ? column->option->lowest : -INFINITY;

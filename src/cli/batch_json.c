@@ -152,7 +152,7 @@ static bool is_bare_value(struct text text)
     char first = *text.start;
     return text_equal(text, "null") || text_equal(text, "true") || text_equal(text, "false") ||
            (((first >= '0' && first <= '9') || first == '-') && end[-1] != 'f' &&
-            number_read(text.start, end, (struct number_scale){1, 0}, &ignored) == end);
+            number_read(text.start, end, NUMBER_UNSCALED, &ignored) == end);
 }
 
 static bool read_value(struct json *json, struct json_value *value)

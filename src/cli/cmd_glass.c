@@ -141,7 +141,7 @@ struct question {
     const struct input *input;
     struct run *run;
     double wavelength; /* mm, of what follows, found once for all rows */
-    struct twofold um; /* as the decimal that was typed */
+    struct pair um;    /* as the decimal that was typed */
     const char *line;  /* the name of the spectral line */
 };
 
@@ -161,13 +161,13 @@ static void set_facts(const struct glass_record *record, struct arena *arena, st
 }
 
 /* The wavelength as the decimal that was typed, um: its rounding shows near a resonance. */
-static struct twofold typed_wavelength(double wavelength)
+static struct pair typed_wavelength(double wavelength)
 {
     char text[NUMBER_LENGTH];
     const struct unit *nm = unit_find(&dimension_length, text_of("nm"));
-    struct twofold typed = twofold_of(1e6 * wavelength);
-    twofold_read(text, quantity_write(text, wavelength, nm), &typed);
-    return twofold_divide(typed, twofold_of(1000));
+    struct pair typed = pair_of(1e6 * wavelength);
+    pair_read(text, quantity_write(text, wavelength, nm), NUMBER_UNSCALED, &typed);
+    return pair_divide(typed, pair_of(1000));
 }
 
 /* Index and slope at the row's wavelength, in the state of air that is asked for. */
@@ -175,10 +175,10 @@ static bool set_index(const struct question *question, const struct glass *glass
                       struct error *error)
 {
     const struct input *input = question->input;
-    double um = question->um.high;
+    double um = question->um.hi;
     struct glass_index index = glass_index(glass, question->um);
     const struct glass_thermal *thermal = &glass->thermal;
-    row->n = index.n.high;
+    row->n = index.n.hi;
     row->slope = index.slope;
     row->growth = glass_growth(glass, um, thermal->reference);
     row->relative_to = "air at the catalogue's temperature and 1013.25 hPa";
@@ -228,13 +228,12 @@ static bool fill_row(struct question *question, const struct glass_record *recor
     }
     row->line = question->line;
     set_facts(record, arena, row);
-    if (!glass_check_range(&record->glass, question->um.high, error) ||
+    if (!glass_check_range(&record->glass, question->um.hi, error) ||
         !set_index(question, &record->glass, row, error)) {
         return false;
     }
     if (!isnan(input->thickness)) {
-        row->transmittance =
-            glass_transmittance(&record->glass, question->um.high, input->thickness);
+        row->transmittance = glass_transmittance(&record->glass, question->um.hi, input->thickness);
     }
     return true;
 }

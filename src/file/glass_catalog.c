@@ -366,10 +366,10 @@ static struct glass_record made(struct glass glass, struct text name)
                                  .expansion_hot = NAN};
 }
 
-static bool read_all(struct text text, struct twofold *value)
+static bool read_all(struct text text, struct pair *value)
 {
     const char *end = text.start + text.length;
-    return text.length > 0 && twofold_read(text.start, end, value) == end;
+    return text.length > 0 && pair_read(text.start, end, NUMBER_UNSCALED, value) == end;
 }
 
 bool glass_find_medium(struct lensdb *db, struct text text, struct arena *arena,
@@ -377,16 +377,15 @@ bool glass_find_medium(struct lensdb *db, struct text text, struct arena *arena,
 {
     struct text rest = text_trim(text), name = rest;
     struct text first = text_cut(&rest, '/');
-    struct twofold nd, Vd;
+    struct pair nd, Vd;
     const double highest = 100; /* above that a number is the name of a glass, as 4786 */
-    if (!read_all(first, &nd) || (rest.start != NULL && !read_all(rest, &Vd)) ||
-        nd.high > highest) {
+    if (!read_all(first, &nd) || (rest.start != NULL && !read_all(rest, &Vd)) || nd.hi > highest) {
         return glass_find(db, text, arena, record, error);
     }
-    if (!(nd.high > 0)) {
+    if (!(nd.hi > 0)) {
         return fail(error, ERROR_DOMAIN, "an index is above 0");
     }
-    if (rest.start != NULL && !(fabs(Vd.high) > 0)) {
+    if (rest.start != NULL && !(fabs(Vd.hi) > 0)) {
         return fail(error, ERROR_DOMAIN, "Vd is a number other than 0");
     }
     *record = made(rest.start != NULL ? glass_nd_vd(nd, Vd) : glass_constant(nd),

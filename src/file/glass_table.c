@@ -116,8 +116,8 @@ static bool read_coefficients(const struct glass_table *table, struct glass *gla
         if (glass->count == GLASS_MOST_COEFFICIENTS) {
             return bad(table, COEFFICIENTS, "are more than 16 numbers", error);
         }
-        struct twofold *c = &glass->coefficients[glass->count++];
-        if (twofold_read(word.start, end, c) != end || isinf(c->high)) {
+        struct pair *c = &glass->coefficients[glass->count++];
+        if (pair_read(word.start, end, NUMBER_UNSCALED, c) != end || isinf(c->hi)) {
             return bad(table, COEFFICIENTS, "are not numbers separated by blanks", error);
         }
     }
@@ -125,7 +125,7 @@ static bool read_coefficients(const struct glass_table *table, struct glass *gla
         return bad(table, COEFFICIENTS, "are not as many as the formula has", error);
     }
     for (size_t i = 2; i < glass->count && glass->formula == GLASS_POWER; i += 2) {
-        double p = glass->coefficients[i].high;
+        double p = glass->coefficients[i].hi;
         if (!(fabs(p) <= 40) || p / 2 != floor(p / 2)) {
             return bad(table, COEFFICIENTS, "have a power that is not even, or above 40", error);
         }
@@ -138,11 +138,11 @@ static bool read_point(struct text pair, struct glass_point *point)
     struct text value = pair;
     struct text at = text_cut(&value, ':');
     return value.start != NULL &&
-           twofold_read(at.start, at.start + at.length, &point->wavelength) ==
+           pair_read(at.start, at.start + at.length, NUMBER_UNSCALED, &point->wavelength) ==
                at.start + at.length &&
-           twofold_read(value.start, value.start + value.length, &point->value) ==
+           pair_read(value.start, value.start + value.length, NUMBER_UNSCALED, &point->value) ==
                value.start + value.length &&
-           point->wavelength.high > 0 && !isinf(point->wavelength.high);
+           point->wavelength.hi > 0 && !isinf(point->wavelength.hi);
 }
 
 /* "um:value" pairs by rising wavelength, values from 0 to `highest`. */
@@ -163,10 +163,10 @@ static bool read_points(const struct glass_table *table, enum column column, dou
             continue;
         }
         struct glass_point *point = &all[*count];
-        if (!read_point(pair, point) || !(point->value.high >= 0 && point->value.high <= highest)) {
+        if (!read_point(pair, point) || !(point->value.hi >= 0 && point->value.hi <= highest)) {
             return bad(table, column, "are not um:value pairs of possible values", error);
         }
-        if (*count > 0 && !(point->wavelength.high > all[*count - 1].wavelength.high)) {
+        if (*count > 0 && !(point->wavelength.hi > all[*count - 1].wavelength.hi)) {
             return bad(table, column, "do not go by rising wavelength", error);
         }
         ++*count;
@@ -187,8 +187,8 @@ static bool read_index_table(const struct glass_table *table, struct glass *glas
     if (glass->table_count == 0) {
         return bad(table, COEFFICIENTS, "are missing", error);
     }
-    glass->shortest = glass->table[0].wavelength.high;
-    glass->longest = glass->table[glass->table_count - 1].wavelength.high;
+    glass->shortest = glass->table[0].wavelength.hi;
+    glass->longest = glass->table[glass->table_count - 1].wavelength.hi;
     return true;
 }
 

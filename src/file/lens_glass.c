@@ -9,8 +9,7 @@ static bool index_of(const void *glass, double wavelength, struct pair *index, s
     if (!glass_check_range(glass, wavelength, error)) {
         return false;
     }
-    const struct glass_index found = glass_index(glass, (struct twofold){wavelength, 0});
-    *index = (struct pair){found.n.high, found.n.low};
+    *index = glass_index(glass, pair_of(wavelength)).n;
     return true;
 }
 

@@ -119,7 +119,7 @@ bool tsv_number(const struct tsv *tsv, size_t column, double *value, struct erro
     if (cell.length == 0) {
         return true;
     }
-    if (number_read(cell.start, end, (struct number_scale){1, 0}, value) != end) {
+    if (number_read(cell.start, end, NUMBER_UNSCALED, value) != end) {
         return tsv_fail(tsv, column, error, "is no number");
     }
     return true;

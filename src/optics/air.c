@@ -77,13 +77,13 @@ bool glass_in_air(const struct glass *glass, double wavelength, const struct air
                   struct glass_state *state, struct error *error)
 {
     const struct glass_thermal *thermal = &glass->thermal;
-    struct glass_index index = glass_index(glass, twofold_of(wavelength));
+    struct glass_index index = glass_index(glass, pair_of(wavelength));
     double dT = air->temperature - thermal->reference, growth = 0;
     if (isnan(dT)) {
         return not_known(glass, "reference temperature", error);
     }
     if (fabs(dT) > 0) {
-        growth = growth_over(thermal, index.n.high, wavelength, dT);
+        growth = growth_over(thermal, index.n.hi, wavelength, dT);
     }
     if (isnan(growth)) {
         return not_known(glass, "dn/dT", error);
@@ -93,7 +93,7 @@ bool glass_in_air(const struct glass *glass, double wavelength, const struct air
     double after = air_refractivity(air, wavelength);
     /* n (1 + before)/(1 + after), by the difference: no digit is lost where they agree */
     double ratio = (before - after) / (1 + after);
-    state->n = index.n.high + (index.n.low + index.n.high * ratio + growth / (1 + after));
+    state->n = index.n.hi + (index.n.lo + index.n.hi * ratio + growth / (1 + after));
     /* the dispersion of air and of the growth are below 1e-5 of the glass's own */
     state->slope = index.slope * (1 + ratio);
     state->growth = glass_growth(glass, wavelength, air->temperature);

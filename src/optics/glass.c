@@ -6,23 +6,23 @@
 
 /* What a formula gives: n or n^2, and its derivative. */
 struct value {
-    struct twofold y;
+    struct pair y;
     double dy; /* by l, 1/um */
 };
 
 /* The square of the wavelength is what nearly all formulas want. */
 struct light {
-    struct twofold l, square; /* um, um^2 */
+    struct pair l, square; /* um, um^2 */
 };
 
-static struct twofold times(struct twofold a, double b)
+static struct pair times(struct pair a, double b)
 {
-    return twofold_multiply(a, twofold_of(b));
+    return pair_multiply(a, pair_of(b));
 }
 
-static struct twofold inverse(struct twofold a)
+static struct pair inverse(struct pair a)
 {
-    return twofold_divide(twofold_of(1), a);
+    return pair_divide(pair_of(1), a);
 }
 
 static struct value constant(const struct glass *glass, const struct light *light)
@@ -32,37 +32,36 @@ static struct value constant(const struct glass *glass, const struct light *ligh
 }
 
 /* A line's wavelength as the decimal it is, um. */
-static struct twofold line(double units)
+static struct pair line(double units)
 {
-    return twofold_divide(twofold_of(units), twofold_of(1e7));
+    return pair_divide(pair_of(units), pair_of(1e7));
 }
 
-static struct twofold inverse_square(double units)
+static struct pair inverse_square(double units)
 {
-    struct twofold l = line(units);
-    return inverse(twofold_multiply(l, l));
+    struct pair l = line(units);
+    return inverse(pair_multiply(l, l));
 }
 
 static struct value nd_vd(const struct glass *glass, const struct light *light)
 {
-    const struct twofold *c = glass->coefficients;
-    struct twofold one = twofold_of(1), d = inverse_square(5875618);
-    struct twofold span = twofold_subtract(inverse_square(4861327), inverse_square(6562725));
-    struct twofold B = twofold_divide(twofold_subtract(c[0], one), twofold_multiply(c[1], span));
-    struct twofold from_d = twofold_subtract(inverse(light->square), d);
-    double l = light->l.high;
-    return (struct value){twofold_add(c[0], twofold_multiply(B, from_d)),
-                          -2 * B.high / (l * l * l)};
+    const struct pair *c = glass->coefficients;
+    struct pair one = pair_of(1), d = inverse_square(5875618);
+    struct pair span = pair_subtract(inverse_square(4861327), inverse_square(6562725));
+    struct pair B = pair_divide(pair_subtract(c[0], one), pair_multiply(c[1], span));
+    struct pair from_d = pair_subtract(inverse(light->square), d);
+    double l = light->l.hi;
+    return (struct value){pair_add(c[0], pair_multiply(B, from_d)), -2 * B.hi / (l * l * l)};
 }
 
 /* Add B l^2/(l^2 - C). */
-static void add_resonance(struct value *value, const struct light *light, struct twofold B,
-                          struct twofold C)
+static void add_resonance(struct value *value, const struct light *light, struct pair B,
+                          struct pair C)
 {
-    struct twofold gap = twofold_subtract(light->square, C);
-    struct twofold term = twofold_divide(twofold_multiply(B, light->square), gap);
-    value->y = twofold_add(value->y, term);
-    value->dy -= 2 * B.high * C.high * light->l.high / (gap.high * gap.high);
+    struct pair gap = pair_subtract(light->square, C);
+    struct pair term = pair_divide(pair_multiply(B, light->square), gap);
+    value->y = pair_add(value->y, term);
+    value->dy -= 2 * B.hi * C.hi * light->l.hi / (gap.hi * gap.hi);
 }
 
 static struct value sellmeier(const struct glass *glass, const struct light *light)
@@ -76,70 +75,69 @@ static struct value sellmeier(const struct glass *glass, const struct light *lig
 
 static struct value sellmeier_sq(const struct glass *glass, const struct light *light)
 {
-    const struct twofold *c = glass->coefficients;
-    struct value value = {twofold_add(twofold_of(1), c[0]), 0};
+    const struct pair *c = glass->coefficients;
+    struct value value = {pair_add(pair_of(1), c[0]), 0};
     for (size_t i = 1; i + 1 < glass->count; i += 2) {
-        add_resonance(&value, light, c[i], twofold_multiply(c[i + 1], c[i + 1]));
+        add_resonance(&value, light, c[i], pair_multiply(c[i + 1], c[i + 1]));
     }
     return value;
 }
 
 /* Add c l^p for an even p. */
-static void add_power(struct value *value, const struct light *light, struct twofold c, int p)
+static void add_power(struct value *value, const struct light *light, struct pair c, int p)
 {
-    struct twofold power = twofold_of(1);
+    struct pair power = pair_of(1);
     for (int i = 0; i < (p < 0 ? -p : p); i += 2) {
-        power = twofold_multiply(power, light->square);
+        power = pair_multiply(power, light->square);
     }
-    struct twofold term = p < 0 ? twofold_divide(c, power) : twofold_multiply(c, power);
-    value->y = twofold_add(value->y, term);
-    value->dy += p * term.high / light->l.high;
+    struct pair term = p < 0 ? pair_divide(c, power) : pair_multiply(c, power);
+    value->y = pair_add(value->y, term);
+    value->dy += p * term.hi / light->l.hi;
 }
 
 static struct value schott(const struct glass *glass, const struct light *light)
 {
     static const int powers[] = {0, 2, -2, -4, -6, -8};
-    const struct twofold *c = glass->coefficients;
-    struct twofold x = inverse(light->square);
+    const struct pair *c = glass->coefficients;
+    struct pair x = inverse(light->square);
     /* the negative powers by Horner's rule */
-    struct twofold sum = times(x, 0);
+    struct pair sum = times(x, 0);
     double slope = 0;
     for (size_t i = 5; i >= 2; i--) {
-        sum = twofold_multiply(twofold_add(sum, c[i]), x);
-        slope = slope * x.high + powers[i] * c[i].high;
+        sum = pair_multiply(pair_add(sum, c[i]), x);
+        slope = slope * x.hi + powers[i] * c[i].hi;
     }
-    sum = twofold_add(sum, twofold_multiply(c[1], light->square));
-    double l = light->l.high;
-    return (struct value){twofold_add(c[0], sum), slope * x.high / l + 2 * c[1].high * l};
+    sum = pair_add(sum, pair_multiply(c[1], light->square));
+    double l = light->l.hi;
+    return (struct value){pair_add(c[0], sum), slope * x.hi / l + 2 * c[1].hi * l};
 }
 
 static struct value power(const struct glass *glass, const struct light *light)
 {
     struct value value = {glass->coefficients[0], 0};
     for (size_t i = 1; i + 1 < glass->count; i += 2) {
-        add_power(&value, light, glass->coefficients[i], (int)glass->coefficients[i + 1].high);
+        add_power(&value, light, glass->coefficients[i], (int)glass->coefficients[i + 1].hi);
     }
     return value;
 }
 
 static struct value conrady(const struct glass *glass, const struct light *light)
 {
-    const struct twofold *c = glass->coefficients;
-    struct twofold cube = twofold_multiply(light->l, light->square);
-    struct twofold a = twofold_divide(c[1], light->l);
-    struct twofold b = twofold_divide(c[2], twofold_multiply(cube, twofold_root(light->l)));
-    return (struct value){twofold_add(c[0], twofold_add(a, b)),
-                          -(a.high + 3.5 * b.high) / light->l.high};
+    const struct pair *c = glass->coefficients;
+    struct pair cube = pair_multiply(light->l, light->square);
+    struct pair a = pair_divide(c[1], light->l);
+    struct pair b = pair_divide(c[2], pair_multiply(cube, pair_root(light->l)));
+    return (struct value){pair_add(c[0], pair_add(a, b)), -(a.hi + 3.5 * b.hi) / light->l.hi};
 }
 
 static struct value herzberger(const struct glass *glass, const struct light *light)
 {
-    const struct twofold *c = glass->coefficients;
-    const struct twofold pole = twofold_divide(twofold_of(28), twofold_of(1000));
-    struct twofold z = inverse(twofold_subtract(light->square, pole));
-    struct twofold sum = twofold_multiply(twofold_add(twofold_multiply(c[2], z), c[1]), z);
-    double dz = -2 * light->l.high * z.high * z.high;
-    struct value value = {twofold_add(c[0], sum), (c[1].high + 2 * c[2].high * z.high) * dz};
+    const struct pair *c = glass->coefficients;
+    const struct pair pole = pair_divide(pair_of(28), pair_of(1000));
+    struct pair z = inverse(pair_subtract(light->square, pole));
+    struct pair sum = pair_multiply(pair_add(pair_multiply(c[2], z), c[1]), z);
+    double dz = -2 * light->l.hi * z.hi * z.hi;
+    struct value value = {pair_add(c[0], sum), (c[1].hi + 2 * c[2].hi * z.hi) * dz};
     for (int i = 3; i < 6; i++) {
         add_power(&value, light, c[i], 2 * (i - 2));
     }
@@ -150,7 +148,7 @@ static struct value herzberger(const struct glass *glass, const struct light *li
 static size_t first_entry(const struct glass *glass, double l, size_t wanted)
 {
     size_t above = 0;
-    while (above < glass->table_count && glass->table[above].wavelength.high < l) {
+    while (above < glass->table_count && glass->table[above].wavelength.hi < l) {
         above++;
     }
     size_t first = above > wanted / 2 ? above - wanted / 2 : 0;
@@ -162,30 +160,30 @@ static struct value table(const struct glass *glass, const struct light *light)
 {
     enum { POINTS = 4 };
     size_t count = glass->table_count < POINTS ? glass->table_count : POINTS;
-    const struct glass_point *at = glass->table + first_entry(glass, light->l.high, count);
-    struct twofold x = inverse(light->square), nodes[POINTS];
+    const struct glass_point *at = glass->table + first_entry(glass, light->l.hi, count);
+    struct pair x = inverse(light->square), nodes[POINTS];
     struct value value = {{0, 0}, 0};
     for (size_t i = 0; i < count; i++) {
-        nodes[i] = inverse(twofold_multiply(at[i].wavelength, at[i].wavelength));
+        nodes[i] = inverse(pair_multiply(at[i].wavelength, at[i].wavelength));
     }
     for (size_t i = 0; i < count; i++) {
-        struct twofold weight = at[i].value;
+        struct pair weight = at[i].value;
         double slope = 0; /* of the product without at[i].value / scale */
         double product = 1, scale = 1;
         for (size_t j = 0; j < count; j++) {
             if (j != i) {
-                struct twofold step = twofold_subtract(nodes[i], nodes[j]);
-                struct twofold gap = twofold_subtract(x, nodes[j]);
-                weight = twofold_divide(twofold_multiply(weight, gap), step);
-                slope = slope * gap.high + product;
-                product *= gap.high;
-                scale *= step.high;
+                struct pair step = pair_subtract(nodes[i], nodes[j]);
+                struct pair gap = pair_subtract(x, nodes[j]);
+                weight = pair_divide(pair_multiply(weight, gap), step);
+                slope = slope * gap.hi + product;
+                product *= gap.hi;
+                scale *= step.hi;
             }
         }
-        value.y = twofold_add(value.y, weight);
-        value.dy += slope * at[i].value.high / scale;
+        value.y = pair_add(value.y, weight);
+        value.dy += slope * at[i].value.hi / scale;
     }
-    value.dy *= -2 * x.high / light->l.high;
+    value.dy *= -2 * x.hi / light->l.hi;
     return value;
 }
 
@@ -226,7 +224,7 @@ bool glass_count_fits(enum glass_formula formula, size_t count)
 
 static const struct glass_thermal unknown_thermal = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
 
-struct glass glass_constant(struct twofold n)
+struct glass glass_constant(struct pair n)
 {
     return (struct glass){.formula = GLASS_CONSTANT,
                           .count = 1,
@@ -236,7 +234,7 @@ struct glass glass_constant(struct twofold n)
                           .thermal = unknown_thermal};
 }
 
-struct glass glass_nd_vd(struct twofold nd, struct twofold Vd)
+struct glass glass_nd_vd(struct pair nd, struct pair Vd)
 {
     return (struct glass){.formula = GLASS_ND_VD,
                           .count = 2,
@@ -246,20 +244,20 @@ struct glass glass_nd_vd(struct twofold nd, struct twofold Vd)
                           .thermal = unknown_thermal};
 }
 
-struct glass_index glass_index(const struct glass *glass, struct twofold wavelength)
+struct glass_index glass_index(const struct glass *glass, struct pair wavelength)
 {
-    const struct light light = {wavelength, twofold_multiply(wavelength, wavelength)};
+    const struct light light = {wavelength, pair_multiply(wavelength, wavelength)};
     struct value value = formulas[glass->formula].compute(glass, &light);
     if (!formulas[glass->formula].is_square) {
         return (struct glass_index){value.y, value.dy};
     }
-    struct twofold n = twofold_root(value.y);
-    return (struct glass_index){n, value.dy / (2 * n.high)};
+    struct pair n = pair_root(value.y);
+    return (struct glass_index){n, value.dy / (2 * n.hi)};
 }
 
 double glass_n(const struct glass *glass, double wavelength)
 {
-    return glass_index(glass, twofold_of(wavelength)).n.high;
+    return glass_index(glass, pair_of(wavelength)).n.hi;
 }
 
 /* The ends belong to the range, however they came to be written. */
@@ -291,27 +289,27 @@ bool glass_check_range(const struct glass *glass, double wavelength, struct erro
 }
 
 /* The index at a line with its low part, NaN where the range does not reach. */
-static struct twofold at_line(const struct glass *glass, double l)
+static struct pair at_line(const struct glass *glass, double l)
 {
-    return reaches(glass, l) ? glass_index(glass, twofold_of(l)).n : twofold_of(NAN);
+    return reaches(glass, l) ? glass_index(glass, pair_of(l)).n : pair_of(NAN);
 }
 
-static double difference(struct twofold a, struct twofold b)
+static double difference(struct pair a, struct pair b)
 {
-    return (a.high - b.high) + (a.low - b.low);
+    return (a.hi - b.hi) + (a.lo - b.lo);
 }
 
 struct glass_summary glass_summary(const struct glass *glass)
 {
-    struct twofold g = at_line(glass, GLASS_LINE_G), F = at_line(glass, GLASS_LINE_F);
-    struct twofold d = at_line(glass, GLASS_LINE_D), C = at_line(glass, GLASS_LINE_C);
-    struct twofold e = at_line(glass, GLASS_LINE_E);
+    struct pair g = at_line(glass, GLASS_LINE_G), F = at_line(glass, GLASS_LINE_F);
+    struct pair d = at_line(glass, GLASS_LINE_D), C = at_line(glass, GLASS_LINE_C);
+    struct pair e = at_line(glass, GLASS_LINE_E);
     double spread = difference(F, C);
     double other_spread = difference(at_line(glass, GLASS_LINE_FC), at_line(glass, GLASS_LINE_CC));
-    struct glass_summary summary = {.nd = d.high, .ne = e.high};
+    struct glass_summary summary = {.nd = d.hi, .ne = e.hi};
     bool disperses = !(fabs(spread) <= 0); /* a constant has no Vd */
-    summary.Vd = disperses ? difference(d, twofold_of(1)) / spread : NAN;
-    summary.Ve = disperses ? difference(e, twofold_of(1)) / other_spread : NAN;
+    summary.Vd = disperses ? difference(d, pair_of(1)) / spread : NAN;
+    summary.Ve = disperses ? difference(e, pair_of(1)) / other_spread : NAN;
     summary.PgF = disperses ? difference(g, F) / spread : NAN;
     summary.PdC = disperses ? difference(d, C) / spread : NAN;
     summary.deviation = summary.PgF - (0.6438 - 0.001682 * summary.Vd);
@@ -334,18 +332,18 @@ double glass_transmittance(const struct glass *glass, double wavelength, double 
 {
     const struct glass_point *points = glass->transmittance;
     for (size_t i = 0; i < glass->transmittance_count; i++) {
-        double right = points[i].wavelength.high;
+        double right = points[i].wavelength.hi;
         if (fabs(wavelength - right) <= 1e-12 * right) {
-            return pow(points[i].value.high, thickness / 10);
+            return pow(points[i].value.hi, thickness / 10);
         }
         if (wavelength < right) {
             if (i == 0) {
                 return NAN;
             }
-            double left = points[i - 1].wavelength.high;
+            double left = points[i - 1].wavelength.hi;
             double part = (wavelength - left) / (right - left);
             double tau =
-                points[i - 1].value.high + part * (points[i].value.high - points[i - 1].value.high);
+                points[i - 1].value.hi + part * (points[i].value.hi - points[i - 1].value.hi);
             return pow(tau, thickness / 10);
         }
     }

@@ -4,8 +4,8 @@
 #define LENSCALC_OPTICS_GLASS_H
 
 #include "base/error.h"
+#include "base/pair.h"
 #include "base/text.h"
-#include "base/twofold.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -36,8 +36,8 @@ enum { GLASS_MOST_COEFFICIENTS = 16, GLASS_NAME = 64 };
 
 /* A value at a wavelength. */
 struct glass_point {
-    struct twofold wavelength; /* um */
-    struct twofold value;
+    struct pair wavelength; /* um */
+    struct pair value;
 };
 
 /* Growth of the index with temperature; NaN where it is not known. */
@@ -53,7 +53,7 @@ struct glass {
     struct text catalog, name;
     enum glass_formula formula;
     size_t count;
-    struct twofold coefficients[GLASS_MOST_COEFFICIENTS]; /* with what a double leaves over */
+    struct pair coefficients[GLASS_MOST_COEFFICIENTS]; /* with what a double leaves over */
     const struct glass_point *table; /* of GLASS_TABLE: indices by rising wavelength */
     size_t table_count;
     double shortest, longest; /* um, where the formula holds; NaN if not stated */
@@ -76,12 +76,12 @@ bool glass_count_fits(enum glass_formula formula, size_t count);
  * Formula   n = A + B/l^2 with n(d) = nd and n(F) - n(C) = (nd - 1)/Vd; nearly the glass's own
  *           dispersion in the visible, but no substitute for it
  */
-struct glass glass_constant(struct twofold n);
-struct glass glass_nd_vd(struct twofold nd, struct twofold Vd);
+struct glass glass_constant(struct pair n);
+struct glass glass_nd_vd(struct pair nd, struct pair Vd);
 
 /* The index and how it changes. */
 struct glass_index {
-    struct twofold n;
+    struct pair n;
     double slope; /* dn/dl, 1/um */
 };
 
@@ -103,7 +103,7 @@ struct glass_index {
  * Source    [Schott16]; the forms are those of the makers' AGF catalogues
  * Limits    the slope has ordinary double precision; of a table it jumps at the entries
  */
-struct glass_index glass_index(const struct glass *glass, struct twofold wavelength);
+struct glass_index glass_index(const struct glass *glass, struct pair wavelength);
 
 /* The same as one double at a wavelength given as one. */
 double glass_n(const struct glass *glass, double wavelength);

@@ -2,42 +2,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "optics/lensmaker.h"
 
+#include "base/pair.h"
+
 #include <math.h>
 #include <stddef.h>
 
-/* A sum of two doubles, for differences of products that nearly cancel. */
-struct pair {
-    double high, low;
-};
-
-static struct pair pair_of(double a)
-{
-    return (struct pair){a, 0};
-}
-
-/* a + b, exact */
-static struct pair sum(double a, double b)
-{
-    double s = a + b, t = s - a;
-    return (struct pair){s, (a - (s - t)) + (b - t)};
-}
-
-static struct pair add(struct pair a, struct pair b)
-{
-    struct pair s = sum(a.high, b.high);
-    return sum(s.high, s.low + a.low + b.low);
-}
-
-static struct pair times(struct pair a, struct pair b)
-{
-    double product = a.high * b.high;
-    double rest = fma(a.high, b.high, -product) + a.high * b.low + a.low * b.high;
-    return sum(product, rest);
-}
-
+/* Differences of products that nearly cancel are made of pairs. */
 static struct pair scaled(struct pair a, double k)
 {
-    return times(a, pair_of(k));
+    return pair_multiply(a, pair_of(k));
 }
 
 /* A radius as a quotient a/b, so that a plane is 1/0 and needs no case of its own. */
@@ -62,48 +35,48 @@ struct terms {
 static struct terms terms_of(const struct lensmaker *lens)
 {
     struct terms t = {.r1 = radius_of(lens->R1), .r2 = radius_of(lens->R2)};
-    t.step1 = sum(lens->n, -lens->n0);
-    t.step2 = sum(lens->n1, -lens->n);
+    t.step1 = pair_sum(lens->n, -lens->n0);
+    t.step2 = pair_sum(lens->n1, -lens->n);
     t.first = scaled(scaled(t.step1, lens->n), t.r1.b * t.r2.a);
     t.second = scaled(scaled(t.step2, lens->n), t.r2.b * t.r1.a);
-    t.between = scaled(times(t.step1, t.step2), -lens->d * (t.r1.b * t.r2.b));
-    t.M = add(add(t.first, t.second), t.between);
+    t.between = scaled(pair_multiply(t.step1, t.step2), -lens->d * (t.r1.b * t.r2.b));
+    t.M = pair_add(pair_add(t.first, t.second), t.between);
     return t;
 }
 
 /* n a - d step b: what the other surface sees of one of radius a/b. */
 static struct pair reduced(const struct lensmaker *lens, struct radius r, struct pair step)
 {
-    return add(times(pair_of(lens->n), pair_of(r.a)), scaled(step, -lens->d * r.b));
+    return pair_add(pair_multiply(pair_of(lens->n), pair_of(r.a)), scaled(step, -lens->d * r.b));
 }
 
 void lensmaker_facts(const struct lensmaker *lens, struct lensmaker_facts *facts)
 {
     struct terms t = terms_of(lens);
     double n0 = lens->n0, n = lens->n, n1 = lens->n1, d = lens->d;
-    double a1 = t.r1.a, a2 = t.r2.a, M = t.M.high;
+    double a1 = t.r1.a, a2 = t.r2.a, M = t.M.hi;
     struct pair back = scaled(reduced(lens, t.r1, t.step1), n1);
     struct pair front = scaled(reduced(lens, t.r2, t.step2), -n0);
-    facts->P1 = t.r1.b == 0 ? 0 : t.step1.high / a1;
-    facts->P2 = t.r2.b == 0 ? 0 : t.step2.high / a2;
+    facts->P1 = t.r1.b == 0 ? 0 : t.step1.hi / a1;
+    facts->P2 = t.r2.b == 0 ? 0 : t.step2.hi / a2;
     facts->power = M / (n * a1 * a2);
     facts->efl = M == 0 ? INFINITY : n * a1 * a2 / M;
     facts->front_focal = M == 0 ? -INFINITY : -n0 * facts->efl;
     facts->rear_focal = n1 * facts->efl;
-    facts->bfl = back.high * a2 / M;
-    facts->ffl = front.high * a1 / M;
-    double H_rear = -n1 * d * t.step1.high * t.r1.b * a2;
-    double H = n0 * d * t.step2.high * t.r2.b * a1;
+    facts->bfl = back.hi * a2 / M;
+    facts->ffl = front.hi * a1 / M;
+    double H_rear = -n1 * d * t.step1.hi * t.r1.b * a2;
+    double H = n0 * d * t.step2.hi * t.r2.b * a1;
     facts->H_rear = H_rear == 0 && M != 0 ? 0 : H_rear / M;
     facts->H = H == 0 && M != 0 ? 0 : H / M;
     /* N' - F' = -n0/P and N - F = n1/P, with the sum made before the division */
-    struct pair media = scaled(times(sum(n1, -n0), pair_of(n)), a1);
-    struct pair rear = add(media, scaled(t.step1, -n1 * d * t.r1.b));
-    media = scaled(times(sum(n1, -n0), pair_of(n)), a2);
-    struct pair fore = add(media, scaled(t.step2, n0 * d * t.r2.b));
-    facts->N_rear = rear.high == 0 && M != 0 ? 0 : rear.high * a2 / M;
-    facts->N = fore.high == 0 && M != 0 ? 0 : fore.high * a1 / M;
-    double size = fabs(t.first.high) + fabs(t.second.high) + fabs(t.between.high);
+    struct pair media = scaled(pair_multiply(pair_sum(n1, -n0), pair_of(n)), a1);
+    struct pair rear = pair_add(media, scaled(t.step1, -n1 * d * t.r1.b));
+    media = scaled(pair_multiply(pair_sum(n1, -n0), pair_of(n)), a2);
+    struct pair fore = pair_add(media, scaled(t.step2, n0 * d * t.r2.b));
+    facts->N_rear = rear.hi == 0 && M != 0 ? 0 : rear.hi * a2 / M;
+    facts->N = fore.hi == 0 && M != 0 ? 0 : fore.hi * a1 / M;
+    double size = fabs(t.first.hi) + fabs(t.second.hi) + fabs(t.between.hi);
     facts->condition = M != 0 ? size / fabs(M) : 1;
 }
 
@@ -184,20 +157,20 @@ static bool solve_rear_radius(struct lensmaker *lens, const char *which, struct 
                     lens->n, which);
     }
     struct radius r1 = radius_of(lens->R1);
-    struct pair step1 = sum(lens->n, -lens->n0), step2 = sum(lens->n1, -lens->n);
-    struct pair up = times(step2, reduced(lens, r1, step1));
+    struct pair step1 = pair_sum(lens->n, -lens->n0), step2 = pair_sum(lens->n1, -lens->n);
+    struct pair up = pair_multiply(step2, reduced(lens, r1, step1));
     struct pair down = scaled(step1, -lens->n * r1.b); /* f infinite: P = 0 */
     if (isfinite(lens->f)) {
-        down = add(times(pair_of(lens->n), pair_of(r1.a)), scaled(down, lens->f));
+        down = pair_add(pair_multiply(pair_of(lens->n), pair_of(r1.a)), scaled(down, lens->f));
         up = scaled(up, lens->f);
     }
-    if (up.high == 0) {
+    if (up.hi == 0) {
         return fail(error, ERROR_DOMAIN,
                     "the other surface has its focus in the vertex of the %s one: no radius there "
                     "changes the focal length",
                     which);
     }
-    lens->R2 = down.high == 0 ? INFINITY : up.high / down.high;
+    lens->R2 = down.hi == 0 ? INFINITY : up.hi / down.hi;
     return true;
 }
 
@@ -225,28 +198,28 @@ static bool solve_thickness(struct lensmaker *lens, struct error *error)
     struct lensmaker thin = *lens;
     thin.d = 0;
     struct terms t = terms_of(&thin);
-    struct pair step = scaled(times(t.step1, t.step2), t.r1.b * t.r2.b);
-    if (step.high == 0) {
+    struct pair step = scaled(pair_multiply(t.step1, t.step2), t.r1.b * t.r2.b);
+    if (step.hi == 0) {
         return fail(error, ERROR_DOMAIN,
                     "a surface without power: the thickness does not change the focal length");
     }
     /* d step = n a1 a2 (P thin - P) */
     struct pair wanted = {0, 0};
     if (isfinite(lens->f)) {
-        struct pair product = scaled(times(pair_of(-t.r1.a), pair_of(t.r2.a)), lens->n);
-        double q = product.high / lens->f;
-        wanted = (struct pair){q, (fma(-q, lens->f, product.high) + product.low) / lens->f};
+        struct pair product = scaled(pair_multiply(pair_of(-t.r1.a), pair_of(t.r2.a)), lens->n);
+        double q = product.hi / lens->f;
+        wanted = (struct pair){q, (fma(-q, lens->f, product.hi) + product.lo) / lens->f};
     }
-    struct pair excess = add(t.M, wanted);
-    lens->d = excess.high / step.high;
+    struct pair excess = pair_add(t.M, wanted);
+    lens->d = excess.hi / step.hi;
     if (lens->d == 0 || lens->d > 0) {
         return true;
     }
-    double f0 = lens->n * t.r1.a * t.r2.a / t.M.high;
+    double f0 = lens->n * t.r1.a * t.r2.a / t.M.hi;
     return fail(error, ERROR_DOMAIN,
                 "the thickness would be %.6g mm: these radii thin have a focal length of %.6g mm, "
                 "and thickness only moves the power %s, not to %.6g mm",
-                lens->d, f0, step.high * t.r1.a * t.r2.a > 0 ? "down" : "up", lens->f);
+                lens->d, f0, step.hi * t.r1.a * t.r2.a > 0 ? "down" : "up", lens->f);
 }
 
 /*
@@ -291,11 +264,11 @@ static bool solve_index(struct lensmaker *lens, struct lensmaker_choice *choice,
     struct radius r1 = radius_of(lens->R1), r2 = radius_of(lens->R2);
     double P = r1.a * r2.a / lens->f; /* times a1 a2, as everything here */
     double both = lens->d * (r1.b * r2.b), one = r1.b * r2.a, two = r2.b * r1.a;
-    double a = add(sum(one, -two), pair_of(both)).high;
-    double b =
-        add(add(times(pair_of(-lens->n0), pair_of(one)), times(pair_of(lens->n1), pair_of(two))),
-            sum(-P, -both * (lens->n0 + lens->n1)))
-            .high;
+    double a = pair_add(pair_sum(one, -two), pair_of(both)).hi;
+    double b = pair_add(pair_add(pair_multiply(pair_of(-lens->n0), pair_of(one)),
+                                 pair_multiply(pair_of(lens->n1), pair_of(two))),
+                        pair_sum(-P, -both * (lens->n0 + lens->n1)))
+                   .hi;
     double roots[2], legal[2] = {NAN, NAN};
     int count = quadratic(a, b, both * lens->n0 * lens->n1, true, roots);
     if (count < 0) {
@@ -331,7 +304,9 @@ static bool solve_bending(struct lensmaker *lens, struct lensmaker_choice *choic
     double k1 = steep ? 1 + w : w + 1, k2 = steep ? 1 - w : w - 1;
     double step1 = lens->n - lens->n0, step2 = lens->n1 - lens->n;
     double A = -lens->d / lens->n * step1 * step2 * k1 * k2;
-    double B = add(times(pair_of(step1), pair_of(k1)), times(pair_of(step2), pair_of(k2))).high;
+    double B = pair_add(pair_multiply(pair_of(step1), pair_of(k1)),
+                        pair_multiply(pair_of(step2), pair_of(k2)))
+                   .hi;
     double P = 1 / lens->f, roots[2], x = NAN;
     choice->count = quadratic(A, B, -P, false, roots);
     if (choice->count < 0) {

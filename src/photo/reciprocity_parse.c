@@ -30,7 +30,7 @@ static bool accept(struct reader *reader, char c)
 
 static bool read_number(struct reader *reader, double *value)
 {
-    const char *next = number_read(reader->at, reader->end, (struct number_scale){1, 0}, value);
+    const char *next = number_read(reader->at, reader->end, NUMBER_UNSCALED, value);
     if (next == NULL || !isfinite(*value)) {
         return fail_here(reader, "a number is expected");
     }

@@ -72,7 +72,7 @@ static void check_refused(void)
 static struct pair pair_of_text(const char *text)
 {
     struct pair value = {0, 0};
-    pair_read(text, text + strlen(text), (struct number_scale){1, 0}, &value);
+    pair_read(text, text + strlen(text), NUMBER_UNSCALED, &value);
     return value;
 }
 

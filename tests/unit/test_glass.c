@@ -83,7 +83,7 @@ static void test_slopes(struct lensdb *db)
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         const struct glass_record record = find(db, names[i]);
         const double l = record.glass.formula == GLASS_HERZBERGER ? 5 : 0.6, h = 1e-4;
-        double slope = glass_index(&record.glass, twofold_of(l)).slope;
+        double slope = glass_index(&record.glass, pair_of(l)).slope;
         double difference = (glass_n(&record.glass, l + h) - glass_n(&record.glass, l - h)) / 2 / h;
         CHECK_NEAR(slope, difference, 1e-6 * fabs(difference) + 1e-11, names[i]);
     }
@@ -91,7 +91,7 @@ static void test_slopes(struct lensdb *db)
 
 static void test_models(void)
 {
-    const struct twofold nd = {1.6, 0}, Vd = {40, 0};
+    const struct pair nd = {1.6, 0}, Vd = {40, 0};
     const struct glass model = glass_nd_vd(nd, Vd);
     CHECK_RELATIVE(glass_n(&model, GLASS_LINE_D), 1.6, 1e-15, "nd of the model");
     CHECK_RELATIVE(glass_n(&model, GLASS_LINE_F) - glass_n(&model, GLASS_LINE_C), 0.6 / 40, 1e-13,
@@ -110,31 +110,31 @@ static void test_models(void)
     table.formula = GLASS_TABLE;
     table.table = points;
     table.table_count = 6;
-    CHECK_NEAR(glass_n(&table, points[2].wavelength.high), points[2].value.high, 0, "an entry");
+    CHECK_NEAR(glass_n(&table, points[2].wavelength.hi), points[2].value.hi, 0, "an entry");
     for (double l = 0.42; l < 0.9; l += 0.03) {
         CHECK_RELATIVE(glass_n(&table, l), 1.5 + 0.01 / (l * l), 1e-15, "between entries");
-        CHECK_RELATIVE(glass_index(&table, twofold_of(l)).slope, -0.02 / (l * l * l), 1e-11,
+        CHECK_RELATIVE(glass_index(&table, pair_of(l)).slope, -0.02 / (l * l * l), 1e-11,
                        "slope of a table");
     }
 }
 
 /* 1.1 = 1.100000000000000088817841970012523..., so 8.88e-17 is too much. */
-static void test_twofold(void)
+static void test_pairs(void)
 {
-    struct twofold value;
+    struct pair value;
     const char text[] = "1.1", small[] = "-1.1e-30", many[] = "0.12345678901234567890";
-    CHECK(twofold_read(text, text + 3, &value) == text + 3);
-    CHECK_RELATIVE(value.low, -8.8817841970012523e-17, 1e-15, "rest of 1.1");
-    CHECK(twofold_read(small, small + 8, &value) == small + 8);
-    CHECK(fabs(value.low) < 1e-46 && fabs(value.low) > 0);
-    CHECK(twofold_read(many, many + 22, &value) == many + 22);
-    CHECK(twofold_read("x", "x", &value) == NULL);
-    struct twofold third = twofold_divide(twofold_of(1), twofold_of(3));
-    struct twofold one = twofold_multiply(third, twofold_of(3));
-    CHECK_NEAR((one.high - 1) + one.low, 0.0, 1e-31, "3 x 1/3");
-    struct twofold root = twofold_root(twofold_of(2));
-    struct twofold two = twofold_multiply(root, root);
-    CHECK_NEAR((two.high - 2) + two.low, 0.0, 1e-30, "root 2 squared");
+    CHECK(pair_read(text, text + 3, NUMBER_UNSCALED, &value) == text + 3);
+    CHECK_RELATIVE(value.lo, -8.8817841970012523e-17, 1e-15, "rest of 1.1");
+    CHECK(pair_read(small, small + 8, NUMBER_UNSCALED, &value) == small + 8);
+    CHECK(fabs(value.lo) < 1e-46 && fabs(value.lo) > 0);
+    CHECK(pair_read(many, many + 22, NUMBER_UNSCALED, &value) == many + 22);
+    CHECK(pair_read("x", "x", NUMBER_UNSCALED, &value) == NULL);
+    struct pair third = pair_divide(pair_of(1), pair_of(3));
+    struct pair one = pair_multiply(third, pair_of(3));
+    CHECK_NEAR((one.hi - 1) + one.lo, 0.0, 1e-31, "3 x 1/3");
+    struct pair root = pair_root(pair_of(2));
+    struct pair two = pair_multiply(root, root);
+    CHECK_NEAR((two.hi - 2) + two.lo, 0.0, 1e-30, "root 2 squared");
 }
 
 static void test_names(struct lensdb *db)
@@ -167,7 +167,7 @@ int main(void)
     test_air();
     test_slopes(&db);
     test_models();
-    test_twofold();
+    test_pairs();
     test_names(&db);
     arena_free(&arena);
     return check_report();
