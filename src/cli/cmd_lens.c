@@ -79,8 +79,7 @@ static const struct column columns[] = {
     {PLACE(track, COLUMN_INFINITE), .name = "track", .label = "track",
      .help = "first vertex to the image plane"},
     LENS_TITLE_COLUMN(struct row, lens),
-    {NUMBER(warning, 0), .name = "warning", .label = "warning",
-     .help = "what is doubtful about the lens; absent if nothing is"},
+    LENS_WARNING_COLUMN(struct row, warning),
 };
 
 static bool emit_row(const struct lens_case *one, struct run *run, const void *context,

@@ -18,7 +18,7 @@ static const struct option options[] = {
 
 struct row {
     double wavelength; /* mm */
-    const char *position, *factor, *lens;
+    const char *position, *factor, *lens, *warning;
     double a, b, c, d, determinant;
 };
 
@@ -37,11 +37,12 @@ static const struct column columns[] = {
     {PLAIN(d), .name = "d", .label = "d", .help = "the fourth"},
     {PLAIN(determinant), .name = "determinant", .label = "determinant", .help = "a d - b c: 1"},
     LENS_TITLE_COLUMN(struct row, lens),
+    LENS_WARNING_COLUMN(struct row, warning),
 };
 
 struct perspective_row {
     double wavelength; /* mm */
-    const char *position, *row, *lens;
+    const char *position, *row, *lens, *warning;
     double x, y, z, w;
 };
 
@@ -60,6 +61,7 @@ static const struct column perspective_columns[] = {
              "in front of it"},
     {CELL(w), .label = "w", .help = "times 1"},
     LENS_TITLE_COLUMN(struct perspective_row, lens),
+    LENS_WARNING_COLUMN(struct perspective_row, warning),
 };
 
 static const struct sheet matrix_sheet = SHEET(columns, struct row);
@@ -77,6 +79,7 @@ static bool emit_matrix(const struct lens_case *one, struct run *run, const char
                             one->position,
                             factor,
                             one->lens->title,
+                            one->warning,
                             m->a.hi,
                             m->b.hi,
                             m->c.hi + 0.0,
@@ -127,6 +130,7 @@ static bool emit_perspective(const struct lens_case *one, struct run *run, const
         row.wavelength = lens_wavelength_own(one->wavelength);
         row.position = one->position;
         row.lens = one->lens->title;
+        row.warning = one->warning;
         if (!run_emit(run, &row)) {
             break;
         }

@@ -68,8 +68,7 @@ static const struct column columns[] = {
     {PLAIN(chief.after, COLUMN_BRIEF), .name = "chief_v", .symbol = "vbar", .label = "chief v",
      .help = "its n u after the surface"},
     LENS_TITLE_COLUMN(struct row, lens),
-    {PLAIN(warning, COLUMN_HIDDEN), .name = "warning", .label = "warning",
-     .help = "what is doubtful about the lens; absent if nothing is"},
+    LENS_WARNING_COLUMN(struct row, warning),
 };
 
 static const char *kind_of(const struct surface *surface)

@@ -122,9 +122,10 @@ static bool visit_position(const struct lens_question *question, size_t position
         .lens = lens,
         .position = all->position_count > 0 ? all->positions[position] : NULL,
         .section = (enum lens_section)question->section,
-        .warning = join(run->arena, question->lens.warning,
-                        lens_stated_warning(all, position, &stated, run->arena)),
     };
+    one.warning = join(run->arena, question->lens.warning,
+                       lens_stated_warning(all, position, &stated, run->arena));
+    one.warning = join(run->arena, one.warning, first_order_warning(lens, run->arena));
     bool given = question->wavelength.name != NULL;
     size_t count = given || lens->wavelength_count == 0 ? 1 : lens->wavelength_count;
     for (size_t i = 0; i < count; i++) {

@@ -86,8 +86,15 @@ extern const struct word section_words[];
 
 #define LENS_POSITION_COLUMN(S, member, more)                                                      \
     {                                                                                              \
-        COLUMN(S, member), .name = "position", .flags = (more), .label = "position",               \
+        COLUMN(S, member), .name = "position", .flags = COLUMN_SPARSE | (more),              \
+                           .label = "position",                                                    \
                            .help = "zoom or focus position; absent where there is only one"        \
+    }
+
+#define LENS_WARNING_COLUMN(S, member)                                                             \
+    {                                                                                              \
+        COLUMN(S, member), .name = "warning", .flags = COLUMN_NOTE, .label = "warning",            \
+                           .help = "what is doubtful about the lens; absent if nothing is"         \
     }
 
 #define LENS_TITLE_COLUMN(S, member)                                                               \

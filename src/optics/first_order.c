@@ -4,9 +4,6 @@
 
 #include <math.h>
 
-/* Below this share of the strongest surface a power is rounding of the decimals: 2^-95. */
-static const double afocal_share = 2.5243548967072378e-29;
-
 struct conjugate_object lens_object(const struct lens *lens)
 {
     return (struct conjugate_object){lens->object_is_infinite, lens->object.value};
@@ -105,7 +102,7 @@ void first_order_compute(const struct paraxial_system *system, const struct para
     all->matrix = trace->whole;
     all->index_object = n.hi;
     all->index_image = n_image.hi;
-    all->is_afocal = !(fabs(trace->whole.c.hi) > afocal_share * system->strongest);
+    all->is_afocal = paraxial_is_afocal(system, trace);
     if (all->is_afocal) {
         set_afocal(all);
     } else {
@@ -272,6 +269,26 @@ const char *lens_stated_warning(const struct lens *lens, size_t position,
                              all[i].what, all[i].stated, all[i].actual);
             warning = warning == NULL ? text : arena_printf(arena, "%s; %s", warning, text);
         }
+    }
+    return warning;
+}
+
+const char *first_order_warning(const struct lens *lens, struct arena *arena)
+{
+    static const char focus[] = "'focus best' is that of exact rays: first-order data have the "
+                                "image at the paraxial focus";
+    const char *warning = lens->focus == FOCUS_BEST ? focus : NULL;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        if (surface->moved == NULL && surface->bend == NULL) {
+            continue;
+        }
+        const char *text = arena_printf(
+            arena,
+            "surface %zu is %s: first-order data are those of the "
+            "centred lens",
+            i + 1, surface->moved != NULL ? "decentred or tilted" : "behind a bend of the axis");
+        return warning == NULL ? text : arena_printf(arena, "%s; %s", text, warning);
     }
     return warning;
 }

@@ -217,7 +217,8 @@ static bool belongs(const struct column *column, const struct selection *selecti
     if ((column->flags & COLUMN_ASSUMED) != 0 && varies) {
         return true;
     }
-    bool hidden = (column->flags & COLUMN_HIDDEN) != 0 && selection->layout != SELECT_ALL;
+    bool hidden =
+        (column->flags & (COLUMN_HIDDEN | COLUMN_NOTE)) != 0 && selection->layout != SELECT_ALL;
     if ((column->flags & COLUMN_EXTRA) != 0) {
         return !hidden && column->with != NULL && selection->given(selection->asked, column->with);
     }

@@ -31,7 +31,9 @@ enum column_flag {
     COLUMN_BRIEF = 4,    /* belongs into the text table of several rows */
     COLUMN_ASSUMED = 8,  /* stands among the assumptions */
     COLUMN_EXTRA = 16,   /* only on request, by --columns or by the option in `with` */
-    COLUMN_HIDDEN = 32   /* not among what people read, unless asked for */
+    COLUMN_HIDDEN = 32,  /* not among what people read, unless asked for */
+    COLUMN_SPARSE = 64,  /* left out of the table that people read where no row has it */
+    COLUMN_NOTE = 128    /* people read it below the table, each text once: a warning */
 };
 
 /* One column. Numbers are in the program's own units in the row, in `unit` in the output. */

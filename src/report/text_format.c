@@ -119,11 +119,21 @@ static void choose_units(struct report *report)
     }
 }
 
-/* A shown column keeps its place even when it is empty, if the user named it or rows still come. */
-static bool is_left_out(const struct report *report, size_t column)
+/* Extras and sparse columns that no row has are not shown; others keep their place. */
+static void leave_out_empty(struct report *report)
 {
-    const struct text_state *state = report->state;
-    return state->is_empty[column] && (report->shown[column].column->flags & COLUMN_EXTRA) != 0;
+    struct text_state *state = report->state;
+    size_t kept = 0;
+    for (size_t i = 0; i < report->shown_count; i++) {
+        const unsigned flags = report->shown[i].column->flags;
+        if (state->is_empty[i] && (flags & (COLUMN_EXTRA | COLUMN_SPARSE)) != 0) {
+            continue;
+        }
+        report->shown[kept] = report->shown[i];
+        state->units[kept] = state->units[i];
+        state->is_empty[kept++] = state->is_empty[i];
+    }
+    report->shown_count = kept;
 }
 
 static size_t cell_count(const struct report *report)
@@ -173,9 +183,7 @@ static struct grid new_grid(struct report *report, struct arena *arena)
     }
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct column *column = report->shown[i].column;
-        if (!is_left_out(report, i)) {
-            grid_set(&grid, report->passed_count + i, spaced(arena, column->name));
-        }
+        grid_set(&grid, report->passed_count + i, spaced(arena, column->name));
         grid.left[report->passed_count + i] = column->type == COLUMN_TEXT;
     }
     if (state->has_failures) {
@@ -186,10 +194,8 @@ static struct grid new_grid(struct report *report, struct arena *arena)
         grid_add_row(&grid);
     }
     for (size_t i = 0; i < report->shown_count && grid.head_rows == 2; i++) {
-        if (!is_left_out(report, i)) {
-            grid_set(&grid, report->passed_count + i,
-                     label_of_unit(&report->shown[i], state->units[i]));
-        }
+        grid_set(&grid, report->passed_count + i,
+                 label_of_unit(&report->shown[i], state->units[i]));
     }
     return grid;
 }
@@ -312,6 +318,7 @@ static void write_kept(struct report *report)
 {
     struct text_state *state = report->state;
     choose_units(report);
+    leave_out_empty(report);
     if (!report->many && state->kept_count == 1 && report->format == &format_text) {
         write_list(report);
     } else {
@@ -372,6 +379,44 @@ static void write_line(struct report *report, const char *line)
     }
 }
 
+static bool is_shown(const struct report *report, const struct column *column)
+{
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (report->shown[i].column == column) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Each text of a column once, in the order of the rows. */
+static void write_notes(struct report *report, const struct column *column)
+{
+    const struct text_state *state = report->state;
+    for (size_t i = 0; i < state->kept_count; i++) {
+        const char *note = state->kept[i].row != NULL ? row_text(state->kept[i].row, column) : NULL;
+        bool is_new = note != NULL;
+        for (size_t k = 0; k < i && is_new; k++) {
+            const void *row = state->kept[k].row;
+            is_new = row == NULL || row_text(row, column) == NULL ||
+                     strcmp(row_text(row, column), note) != 0;
+        }
+        if (is_new) {
+            write_line(report, arena_printf(report->arena, "%s: %s", column->label, note));
+        }
+    }
+}
+
+static void write_all_notes(struct report *report)
+{
+    for (size_t i = 0; i < report->sheet->column_count; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        if ((column->flags & COLUMN_NOTE) != 0 && !is_shown(report, column)) {
+            write_notes(report, column);
+        }
+    }
+}
+
 static void text_end(struct report *report)
 {
     struct text_state *state = report->state;
@@ -382,6 +427,7 @@ static void text_end(struct report *report)
         grid_html_close(NULL, report->output);
     }
     write_line(report, report_assumptions(report, first_good_row(state)));
+    write_all_notes(report);
     if (report->explain != NULL && report->format != &format_html) {
         output_printf(report->output, "\n%s\n", report->explain); /* formulas keep their lines */
     } else {
