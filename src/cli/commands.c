@@ -9,7 +9,7 @@ extern const struct command command_focus, command_diffraction, command_equivale
 extern const struct command command_tilt, command_panorama;
 extern const struct command command_refract, command_lensmaker;
 extern const struct command command_draw;
-extern const struct command command_lens, command_surfaces, command_matrix;
+extern const struct command command_lens, command_surfaces, command_matrix, command_conjugate;
 extern const struct command command_list, command_glass;
 extern const struct command command_help, command_completion;
 
@@ -32,6 +32,7 @@ const struct command *const commands[] = {
     &command_lens,
     &command_surfaces,
     &command_matrix,
+    &command_conjugate,
     &command_draw, /* a lens */
     &command_list,
     &command_glass, /* data */

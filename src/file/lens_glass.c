@@ -27,6 +27,12 @@ static bool find(void *context, struct medium *medium, struct error *error)
     return true;
 }
 
+struct medium lens_glass_medium(const struct glass *glass)
+{
+    return (struct medium){
+        .kind = MEDIUM_GLASS, .written = glass->name, .glass_index = index_of, .glass = glass};
+}
+
 struct glass_source lens_glass_source(struct lens_glasses *glasses)
 {
     return (struct glass_source){find, glasses};

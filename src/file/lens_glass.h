@@ -5,6 +5,7 @@
 
 #include "file/lens_file.h"
 #include "file/lensdb.h"
+#include "optics/glass.h"
 
 /* Where glasses are looked for, and where they are kept. */
 struct lens_glasses {
@@ -14,5 +15,8 @@ struct lens_glasses {
 
 /* The source of glasses for lens_read; it lives as long as `glasses`. */
 struct glass_source lens_glass_source(struct lens_glasses *glasses);
+
+/* The glass as a medium; it must live as long. */
+struct medium lens_glass_medium(const struct glass *glass);
 
 #endif

@@ -141,6 +141,12 @@ void paraxial_trace(const struct paraxial_system *system, struct paraxial_trace 
     trace_with(system, trace, false);
 }
 
+bool paraxial_is_afocal(const struct paraxial_system *system, const struct paraxial_trace *trace)
+{
+    const double share = 2.5243548967072378e-29; /* 2^-95 */
+    return !(fabs(trace->whole.c.hi) > share * system->strongest);
+}
+
 void paraxial_follow(const struct paraxial_system *system, struct pair y, struct pair v,
                      struct paraxial_ray *rays)
 {

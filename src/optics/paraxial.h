@@ -70,6 +70,9 @@ void paraxial_trace(const struct paraxial_system *system, struct paraxial_trace 
 /* The same, without the instructions that only newer processors have: for tests. */
 void paraxial_trace_portable(const struct paraxial_system *system, struct paraxial_trace *trace);
 
+/* Is the power of the whole only rounding of the decimals: below 2^-95 of the strongest surface? */
+bool paraxial_is_afocal(const struct paraxial_system *system, const struct paraxial_trace *trace);
+
 /*
  * Follow one ray through all surfaces.
  *

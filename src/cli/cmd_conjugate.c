@@ -1,0 +1,483 @@
+/* cli/cmd_conjugate.c - lenscalc conjugate: object and image of a lens, and focusing. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/focus_gaps.h"
+#include "cli/lens_options.h"
+#include "cli/photo_options.h"
+#include "file/glass_catalog.h"
+#include "file/lens_glass.h"
+#include "optics/conjugates.h"
+#include "optics/focusing.h"
+
+enum { FOCUS_BY_NOTHING, FOCUS_BY_LENS };
+
+struct input {
+    struct lens_question question;
+    double object, image, magnification; /* at most one */
+    int from, focus_by;
+    const char *gap;
+    struct glass_value object_medium, image_medium;
+};
+
+/* Indexed by enum conjugate_from. */
+static const struct word froms[] = {
+    [CONJUGATE_FROM_PRINCIPAL] = {"principal", "the object from H, the image from H'"},
+    [CONJUGATE_FROM_FRONT] = {"front", "from the first vertex, from the last"},
+    [CONJUGATE_FROM_FOCAL] = {"focal", "from F, from F' (Newton)"},
+    [CONJUGATE_FROM_ENTRANCE] = {"entrance", "from the entrance pupil, from the exit pupil"},
+    [CONJUGATE_FROM_SENSOR] = {"sensor", "the object from the image plane"},
+    [CONJUGATE_FROMS] = {NULL, NULL},
+};
+
+static const struct word focusings[] = {
+    [FOCUS_BY_NOTHING] = {"nothing", "the image falls where it falls"},
+    [FOCUS_BY_LENS] = {"lens", "the whole lens moves before its image plane"},
+    {NULL, NULL},
+};
+
+#define MILLIMETRES(member_name)                                                                   \
+    OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "mm",               \
+                                       .value = "LENGTH"
+
+static const struct option options[] = {
+    LENS_OPTION(struct input, question),
+    {MILLIMETRES(object), .name = "object",
+     .help = "distance of the object before the lens; negative: a virtual object behind it"},
+    {MILLIMETRES(image), .name = "image",
+     .help = "distance of the image behind the lens; negative: a virtual image"},
+    {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
+     .dimension = &dimension_ratio, .value = "RATIO",
+     .help = "lateral magnification; negative: upside down, as a camera's"},
+    OPTION_FROM(struct input, from, froms),
+    {OPTION(struct input, focus_by), .name = "focus-by", .column = "focus_by", .words = focusings,
+     .fallback = "nothing", .value = "HOW", .help = "bring the image to the image plane"},
+    {OPTION(struct input, gap), .name = "gap", .value = "GAPS",
+     .help = "focus by these gaps: variables or surface numbers, each with a weight: d5,10:-1"},
+    {OPTION(struct input, object_medium), .name = "object-medium", .value = "MEDIUM",
+     .help = "what is before the lens: a glass, nd/Vd or an index"},
+    {OPTION(struct input, image_medium), .name = "image-medium", .value = "MEDIUM",
+     .help = "what is behind the lens"},
+    LENS_WAVELENGTH_OPTION(struct input, question),
+    LENS_FNUMBER_OPTION(struct input, question),
+    LENS_POSITION_OPTION(struct input, question),
+    LENS_SECTION_OPTION(struct input, question),
+};
+
+struct row {
+    double wavelength; /* mm */
+    const char *position, *from, *focus_by, *gaps, *lens, *warning;
+    const char *object_kind, *image_kind, *orientation;
+    double object, image, movement, efl;
+    double working_fnumber, na_object, na_image;
+    struct conjugate_points all;
+};
+
+#define LENGTH(member_name, more)                                                                  \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+
+static const struct column columns[] = {
+    {COLUMN(struct row, wavelength), .dimension = &dimension_length, .unit = "nm",
+     .flags = COLUMN_ECHO, .name = "wavelength", .with = "wavelength", .label = "wavelength",
+     .help = "wavelength"},
+    {PLAIN(position, COLUMN_BRIEF | COLUMN_SPARSE), .name = "position", .label = "position",
+     .help = "zoom or focus position; absent where there is only one"},
+    {LENGTH(movement, COLUMN_BRIEF | COLUMN_SPARSE), .name = "movement", .label = "movement",
+     .help = "by how much the gaps grow, times their weights; the extension of the whole lens"},
+    {PLAIN(gaps, COLUMN_BRIEF | COLUMN_SPARSE), .name = "gaps", .label = "gaps after it",
+     .help = "the moved gaps in mm"},
+    {LENGTH(object, COLUMN_BRIEF | COLUMN_INFINITE), .name = "object_distance", .label = "object",
+     .help = "the object, to the left of where --from says"},
+    {LENGTH(image, COLUMN_BRIEF | COLUMN_INFINITE), .name = "image_distance", .label = "image",
+     .help = "the image, to the right of the point that belongs to --from"},
+    {PLAIN(all.magnification, COLUMN_BRIEF | COLUMN_INFINITE), .name = "magnification",
+     .symbol = "m", .label = "magnification",
+     .help = "image over object height, n u/(n' u'); negative upside down"},
+    {PLAIN(orientation, 0), .name = "orientation", .label = "orientation",
+     .help = "erect or inverted"},
+    {PLAIN(object_kind, 0), .name = "object_kind", .label = "object is",
+     .help = "real, virtual or at infinity"},
+    {PLAIN(image_kind, COLUMN_BRIEF), .name = "image_kind", .label = "image is",
+     .help = "real, virtual or at infinity"},
+    {PLAIN(all.angular, COLUMN_INFINITE), .name = "angular_magnification",
+     .label = "angular magnification", .help = "u'/u of a ray through object and image point"},
+    {PLAIN(all.longitudinal, COLUMN_INFINITE), .name = "longitudinal_magnification",
+     .label = "longitudinal magnification", .help = "dz'/dz of small depths, (n'/n) m^2"},
+    {PLAIN(working_fnumber, COLUMN_BRIEF | COLUMN_INFINITE), .name = "working_fnumber",
+     .label = "working f-number",
+     .help = "1/(2 n' |u'|) of the marginal ray, the stop as wide as the file or -N has it; absent "
+             "without a stop"},
+    {PLAIN(na_object, 0), .name = "na_object", .label = "aperture of the object",
+     .help = "numerical aperture n sin u"},
+    {PLAIN(na_image, 0), .name = "na_image", .label = "aperture of the image",
+     .help = "numerical aperture n' sin u'"},
+    {LENGTH(efl, COLUMN_INFINITE), .name = "efl", .symbol = "f", .label = "focal length",
+     .help = "effective focal length, after focusing"},
+    {LENGTH(all.object, COLUMN_INFINITE), .name = "object_front", .label = "object from vertex 1",
+     .help = "the object, to the left of the first vertex"},
+    {LENGTH(all.object_principal, COLUMN_INFINITE), .name = "object_principal", .symbol = "s",
+     .label = "object from H", .help = "to the left of the principal point H"},
+    {LENGTH(all.object_focal, COLUMN_INFINITE), .name = "object_focal", .symbol = "x",
+     .label = "object from F", .help = "to the left of the focal point F"},
+    {LENGTH(all.object_pupil, COLUMN_INFINITE), .name = "object_pupil",
+     .label = "object from entrance pupil", .help = "to the left of the entrance pupil"},
+    {LENGTH(all.image, COLUMN_INFINITE), .name = "image_rear", .label = "image from last vertex",
+     .help = "the image, to the right of the last vertex"},
+    {LENGTH(all.image_principal, COLUMN_INFINITE), .name = "image_principal", .symbol = "s'",
+     .label = "image from H'", .help = "to the right of the principal point H'"},
+    {LENGTH(all.image_focal, COLUMN_INFINITE), .name = "image_focal", .symbol = "x'",
+     .label = "image from F'", .help = "to the right of the focal point F'"},
+    {LENGTH(all.image_pupil, COLUMN_INFINITE), .name = "image_pupil",
+     .label = "image from exit pupil", .help = "to the right of the exit pupil"},
+    {LENGTH(all.total, COLUMN_INFINITE), .name = "total", .symbol = "T", .label = "object to image",
+     .help = "from the object to the image"},
+    {PLAIN(from, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "distance_from", .depends = "from",
+     .label = "distances from", .help = "where the first two distances are measured from"},
+    {PLAIN(focus_by, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "focus_by", .depends = "focus-by",
+     .label = "focused by", .help = "what moves; absent where nothing does"},
+    {PLAIN(lens, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "lens", .depends = "lens", .label = "lens",
+     .help = "title of the lens"},
+    {PLAIN(warning, COLUMN_NOTE), .name = "warning", .label = "warning",
+     .help = "what is doubtful about the lens; absent if nothing is"},
+};
+
+/* What is asked of one lens, wavelength after wavelength. */
+struct task {
+    const struct input *input;
+    struct lens_value typed; /* the lens as the file has it, its media too */
+    struct named_gap gaps[FOCUS_GAPS];
+    size_t gap_count; /* 0: nothing moves */
+};
+
+static struct conjugate_question question_of(const struct input *input, const struct lens *lens)
+{
+    enum conjugate_from from = (enum conjugate_from)input->from;
+    if (!isnan(input->magnification)) {
+        return (struct conjugate_question){CONJUGATE_MAGNIFICATION, from, 0, input->magnification};
+    }
+    if (!isnan(input->image)) {
+        return (struct conjugate_question){CONJUGATE_IMAGE, from, input->image, 0};
+    }
+    if (!isnan(input->object)) {
+        return (struct conjugate_question){CONJUGATE_OBJECT, from, input->object, 0};
+    }
+    double own = lens->object_is_infinite ? INFINITY : lens->object.value.hi;
+    return (struct conjugate_question){CONJUGATE_OBJECT, CONJUGATE_FROM_FRONT, own, 0};
+}
+
+static const char *kind_of(double distance, bool is_virtual)
+{
+    return isinf(distance) ? "at infinity" : is_virtual ? "virtual" : "real";
+}
+
+/* Far objects have the magnification 0, but their images still stand on their heads or not. */
+static const char *orientation_of(const struct conjugate_points *all, double power)
+{
+    double sign = all->magnification != 0 ? all->magnification : -power;
+    return isinf(sign) || sign == 0 ? NULL : sign > 0 ? "erect" : "inverted";
+}
+
+/* The first of the two distances, as --from has them. */
+static void set_distances(const struct conjugate_points *all, int from, struct row *row)
+{
+    const double pairs[CONJUGATE_FROMS][2] = {
+        [CONJUGATE_FROM_PRINCIPAL] = {all->object_principal, all->image_principal},
+        [CONJUGATE_FROM_FRONT] = {all->object, all->image},
+        [CONJUGATE_FROM_FOCAL] = {all->object_focal, all->image_focal},
+        [CONJUGATE_FROM_ENTRANCE] = {all->object_pupil, all->image_pupil},
+        [CONJUGATE_FROM_SENSOR] = {all->total, all->image},
+    };
+    row->object = pairs[from][0];
+    row->image = pairs[from][1];
+}
+
+/* Brightness with the stop as wide as it is, for the object of the row. */
+static void set_brightness(const struct paraxial_system *system, const struct paraxial_trace *trace,
+                           const struct conjugate_object *object, double stop_radius,
+                           struct row *row)
+{
+    struct first_order first;
+    first_order_compute(system, trace, object, &first);
+    first_order_use_stop(&first, object, stop_radius, FIELD_NONE, NAN);
+    row->efl = first.efl;
+    row->working_fnumber = first.working_fnumber;
+    row->na_image = first.na_image;
+    double slope = first.marginal_v / first.index_object;
+    row->na_object = first.index_object * fabs(slope) / sqrt(1 + slope * slope);
+    if (isinf(row->all.image) && !isnan(first.working_fnumber)) {
+        row->working_fnumber = INFINITY;
+        row->na_image = 0;
+    }
+}
+
+/* The row of one object, which lies on `place` (mm to the left of the first vertex). */
+static bool emit_row(const struct lens_case *one, const struct task *task, const struct lens *lens,
+                     const struct conjugate_ray *ray, const char *gaps, double movement,
+                     struct run *run, struct error *error)
+{
+    struct paraxial_system system;
+    struct paraxial_trace trace;
+    struct row row = {.wavelength = lens_wavelength_own(one->wavelength),
+                      .position = one->position,
+                      .from = froms[task->input->from].word,
+                      .focus_by = task->input->gap != NULL     ? task->input->gap
+                                  : task->input->focus_by != 0 ? "the whole lens"
+                                                               : NULL,
+                      .gaps = gaps,
+                      .movement = movement,
+                      .lens = one->lens->title,
+                      .warning = one->warning};
+    if (!paraxial_compile(lens, one->wavelength, one->section, run->arena, &system, error)) {
+        return false;
+    }
+    paraxial_trace(&system, &trace);
+    bool far = ray->v.hi == 0;
+    /* the same place, whatever the index there is at this wavelength */
+    const struct conjugate_object object = {far, far ? pair_of(0) : pair_divide(ray->y, ray->v)};
+    const struct conjugate_ray here = {
+        far ? pair_of(1) : pair_divide(object.distance, system.index[0]), pair_of(far ? 0 : 1)};
+    conjugate_compute(&system, &trace, &here, &row.all);
+    set_distances(&row.all, task->input->from, &row);
+    set_brightness(&system, &trace, &object, one->first.stop_radius, &row);
+    row.object_kind = kind_of(row.all.object, row.all.object_is_virtual);
+    row.image_kind = kind_of(row.all.image, row.all.image_is_virtual);
+    row.orientation = orientation_of(&row.all, trace.whole.c.hi == 0 ? 0 : -trace.whole.c.hi);
+    run_emit(run, &row);
+    return true;
+}
+
+/* y and v = n u become y and u: the ray is that of a place, not of a reduced distance. */
+static struct conjugate_ray place_of(const struct conjugate_ray *ray, struct pair index)
+{
+    return (struct conjugate_ray){pair_multiply(ray->y, index), ray->v};
+}
+
+static bool emit_unmoved(const struct lens_case *one, const struct task *task, struct run *run,
+                         struct error *error)
+{
+    const struct conjugate_question question = question_of(task->input, one->lens);
+    struct conjugate_ray rays[2];
+    struct paraxial_trace trace;
+    paraxial_trace(&one->system, &trace);
+    size_t count = conjugate_find(&one->system, &trace, &question, rays, error);
+    for (size_t i = 0; i < count; i++) {
+        const struct conjugate_ray place = place_of(&rays[i], one->system.index[0]);
+        if (!emit_row(one, task, one->lens, &place, NULL, NAN, run, error)) {
+            return false;
+        }
+    }
+    return count > 0;
+}
+
+/* Where the file has its image plane, in its own media, at the wavelength it is focused at. */
+static bool find_image_plane(const struct lens_case *one, const struct task *task, struct run *run,
+                             struct pair *plane, struct error *error)
+{
+    const struct lens *typed = task->typed.lens;
+    size_t position = 0;
+    while (position + 1 < typed->position_count && typed->positions[position] != one->position) {
+        position++;
+    }
+    const struct lens *lens = lens_at_position(typed, position, run->arena);
+    const struct surface *last = &lens->surfaces[lens->surface_count - 1];
+    struct first_order first;
+    if (lens->focus == FOCUS_TABLE && last->has_thickness) {
+        *plane = last->thickness.value;
+        return true;
+    }
+    if (!first_order_of_lens(lens, lens_primary_wavelength(lens), one->section, run->arena, &first,
+                             error)) {
+        return false;
+    }
+    *plane = pair_of(first.image);
+    return true;
+}
+
+static const char *list_gaps(const struct task *task, const struct focused *focused,
+                             struct arena *arena)
+{
+    const char *all = NULL;
+    for (size_t i = 0; i < task->gap_count; i++) {
+        const struct named_gap *gap = &task->gaps[i];
+        size_t surface = gap->gap.surface;
+        double t = focused->lens->surfaces[surface].thickness.value.hi;
+        const char *text =
+            arena_printf(arena, "%.*s %.6g", (int)gap->name.length, gap->name.start, t);
+        all = all == NULL ? text : arena_printf(arena, "%s, %s", all, text);
+    }
+    return all;
+}
+
+/* Focused at the primary wavelength; at the others the same lens looks at the same object. */
+static bool emit_focused(const struct lens_case *one, const struct task *task, struct run *run,
+                         struct error *error)
+{
+    const struct conjugate_question question = question_of(task->input, one->lens);
+    struct focused *solutions = ARENA_ARRAY(run->arena, FOCUS_SOLUTIONS, struct focused);
+    struct focus_gap gaps[FOCUS_GAPS];
+    for (size_t i = 0; i < task->gap_count; i++) {
+        gaps[i] = task->gaps[i].gap;
+    }
+    struct focusing focusing = {.lens = one->lens,
+                                .wavelength = lens_primary_wavelength(one->lens),
+                                .section = one->section,
+                                .gaps = gaps,
+                                .gap_count = task->gap_count};
+    if (!find_image_plane(one, task, run, &focusing.image_plane, error)) {
+        return false;
+    }
+    size_t count = focus_solve(&focusing, &question, run->arena, solutions, error);
+    for (size_t i = 0; i < count; i++) {
+        struct paraxial_system system;
+        struct paraxial_trace trace;
+        struct conjugate_ray ray;
+        if (!paraxial_compile(solutions[i].lens, focusing.wavelength, one->section, run->arena,
+                              &system, error)) {
+            return false;
+        }
+        paraxial_trace(&system, &trace);
+        if (!focus_object(&solutions[i], &system, &trace, &question, &ray, error)) {
+            return false;
+        }
+        const struct conjugate_ray place = place_of(&ray, system.index[0]);
+        const char *names = list_gaps(task, &solutions[i], run->arena);
+        if (!emit_row(one, task, solutions[i].lens, &place, names, solutions[i].movement.hi, run,
+                      error)) {
+            return false;
+        }
+    }
+    return count > 0;
+}
+
+static bool emit_case(const struct lens_case *one, struct run *run, const void *context,
+                      struct error *error)
+{
+    const struct task *task = context;
+    return task->gap_count > 0 ? emit_focused(one, task, run, error)
+                               : emit_unmoved(one, task, run, error);
+}
+
+/* The lens with other media around it. */
+static bool put_into_media(const struct input *input, struct lens_value *value, struct arena *arena,
+                           struct error *error)
+{
+    const struct glass_record *before = input->object_medium.record;
+    const struct glass_record *behind = input->image_medium.record;
+    if (before == NULL && behind == NULL) {
+        return true;
+    }
+    const struct lens *lens = value->lens;
+    struct lens *copy = ARENA_NEW(arena, struct lens);
+    size_t last = lens->surface_count - 1;
+    *copy = *lens;
+    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
+    for (size_t i = 0; i <= last; i++) {
+        copy->surfaces[i] = lens->surfaces[i];
+    }
+    if (behind != NULL && copy->surfaces[last].kind == SURFACE_REFLECT) {
+        return fail(error, ERROR_USAGE,
+                    "--image-medium: the last surface is a mirror, which leaves the medium as it "
+                    "is");
+    }
+    if (before != NULL) {
+        copy->object_medium = lens_glass_medium(&before->glass);
+    }
+    for (size_t i = 0; i < STATED_COUNT; i++) {
+        copy->stated[i] = NULL; /* the source states it for other media */
+    }
+    if (behind != NULL) {
+        copy->surfaces[last].medium = lens_glass_medium(&behind->glass);
+    }
+    value->lens = copy;
+    return true;
+}
+
+static bool check_asked(const struct input *input, struct error *error)
+{
+    int given = !isnan(input->object) + !isnan(input->image) + !isnan(input->magnification);
+    if (given > 1) {
+        return fail(error, ERROR_USAGE, "--object, --image and --magnification exclude each other");
+    }
+    if (input->from == CONJUGATE_FROM_SENSOR && !isnan(input->image)) {
+        return fail(error, ERROR_USAGE,
+                    "--from sensor measures the object from the image: give --object");
+    }
+    if (input->gap != NULL && input->focus_by != FOCUS_BY_NOTHING) {
+        return fail(error, ERROR_USAGE,
+                    "--gap and --focus-by exclude each other: the gap of the whole lens is 'last'");
+    }
+    return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct lens_question question = input->question;
+    struct task task = {.input = input, .typed = input->question.lens};
+    question.field = NAN;
+    if (!check_asked(input, error)) {
+        return false;
+    }
+    const struct lens *lens = question.lens.lens;
+    if (lens != NULL) {
+        const char *gap = input->focus_by == FOCUS_BY_LENS ? "last" : input->gap;
+        if (gap != NULL &&
+            !focus_gaps_read(text_of(gap), lens, task.gaps, &task.gap_count, error)) {
+            return false;
+        }
+        if (!put_into_media(input, &question.lens, run->arena, error)) {
+            return false;
+        }
+        if (question.wavelength.name == NULL) {
+            question.wavelength =
+                (struct wavelength_value){lens_primary_wavelength(lens), "primary"};
+        }
+    }
+    return lens_each(&question, run, emit_case, &task, error);
+}
+
+static bool makes_many(const void *data)
+{
+    const struct input *input = data;
+    struct lens_question question = input->question;
+    question.wavelength.name = "primary"; /* without -w only that one */
+    return lens_makes_many(&question) || input->gap != NULL ||
+           input->focus_by != FOCUS_BY_NOTHING ||
+           (input->from == CONJUGATE_FROM_SENSOR && !isnan(input->object));
+}
+
+static const struct explanation explanations[] = {
+    {"magnification", "m = -n {f}/{x}", "[Smith05] Newton's form",
+     "paraxial; n, n' are the indices before and behind the lens, 1 in air"},
+    {"image_focal", "x' = n n' {f}^2/{x}", "[Smith05] Newton's form", NULL},
+    {"total", "T = {s} + {s'} + HH'", "[Smith05]; HH' from H to H'", NULL},
+    {"movement", "e where the ray from the axial object point has the height 0 at the image plane",
+     "y and v are linear in every surface and gap", "every root that leaves no gap negative"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"conjugate double-gauss --object 1m", "where the image is, and how large"},
+    {"conjugate double-gauss --object 0.5m,1m,2m,inf --from front", "for several distances"},
+    {"conjugate double-gauss -m -0.5 -N 4", "half life size, upside down as in a camera"},
+    {"conjugate double-gauss --object 1m --from sensor --focus-by lens",
+     "both positions of the lens between a subject and a sensor"},
+    {"conjugate us8427765-35 --object 1m --from sensor --gap last", "the extension of a lens"},
+    {"conjugate double-gauss --object 2m --object-medium water", "a subject in water"},
+    {NULL, NULL},
+};
+
+const struct command command_conjugate = {
+    .name = "conjugate",
+    .group = "a lens",
+    .summary = "object and image anywhere, in any medium; focusing by the lens or by gaps",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct input),
+    .sheet = {columns, sizeof columns / sizeof columns[0], sizeof(struct row)},
+    .makes_many = makes_many,
+    .run = run,
+    .explanations = explanations,
+    .plot = "magnification|image_principal_mm",
+    .cell = "magnification",
+};

@@ -1,0 +1,106 @@
+/* cli/focus_gaps.c - the gaps of a lens that focus it, as typed: "d5,10:-1,last". */
+/* SPDX-License-Identifier: MIT */
+#include "cli/focus_gaps.h"
+
+#include "base/quantity.h"
+
+#include <math.h>
+
+static bool add(struct named_gap *gaps, size_t *count, struct named_gap gap, struct error *error)
+{
+    for (size_t i = 0; i < *count; i++) {
+        if (gaps[i].gap.surface == gap.gap.surface) {
+            return fail(error, ERROR_USAGE, "--gap names the gap after surface %zu twice",
+                        gap.gap.surface + 1);
+        }
+    }
+    if (*count == FOCUS_GAPS) {
+        return fail(error, ERROR_USAGE, "--gap moves at most %d gaps", FOCUS_GAPS);
+    }
+    gaps[(*count)++] = gap;
+    return true;
+}
+
+/* All thicknesses that the variable stands for. */
+static bool add_variable(const struct lens *lens, struct named_gap gap, struct named_gap *gaps,
+                         size_t *count, bool *found, struct error *error)
+{
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        size_t variable = lens->surfaces[i].thickness.variable;
+        if (variable == LENS_NONE || !text_same_name(gap.name, lens->variables[variable].name)) {
+            continue;
+        }
+        gap.gap.surface = i;
+        *found = true;
+        if (!add(gaps, count, gap, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static size_t surface_of(const struct lens *lens, struct text name)
+{
+    double number;
+    struct error ignored;
+    if (text_same(name, "last")) {
+        return lens->surface_count - 1;
+    }
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (lens->surfaces[i].name != NULL && text_same(name, lens->surfaces[i].name)) {
+            return i;
+        }
+    }
+    bool is_number = quantity_read(name, &dimension_number, NULL, &number, NULL, &ignored);
+    bool exists = is_number && number >= 1 && number <= (double)lens->surface_count &&
+                  number == floor(number);
+    return exists ? (size_t)number - 1 : LENS_NONE;
+}
+
+static bool unknown(const struct lens *lens, struct text name, struct error *error)
+{
+    struct nearest nearest = {.typed = name};
+    for (size_t i = 0; i < lens->variable_count; i++) {
+        nearest_offer(&nearest, lens->variables[i].name);
+    }
+    fail(error, ERROR_USAGE,
+         "--gap '%.*s' is no gap: it must be a variable of the lens, the number (1 to %zu) or name "
+         "of the surface before it, or 'last'",
+         (int)(name.length < 40 ? name.length : 40), name.start, lens->surface_count);
+    return nearest.best.start != NULL &&
+           error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+}
+
+bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap *gaps,
+                     size_t *count, struct error *error)
+{
+    struct text rest = text;
+    *count = 0;
+    while (rest.start != NULL) {
+        struct text item = text_trim(text_cut(&rest, ',')), weight = item;
+        struct named_gap gap = {.name = text_trim(text_cut(&weight, ':')), .gap.weight = 1};
+        bool found = false;
+        if (weight.start != NULL &&
+            !quantity_read(weight, &dimension_number, NULL, &gap.gap.weight, NULL, error)) {
+            return error_prefix(error, "bad weight in --gap: ");
+        }
+        if (!(gap.gap.weight != 0) || isinf(gap.gap.weight)) {
+            return fail(error, ERROR_USAGE, "--gap '%.*s': the weight must be finite and not 0",
+                        (int)(item.length < 40 ? item.length : 40), item.start);
+        }
+        if (!add_variable(lens, gap, gaps, count, &found, error)) {
+            return false;
+        }
+        if (found) {
+            continue;
+        }
+        gap.gap.surface = surface_of(lens, gap.name);
+        if (gap.gap.surface == LENS_NONE) {
+            return unknown(lens, gap.name, error);
+        }
+        if (!add(gaps, count, gap, error)) {
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,27 @@
+/* cli/focus_gaps.h - the gaps of a lens that focus it, as typed: "d5,10:-1,last". */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_FOCUS_GAPS_H
+#define LENSCALC_CLI_FOCUS_GAPS_H
+
+#include "base/arena.h"
+#include "optics/focusing.h"
+
+/* A gap, and how it was called. */
+struct named_gap {
+    struct focus_gap gap;
+    struct text name;
+};
+
+/*
+ * Read NAME[:WEIGHT],... where NAME is a variable of the lens that stands for thicknesses, the
+ * number or the name of the surface before the gap, or `last`, the gap to the image plane.
+ *
+ * Given     lens  as read, with its variables
+ *           gaps  room for FOCUS_GAPS
+ * Errors    ERROR_USAGE: an unknown name, a weight that is no number or 0, a gap named twice, more
+ *           than FOCUS_GAPS
+ */
+bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap *gaps,
+                     size_t *count, struct error *error);
+
+#endif
