@@ -86,7 +86,7 @@ extern const struct word section_words[];
 
 #define LENS_POSITION_COLUMN(S, member, more)                                                      \
     {                                                                                              \
-        COLUMN(S, member), .name = "position", .flags = COLUMN_SPARSE | (more),              \
+        COLUMN(S, member), .name = "position", .flags = COLUMN_SPARSE | (more),                    \
                            .label = "position",                                                    \
                            .help = "zoom or focus position; absent where there is only one"        \
     }

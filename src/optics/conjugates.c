@@ -136,14 +136,6 @@ static bool find_by_magnification(const struct optics *o, double m, struct conju
     return true;
 }
 
-static struct pair root_of(struct pair a)
-{
-    double r = sqrt(a.hi);
-    return r > 0 ? pair_add(pair_of(r),
-                            pair_divide(pair_subtract(a, pair_product(r, r)), pair_of(2 * r)))
-                 : pair_of(0);
-}
-
 static size_t find_by_total_afocal(const struct optics *o, struct pair rest,
                                    struct conjugate_ray *ray, struct error *error)
 {
@@ -190,7 +182,7 @@ static size_t find_by_total(const struct optics *o, double total, struct conjuga
              total, fmin(one, other), fmax(one, other));
         return 0;
     }
-    struct pair swing = root_of(inside);
+    struct pair swing = inside.hi > 0 ? pair_root(inside) : pair_of(0);
     struct pair q =
         pair_divide(k.hi < 0 ? pair_subtract(k, swing) : pair_add(k, swing), pair_of(2));
     struct pair large = pair_divide(q, o->n_image), small = pair_divide(o->n, q);
