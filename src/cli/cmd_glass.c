@@ -59,6 +59,7 @@ static const struct option options[] = {
 
 struct row {
     const char *glass, *catalog, *line, *status, *source, *licence, *formula, *relative_to;
+    const char *warning;
     double wavelength, thickness, temperature, pressure;
     double n, slope, group, growth, transmittance, difference;
     struct glass_summary summary;
@@ -128,6 +129,8 @@ static const struct column columns[] = {
     {NUMBER(relative_to), .name = "index_relative_to", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "temperature pressure air", .label = "index relative to",
      .help = "what the index is relative to"},
+    {NUMBER(warning), .name = "warning", .flags = COLUMN_ASSUMED, .depends = "glass agf",
+     .label = "warning", .help = "what is doubtful in the data, with file and line"},
 };
 
 /* A text that lives as long as the row; null where it is empty. */
@@ -153,6 +156,7 @@ static void set_facts(const struct glass_record *record, struct arena *arena, st
     row->status = string(arena, record->status);
     row->source = string(arena, record->source);
     row->licence = string(arena, record->licence);
+    row->warning = record->warning;
     row->formula = glass_formula_name(glass->formula);
     row->from = glass->shortest / 1000;
     row->to = glass->longest / 1000;

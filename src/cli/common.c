@@ -63,6 +63,8 @@ const struct option common_options[] = {
      .help = "write to FILE, which appears only when it is complete"},
     {COMMON(lensdb), .name = "lensdb", .value = "DIR", .flags = OPTION_FILE,
      .help = "folder with your own data, searched first (also the variable LENSCALC_DB)"},
+    {COMMON(agf), .name = "agf", .value = "FILES", .flags = OPTION_FILE,
+     .help = "glass catalogues of your own in the AGF format, searched first"},
     {COMMON(help), .name = "help", .letter = 'h', .help = "show examples and options"},
 };
 

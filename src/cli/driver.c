@@ -450,6 +450,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
         return false;
     }
     driver->db.directory = driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
+    driver->db.agf = driver->common.agf;
     driver->reader.nominal = driver->common.nominal;
     driver->input = arena_array(&driver->arena, 1, command->input_size);
     return true;

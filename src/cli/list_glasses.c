@@ -4,7 +4,7 @@
 #include "file/glass_catalog.h"
 
 struct glass_row {
-    const char *name, *catalog, *status, *formula, *source, *licence, *place;
+    const char *name, *catalog, *status, *formula, *source, *licence, *place, *warning;
     double nd, Vd, from, to;
 };
 
@@ -31,6 +31,8 @@ static const struct column columns[] = {
      .help = "CC0, or facts (published constants)"},
     {GLASS(place), .name = "database", .label = "database",
      .help = "embedded, or the user's own folder"},
+    {GLASS(warning), .name = "warning", .label = "warning",
+     .help = "what is doubtful in the data, with file and line"},
 };
 
 static bool list_glasses(struct list *list, struct error *error)
@@ -49,6 +51,7 @@ static bool list_glasses(struct list *list, struct error *error)
             .source = list_string(list, record.source),
             .licence = list_string(list, record.licence),
             .place = list_place(record.place),
+            .warning = record.warning,
             .from = record.glass.shortest / 1000,
             .to = record.glass.longest / 1000,
         };

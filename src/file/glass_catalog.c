@@ -3,14 +3,12 @@
 #include "file/glass_catalog.h"
 
 #include "base/number.h"
+#include "file/agf_catalogs.h"
 #include "file/embedded.h"
 #include "file/glass_table.h"
 
-#include <dirent.h>
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const char FOLDER[] = "glass/", ENDING[] = ".tsv";
@@ -20,15 +18,10 @@ static struct text catalog_of(const char *file)
 {
     size_t length = strlen(file), around = strlen(FOLDER) + strlen(ENDING);
     if (length <= around || strncmp(file, FOLDER, strlen(FOLDER)) != 0 ||
-        strcmp(file + length - strlen(ENDING), ENDING) != 0) {
+        !text_same(text_of(file + length - strlen(ENDING)), ENDING)) {
         return (struct text){"", 0};
     }
     return (struct text){file + strlen(FOLDER), length - around};
-}
-
-static int by_name(const void *a, const void *b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
 /* The embedded catalogues. */
@@ -48,35 +41,6 @@ static const char **embedded_names(struct arena *arena)
     return names;
 }
 
-enum { MOST_USER_CATALOGS = 1000 };
-
-/* The catalogues in the folder glass of the user's folder, which need not be there. */
-static bool user_names(struct lensdb *db, struct arena *arena, const char ***names,
-                       struct error *error)
-{
-    *names = ARENA_ARRAY(arena, MOST_USER_CATALOGS + 1, const char *);
-    if (db->directory == NULL) {
-        return true;
-    }
-    const char *path = arena_printf(arena, "%s/glass", db->directory);
-    DIR *folder = opendir(path);
-    if (folder == NULL) {
-        return errno == ENOENT || errno == ENOTDIR ||
-               fail(error, ERROR_IO, "cannot read the folder %s: %s", path, strerror(errno));
-    }
-    size_t count = 0;
-    for (struct dirent *entry = readdir(folder); entry != NULL && count < MOST_USER_CATALOGS;
-         entry = readdir(folder)) {
-        const char *name = arena_printf(arena, "%s%s", FOLDER, entry->d_name);
-        if (catalog_of(name).length > 0 && entry->d_name[0] != '.') {
-            (*names)[count++] = name;
-        }
-    }
-    closedir(folder);
-    qsort(*names, count, sizeof **names, by_name);
-    return true;
-}
-
 /* Go to the catalogues of one place. */
 static bool enter_place(struct glass_catalogs *catalogs, enum lensdb_place place,
                         struct error *error)
@@ -87,7 +51,7 @@ static bool enter_place(struct glass_catalogs *catalogs, enum lensdb_place place
         catalogs->names = embedded_names(catalogs->arena);
         return true;
     }
-    return user_names(catalogs->db, catalogs->arena, &catalogs->names, error);
+    return agf_catalog_files(catalogs->db, ENDING, catalogs->arena, &catalogs->names, error);
 }
 
 bool glass_catalogs_open(struct glass_catalogs *catalogs, struct lensdb *db, struct arena *arena,
@@ -95,7 +59,7 @@ bool glass_catalogs_open(struct glass_catalogs *catalogs, struct lensdb *db, str
 {
     *catalogs = (struct glass_catalogs){.db = db, .arena = arena, .complete = complete};
     error->code = ERROR_NONE;
-    return enter_place(catalogs, LENSDB_USER, error);
+    return agf_catalogs(db, &catalogs->agf, error) && enter_place(catalogs, LENSDB_USER, error);
 }
 
 /* Step to the next row that has a glass; false at the end of all. */
@@ -134,6 +98,14 @@ static bool next_row(struct glass_catalogs *catalogs, struct error *error)
 bool glass_catalogs_next(struct glass_catalogs *catalogs, struct glass_record *record,
                          struct error *error)
 {
+    while (catalogs->agf != NULL) {
+        if (catalogs->agf_next < catalogs->agf->count) {
+            *record = catalogs->agf->glasses[catalogs->agf_next++];
+            return true;
+        }
+        catalogs->agf = catalogs->agf->next;
+        catalogs->agf_next = 0;
+    }
     return next_row(catalogs, error) &&
            glass_table_read(&catalogs->table, catalogs->complete, catalogs->arena, record, error);
 }
@@ -159,12 +131,31 @@ static bool consider(struct search *search, const struct glass_table *table, str
     return glass_table_read(table, true, search->arena, &search->found[search->count++], error);
 }
 
+static void search_agf(struct search *search, const struct agf_catalog *catalog)
+{
+    for (; catalog != NULL; catalog = catalog->next) {
+        if (search->catalog.length > 0 && !text_same_name(search->catalog, catalog->name)) {
+            continue;
+        }
+        for (size_t i = 0; i < catalog->count && search->count < MOST_HOMONYMS; i++) {
+            if (text_same_name(search->name, catalog->glasses[i].glass.name)) {
+                search->found[search->count++] = catalog->glasses[i];
+            }
+        }
+    }
+}
+
 static bool search_user(struct search *search, struct error *error)
 {
     struct glass_catalogs catalogs;
-    if (search->db->directory == NULL) {
+    const struct agf_catalog *agf;
+    if (search->db->directory == NULL && search->db->agf == NULL) {
         return true;
     }
+    if (!agf_catalogs(search->db, &agf, error)) {
+        return false;
+    }
+    search_agf(search, agf);
     if (!glass_catalogs_open(&catalogs, search->db, search->arena, true, error)) {
         return false;
     }
@@ -283,14 +274,30 @@ static bool choose(const struct search *search, struct glass_record *record, str
         if (text_equal(one->status, "current") && !text_equal(record->status, "current")) {
             *record = *one;
         }
-        int length = snprintf(names + used, sizeof names - used, "%s%.*s:%.*s%s", i > 0 ? ", " : "",
-                              (int)one->glass.catalog.length, one->glass.catalog.start,
-                              (int)one->glass.name.length, one->glass.name.start,
-                              text_equal(one->status, "obsolete") ? " (obsolete)" : "");
+        char line[32] = "";
+        if (one->line > 0) {
+            snprintf(line, sizeof line, " (line %ld)", one->line);
+        }
+        int length = snprintf(
+            names + used, sizeof names - used, "%s%.*s:%.*s%s%s", i > 0 ? ", " : "",
+            (int)one->glass.catalog.length, one->glass.catalog.start, (int)one->glass.name.length,
+            one->glass.name.start, line, text_equal(one->status, "obsolete") ? " (obsolete)" : "");
         used += length > 0 && (size_t)length < sizeof names - used ? (size_t)length : 0;
     }
     return same || fail(error, ERROR_USAGE, "several glasses are called '%.*s': %s",
                         (int)search->name.length, search->name.start, names);
+}
+
+static void suggest_agf(const struct search *search, struct nearest *nearest, struct nearest *other)
+{
+    for (const struct agf_catalog *agf = search->db->agf_catalogs; agf != NULL; agf = agf->next) {
+        nearest_offer(other, agf->name);
+        for (size_t i = 0; i < agf->count; i++) {
+            if (search->catalog.length == 0 || text_same_name(agf->name, search->catalog)) {
+                nearest_offer(nearest, agf->glasses[i].glass.name);
+            }
+        }
+    }
 }
 
 /* The nearest name among all glasses, with its catalogue if one was typed. */
@@ -309,6 +316,7 @@ static void suggest(struct search *search, struct error *error)
             nearest_offer(&nearest, name);
         }
     }
+    suggest_agf(search, &nearest, &other);
     bool prefixed = search->catalog.length > 0 && nearest.best.start != NULL;
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s%s%.*s'?", prefixed ? (int)search->catalog.length : 0,

@@ -15,6 +15,8 @@ struct glass_record {
     double density;                  /* g/cm^3 */
     double expansion, expansion_hot; /* 1e-6/K, -30 to 70 and 20 (or 100) to 300 C */
     enum lensdb_place place;
+    long line;           /* in an AGF file; else 0 */
+    const char *warning; /* what is doubtful in an AGF file; null = nothing */
 };
 
 enum { GLASS_CATALOG_COLUMNS = 22 };
@@ -27,11 +29,15 @@ struct glass_table {
     size_t columns[GLASS_CATALOG_COLUMNS]; /* TSV_MOST_COLUMNS where a user's table has none */
 };
 
+struct agf_catalog;
+
 /* All catalogues being read, the user's first. */
 struct glass_catalogs {
     struct lensdb *db;
-    struct arena *arena; /* for what glasses point to */
-    bool complete;       /* with transmittances, which cost most of the time */
+    struct arena *arena;           /* for what glasses point to */
+    bool complete;                 /* with transmittances, which cost most of the time */
+    const struct agf_catalog *agf; /* being read; its glasses come first */
+    size_t agf_next;
     enum lensdb_place place;
     const char **names; /* of this place: "glass/SCHOTT.tsv", ends with null */
     bool is_open;
@@ -39,8 +45,8 @@ struct glass_catalogs {
 };
 
 /*
- * Go through all glasses: the files glass/NAME.tsv of the user's folder, by name, then the embedded
- * ones.
+ * Go through all glasses: the user's AGF files (--agf, in the order given, then glass/NAME.agf of
+ * the user's folder, by name), the tables glass/NAME.tsv of that folder, then the embedded ones.
  *
  * Result    next: false at the end with error->code ERROR_NONE
  * Errors    ERROR_DATA with line and column: a bad row; ERROR_IO

@@ -114,7 +114,7 @@ static bool read_coefficients(const struct glass_table *table, struct glass *gla
             continue;
         }
         if (glass->count == GLASS_MOST_COEFFICIENTS) {
-            return bad(table, COEFFICIENTS, "are more than 16 numbers", error);
+            return bad(table, COEFFICIENTS, "are more than 17 numbers", error);
         }
         struct pair *c = &glass->coefficients[glass->count++];
         if (pair_read(word.start, end, NUMBER_UNSCALED, c) != end || isinf(c->hi)) {

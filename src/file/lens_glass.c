@@ -24,6 +24,7 @@ static bool find(void *context, struct medium *medium, struct error *error)
     *glass = record.glass;
     medium->glass = glass;
     medium->glass_index = index_of;
+    medium->warning = record.warning;
     return true;
 }
 

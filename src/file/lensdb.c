@@ -23,30 +23,44 @@ struct lensdb_file {
 /* A table of facts is small; what is larger is something else. */
 enum { LARGEST_FILE = 64 * 1024 * 1024 };
 
-static bool read_all(struct lensdb *db, int descriptor, struct lensdb_file *file,
+static bool read_all(struct lensdb *db, int descriptor, const char *path, struct text *content,
                      struct error *error)
 {
     struct stat status;
     if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
-        return fail(error, ERROR_IO, "cannot read %s: not a plain file", file->path);
+        return fail(error, ERROR_IO, "cannot read %s: not a plain file", path);
     }
     if (status.st_size > LARGEST_FILE) {
-        return fail(error, ERROR_IO, "cannot read %s: larger than 64 MiB", file->path);
+        return fail(error, ERROR_IO, "cannot read %s: larger than 64 MiB", path);
     }
     size_t size = (size_t)status.st_size, used = 0;
     char *data = arena_array(db->arena, size + 1, 1);
     while (used < size) {
         ssize_t got = read(descriptor, data + used, size - used);
         if (got < 0) {
-            return fail(error, ERROR_IO, "cannot read %s: %s", file->path, strerror(errno));
+            return fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
         }
         if (got == 0) {
             break;
         }
         used += (size_t)got;
     }
-    file->content = (struct text){data, used};
+    *content = (struct text){data, used};
     return true;
+}
+
+bool lensdb_read_file(struct lensdb *db, const char *path, struct text *content,
+                      struct error *error)
+{
+    int descriptor = open(path, O_RDONLY | O_CLOEXEC);
+    error->code = ERROR_NONE;
+    if (descriptor < 0) {
+        return errno != ENOENT &&
+               fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
+    }
+    bool done = read_all(db, descriptor, path, content, error);
+    close(descriptor);
+    return done;
 }
 
 static bool check_directory(const char *directory, struct error *error)
@@ -73,20 +87,9 @@ static bool load(struct lensdb *db, const char *name, struct lensdb_file **found
     struct lensdb_file *file = ARENA_NEW(db->arena, struct lensdb_file);
     file->name = arena_string(db->arena, name, strlen(name));
     file->path = arena_printf(db->arena, "%s/%s", db->directory, name);
-    int descriptor = open(file->path, O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) {
-        if (errno != ENOENT) {
-            return fail(error, ERROR_IO, "cannot read %s: %s", file->path, strerror(errno));
-        }
-        if (!check_directory(db->directory, error)) {
-            return false;
-        }
-    } else {
-        bool read = read_all(db, descriptor, file, error);
-        close(descriptor);
-        if (!read) {
-            return false;
-        }
+    if (!lensdb_read_file(db, file->path, &file->content, error) &&
+        (error->code != ERROR_NONE || !check_directory(db->directory, error))) {
+        return false;
     }
     file->next = db->loaded;
     db->loaded = file;

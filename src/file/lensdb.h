@@ -17,10 +17,22 @@ enum lensdb_place { LENSDB_USER, LENSDB_EMBEDDED, LENSDB_PLACES };
 /* Where data comes from. Files of the user's folder are read once, when first asked for. */
 struct lensdb {
     struct arena *arena;
+    const char *agf;       /* --agf: glass catalogues, separated by commas; null = none */
     const char *directory; /* --lensdb or LENSCALC_DB; null = embedded data only */
     struct lensdb_file *loaded;
     struct lensdb_series *series; /* stop series read so far */
+    bool agf_is_read;
+    const struct agf_catalog *agf_catalogs; /* the user's, once they are read */
 };
+
+/*
+ * A whole file of the user's, in the database's arena.
+ *
+ * Result    false with error->code ERROR_NONE if there is no such file
+ * Errors    ERROR_IO: it cannot be read, is no plain file, or is larger than 64 MiB
+ */
+bool lensdb_read_file(struct lensdb *db, const char *path, struct text *content,
+                      struct error *error);
 
 /*
  * Begin to read a table from the user's folder or from the embedded data.

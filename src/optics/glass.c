@@ -144,6 +144,20 @@ static struct value herzberger(const struct glass *glass, const struct light *li
     return value;
 }
 
+static struct value resonances(const struct glass *glass, const struct light *light)
+{
+    const struct pair *c = glass->coefficients;
+    const double l = light->l.hi;
+    struct value value = {pair_add(c[0], pair_multiply(c[1], light->square)), 2 * c[1].hi * l};
+    for (size_t i = 2; i + 2 < glass->count; i += 3) {
+        struct pair gap = pair_subtract(light->square, c[i + 2]);
+        struct pair top = pair_add(pair_multiply(c[i], light->square), c[i + 1]);
+        value.y = pair_add(value.y, pair_divide(top, gap));
+        value.dy += 2 * l * (c[i].hi * gap.hi - top.hi) / (gap.hi * gap.hi);
+    }
+    return value;
+}
+
 /* Where the entries that serve a wavelength begin: two on each side of it, if there are so many. */
 static size_t first_entry(const struct glass *glass, double l, size_t wanted)
 {
@@ -194,11 +208,11 @@ static const struct {
     bool is_square;           /* gives n^2 */
     struct value (*compute)(const struct glass *glass, const struct light *light);
 } formulas[] = {
-    {"constant", 1, 1, 1, false, constant},   {"nd_vd", 2, 2, 1, false, nd_vd},
-    {"sellmeier", 2, 16, 2, true, sellmeier}, {"sellmeier_sq", 3, 15, 2, true, sellmeier_sq},
-    {"schott", 6, 6, 1, true, schott},        {"power", 1, 15, 2, true, power},
-    {"conrady", 3, 3, 1, false, conrady},     {"herzberger", 6, 6, 1, false, herzberger},
-    {"table", 0, 0, 1, false, table},
+    {"constant", 1, 1, 1, false, constant},     {"nd_vd", 2, 2, 1, false, nd_vd},
+    {"sellmeier", 2, 16, 2, true, sellmeier},   {"sellmeier_sq", 3, 15, 2, true, sellmeier_sq},
+    {"schott", 6, 6, 1, true, schott},          {"power", 1, 17, 2, true, power},
+    {"conrady", 3, 3, 1, false, conrady},       {"herzberger", 6, 6, 1, false, herzberger},
+    {"resonances", 5, 17, 3, true, resonances}, {"table", 0, 0, 1, false, table},
 };
 
 enum glass_formula glass_formula_of(struct text name)

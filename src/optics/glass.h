@@ -28,11 +28,12 @@ enum glass_formula {
     GLASS_POWER,
     GLASS_CONRADY,
     GLASS_HERZBERGER,
+    GLASS_RESONANCES,
     GLASS_TABLE,
     GLASS_FORMULAS
 };
 
-enum { GLASS_MOST_COEFFICIENTS = 16, GLASS_NAME = 64 };
+enum { GLASS_MOST_COEFFICIENTS = 17, GLASS_NAME = 64 };
 
 /* A value at a wavelength. */
 struct glass_point {
@@ -98,6 +99,7 @@ struct glass_index {
  *           GLASS_POWER         n^2 = c0 + sum c l^p, p even         c0 c1 p1 c2 p2 ..
  *           GLASS_CONRADY       n = n0 + A/l + B/l^3.5
  *           GLASS_HERZBERGER    n = A + B z + C z^2 + D l^2 + E l^4 + F l^6, z = 1/(l^2 - 0.028)
+ *           GLASS_RESONANCES    n^2 = a + b l^2 + sum (p l^2 + q)/(l^2 - c)      a b p1 q1 c1 ..
  *           GLASS_TABLE         the polynomial in 1/l^2 through the four nearest entries (two on
  *                               each side; fewer where there are fewer): exact at the entries
  * Source    [Schott16]; the forms are those of the makers' AGF catalogues

@@ -187,6 +187,9 @@ static bool check_position(const struct check *check, struct error *error)
             return false;
         }
         check_sag(check, surface, i + 1);
+        if (surface->medium.warning != NULL) {
+            warn(check, surface->medium.warning);
+        }
         direction = surface->kind == SURFACE_REFLECT ? -direction : direction;
         if (i + 1 < lens->surface_count) {
             check_gap(check, i, direction);

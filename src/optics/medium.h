@@ -36,6 +36,7 @@ struct medium {
     size_t point_count;
     medium_index_function *glass_index; /* of a glass; null = nobody knows it */
     const void *glass;
+    const char *warning; /* what is doubtful in the data of a glass; null = nothing */
 };
 
 extern const struct medium medium_air;

@@ -1,0 +1,508 @@
+/* file/agf.c - glass catalogues in the AGF format, as makers of glass publish them. */
+/* SPDX-License-Identifier: MIT */
+#include "file/agf.h"
+
+#include "base/number.h"
+#include "file/agf_formula.h"
+#include "file/encoding.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What a real file stays far below: a bad one must not take long. */
+enum { MOST_WARNINGS = 4, MOST_POINTS = 1000 };
+
+/* A file while it is read, and the glass whose lines are being read. */
+struct reader {
+    const char *source;
+    struct text rest, line, at; /* lines to come, the present one, what is left of that */
+    long number;                /* of the line, 1-based */
+    struct arena *arena;
+    struct text catalog;
+    struct glass_record *glasses;
+    size_t count;
+    struct glass_point *points; /* room for those of all glasses */
+    struct glass_record *glass; /* null before the first NM */
+    int formula;
+    struct pair coefficients[AGF_COEFFICIENTS];
+    bool has_coefficients;
+    double nd_unit, Vd_unit; /* half a unit of their last stated digit */
+    struct glass_point *transmittance;
+    double *thicknesses; /* mm, of the points */
+    double *all_thicknesses;
+    size_t warnings; /* of the glass */
+};
+
+/* The next line; false at the end. */
+static bool next_line(struct reader *reader)
+{
+    if (reader->rest.start == NULL || reader->rest.length == 0) {
+        return false;
+    }
+    reader->line = text_cut(&reader->rest, '\n');
+    reader->at = reader->line;
+    reader->number++;
+    return true;
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+/* The next word of the line; empty at its end. */
+static struct text next_word(struct reader *reader)
+{
+    const char *at = reader->at.start, *end = reader->line.start + reader->line.length;
+    while (at < end && is_blank(*at)) {
+        at++;
+    }
+    const char *start = at;
+    while (at < end && !is_blank(*at)) {
+        at++;
+    }
+    reader->at = text_between(at, end);
+    return text_between(start, at);
+}
+
+static bool fail_word(const struct reader *reader, struct text word, struct error *error,
+                      const char *what)
+{
+    size_t column = (size_t)(word.start - reader->line.start) + 1;
+    fail_at(error, ERROR_DATA, reader->line.start, reader->line.length, column, "'%.*s' %s",
+            (int)(word.length < 60 ? word.length : 60), word.start, what);
+    return error_locate(error, reader->source, reader->number, column);
+}
+
+static bool fail_line(const struct reader *reader, struct error *error, const char *what)
+{
+    fail_at(error, ERROR_DATA, reader->line.start, reader->line.length, 1, "%s", what);
+    return error_locate(error, reader->source, reader->number, 1);
+}
+
+static bool read_pair(const struct reader *reader, struct text word, struct pair *value,
+                      struct error *error)
+{
+    const char *end = word.start + word.length;
+    return (pair_read(word.start, end, NUMBER_UNSCALED, value) == end && isfinite(value->hi)) ||
+           fail_word(reader, word, error, "is no number");
+}
+
+/* The next number; NaN at the end of the line. */
+static bool read_number(struct reader *reader, double *value, struct error *error)
+{
+    struct text word = next_word(reader);
+    struct pair read = {NAN, 0};
+    if (word.length > 0 && !read_pair(reader, word, &read, error)) {
+        return false;
+    }
+    *value = read.hi;
+    return true;
+}
+
+static bool read_numbers(struct reader *reader, double *const *values, size_t count,
+                         struct error *error)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (!read_number(reader, values[i], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Half a unit of the last digit of a number as it is written: 0.0005 of "1.517". */
+static double half_unit(struct text word)
+{
+    int power = 0;
+    bool behind_point = false;
+    for (size_t i = 0; i < word.length; i++) {
+        char c = word.start[i];
+        double exponent;
+        if (c == 'e' || c == 'E') {
+            const char *at = word.start + i + 1, *end = word.start + word.length;
+            if (number_read(at, end, NUMBER_UNSCALED, &exponent) == end && fabs(exponent) <= 300) {
+                power += (int)exponent;
+            }
+            break;
+        }
+        behind_point = behind_point || c == '.';
+        power -= behind_point && c != '.' && power > -300;
+    }
+    return 0.5 * pow(10, power);
+}
+
+static void warn(struct reader *reader, const char *text)
+{
+    const char *before = reader->glass->warning;
+    if (++reader->warnings > MOST_WARNINGS) {
+        return;
+    }
+    text = reader->warnings < MOST_WARNINGS ? text : "and more";
+    reader->glass->warning =
+        before == NULL ? text : arena_printf(reader->arena, "%s; %s", before, text);
+}
+
+/* Where in the file, for a warning. */
+static const char *place(const struct reader *reader, long line)
+{
+    return arena_printf(reader->arena, "%s:%ld", reader->source, line);
+}
+
+static void check_stated(struct reader *reader)
+{
+    struct glass_record *glass = reader->glass;
+    const struct glass_summary summary = glass_summary(&glass->glass);
+    double room = fmax(3e-5, reader->nd_unit);
+    int length = (int)(glass->glass.name.length < 60 ? glass->glass.name.length : 60);
+    if (fabs(summary.nd - glass->nd) > room) {
+        warn(reader,
+             arena_printf(reader->arena, "%s: %.*s: the formula gives nd %.6f, stated %.10g",
+                          place(reader, glass->line), length, glass->glass.name.start, summary.nd,
+                          glass->nd));
+    }
+    room = fmax(fmax(0.06, 0.0012 * fabs(glass->Vd)), reader->Vd_unit);
+    if (fabs(summary.Vd - glass->Vd) > room) {
+        warn(reader,
+             arena_printf(reader->arena, "%s: %.*s: the formula gives Vd %.4f, stated %.10g",
+                          place(reader, glass->line), length, glass->glass.name.start, summary.Vd,
+                          glass->Vd));
+    }
+}
+
+/* The glass whose lines have been read is complete. */
+static bool finish_glass(struct reader *reader, struct error *error)
+{
+    struct glass_record *glass = reader->glass;
+    if (glass == NULL) {
+        return true;
+    }
+    if (!reader->has_coefficients) {
+        fail(error, ERROR_DATA, "glass '%.*s' has no line CD with its coefficients",
+             (int)(glass->glass.name.length < 60 ? glass->glass.name.length : 60),
+             glass->glass.name.start);
+        return error_locate(error, reader->source, glass->line, 0);
+    }
+    agf_formula_set(reader->formula, reader->coefficients, &glass->glass);
+    for (size_t i = agf_formula_count(reader->formula); i < AGF_COEFFICIENTS; i++) {
+        if (fabs(reader->coefficients[i].hi) > 0) {
+            warn(reader, arena_printf(reader->arena,
+                                      "%s: coefficient %zu is none of formula %d and is not used",
+                                      place(reader, glass->line), i + 1, reader->formula));
+        }
+    }
+    reader->points += glass->glass.transmittance_count;
+    reader->all_thicknesses += glass->glass.transmittance_count;
+    check_stated(reader);
+    return true;
+}
+
+static struct text status_of(double status)
+{
+    static const char *const words[] = {"standard", "preferred", "obsolete", "special", "melt"};
+    return text_of(status >= 0 && status < 5 ? words[(int)status] : "");
+}
+
+/* NM name formula glass-code nd Vd exclude status melts */
+static bool read_name(struct reader *reader, struct error *error)
+{
+    double formula, code, exclude, status;
+    if (!finish_glass(reader, error)) {
+        return false;
+    }
+    struct text name = next_word(reader), number = next_word(reader);
+    struct glass_record *glass = &reader->glasses[reader->count++];
+    struct pair read;
+    *glass = (struct glass_record){.glass = {.catalog = reader->catalog,
+                                             .name = name,
+                                             .shortest = NAN,
+                                             .longest = NAN,
+                                             .thermal = {NAN, NAN, NAN, NAN, NAN, NAN, NAN},
+                                             .transmittance = reader->points},
+                                   .source = text_of(reader->source),
+                                   .licence = {"", 0},
+                                   .density = NAN,
+                                   .expansion = NAN,
+                                   .expansion_hot = NAN,
+                                   .place = LENSDB_USER,
+                                   .line = reader->number};
+    reader->glass = glass;
+    reader->transmittance = reader->points;
+    reader->thicknesses = reader->all_thicknesses;
+    reader->has_coefficients = false;
+    reader->warnings = 0;
+    if (name.length == 0) {
+        return fail_line(reader, error, "a glass without a name");
+    }
+    if (!read_pair(reader, number, &read, error)) {
+        return false;
+    }
+    formula = read.hi;
+    if (!(formula >= 1 && formula <= AGF_FORMULAS) || formula > floor(formula)) {
+        return fail_word(reader, number, error, "is no formula: they have the numbers 1 to 13");
+    }
+    reader->formula = (int)formula;
+    if (!read_number(reader, &code, error)) {
+        return false;
+    }
+    struct text before_nd = reader->at;
+    reader->nd_unit = half_unit(next_word(reader));
+    reader->Vd_unit = half_unit(next_word(reader));
+    reader->at = before_nd;
+    double *const values[] = {&glass->nd, &glass->Vd, &exclude, &status};
+    if (!read_numbers(reader, values, sizeof values / sizeof values[0], error)) {
+        return false;
+    }
+    glass->nd = glass->nd > 0 && fabs(glass->nd - 1) > 0 ? glass->nd : NAN;
+    glass->Vd = fabs(glass->Vd) > 0 ? glass->Vd : NAN;
+    glass->status = status_of(status);
+    return true;
+}
+
+static bool read_coefficients(struct reader *reader, struct error *error)
+{
+    struct text word = next_word(reader);
+    memset(reader->coefficients, 0, sizeof reader->coefficients);
+    for (size_t i = 0; word.length > 0; i++, word = next_word(reader)) {
+        struct pair value;
+        if (!read_pair(reader, word, &value, error)) {
+            return false;
+        }
+        if (i < AGF_COEFFICIENTS) {
+            reader->coefficients[i] = value;
+        } else if (fabs(value.hi) > 0) {
+            return fail_word(reader, word, error, "is an eleventh coefficient: no formula has it");
+        }
+    }
+    reader->has_coefficients = true;
+    return true;
+}
+
+/* TD D0 D1 D2 E0 E1 lambda temperature */
+static bool read_thermal(struct reader *reader, struct error *error)
+{
+    struct glass_thermal *t = &reader->glass->glass.thermal;
+    double *const values[] = {&t->d0, &t->d1, &t->d2, &t->e0, &t->e1, &t->resonance, &t->reference};
+    if (!read_numbers(reader, values, sizeof values / sizeof values[0], error)) {
+        return false;
+    }
+    bool known = false;
+    for (size_t i = 0; i < 5; i++) {
+        known = known || fabs(*values[i]) > 0;
+    }
+    for (size_t i = 0; i < 6 && !known; i++) {
+        *values[i] = NAN;
+    }
+    return true;
+}
+
+/* ED expansion expansion-when-hot density ... */
+static bool read_properties(struct reader *reader, struct error *error)
+{
+    struct glass_record *glass = reader->glass;
+    double *const values[] = {&glass->expansion, &glass->expansion_hot, &glass->density};
+    if (!read_numbers(reader, values, sizeof values / sizeof values[0], error)) {
+        return false;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        *values[i] = fabs(*values[i]) > 0 ? *values[i] : NAN;
+    }
+    glass->density = glass->density > 0 ? glass->density : NAN;
+    return true;
+}
+
+static bool read_range(struct reader *reader, struct error *error)
+{
+    struct glass *glass = &reader->glass->glass;
+    double *const values[] = {&glass->shortest, &glass->longest};
+    if (!read_numbers(reader, values, 2, error)) {
+        return false;
+    }
+    if (!(glass->shortest > 0) && !(glass->longest > 0)) { /* 0 0: not stated */
+        glass->shortest = glass->longest = NAN;
+        return true;
+    }
+    return (glass->shortest > 0 && glass->longest >= glass->shortest) ||
+           fail_line(reader, error, "the range of wavelengths, in um, ends before it begins");
+}
+
+/* Keep a point, by rising wavelength; of two at one wavelength the one of nearly 10 mm. */
+static void keep_point(struct reader *reader, struct glass_point point, double thickness)
+{
+    struct glass *glass = &reader->glass->glass;
+    struct glass_point *points = reader->transmittance;
+    double *thicknesses = reader->thicknesses;
+    size_t at = glass->transmittance_count;
+    while (at > 0 && !(points[at - 1].wavelength.hi < point.wavelength.hi)) {
+        at--;
+    }
+    bool twice =
+        at < glass->transmittance_count && !(points[at].wavelength.hi > point.wavelength.hi);
+    if (twice && !(fabs(thickness - 10) < fabs(thicknesses[at] - 10))) {
+        return;
+    }
+    if (!twice) {
+        size_t behind = glass->transmittance_count++ - at;
+        memmove(points + at + 1, points + at, behind * sizeof *points);
+        memmove(thicknesses + at + 1, thicknesses + at, behind * sizeof *thicknesses);
+    }
+    points[at] = point;
+    thicknesses[at] = thickness;
+}
+
+/* IT wavelength transmittance thickness */
+static bool read_transmittance(struct reader *reader, struct error *error)
+{
+    double wavelength, tau, thickness;
+    double *const values[] = {&wavelength, &tau, &thickness};
+    if (!read_numbers(reader, values, 3, error)) {
+        return false;
+    }
+    if (!(wavelength > 0 && tau >= 0 && tau <= 1 && thickness > 0)) {
+        warn(reader, arena_printf(reader->arena,
+                                  "%s: no wavelength, transmittance from 0 to 1 and thickness: "
+                                  "not used",
+                                  place(reader, reader->number)));
+        return true;
+    }
+    if (reader->glass->glass.transmittance_count == MOST_POINTS) {
+        return fail_line(reader, error, "more than 1000 transmittances of one glass");
+    }
+    double at_10 = fabs(thickness - 10) > 0 ? pow(tau, 10 / thickness) : tau;
+    const struct glass_point point = {pair_of(wavelength), pair_of(at_10)};
+    keep_point(reader, point, thickness);
+    return true;
+}
+
+/* Comments, prices and resistance to climate, acids and stain. */
+static bool pass_over(struct reader *reader, struct error *error)
+{
+    (void)reader;
+    (void)error;
+    return true;
+}
+
+static const struct {
+    char keyword[3];
+    bool (*read)(struct reader *reader, struct error *error);
+} keywords[] = {
+    {"CD", read_coefficients},  {"TD", read_thermal}, {"ED", read_properties}, {"LD", read_range},
+    {"IT", read_transmittance}, {"OD", pass_over},    {"GC", pass_over},       {"CC", pass_over},
+};
+
+static bool read_line(struct reader *reader, struct error *error)
+{
+    struct text keyword = next_word(reader);
+    if (text_equal(keyword, "NM")) {
+        return read_name(reader, error);
+    }
+    if (keyword.length == 0 || reader->glass == NULL) { /* any text may stand above */
+        return true;
+    }
+    for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
+        if (text_equal(keyword, keywords[i].keyword)) {
+            return keywords[i].read(reader, error);
+        }
+    }
+    warn(reader, arena_printf(reader->arena, "%s: '%.*s' is not known and not used",
+                              place(reader, reader->number),
+                              (int)(keyword.length < 20 ? keyword.length : 20), keyword.start));
+    return true;
+}
+
+/* Room for as many glasses and points as there are lines NM and IT. */
+static void make_room(struct reader *reader)
+{
+    size_t glasses = 0, points = 0;
+    for (struct text rest = reader->rest; rest.start != NULL && rest.length > 0;) {
+        struct text line = text_trim(text_cut(&rest, '\n'));
+        glasses += line.length >= 2 && memcmp(line.start, "NM", 2) == 0;
+        points += line.length >= 2 && memcmp(line.start, "IT", 2) == 0;
+    }
+    reader->glasses = ARENA_ARRAY(reader->arena, glasses + 1, struct glass_record);
+    reader->points = ARENA_ARRAY(reader->arena, points + 1, struct glass_point);
+    reader->all_thicknesses = ARENA_ARRAY(reader->arena, points + 1, double);
+}
+
+/* A name without its case, and whose it is. */
+struct key {
+    const char *key;
+    size_t glass;
+};
+
+static int by_key(const void *a, const void *b)
+{
+    const struct key *left = a, *right = b;
+    int order = strcmp(left->key, right->key);
+    return order != 0 ? order : (left->glass > right->glass) - (left->glass < right->glass);
+}
+
+static const char *key_of(struct text name, struct arena *arena)
+{
+    char *key = arena_string(arena, name.start, name.length);
+    for (char *c = key; *c != '\0'; c++) {
+        *c = *c >= 'A' && *c <= 'Z' ? (char)(*c - 'A' + 'a') : *c;
+    }
+    return key;
+}
+
+/* A name that stands twice: each of its glasses says so. */
+static void mark_duplicates(struct reader *reader)
+{
+    struct key *keys = ARENA_ARRAY(reader->arena, reader->count, struct key);
+    for (size_t i = 0; i < reader->count; i++) {
+        keys[i] = (struct key){key_of(reader->glasses[i].glass.name, reader->arena), i};
+    }
+    qsort(keys, reader->count, sizeof *keys, by_key);
+    for (size_t i = 0; i < reader->count; i++) {
+        bool before = i > 0 && strcmp(keys[i - 1].key, keys[i].key) == 0;
+        bool behind = i + 1 < reader->count && strcmp(keys[i + 1].key, keys[i].key) == 0;
+        if (before || behind) {
+            const struct glass_record *other = &reader->glasses[keys[before ? i - 1 : i + 1].glass];
+            reader->glass = &reader->glasses[keys[i].glass];
+            reader->warnings = 0;
+            warn(reader, arena_printf(reader->arena, "%s: the name stands in line %ld too",
+                                      place(reader, reader->glass->line), other->line));
+        }
+    }
+}
+
+/* "SCHOTT" of "data/schott.agf". */
+static struct text catalog_name(const char *source, struct arena *arena)
+{
+    const char *slash = strrchr(source, '/');
+    const char *start = slash != NULL ? slash + 1 : source, *dot = strrchr(start, '.');
+    size_t length = dot != NULL && dot > start ? (size_t)(dot - start) : strlen(start);
+    char *name = arena_string(arena, start, length);
+    for (size_t i = 0; i < length; i++) {
+        name[i] = name[i] >= 'a' && name[i] <= 'z' ? (char)(name[i] - 'a' + 'A') : name[i];
+    }
+    return (struct text){name, length};
+}
+
+bool agf_read(const char *source, struct text content, struct arena *arena,
+              struct agf_catalog *catalog, struct error *error)
+{
+    struct reader reader = {
+        .source = source, .arena = arena, .catalog = catalog_name(source, arena)};
+    if (!encoding_to_utf8(source, content, arena, &reader.rest, error)) {
+        return false;
+    }
+    make_room(&reader);
+    while (next_line(&reader)) {
+        if (!read_line(&reader, error)) {
+            return false;
+        }
+    }
+    if (!finish_glass(&reader, error)) {
+        return false;
+    }
+    if (reader.count == 0) {
+        fail(error, ERROR_DATA, "no glass: no line begins with NM");
+        return error_locate(error, source, 0, 0);
+    }
+    mark_duplicates(&reader);
+    *catalog = (struct agf_catalog){source, reader.catalog, reader.glasses, reader.count, NULL};
+    return true;
+}

@@ -1,0 +1,50 @@
+/* file/agf.h - glass catalogues in the AGF format, as makers of glass publish them. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_AGF_H
+#define LENSCALC_FILE_AGF_H
+
+#include "file/glass_catalog.h"
+
+/* A catalogue that has been read. */
+struct agf_catalog {
+    const char *source; /* the file, for messages */
+    struct text name;   /* of the catalogue: "SCHOTT" */
+    const struct glass_record *glasses;
+    size_t count;
+    const struct agf_catalog *next; /* of the user's catalogues */
+};
+
+/*
+ * Read an AGF file.
+ *
+ * Given     source   name of the file, for messages; its folders and ending cut off and in upper
+ *                    case it is the name of the catalogue
+ *           content  the file in any encoding (encoding_to_utf8)
+ *           catalog  receives the glasses in the order of the file; what they point to lies in the
+ *                    arena, which the content must outlive. A glass has a warning where the stated
+ *                    nd or Vd is not that of its formula (by more than 3e-5 or 0.12 %, at least
+ *                    0.06, and half a unit of the last digit stated), where its name stands twice,
+ *                    or where something in its lines was not used
+ * Formula   l = wavelength in um, c0 c1 .. the numbers behind CD
+ *           1 Schott       n^2 = c0 + c1 l^2 + c2 l^-2 + c3 l^-4 + c4 l^-6 + c5 l^-8
+ *           2 6 11 Sellmeier 1, 3, 5: n^2 = 1 + sum ci l^2/(l^2 - cj), 3, 4 or 5 terms
+ *           3 Herzberger   n = c0 + c1 z + c2 z^2 + c3 l^2 + c4 l^4 + c5 l^6, z = 1/(l^2 - 0.028)
+ *           4 Sellmeier 2  n^2 = 1 + c0 + c1 l^2/(l^2 - c2^2) + c3/(l^2 - c4^2)
+ *           5 Conrady      n = c0 + c1/l + c2/l^3.5
+ *           7 Handbook 1   n^2 = c0 + c1/(l^2 - c2) - c3 l^2
+ *           8 Handbook 2   n^2 = c0 + c1 l^2/(l^2 - c2) - c3 l^2
+ *           9 Sellmeier 4  n^2 = c0 + c1 l^2/(l^2 - c2) + c3 l^2/(l^2 - c4)
+ *           10 Extended    n^2 = c0 + c1 l^2 + c2 l^-2 + c3 l^-4 + .. + c7 l^-12
+ *           12 Extended 2  n^2 = Schott + c6 l^4 + c7 l^6
+ *           13 Extended 3  n^2 = c0 + c1 l^2 + c2 l^4 + c3 l^-2 + c4 l^-4 + .. + c8 l^-12
+ *           internal transmittance at 10 mm: tau^(10 mm/thickness)
+ * Source    [OpticStudio25] "The Glass Dispersion Formulas"
+ * Errors    ERROR_DATA with line, column and caret: no glass, a formula that is none of 1 to 13, no
+ *           CD line, what is no number, a range that ends before it begins
+ * Limits    an nd of 1 or 0, a Vd, density or expansion of 0, and D0 .. E1 that are all 0, mean
+ *           that it is not known
+ */
+bool agf_read(const char *source, struct text content, struct arena *arena,
+              struct agf_catalog *catalog, struct error *error);
+
+#endif
