@@ -57,6 +57,20 @@ void *arena_buffer(struct arena *arena, size_t size)
     return take(arena, (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
 }
 
+void *arena_grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size)
+{
+    if (count < *room) {
+        return array;
+    }
+    size_t more = *room > 0 ? 2 * *room : 16;
+    void *larger = arena_array(arena, more, size);
+    if (count > 0) {
+        memcpy(larger, array, count * size);
+    }
+    *room = more;
+    return larger;
+}
+
 char *arena_string(struct arena *arena, const char *start, size_t length)
 {
     char *copy = arena_array(arena, length + 1, 1);

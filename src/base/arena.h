@@ -32,6 +32,15 @@ void *arena_array(struct arena *arena, size_t count, size_t size);
  */
 void *arena_buffer(struct arena *arena, size_t size);
 
+/*
+ * Room for one more in an array that grows by doubling.
+ *
+ * Given     count  objects of `size` bytes in it
+ *           room   for how many it has room; the array is null for 0
+ * Result    the array, moved if it was full
+ */
+void *arena_grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size);
+
 /* A copy of `length` characters with a NUL behind. */
 char *arena_string(struct arena *arena, const char *start, size_t length);
 

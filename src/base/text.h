@@ -20,6 +20,12 @@ struct word {
 struct text text_of(const char *string);
 struct text text_between(const char *start, const char *end);
 
+/* How many of its characters a message shows. */
+static inline int text_shown(struct text text)
+{
+    return text.length < 60 ? (int)text.length : 60;
+}
+
 bool text_equal(struct text a, const char *b);
 
 /* Equal without regard to ASCII case. */

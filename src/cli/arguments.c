@@ -57,8 +57,7 @@ static bool unknown(const struct arguments *arguments, struct text name, const c
     for (size_t i = 0; i < arguments->count; i++) {
         nearest_offer(&nearest, text_of(arguments->all[i].option->name));
     }
-    fail(error, ERROR_USAGE, "unknown option '%s%.*s'", dashes,
-         (int)(name.length < 60 ? name.length : 60), name.start);
+    fail(error, ERROR_USAGE, "unknown option '%s%.*s'", dashes, text_shown(name), name.start);
     if (nearest.best.start != NULL) {
         return error_hint(error, "did you mean '--%.*s'?", (int)nearest.best.length,
                           nearest.best.start);
@@ -159,8 +158,7 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
             return true;
         }
     }
-    fail(error, ERROR_USAGE, "'%.*s' belongs to no option",
-         (int)(word.length < 60 ? word.length : 60), word.start);
+    fail(error, ERROR_USAGE, "'%.*s' belongs to no option", text_shown(word), word.start);
     return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
 }
 

@@ -167,8 +167,8 @@ bool batch_read_cell(const struct batch *batch, const struct batch_column *colum
                        sizeof(double));
             }
         } else {
-            return fail(error, ERROR_DATA, "'%.*s' is neither true nor false",
-                        (int)(cell.length < 60 ? cell.length : 60), cell.start);
+            return fail(error, ERROR_DATA, "'%.*s' is neither true nor false", text_shown(cell),
+                        cell.start);
         }
         return true;
     }

@@ -109,9 +109,8 @@ static bool wrong_unit(const struct batch_column *column, struct error *error)
 {
     struct text name = column->name, typed = column->typed_unit;
     return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is no unit of --%s (a %s)",
-                (int)(name.length < 60 ? name.length : 60), name.start,
-                (int)(typed.length < 20 ? typed.length : 20), typed.start, column->doubtful->name,
-                column->doubtful->dimension->name);
+                text_shown(name), name.start, (int)(typed.length < 20 ? typed.length : 20),
+                typed.start, column->doubtful->name, column->doubtful->dimension->name);
 }
 
 static void set_scale(struct batch_column *column, const struct reader *reader)
@@ -171,8 +170,7 @@ static bool check_new(const struct batch *batch, const struct batch_column *colu
                            !column->is_infinite && !other->is_infinite;
         if (same_name || same_option) {
             return fail(error, ERROR_DATA, "columns '%.*s' and '%.*s' mean the same",
-                        (int)(other->name.length < 60 ? other->name.length : 60), other->name.start,
-                        (int)(column->name.length < 60 ? column->name.length : 60),
+                        text_shown(other->name), other->name.start, text_shown(column->name),
                         column->name.start);
         }
     }

@@ -296,14 +296,12 @@ bool batch_json_row(struct batch *batch, struct text line, void *input, struct e
     for (; next_pair(&json, pairs == 0, &key, &value); pairs++) {
         struct batch_column *column = column_of(batch, key, pairs);
         if (column != NULL && column->row == batch->line) {
-            fail(error, ERROR_DATA, "the key '%.*s' stands twice",
-                 (int)(key.length < 60 ? key.length : 60), key.start);
+            fail(error, ERROR_DATA, "the key '%.*s' stands twice", text_shown(key), key.start);
             error->column = (int)value.at;
             return false;
         }
         if (column == NULL) {
-            fail(error, ERROR_DATA, "the first row has no key '%.*s'",
-                 (int)(key.length < 60 ? key.length : 60), key.start);
+            fail(error, ERROR_DATA, "the first row has no key '%.*s'", text_shown(key), key.start);
             error->column = (int)value.at;
             return false;
         }

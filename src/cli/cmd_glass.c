@@ -5,6 +5,7 @@
 #include "cli/photo_options.h"
 #include "file/lines.h"
 #include "optics/air.h"
+#include "optics/wavelength.h"
 
 #include <math.h>
 
@@ -245,7 +246,7 @@ static bool fill_row(struct question *question, const struct glass_record *recor
 /* A glass that was asked for by name has to have an index. */
 static bool show_named(struct question *question, struct error *error)
 {
-    const double lines[] = {GLASS_LINE_D / 1000, GLASS_LINE_F / 1000, GLASS_LINE_C / 1000};
+    const double lines[] = {WAVELENGTH_D / 1000, WAVELENGTH_F / 1000, WAVELENGTH_C / 1000};
     const struct input *input = question->input;
     const struct glass_record *record = input->glass.record;
     struct glass_summary summary = glass_summary(&record->glass);
@@ -268,7 +269,7 @@ static bool show_found(const struct glass_match *match, void *context)
 {
     struct question *question = context;
     const struct input *input = question->input;
-    double wavelength = !isnan(input->wavelength) ? input->wavelength : GLASS_LINE_D / 1000;
+    double wavelength = !isnan(input->wavelength) ? input->wavelength : WAVELENGTH_D / 1000;
     struct row row;
     struct error no_index;
     if (!fill_row(question, &match->record, &match->summary, wavelength, &row, &no_index)) {

@@ -146,7 +146,7 @@ static bool read_point(struct text text, struct tilt_point *point, struct error 
     double value;
     if (height.start == NULL) {
         return fail(error, ERROR_USAGE, "bad point in --through '%.*s': write distance:height",
-                    (int)(text.length < 60 ? text.length : 60), text.start);
+                    text_shown(text), text.start);
     }
     if (!quantity_read(distance, &dimension_length, metre, &point->distance, NULL, error)) {
         return error_prefix(error, "bad point in --through: ");

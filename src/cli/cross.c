@@ -91,12 +91,6 @@ static const void *row_at(const struct collection *collection, const struct cros
     return collection_row(collection, index);
 }
 
-static int compare(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* One unit for the whole table: that of the median value. */
 static const struct unit *table_unit(const struct collection *collection, const struct shown *shown)
 {
@@ -111,8 +105,7 @@ static const struct unit *table_unit(const struct collection *collection, const 
             }
         }
     }
-    qsort(values, count, sizeof values[0], compare);
-    return readable_unit(shown, collection->units, count > 0 ? values[count / 2] : NAN, false);
+    return readable_unit(shown, collection->units, readable_median(values, count), false);
 }
 
 /* The column in metres, so that readable_unit may choose feet and inches or millimetres. */

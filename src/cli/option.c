@@ -75,7 +75,7 @@ static bool blame(const struct option *option, struct text text, struct error *e
     if (strstr(error->message, "unit") != NULL) {
         what = "unit";
     }
-    int shown = text.length < 60 ? (int)text.length : 60;
+    int shown = text_shown(text);
     if (error->caret > 0) {
         return error_prefix(error, "bad %s in --%s '%.*s' at character %d: ", what, option->name,
                             shown, text.start, error->caret);
@@ -110,7 +110,8 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
     double value;
     bool is_line = false;
     if (option->dimension == &dimension_wavelength &&
-        !lines_find(reader->db, text_trim(text), &is_line, &value, error)) {
+        !lines_find(reader->db, text_trim(text), (struct number_scale){1, -6}, &is_line, &value,
+                    error)) {
         return false;
     }
     if (!is_line &&
@@ -148,8 +149,8 @@ static bool read_choice(const struct reader *reader, const struct option *option
                               option->words[i].word);
         used += length > 0 && (size_t)length < sizeof all - used ? (size_t)length : 0;
     }
-    fail(error, ERROR_USAGE, "--%s '%.*s' is none of %s", option->name,
-         (int)(text.length < 60 ? text.length : 60), text.start, all);
+    fail(error, ERROR_USAGE, "--%s '%.*s' is none of %s", option->name, text_shown(text),
+         text.start, all);
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
     }
@@ -164,7 +165,7 @@ static bool read_flag(const struct reader *reader, const struct option *option, 
     bool no = text_same(text, "no") || text_same(text, "false") || text_equal(text, "0");
     if (!yes && !no) {
         return fail(error, ERROR_USAGE, "--%s is 'yes' or 'no', not '%.*s'", option->name,
-                    (int)(text.length < 60 ? text.length : 60), text.start);
+                    text_shown(text), text.start);
     }
     *(bool *)member = yes;
     return true;
@@ -190,7 +191,7 @@ static bool read_count(const struct reader *reader, const struct option *option,
     }
     if (!(fabs(value) <= 1e9) || value != floor(value)) {
         return fail(error, ERROR_USAGE, "--%s '%.*s' is no whole number", option->name,
-                    (int)(text.length < 60 ? text.length : 60), text.start);
+                    text_shown(text), text.start);
     }
     if (!option_check_range(option, value, error)) {
         error->code = ERROR_USAGE; /* a count is no physics */
@@ -324,7 +325,7 @@ static bool read_coc(const struct reader *reader, const struct option *option, s
         return fail(error, ERROR_DOMAIN,
                     "--%s '%.*s' is out of range: it must be a length of 0 mm or more, d/K or Kpx "
                     "with K above 0, airy, or print",
-                    option->name, (int)(text.length < 60 ? text.length : 60), text.start);
+                    option->name, text_shown(text), text.start);
     }
     *(struct coc_value *)member = (struct coc_value){
         coc, length ? COC_GIVEN : arena_string(reader->arena, trimmed.start, trimmed.length),

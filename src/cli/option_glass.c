@@ -30,8 +30,7 @@ static const char *glass_name(const struct option *option, const void *member)
 
 static bool bad_interval(const struct option *option, struct text text, struct error *error)
 {
-    fail(error, ERROR_USAGE, "--%s '%.*s' is no range", option->name,
-         (int)(text.length < 60 ? text.length : 60), text.start);
+    fail(error, ERROR_USAGE, "--%s '%.*s' is no range", option->name, text_shown(text), text.start);
     return error_hint(error, "say LOW..HIGH, LOW.. or ..HIGH");
 }
 

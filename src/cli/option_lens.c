@@ -4,6 +4,7 @@
 
 #include "cli/option.h"
 #include "file/lens_db.h"
+#include "file/lines.h"
 #include "optics/wavelength.h"
 
 static bool read_lens(const struct reader *reader, const struct option *option, struct text text,
@@ -17,8 +18,7 @@ static bool read_lens(const struct reader *reader, const struct option *option, 
         return false;
     }
     if (!lens_check(lens, reader->arena, &warnings, error)) {
-        return error_prefix(error, "%.*s: ", (int)(name.length < 60 ? name.length : 60),
-                            name.start);
+        return error_prefix(error, "%.*s: ", text_shown(name), name.start);
     }
     const char *warning = NULL;
     for (size_t i = 0; i < warnings.count; i++) {
@@ -36,26 +36,27 @@ static const char *lens_name(const struct option *option, const void *member)
     return ((const struct lens_value *)member)->name;
 }
 
-/* 1 nm to 1 mm, in um: what is beyond is a mistake of the unit. */
-static const double shortest_wave = 0.001, longest_wave = 1000;
-
 static bool read_wavelength(const struct reader *reader, const struct option *option,
                             struct text text, void *member, struct error *error)
 {
     struct text name = text_trim(text);
     struct wavelength_value value = {.name = arena_string(reader->arena, name.start, name.length)};
-    const struct spectral_line *line = spectral_line_find(name);
+    bool is_line;
     double millimetres;
-    if (line != NULL) {
-        value.wavelength = line->wavelength;
-    } else if (quantity_read(text, &dimension_length, unit_find(&dimension_length, text_of("nm")),
-                             &millimetres, NULL, error)) {
-        value.wavelength = unit_from_own(unit_find(&dimension_length, text_of("um")), millimetres);
-    } else {
+    if (!lines_find(reader->db, name, (struct number_scale){1, -3}, &is_line, &value.wavelength,
+                    error)) {
+        return false;
+    }
+    if (!is_line &&
+        !quantity_read(text, &dimension_length, unit_find(&dimension_length, text_of("nm")),
+                       &millimetres, NULL, error)) {
         error_prefix(error, "bad wavelength in --%s: ", option->name);
         return error_hint(error, "a wavelength is 550, 550nm, 0.55um, or a line: d F C e g ...");
     }
-    if (!(value.wavelength >= shortest_wave && value.wavelength <= longest_wave)) {
+    if (!is_line) {
+        value.wavelength = unit_from_own(unit_find(&dimension_length, text_of("um")), millimetres);
+    }
+    if (!(value.wavelength >= WAVELENGTH_SHORTEST && value.wavelength <= WAVELENGTH_LONGEST)) {
         return fail(error, ERROR_DOMAIN, "--%s %s is out of range: it must be 1 nm to 1 mm",
                     option->name, value.name);
     }

@@ -9,11 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-static int shown_length(struct text text)
-{
-    return (int)(text.length < 60 ? text.length : 60);
-}
-
 static const char *string(const struct reader *reader, struct text text)
 {
     return arena_string(reader->arena, text.start, text.length);
@@ -43,7 +38,7 @@ static bool is_digit(char c)
 static bool bad_filter(const struct option *option, struct text piece, const char *what,
                        struct error *error)
 {
-    return fail(error, ERROR_DOMAIN, "--%s '%.*s': %s", option->name, shown_length(piece),
+    return fail(error, ERROR_DOMAIN, "--%s '%.*s': %s", option->name, text_shown(piece),
                 piece.start, what);
 }
 
@@ -51,7 +46,7 @@ static bool read_number(const struct option *option, struct text piece, struct t
                         const struct dimension *dimension, double *value, struct error *error)
 {
     return quantity_read(number, dimension, NULL, value, NULL, error) ||
-           error_prefix(error, "bad value in --%s '%.*s': ", option->name, shown_length(piece),
+           error_prefix(error, "bad value in --%s '%.*s': ", option->name, text_shown(piece),
                         piece.start);
 }
 
@@ -90,18 +85,18 @@ static bool read_stops(const struct option *option, struct text piece, double *s
 {
     const struct unit *typed;
     if (!quantity_read(piece, &dimension_stops, NULL, stops, &typed, error)) {
-        return error_prefix(error, "bad value in --%s '%.*s': ", option->name, shown_length(piece),
+        return error_prefix(error, "bad value in --%s '%.*s': ", option->name, text_shown(piece),
                             piece.start);
     }
     /* a column of a batch may say the unit for all its cells */
     if (typed == NULL && option->unit == NULL) {
         fail(error, ERROR_USAGE, "--%s '%.*s' may be stops, a factor or a density", option->name,
-             shown_length(piece), piece.start);
+             text_shown(piece), piece.start);
         return error_hint(error,
                           "write %.*sstops, %.*sx or ND%.*s (ND0.9 is a density, ND8 a "
                           "factor)",
-                          shown_length(piece), piece.start, shown_length(piece), piece.start,
-                          shown_length(piece), piece.start);
+                          text_shown(piece), piece.start, text_shown(piece), piece.start,
+                          text_shown(piece), piece.start);
     }
     return (*stops >= 0 && *stops <= 100) ||
            bad_filter(option, piece, "a loss of light is 0 to 100 stops", error);
@@ -170,7 +165,7 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
                     : rest;
     }
     *(struct loss_value *)member = (struct loss_value){
-        sum, arena_printf(reader->arena, "%.*s (%.4g stops)", shown_length(text_trim(text)),
+        sum, arena_printf(reader->arena, "%.*s (%.4g stops)", text_shown(text_trim(text)),
                           text_trim(text).start, sum)};
     return true;
 }
@@ -208,47 +203,20 @@ static bool read_scene(const struct reader *reader, const struct option *option,
     return true;
 }
 
-/* The labels of a series in one place's table; *count of them. */
-static bool add_labels(const struct reader *reader, enum lensdb_place place, const char *file,
-                       const char *series, struct stop_labels *labels, size_t *count,
-                       struct error *error)
-{
-    static const char *const names[] = {"series", "step", "label"};
-    struct tsv tsv;
-    size_t columns[3];
-    if (!lensdb_open(reader->db, place, file, &tsv, error)) {
-        return error->code == ERROR_NONE;
-    }
-    for (size_t i = 0; i < 3; i++) {
-        if (!tsv_column(&tsv, names[i], &columns[i], error)) {
-            return false;
-        }
-    }
-    while (tsv_next(&tsv, error)) {
-        double step;
-        if (!text_equal(tsv.cells[columns[0]], series)) {
-            continue;
-        }
-        if (!tsv_number(&tsv, columns[1], &step, error)) {
-            return false;
-        }
-        if (step >= STOP_FIRST && step < STOP_FIRST + STOP_COUNT) {
-            labels->labels[(int)step - STOP_FIRST] = string(reader, tsv.cells[columns[2]]);
-            ++*count;
-        }
-    }
-    return error->code == ERROR_NONE;
-}
-
-/* The user's series replaces the embedded one, as in ranges. */
+/* The labels of a series, by step. */
 static bool load_labels(const struct reader *reader, const char *file, const char *series,
                         const struct stop_labels **loaded, struct error *error)
 {
     struct stop_labels *labels = ARENA_NEW(reader->arena, struct stop_labels);
-    size_t count = 0;
-    for (int place = 0; place < LENSDB_PLACES && count == 0; place++) {
-        if (!add_labels(reader, (enum lensdb_place)place, file, series, labels, &count, error)) {
-            return false;
+    struct lensdb_stop *stops;
+    size_t count;
+    if (!lensdb_stops(reader->db, file, series, &stops, &count, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        int step = stops[i].step;
+        if (step >= STOP_FIRST && step < STOP_FIRST + STOP_COUNT) {
+            labels->labels[step - STOP_FIRST] = string(reader, stops[i].label);
         }
     }
     *loaded = labels;
@@ -267,7 +235,7 @@ static bool read_series(const struct reader *reader, const struct option *option
     }
     if (series.per_stop == 0) {
         return fail(error, ERROR_USAGE, "--%s '%.*s' is none of full, half, third", option->name,
-                    shown_length(text), text.start);
+                    text_shown(text), text.start);
     }
     const char *name = names[series.per_stop - 1];
     if (!load_labels(reader, "fstops.tsv", name, &series.fnumbers, error) ||

@@ -65,7 +65,7 @@ static bool range_fail(const struct values *values, const struct range *range, c
                        struct error *error)
 {
     return fail(error, ERROR_USAGE, "bad range in --%s '%.*s': %s", values->option->name,
-                (int)(range->text.length < 60 ? range->text.length : 60), range->text.start, what);
+                text_shown(range->text), range->text.start, what);
 }
 
 static bool is_letter(char c)
@@ -104,7 +104,7 @@ static bool split_range(struct text text, struct range *range)
 static bool blame(const struct values *values, struct text text, struct error *error)
 {
     return error_prefix(error, "bad range in --%s, '%.*s': ", values->option->name,
-                        (int)(text.length < 60 ? text.length : 60), text.start);
+                        text_shown(text), text.start);
 }
 
 static bool read_number(const struct values *values, struct text text, const struct unit *unit,
@@ -315,7 +315,7 @@ static bool read_list(struct values *values, struct text text, struct error *err
         struct text item = text_trim(text_cut(&rest, ','));
         if (item.length == 0) {
             return fail(error, ERROR_USAGE, "--%s '%.*s' has an empty item", values->option->name,
-                        (int)(text.length < 60 ? text.length : 60), text.start);
+                        text_shown(text), text.start);
         }
         if (!add_item(values, item, error)) {
             return false;

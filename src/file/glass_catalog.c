@@ -347,7 +347,7 @@ bool glass_find(struct lensdb *db, struct text name, struct arena *arena,
         return false;
     }
     if (search->count == 0) {
-        int shown = search->typed.length < 60 ? (int)search->typed.length : 60;
+        int shown = text_shown(search->typed);
         fail(error, ERROR_USAGE, "glass '%.*s' is in no catalogue", shown, search->typed.start);
         if (search->typed.length < 60) {
             suggest(search, error);

@@ -5,23 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-static const struct number_scale plain = {1, 0};
-
-/* Room for one more. */
-static void *grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size)
-{
-    if (count < *room) {
-        return array;
-    }
-    size_t more = *room > 0 ? 2 * *room : 16;
-    void *larger = arena_array(arena, more, size);
-    if (count > 0) {
-        memcpy(larger, array, count * size);
-    }
-    *room = more;
-    return larger;
-}
-
 static const struct figure no_figure = {.variable = LENS_NONE};
 
 static struct figure zero_figure(void)
@@ -47,8 +30,8 @@ void lens_build_begin(struct lens_build *build, struct lens *lens, struct arena 
 struct surface *lens_build_surface(struct lens_build *build)
 {
     struct lens *lens = build->lens;
-    lens->surfaces = grow(build->arena, lens->surfaces, lens->surface_count, &build->surface_room,
-                          sizeof lens->surfaces[0]);
+    lens->surfaces = arena_grow(build->arena, lens->surfaces, lens->surface_count,
+                                &build->surface_room, sizeof lens->surfaces[0]);
     struct surface *surface = &lens->surfaces[lens->surface_count++];
     *surface = (struct surface){.kind = SURFACE_REFRACT,
                                 .is_plane = true,
@@ -88,8 +71,8 @@ void lens_build_stop(struct lens_build *build, size_t index)
 void lens_build_note(struct lens_build *build, struct text note)
 {
     struct lens *lens = build->lens;
-    lens->notes =
-        grow(build->arena, lens->notes, lens->note_count, &build->note_room, sizeof lens->notes[0]);
+    lens->notes = arena_grow(build->arena, lens->notes, lens->note_count, &build->note_room,
+                             sizeof lens->notes[0]);
     lens->notes[lens->note_count++] = arena_string(build->arena, note.start, note.length);
 }
 
@@ -97,8 +80,8 @@ struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double m
                                               double weight)
 {
     struct lens *lens = build->lens;
-    lens->wavelengths = grow(build->arena, lens->wavelengths, lens->wavelength_count,
-                             &build->wavelength_room, sizeof lens->wavelengths[0]);
+    lens->wavelengths = arena_grow(build->arena, lens->wavelengths, lens->wavelength_count,
+                                   &build->wavelength_room, sizeof lens->wavelengths[0]);
     struct lens_wavelength *one = &lens->wavelengths[lens->wavelength_count++];
     *one = (struct lens_wavelength){.wavelength = micrometres, .weight = weight};
     char number[NUMBER_LENGTH];
@@ -114,8 +97,8 @@ struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double m
 struct figure *lens_build_field(struct lens_build *build)
 {
     struct lens *lens = build->lens;
-    lens->fields = grow(build->arena, lens->fields, lens->field_count, &build->field_room,
-                        sizeof lens->fields[0]);
+    lens->fields = arena_grow(build->arena, lens->fields, lens->field_count, &build->field_room,
+                              sizeof lens->fields[0]);
     lens->fields[lens->field_count] = no_figure;
     return &lens->fields[lens->field_count++];
 }
@@ -123,8 +106,8 @@ struct figure *lens_build_field(struct lens_build *build)
 size_t lens_build_variable(struct lens_build *build, const char *name, const struct figure *values)
 {
     struct lens *lens = build->lens;
-    lens->variables = grow(build->arena, lens->variables, lens->variable_count,
-                           &build->variable_room, sizeof lens->variables[0]);
+    lens->variables = arena_grow(build->arena, lens->variables, lens->variable_count,
+                                 &build->variable_room, sizeof lens->variables[0]);
     lens->variables[lens->variable_count] =
         (struct lens_variable){text_of(arena_string(build->arena, name, strlen(name))), values};
     return lens->variable_count++;
@@ -148,7 +131,7 @@ struct figure figure_computed(struct pair value, struct number_scale unit, struc
 struct figure figure_of(double value, struct arena *arena)
 {
     char text[NUMBER_LENGTH];
-    return figure_typed(text, number_write_shortest(text, value), plain, arena);
+    return figure_typed(text, number_write_shortest(text, value), NUMBER_UNSCALED, arena);
 }
 
 struct number_scale lens_unit_scale(const char *unit)
@@ -162,7 +145,7 @@ struct number_scale lens_unit_scale(const char *unit)
             return units[i].scale;
         }
     }
-    return plain;
+    return NUMBER_UNSCALED;
 }
 
 /* Significant digits of a typed number. */
@@ -180,8 +163,8 @@ static int count_digits(struct text typed)
 static bool is_reciprocal(struct text curvature, struct text radius)
 {
     double c = 0, r = 0;
-    number_read(curvature.start, curvature.start + curvature.length, plain, &c);
-    number_read(radius.start, radius.start + radius.length, plain, &r);
+    number_read(curvature.start, curvature.start + curvature.length, NUMBER_UNSCALED, &c);
+    number_read(radius.start, radius.start + radius.length, NUMBER_UNSCALED, &r);
     return c == 1 / r;
 }
 

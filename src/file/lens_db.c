@@ -182,8 +182,8 @@ static bool fail_unknown(struct lensdb *db, struct text name, struct arena *aren
             }
         }
     }
-    fail(error, ERROR_USAGE, "no lens '%.*s' in lensdb, and no file of that name",
-         (int)(name.length < 60 ? name.length : 60), name.start);
+    fail(error, ERROR_USAGE, "no lens '%.*s' in lensdb, and no file of that name", text_shown(name),
+         name.start);
     if (nearest.best.start != NULL) {
         return error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length,
                           nearest.best.start);

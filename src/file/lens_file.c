@@ -8,7 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-static const struct number_scale plain = {1, 0};
 static const double radians = 0.017453292519943295;
 
 /* A file being read. Arrays grow by doubling in the arena. */
@@ -25,21 +24,6 @@ struct parser {
     struct lens_words *variable_lines; /* where each variable was first used */
     unsigned given;                    /* keywords that may stand once */
 };
-
-/* Room for one more. */
-static void *grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size)
-{
-    if (count < *room) {
-        return array;
-    }
-    size_t more = *room > 0 ? 2 * *room : 16;
-    void *larger = arena_array(arena, more, size);
-    if (count > 0) {
-        memcpy(larger, array, count * size);
-    }
-    *room = more;
-    return larger;
-}
 
 static const char *rest_string(struct parser *parser)
 {
@@ -72,8 +56,8 @@ static bool read_note(struct parser *parser, struct error *error)
 {
     struct lens *lens = parser->lens;
     (void)error;
-    lens->notes = grow(parser->words.arena, lens->notes, lens->note_count, &parser->note_room,
-                       sizeof lens->notes[0]);
+    lens->notes = arena_grow(parser->words.arena, lens->notes, lens->note_count, &parser->note_room,
+                             sizeof lens->notes[0]);
     lens->notes[lens->note_count++] = rest_string(parser);
     return true;
 }
@@ -118,11 +102,11 @@ static bool read_wavelengths(struct parser *parser, struct error *error)
         struct figure figure = {.value = {1, 0}};
         struct lens_wavelength *one;
         lens->wavelengths =
-            grow(words->arena, lens->wavelengths, lens->wavelength_count, &room, sizeof *one);
+            arena_grow(words->arena, lens->wavelengths, lens->wavelength_count, &room, sizeof *one);
         one = &lens->wavelengths[lens->wavelength_count];
         if (!lens_words_wavelength(words, name, &one->wavelength, error) ||
             (weight.start != NULL &&
-             !lens_words_figure(words, weight, plain, "weight", &figure, error))) {
+             !lens_words_figure(words, weight, NUMBER_UNSCALED, "weight", &figure, error))) {
             return false;
         }
         if (!(figure.value.hi >= 0)) {
@@ -207,7 +191,7 @@ static bool read_field(struct parser *parser, struct error *error)
                                "or image");
     }
     bool angle = lens->field_kind == FIELD_ANGLE;
-    if (!lens_words_figures(&parser->words, angle ? plain : parser->words.scale, "field",
+    if (!lens_words_figures(&parser->words, angle ? NUMBER_UNSCALED : parser->words.scale, "field",
                             &lens->fields, &lens->field_count, error)) {
         return false;
     }
@@ -249,8 +233,8 @@ static bool read_aperture_value(struct parser *parser, struct text word, struct 
     } else if (*kind == APERTURE_NONE || *kind == APERTURE_FNUMBER) {
         return lens_words_fail(words, word, error, "an aperture is stop, f/2, epd 50 or na 0.25");
     }
-    if (!lens_words_figure(words, word, *kind == APERTURE_EPD ? words->scale : plain, "aperture",
-                           figure, error)) {
+    if (!lens_words_figure(words, word, *kind == APERTURE_EPD ? words->scale : NUMBER_UNSCALED,
+                           "aperture", figure, error)) {
         return false;
     }
     return figure->value.hi > 0 ||
@@ -291,10 +275,10 @@ static size_t find_variable(void *context, struct text name)
         }
     }
     size_t room = parser->variable_room;
-    lens->variables = grow(arena, lens->variables, lens->variable_count, &parser->variable_room,
-                           sizeof lens->variables[0]);
-    parser->variable_lines = grow(arena, parser->variable_lines, lens->variable_count, &room,
-                                  sizeof parser->variable_lines[0]);
+    lens->variables = arena_grow(arena, lens->variables, lens->variable_count,
+                                 &parser->variable_room, sizeof lens->variables[0]);
+    parser->variable_lines = arena_grow(arena, parser->variable_lines, lens->variable_count, &room,
+                                        sizeof parser->variable_lines[0]);
     lens->variables[lens->variable_count] = (struct lens_variable){name, NULL};
     parser->variable_lines[lens->variable_count] = parser->words;
     return lens->variable_count++;
@@ -314,8 +298,8 @@ static bool read_positions(struct parser *parser, struct error *error)
                                                     : "a position's name that cannot be used: "
                                                       "twice, or 'all'");
         }
-        lens->positions = grow(words->arena, lens->positions, lens->position_count, &room,
-                               sizeof lens->positions[0]);
+        lens->positions = arena_grow(words->arena, lens->positions, lens->position_count, &room,
+                                     sizeof lens->positions[0]);
         lens->positions[lens->position_count++] =
             arena_string(words->arena, word.start, word.length);
     }
@@ -411,8 +395,8 @@ static bool read_stated(struct parser *parser, struct error *error)
             continue;
         }
         struct figure *values;
-        if (!lens_words_figures(words, i == STATED_FNUMBER ? plain : words->scale, names[i],
-                                &values, &lens->stated_count[i], error)) {
+        if (!lens_words_figures(words, i == STATED_FNUMBER ? NUMBER_UNSCALED : words->scale,
+                                names[i], &values, &lens->stated_count[i], error)) {
             return false;
         }
         lens->stated[i] = values;
@@ -432,8 +416,8 @@ static bool add_surface(struct parser *parser, bool is_stop, struct error *error
         return lens_words_fail(&parser->words, word, error,
                                "a surface after one without a thickness");
     }
-    lens->surfaces = grow(parser->words.arena, lens->surfaces, last, &parser->surface_room,
-                          sizeof lens->surfaces[0]);
+    lens->surfaces = arena_grow(parser->words.arena, lens->surfaces, last, &parser->surface_room,
+                                sizeof lens->surfaces[0]);
     struct surface *surface = &lens->surfaces[last];
     const struct medium *before =
         last > 0 ? &lens->surfaces[last - 1].medium : &lens->object_medium;

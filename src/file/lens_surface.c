@@ -4,7 +4,6 @@
 
 #include <string.h>
 
-static const struct number_scale plain = {1, 0};
 static const double radians = 0.017453292519943295;
 
 enum { MOST_VARIES = 16 };
@@ -89,15 +88,15 @@ static bool read_curvature(struct reading *reading, struct text value, struct er
                                "a curvature beside a radius: the radius must be '-'");
     }
     surface->has_curvature = true;
-    return lens_words_figure(reading->words, value, plain, "curvature", &surface->curvature,
-                             error) &&
+    return lens_words_figure(reading->words, value, NUMBER_UNSCALED, "curvature",
+                             &surface->curvature, error) &&
            rescale(reading->words, 1, &surface->curvature);
 }
 
 static bool read_conic(struct reading *reading, struct text value, struct error *error)
 {
-    return lens_words_figure(reading->words, value, plain, "conic", &reading->surface->conic,
-                             error);
+    return lens_words_figure(reading->words, value, NUMBER_UNSCALED, "conic",
+                             &reading->surface->conic, error);
 }
 
 static struct displacement *displacement_of(struct reading *reading)
@@ -117,7 +116,7 @@ static bool read_decenter(struct reading *reading, struct text value, struct err
 
 static bool read_tilt(struct reading *reading, struct text value, struct error *error)
 {
-    return lens_words_vector(reading->words, value, plain, radians, "tilt",
+    return lens_words_vector(reading->words, value, NUMBER_UNSCALED, radians, "tilt",
                              displacement_of(reading)->tilt, 2, error);
 }
 
@@ -165,7 +164,8 @@ static bool read_coefficient(struct reading *reading, int at, struct text value,
 {
     struct figure *figure = &reading->surface->coefficient[at];
     reading->surface->coefficients |= 1u << at;
-    return lens_words_figure(reading->words, value, plain, "coefficient", figure, error) &&
+    return lens_words_figure(reading->words, value, NUMBER_UNSCALED, "coefficient", figure,
+                             error) &&
            rescale(reading->words, 2 * at + 1, figure);
 }
 
@@ -200,8 +200,8 @@ static bool read_vary(struct reading *reading, struct text what, struct text bou
         return lens_words_fail(words, bounds, error, "bounds are written [low,high]");
     }
     bool is_length = text_equal(what, "R") || text_equal(what, "t");
-    if (!lens_words_vector(words, inside, is_length ? words->scale : plain, 1, "bounds", both, 2,
-                           error)) {
+    if (!lens_words_vector(words, inside, is_length ? words->scale : NUMBER_UNSCALED, 1, "bounds",
+                           both, 2, error)) {
         return false;
     }
     vary->has_bounds = true;
@@ -308,10 +308,10 @@ bool lens_bend_read(struct lens_words *words, const struct displacement **bend, 
         if (value.start == NULL || (!decenter && !tilt)) {
             return lens_words_fail(words, word, error, "a bend has decenter=x,y and tilt=ax,ay,az");
         }
-        bool read =
-            decenter ? lens_words_vector(words, value, words->scale, 1, "decentre", all->decenter,
-                                         2, error)
-                     : lens_words_vector(words, value, plain, radians, "tilt", all->tilt, 3, error);
+        bool read = decenter ? lens_words_vector(words, value, words->scale, 1, "decentre",
+                                                 all->decenter, 2, error)
+                             : lens_words_vector(words, value, NUMBER_UNSCALED, radians, "tilt",
+                                                 all->tilt, 3, error);
         if (!read) {
             return false;
         }

@@ -3,6 +3,7 @@
 #include "file/lens_words.h"
 
 #include "base/quantity.h"
+#include "file/lines.h"
 #include "optics/wavelength.h"
 
 #include <math.h>
@@ -11,13 +12,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct number_scale plain = {1, 0};
-
 bool lens_words_open(struct lens_words *words, const char *source, struct text content,
                      struct arena *arena, struct error *error)
 {
-    *words = (struct lens_words){
-        .source = source, .rest = content, .scale = plain, .comment = "#", .arena = arena};
+    *words = (struct lens_words){.source = source,
+                                 .rest = content,
+                                 .scale = NUMBER_UNSCALED,
+                                 .comment = "#",
+                                 .arena = arena};
     if (content.length >= 3 && memcmp(content.start, "\xef\xbb\xbf", 3) == 0) {
         words->rest = (struct text){content.start + 3, content.length - 3};
     }
@@ -109,12 +111,6 @@ bool lens_words_fail(const struct lens_words *words, struct text word, struct er
     return error_locate(error, words->source, words->number, column);
 }
 
-/* Words in messages are not longer than this. */
-static int shown(struct text text)
-{
-    return text.length < 60 ? (int)text.length : 60;
-}
-
 bool lens_words_figure(const struct lens_words *words, struct text text, struct number_scale scale,
                        const char *what, struct figure *figure, struct error *error)
 {
@@ -126,7 +122,7 @@ bool lens_words_figure(const struct lens_words *words, struct text text, struct 
     }
     if (behind != end) {
         struct text wrong = {behind != NULL ? behind : text.start, 1};
-        lens_words_fail(words, wrong, error, "the %s '%.*s' is no number", what, shown(text),
+        lens_words_fail(words, wrong, error, "the %s '%.*s' is no number", what, text_shown(text),
                         text.start);
         if (behind != NULL && *behind == ',') {
             error_hint(error, "the decimal point is a point");
@@ -161,9 +157,6 @@ bool lens_words_figures(struct lens_words *words, struct number_scale scale, con
     return true;
 }
 
-/* A wavelength beyond this is a mistake of the unit: um. */
-static const double shortest_wave = 0.001, longest_wave = 1000;
-
 bool lens_words_wavelength(const struct lens_words *words, struct text text, double *wavelength,
                            struct error *error)
 {
@@ -171,25 +164,24 @@ bool lens_words_wavelength(const struct lens_words *words, struct text text, dou
         const char *name;
         struct number_scale scale; /* to um */
     } units[] = {{"nm", {1, -3}}, {"um", {1, 0}}};
-    const struct spectral_line *line = spectral_line_find(text);
-    if (line != NULL) {
-        *wavelength = line->wavelength;
+    if (lines_standard(text, wavelength)) {
         return true;
     }
     const char *end = text.start + text.length;
     double bare;
-    const char *behind = text.length > 0 ? number_read(text.start, end, plain, &bare) : NULL;
+    const char *behind =
+        text.length > 0 ? number_read(text.start, end, NUMBER_UNSCALED, &bare) : NULL;
     if (behind == NULL) {
         return lens_words_fail(words, text, error,
                                "'%.*s' is no wavelength: a line such as d F C, "
                                "or a number with nm or um",
-                               shown(text), text.start);
+                               text_shown(text), text.start);
     }
     struct text unit = text_between(behind, end);
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
         if (text_equal(unit, units[i].name)) {
             number_read(text.start, end, units[i].scale, wavelength);
-            if (*wavelength >= shortest_wave && *wavelength <= longest_wave) {
+            if (*wavelength >= WAVELENGTH_SHORTEST && *wavelength <= WAVELENGTH_LONGEST) {
                 return true;
             }
             return lens_words_fail(words, text, error, "the wavelength is not within 1 nm to 1 mm");
@@ -198,9 +190,9 @@ bool lens_words_wavelength(const struct lens_words *words, struct text text, dou
     lens_words_fail(words, text_between(behind, end), error,
                     unit.length == 0 ? "the wavelength %.*s has no unit: nm or um"
                                      : "the wavelength %.*s has an unknown unit: nm or um",
-                    shown(text), text.start);
+                    text_shown(text), text.start);
     if (unit.length == 0) {
-        error_hint(error, "did you mean '%.*s%s'?", shown(text), text.start,
+        error_hint(error, "did you mean '%.*s%s'?", text_shown(text), text.start,
                    bare < 100 ? "um" : "nm");
     }
     return false;
@@ -210,12 +202,12 @@ static bool read_index(const struct lens_words *words, struct text text, const c
                        struct pair *value, struct error *error)
 {
     struct figure figure;
-    if (!lens_words_figure(words, text, plain, what, &figure, error)) {
+    if (!lens_words_figure(words, text, NUMBER_UNSCALED, what, &figure, error)) {
         return false;
     }
     if (!(figure.value.hi > 0)) {
-        return lens_words_fail(words, text, error, "the %s %.*s is not above 0", what, shown(text),
-                               text.start);
+        return lens_words_fail(words, text, error, "the %s %.*s is not above 0", what,
+                               text_shown(text), text.start);
     }
     *value = figure.value;
     return true;

@@ -362,12 +362,11 @@ bool lensdb_find_sensor(struct lensdb *db, struct text name, struct lensdb_senso
 /* "1/125" or "0.3" or "5.6". */
 static bool label_value(struct text label, double *value)
 {
-    const struct number_scale plain = {1, 0};
     const char *end = label.start + label.length;
-    const char *after = number_read(label.start, end, plain, value);
+    const char *after = number_read(label.start, end, NUMBER_UNSCALED, value);
     if (after != NULL && after < end && *after == '/') {
         double denominator;
-        after = number_read(after + 1, end, plain, &denominator);
+        after = number_read(after + 1, end, NUMBER_UNSCALED, &denominator);
         *value /= denominator;
     }
     return after == end && *value > 0;

@@ -319,7 +319,6 @@ static void add_point(struct reciprocity *model, double metered, double stops)
 static bool read_steps(const struct lensdb_film *film, struct reciprocity *model,
                        struct error *error)
 {
-    const struct number_scale plain = {1, 0};
     struct text rest = film->parameters;
     double stops = 0;
     *model = (struct reciprocity){.model = RECIPROCITY_TABLE, .valid_to = film->valid_to};
@@ -327,9 +326,9 @@ static bool read_steps(const struct lensdb_film *film, struct reciprocity *model
         struct text item = text_cut(&rest, ';');
         const char *end = item.start + item.length, *colon;
         double from, more;
-        colon = number_read(item.start, end, plain, &from);
+        colon = number_read(item.start, end, NUMBER_UNSCALED, &from);
         if (colon == NULL || colon == end || *colon != ':' ||
-            number_read(colon + 1, end, plain, &more) != end || !(more >= stops) ||
+            number_read(colon + 1, end, NUMBER_UNSCALED, &more) != end || !(more >= stops) ||
             model->points + 3 > RECIPROCITY_POINTS || !(from < film->valid_to) ||
             (model->points > 0 && !(from > model->metered[model->points - 1]))) {
             return fail(error, ERROR_DATA,

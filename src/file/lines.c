@@ -15,26 +15,29 @@ static bool open_lines(struct lensdb *db, enum lensdb_place place, struct tsv *t
            tsv_column(tsv, "name", name, error) && tsv_column(tsv, "nm", nm, error);
 }
 
-/* The wavelength in the present row, mm, rounded once. */
-static bool read_line(const struct tsv *tsv, size_t nm, double *wavelength, struct error *error)
+/* The wavelength in the present row, rounded once. */
+static bool read_line(const struct tsv *tsv, size_t nm, struct number_scale from_nm,
+                      double *wavelength, struct error *error)
 {
     struct text cell = tsv->cells[nm];
     const char *end = cell.start + cell.length;
-    if (number_read(cell.start, end, (struct number_scale){1, -6}, wavelength) != end ||
-        !(*wavelength > 0) || isinf(*wavelength)) {
+    if (number_read(cell.start, end, from_nm, wavelength) != end || !(*wavelength > 0) ||
+        isinf(*wavelength)) {
         return tsv_fail(tsv, nm, error, "is no wavelength");
     }
     return true;
 }
 
-bool lines_find(struct lensdb *db, struct text name, bool *found, double *wavelength,
-                struct error *error)
+/* Look from one place on. */
+static bool find_from(struct lensdb *db, enum lensdb_place first, struct text name,
+                      struct number_scale from_nm, bool *found, double *wavelength,
+                      struct error *error)
 {
     *found = false;
     error->code = ERROR_NONE;
     bool letter = name.length > 0 && ((name.start[0] >= 'a' && name.start[0] <= 'z') ||
                                       (name.start[0] >= 'A' && name.start[0] <= 'Z'));
-    for (enum lensdb_place place = LENSDB_USER; letter && place < LENSDB_PLACES; place++) {
+    for (enum lensdb_place place = first; letter && place < LENSDB_PLACES; place++) {
         struct tsv tsv;
         size_t column, nm;
         if (open_lines(db, place, &tsv, &column, &nm, error)) {
@@ -43,7 +46,7 @@ bool lines_find(struct lensdb *db, struct text name, bool *found, double *wavele
                 if (cell.length == name.length &&
                     memcmp(cell.start, name.start, name.length) == 0) {
                     *found = true;
-                    return read_line(&tsv, nm, wavelength, error);
+                    return read_line(&tsv, nm, from_nm, wavelength, error);
                 }
             }
         }
@@ -52,6 +55,22 @@ bool lines_find(struct lensdb *db, struct text name, bool *found, double *wavele
         }
     }
     return true;
+}
+
+bool lines_find(struct lensdb *db, struct text name, struct number_scale from_nm, bool *found,
+                double *wavelength, struct error *error)
+{
+    return find_from(db, LENSDB_USER, name, from_nm, found, wavelength, error);
+}
+
+bool lines_standard(struct text name, double *wavelength)
+{
+    struct lensdb embedded = {0};
+    struct error ignored;
+    bool found;
+    return find_from(&embedded, LENSDB_EMBEDDED, name, (struct number_scale){1, -3}, &found,
+                     wavelength, &ignored) &&
+           found;
 }
 
 struct text lines_name(struct lensdb *db, double wavelength)
@@ -65,7 +84,8 @@ struct text lines_name(struct lensdb *db, double wavelength)
             continue;
         }
         while (tsv_next(&tsv, &ignored)) {
-            if (read_line(&tsv, nm, &line, &ignored) && fabs(line - wavelength) <= 1e-15 * line) {
+            if (read_line(&tsv, nm, (struct number_scale){1, -6}, &line, &ignored) &&
+                fabs(line - wavelength) <= 1e-15 * line) {
                 return tsv.cells[column];
             }
         }

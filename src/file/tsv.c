@@ -106,7 +106,7 @@ bool tsv_fail(const struct tsv *tsv, size_t column, struct error *error, const c
 {
     struct text cell = tsv->cells[column], name = tsv->names[column];
     fail(error, ERROR_DATA, "%.*s '%.*s' %s", (int)(name.length < 40 ? name.length : 40),
-         name.start, (int)(cell.length < 60 ? cell.length : 60), cell.start, what);
+         name.start, text_shown(cell), cell.start, what);
     return error_locate(error, tsv->source, tsv->line,
                         (size_t)(cell.start - tsv->cells[0].start) + 1);
 }

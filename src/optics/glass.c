@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "optics/glass.h"
 
+#include "optics/wavelength.h"
+
 #include <math.h>
 
 /* What a formula gives: n or n^2, and its derivative. */
@@ -31,23 +33,16 @@ static struct value constant(const struct glass *glass, const struct light *ligh
     return (struct value){glass->coefficients[0], 0};
 }
 
-/* A line's wavelength as the decimal it is, um. */
-static struct pair line(double units)
+static struct pair inverse_square(double wavelength)
 {
-    return pair_divide(pair_of(units), pair_of(1e7));
-}
-
-static struct pair inverse_square(double units)
-{
-    struct pair l = line(units);
-    return inverse(pair_multiply(l, l));
+    return inverse(pair_product(wavelength, wavelength));
 }
 
 static struct value nd_vd(const struct glass *glass, const struct light *light)
 {
     const struct pair *c = glass->coefficients;
-    struct pair one = pair_of(1), d = inverse_square(5875618);
-    struct pair span = pair_subtract(inverse_square(4861327), inverse_square(6562725));
+    struct pair one = pair_of(1), d = inverse_square(WAVELENGTH_D);
+    struct pair span = pair_subtract(inverse_square(WAVELENGTH_F), inverse_square(WAVELENGTH_C));
     struct pair B = pair_divide(pair_subtract(c[0], one), pair_multiply(c[1], span));
     struct pair from_d = pair_subtract(inverse(light->square), d);
     double l = light->l.hi;
@@ -315,11 +310,12 @@ static double difference(struct pair a, struct pair b)
 
 struct glass_summary glass_summary(const struct glass *glass)
 {
-    struct pair g = at_line(glass, GLASS_LINE_G), F = at_line(glass, GLASS_LINE_F);
-    struct pair d = at_line(glass, GLASS_LINE_D), C = at_line(glass, GLASS_LINE_C);
-    struct pair e = at_line(glass, GLASS_LINE_E);
+    struct pair g = at_line(glass, WAVELENGTH_G), F = at_line(glass, WAVELENGTH_F);
+    struct pair d = at_line(glass, WAVELENGTH_D), C = at_line(glass, WAVELENGTH_C);
+    struct pair e = at_line(glass, WAVELENGTH_E);
     double spread = difference(F, C);
-    double other_spread = difference(at_line(glass, GLASS_LINE_FC), at_line(glass, GLASS_LINE_CC));
+    double other_spread =
+        difference(at_line(glass, WAVELENGTH_F_PRIME), at_line(glass, WAVELENGTH_C_PRIME));
     struct glass_summary summary = {.nd = d.hi, .ne = e.hi};
     bool disperses = !(fabs(spread) <= 0); /* a constant has no Vd */
     summary.Vd = disperses ? difference(d, pair_of(1)) / spread : NAN;
@@ -332,8 +328,8 @@ struct glass_summary glass_summary(const struct glass *glass)
 
 double glass_difference(const struct glass *a, const struct glass *b)
 {
-    static const double lines[] = {GLASS_LINE_G, GLASS_LINE_F, GLASS_LINE_E, GLASS_LINE_D,
-                                   GLASS_LINE_C};
+    static const double lines[] = {WAVELENGTH_G, WAVELENGTH_F, WAVELENGTH_E, WAVELENGTH_D,
+                                   WAVELENGTH_C};
     double sum = 0;
     for (size_t i = 0; i < 5; i++) {
         double off = difference(at_line(a, lines[i]), at_line(b, lines[i]));

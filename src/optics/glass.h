@@ -10,15 +10,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Wavelengths by which glasses are compared, um, as the makers' tables print them. */
-#define GLASS_LINE_G  0.4358343
-#define GLASS_LINE_FC 0.4799914 /* F' */
-#define GLASS_LINE_F  0.4861327
-#define GLASS_LINE_E  0.5460740
-#define GLASS_LINE_D  0.5875618 /* d */
-#define GLASS_LINE_CC 0.6438469 /* C' */
-#define GLASS_LINE_C  0.6562725
-
 enum glass_formula {
     GLASS_CONSTANT,
     GLASS_ND_VD,
@@ -75,7 +66,8 @@ bool glass_count_fits(enum glass_formula formula, size_t count);
  * Simple materials: one index for all light; or nd and Vd as a designer states them.
  *
  * Formula   n = A + B/l^2 with n(d) = nd and n(F) - n(C) = (nd - 1)/Vd; nearly the glass's own
- *           dispersion in the visible, but no substitute for it
+ *           dispersion in the visible, but no substitute for it. With the double WAVELENGTH_D it
+ *           is nd to the last bit of both parts
  */
 struct glass glass_constant(struct pair n);
 struct glass glass_nd_vd(struct pair nd, struct pair Vd);

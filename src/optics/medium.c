@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "optics/medium.h"
 
-#include "optics/wavelength.h"
+#include "optics/glass.h"
 
 #include <math.h>
 
@@ -16,17 +16,6 @@ bool medium_is_air(const struct medium *medium)
 static struct pair inverse_square(double wavelength)
 {
     return pair_divide(pair_of(1), pair_product(wavelength, wavelength));
-}
-
-static struct pair model_index(const struct medium *medium, double wavelength)
-{
-    struct pair dispersion =
-        pair_divide(pair_add(medium->index, pair_of(-1)), medium->abbe); /* nF - nC */
-    struct pair d = inverse_square(WAVELENGTH_D);
-    struct pair part =
-        pair_divide(pair_subtract(inverse_square(wavelength), d),
-                    pair_subtract(inverse_square(WAVELENGTH_F), inverse_square(WAVELENGTH_C)));
-    return pair_add(medium->index, pair_multiply(dispersion, part));
 }
 
 /* Lagrange's polynomial in 1/l^2. */
@@ -77,7 +66,8 @@ bool medium_index(const struct medium *medium, double wavelength, struct pair *i
     if (medium->kind == MEDIUM_CONSTANT) {
         *index = medium->index;
     } else if (medium->kind == MEDIUM_MODEL) {
-        *index = model_index(medium, wavelength);
+        const struct glass model = glass_nd_vd(medium->index, medium->abbe);
+        *index = glass_index(&model, pair_of(wavelength)).n;
     } else if (medium->kind == MEDIUM_TABLE) {
         done = table_index(medium, wavelength, index, error);
     } else if (medium->glass_index == NULL) {

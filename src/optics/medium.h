@@ -48,7 +48,7 @@ bool medium_is_air(const struct medium *medium);
  *
  * Given     wavelength  um
  *           index       receives n, relative to air, above 0
- * Formula   model: n(l) = A + B/l^2 with n(d) = nd and n(F) - n(C) = (nd - 1)/Vd
+ * Formula   model: as glass_nd_vd
  *           table: polynomial in 1/l^2 through the three nearest points (two: a line, one: the
  *           index itself at all wavelengths)
  * Errors    ERROR_DOMAIN: outside the table's or the glass's range, an index of 0 or less, a

@@ -1,27 +1,19 @@
-/* optics/wavelength.h - spectral lines by name. */
+/* optics/wavelength.h - the spectral lines by which materials are described. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_OPTICS_WAVELENGTH_H
 #define LENSCALC_OPTICS_WAVELENGTH_H
 
-#include "base/text.h"
+/* In air, um, as the makers' tables print them; all lines with their names are in lines.tsv. */
+#define WAVELENGTH_G       0.4358343
+#define WAVELENGTH_F_PRIME 0.4799914
+#define WAVELENGTH_F       0.4861327
+#define WAVELENGTH_E       0.5460740
+#define WAVELENGTH_D       0.5875618 /* the helium line d, not sodium's D */
+#define WAVELENGTH_C_PRIME 0.6438469
+#define WAVELENGTH_C       0.6562725
 
-#include <stdbool.h>
-
-#define WAVELENGTH_D 0.5875618 /* um, helium d */
-#define WAVELENGTH_F 0.4861327 /* um, hydrogen F */
-#define WAVELENGTH_C 0.6562725 /* um, hydrogen C */
-
-/* A spectral line that glass catalogues name. */
-struct spectral_line {
-    const char *name;
-    double wavelength; /* um, in air */
-    const char *element;
-};
-
-/* From short to long waves; ends with a null name. Case counts: F and f are not the same. */
-extern const struct spectral_line spectral_lines[];
-
-/* The line of this name; null if there is none. */
-const struct spectral_line *spectral_line_find(struct text name);
+/* What is beyond is a mistake of the unit: 1 nm to 1 mm. */
+#define WAVELENGTH_SHORTEST 0.001
+#define WAVELENGTH_LONGEST  1000.0
 
 #endif

@@ -2,30 +2,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/attach.h"
 
+#include "photo/given.h"
+
 #include <math.h>
-
-static bool check_positive(double x, const char *option, const char *unit, struct error *error)
-{
-    if (!(x > 0 && isfinite(x))) {
-        return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (above 0, finite)", option, x,
-                    unit);
-    }
-    return true;
-}
-
-static bool check_not_negative(double x, const char *option, const char *unit, struct error *error)
-{
-    if (!(x >= 0 && isfinite(x))) {
-        return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (0 or more, finite)", option, x,
-                    unit);
-    }
-    return true;
-}
 
 static bool add_tube(struct attach_lens *lens, const struct attach_step *step, struct error *error)
 {
     double e = step->value;
-    if (!check_not_negative(e, "--tube", " mm", error)) {
+    if (!check_not_negative("--tube", " mm", e, error)) {
         return false;
     }
     lens->m_far += e / lens->f;
@@ -38,7 +22,7 @@ static bool add_tube(struct attach_lens *lens, const struct attach_step *step, s
 /* Put a thin lens of focal length F `gap` before the front. */
 static bool put_before(struct attach_lens *lens, double F, double gap, struct error *error)
 {
-    if (!check_not_negative(gap, "--gap", " mm", error)) {
+    if (!check_not_negative("--gap", " mm", gap, error)) {
         return false;
     }
     double d = gap + lens->front;
@@ -64,7 +48,7 @@ static bool put_before(struct attach_lens *lens, double F, double gap, struct er
 static bool add_close_up(struct attach_lens *lens, const struct attach_step *step,
                          struct error *error)
 {
-    return check_positive(step->value, "--close-up", " dioptres", error) &&
+    return check_positive("--close-up", " dioptres", step->value, error) &&
            put_before(lens, 1000 / step->value, step->gap, error);
 }
 
@@ -72,8 +56,8 @@ static bool add_converter(struct attach_lens *lens, const struct attach_step *st
                           struct error *error)
 {
     double k = step->value;
-    if (!check_positive(k, "--converter", "", error) ||
-        !check_not_negative(step->gap, "--converter-length", " mm", error)) {
+    if (!check_positive("--converter", "", k, error) ||
+        !check_not_negative("--converter-length", " mm", step->gap, error)) {
         return false;
     }
     lens->front += (k - 1) * lens->f;
@@ -109,8 +93,8 @@ static bool add_stacked(struct attach_lens *lens, const struct attach_step *step
                         struct error *error)
 {
     double F = step->value;
-    if (!check_positive(F, "--stacked", " mm", error) ||
-        !check_not_negative(step->fnumber, "--stacked-aperture", "", error)) {
+    if (!check_positive("--stacked", " mm", F, error) ||
+        !check_not_negative("--stacked-aperture", "", step->fnumber, error)) {
         return false;
     }
     lens->N = fmax(lens->N, lens->f * step->fnumber / F); /* the narrower beam */
@@ -124,9 +108,9 @@ static bool (*const adders[])(struct attach_lens *, const struct attach_step *, 
 bool attach_bare(double f, double N, double P, double m_near, double front, double hiatus,
                  struct attach_lens *lens, struct error *error)
 {
-    if (!check_positive(f, "--focal-length", " mm", error) ||
-        !check_positive(N, "--aperture", "", error) || !check_positive(P, "--pupil", "", error) ||
-        !check_not_negative(m_near, "--magnification", "", error)) {
+    if (!check_positive("--focal-length", " mm", f, error) ||
+        !check_positive("--aperture", "", N, error) || !check_positive("--pupil", "", P, error) ||
+        !check_not_negative("--magnification", "", m_near, error)) {
         return false;
     }
     if (!(isfinite(front) && isfinite(hiatus))) {
@@ -182,8 +166,8 @@ bool attach_focused(const struct attach_lens *lens, bool near, struct attach_foc
 
 static bool check_more(double f, double m0, double m, struct error *error)
 {
-    if (!check_positive(f, "--focal-length", " mm", error) ||
-        !check_not_negative(m0, "--magnification without attachment", "", error)) {
+    if (!check_positive("--focal-length", " mm", f, error) ||
+        !check_not_negative("--magnification without attachment", "", m0, error)) {
         return false;
     }
     if (!(m >= m0 && isfinite(m))) {

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/equivalent.h"
 
+#include "photo/given.h"
+
 #include <math.h>
 
 static double size_diagonal(const struct equivalent_format *format)
@@ -48,22 +50,13 @@ bool equivalent_ratio(const struct equivalent_format *from, const struct equival
     return true;
 }
 
-static bool check_positive(double x, const char *option, const char *unit, struct error *error)
-{
-    if (!(x > 0 && isfinite(x))) {
-        return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (above 0, finite)", option, x,
-                    unit);
-    }
-    return true;
-}
-
 static bool check_setting(const struct equivalent_setting *s, double k, struct error *error)
 {
-    if (!check_positive(s->f, "--focal-length", " mm", error) ||
-        !check_positive(s->N, "--aperture", "", error) ||
-        !check_positive(s->P, "--pupil", "", error) ||
-        !check_positive(s->iso, "--iso", "", error) ||
-        !check_positive(k, "size ratio of the formats", "", error)) {
+    if (!check_positive("--focal-length", " mm", s->f, error) ||
+        !check_positive("--aperture", "", s->N, error) ||
+        !check_positive("--pupil", "", s->P, error) ||
+        !check_positive("--iso", "", s->iso, error) ||
+        !check_positive("size ratio of the formats", "", k, error)) {
         return false;
     }
     if (!(s->m >= 0 && isfinite(s->m))) {

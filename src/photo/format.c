@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/format.h"
 
+#include "photo/given.h"
+
 #include <math.h>
 
 #define PI               3.14159265358979323846
@@ -9,19 +11,11 @@
 
 const struct coc coc_default = {.kind = COC_DIAGONAL, .value = 1500};
 
-static bool check_positive(double x, const char *name, struct error *error)
-{
-    if (!(x > 0 && x < INFINITY)) {
-        return fail(error, ERROR_DOMAIN, "%s %.15g must be above 0 and finite", name, x);
-    }
-    return true;
-}
-
 bool sensor_check(const struct sensor *sensor, struct error *error)
 {
-    return check_positive(sensor->width, "sensor width, mm,", error) &&
-           check_positive(sensor->height, "sensor height, mm,", error) &&
-           (isnan(sensor->pitch) || check_positive(sensor->pitch, "pixel pitch, mm,", error));
+    return check_positive("sensor width", " mm", sensor->width, error) &&
+           check_positive("sensor height", " mm", sensor->height, error) &&
+           (isnan(sensor->pitch) || check_positive("pixel pitch", " mm", sensor->pitch, error));
 }
 
 double sensor_diagonal(const struct sensor *sensor)
@@ -50,7 +44,7 @@ static bool coc_diagonal(const struct coc *coc, const struct sensor *sensor, dou
                          struct error *error)
 {
     *c = sensor_diagonal(sensor) / coc->value;
-    return check_positive(coc->value, "circle of confusion d/x: x", error);
+    return check_positive("circle of confusion d/x: x", "", coc->value, error);
 }
 
 static bool coc_pixels(const struct coc *coc, const struct sensor *sensor, double *c,
@@ -62,7 +56,7 @@ static bool coc_pixels(const struct coc *coc, const struct sensor *sensor, doubl
                     "a circle of confusion in pixels needs the pixel pitch: give --pitch, or a "
                     "camera with a known one as --sensor");
     }
-    return check_positive(coc->value, "circle of confusion, pixels,", error);
+    return check_positive("circle of confusion", " pixels", coc->value, error);
 }
 
 static bool coc_print(const struct coc *coc, const struct sensor *sensor, double *c,
@@ -70,9 +64,9 @@ static bool coc_print(const struct coc *coc, const struct sensor *sensor, double
 {
     double enlargement = coc->print / fmax(sensor->width, sensor->height);
     *c = coc->viewing / 250 / (coc->acuity * enlargement);
-    return check_positive(coc->viewing, "viewing distance, mm,", error) &&
-           check_positive(coc->acuity, "acuity, line pairs per mm,", error) &&
-           check_positive(coc->print, "long side of the print, mm,", error);
+    return check_positive("viewing distance", " mm", coc->viewing, error) &&
+           check_positive("acuity", " line pairs per mm", coc->acuity, error) &&
+           check_positive("long side of the print", " mm", coc->print, error);
 }
 
 static bool coc_airy(const struct coc *coc, const struct sensor *sensor, double *c,
@@ -80,8 +74,8 @@ static bool coc_airy(const struct coc *coc, const struct sensor *sensor, double 
 {
     (void)sensor;
     *c = 2 * FIRST_ZERO_OF_J1 / PI * coc->wavelength * coc->fnumber;
-    return check_positive(coc->wavelength, "wavelength, mm,", error) &&
-           check_positive(coc->fnumber, "f-number", error);
+    return check_positive("wavelength", " mm", coc->wavelength, error) &&
+           check_positive("f-number", "", coc->fnumber, error);
 }
 
 bool coc_resolve(const struct coc *coc, const struct sensor *sensor, double *c, struct error *error)

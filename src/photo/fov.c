@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/fov.h"
 
+#include "photo/given.h"
+
 #include <math.h>
 
 #define PI 3.14159265358979323846
@@ -81,20 +83,12 @@ static const struct rule rules[PROJECTIONS] = {
     [ORTHOGRAPHIC] = {half_orthographic, height_orthographic, 1, PI, false},
 };
 
-static bool check_positive(double x, const char *name, struct error *error)
-{
-    if (!(x > 0 && x < INFINITY)) {
-        return fail(error, ERROR_DOMAIN, "%s %.15g must be above 0 and finite", name, x);
-    }
-    return true;
-}
-
 bool fov_angle(enum projection projection, double scale, double dimension, double *angle,
                struct error *error)
 {
     const struct rule *rule = &rules[projection];
-    if (!check_positive(scale, "focal length, mm,", error) ||
-        !check_positive(dimension, "sensor dimension, mm,", error)) {
+    if (!check_positive("focal length", " mm", scale, error) ||
+        !check_positive("sensor dimension", " mm", dimension, error)) {
         return false;
     }
     double x = dimension / 2 / scale;
@@ -109,9 +103,9 @@ bool fov_angle(enum projection projection, double scale, double dimension, doubl
 
 static bool check_setting(const struct fov_setting *a, struct error *error)
 {
-    if (!check_positive(a->f, "focal length, mm,", error) ||
-        !check_positive(a->P, "pupil magnification", error) ||
-        !check_positive(a->squeeze, "anamorphic squeeze", error)) {
+    if (!check_positive("focal length", " mm", a->f, error) ||
+        !check_positive("pupil magnification", "", a->P, error) ||
+        !check_positive("anamorphic squeeze", "", a->squeeze, error)) {
         return false;
     }
     if (!(a->s > a->f)) {
@@ -163,8 +157,8 @@ static bool check_angle(enum projection projection, double angle, struct error *
 bool fov_focal_length(enum projection projection, double dimension, double angle, double s,
                       double P, double *f, struct error *error)
 {
-    if (!check_positive(dimension, "sensor dimension, mm,", error) ||
-        !check_positive(P, "pupil magnification", error) ||
+    if (!check_positive("sensor dimension", " mm", dimension, error) ||
+        !check_positive("pupil magnification", "", P, error) ||
         !check_angle(projection, angle, error)) {
         return false;
     }
@@ -178,15 +172,15 @@ bool fov_focal_length(enum projection projection, double dimension, double angle
     } else {
         *f = scale;
     }
-    return check_positive(*f, "focal length, mm,", error);
+    return check_positive("focal length", " mm", *f, error);
 }
 
 bool fov_focal_length_for_field(double dimension, double field, double s, double *f,
                                 struct error *error)
 {
-    if (!check_positive(dimension, "sensor dimension, mm,", error) ||
-        !check_positive(field, "field width, mm,", error) ||
-        !check_positive(s, "distance, mm,", error)) {
+    if (!check_positive("sensor dimension", " mm", dimension, error) ||
+        !check_positive("field width", " mm", field, error) ||
+        !check_positive("distance", " mm", s, error)) {
         return false;
     }
     *f = s * (dimension / (field + dimension));
@@ -216,7 +210,7 @@ static bool solve_goal(const struct fov_setting *a, const struct goal *goal, dou
 bool fov_solve(const struct fov_setting *setting, const struct sensor *sensor,
                const struct fov_goals *goals, double *f, struct error *error)
 {
-    if (!sensor_check(sensor, error) || !check_positive(setting->squeeze, "squeeze", error)) {
+    if (!sensor_check(sensor, error) || !check_positive("squeeze", "", setting->squeeze, error)) {
         return false;
     }
     struct sensor wide = *sensor;

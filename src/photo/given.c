@@ -23,12 +23,26 @@ static bool is_positive(double value)
     return value > 0 && isfinite(value);
 }
 
+bool check_positive(const char *option, const char *unit, double value, struct error *error)
+{
+    return is_positive(value) ||
+           fail(error, ERROR_DOMAIN, "%s %.10g%s must be above 0 and finite", option, value, unit);
+}
+
+bool check_not_negative(const char *option, const char *unit, double value, struct error *error)
+{
+    return (value >= 0 && isfinite(value)) ||
+           fail(error, ERROR_DOMAIN, "%s %.10g%s must be 0 or more and finite", option, value,
+                unit);
+}
+
 bool given_positive(const struct given *numbers, int count, struct error *error)
 {
     for (int i = 0; i < count; i++) {
         const struct given *number = &numbers[i];
-        if (is_given(number->value) && !is_positive(number->value)) {
-            return require_positive(number->option, number->unit, number->value, error);
+        if (is_given(number->value) &&
+            !check_positive(number->option, number->unit, number->value, error)) {
+            return false;
         }
     }
     return true;
@@ -39,11 +53,7 @@ bool require_positive(const char *option, const char *unit, double value, struct
     if (!is_given(value)) {
         return fail(error, ERROR_USAGE, "%s is missing", option);
     }
-    if (!is_positive(value)) {
-        return fail(error, ERROR_DOMAIN, "%s %.10g%s must be above 0 and finite", option, value,
-                    unit);
-    }
-    return true;
+    return check_positive(option, unit, value, error);
 }
 
 bool require_within(const char *option, const char *unit, double value, double low, double high,

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/panorama.h"
 
+#include "photo/given.h"
+
 #include <math.h>
 
 static const double pi = 3.141592653589793;
@@ -10,23 +12,6 @@ static const double most_frames = 1e6;
 static double degrees_from_radians(double angle)
 {
     return angle * (180 / pi);
-}
-
-static bool check_positive(double x, const char *option, const char *unit, struct error *error)
-{
-    if (!(x > 0 && isfinite(x))) {
-        return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (above 0, finite)", option, x,
-                    unit);
-    }
-    return true;
-}
-
-static bool check_not_negative(double x, const char *option, struct error *error)
-{
-    if (!(x >= 0 && isfinite(x))) {
-        return fail(error, ERROR_DOMAIN, "%s %g is out of range (0 or more, finite)", option, x);
-    }
-    return true;
 }
 
 /* Above 0 (or from 0 on) up to `most`, with the slack of degrees turned into radians. */
@@ -54,8 +39,8 @@ static bool check_flat(const struct panorama_frame *frame, struct error *error)
 
 static bool check_lens(double m, double P, struct error *error)
 {
-    return check_not_negative(m, "--magnification", error) &&
-           check_positive(P, "--pupil", "", error);
+    return check_not_negative("--magnification", "", m, error) &&
+           check_positive("--pupil", "", P, error);
 }
 
 static bool is_closed(double arc)
@@ -66,9 +51,9 @@ static bool is_closed(double arc)
 bool panorama_frame(double f, double m, double P, double width, double height,
                     struct panorama_frame *frame, struct error *error)
 {
-    if (!check_positive(f, "--focal-length", " mm", error) || !check_lens(m, P, error) ||
-        !check_positive(width, "sensor width", " mm", error) ||
-        !check_positive(height, "sensor height", " mm", error)) {
+    if (!check_positive("--focal-length", " mm", f, error) || !check_lens(m, P, error) ||
+        !check_positive("sensor width", " mm", width, error) ||
+        !check_positive("sensor height", " mm", height, error)) {
         return false;
     }
     double reach = 2 * f * (1 + m / P);
@@ -85,7 +70,7 @@ bool panorama_focal(double angle, double m, double P, double width, double *f, s
                     "180)",
                     degrees_from_radians(angle));
     }
-    if (!check_lens(m, P, error) || !check_positive(width, "sensor width", " mm", error)) {
+    if (!check_lens(m, P, error) || !check_positive("sensor width", " mm", width, error)) {
         return false;
     }
     *f = width / (2 * tan(angle / 2) * (1 + m / P));
@@ -199,7 +184,7 @@ bool panorama_size(const struct panorama_frame *frame, const struct panorama_goa
                    double pixels, struct panorama_size *size, struct error *error)
 {
     if (!check_flat(frame, error) || !check_goal(frame, goal, error) ||
-        !check_positive(pixels, "pixels of a frame", "", error)) {
+        !check_positive("pixels of a frame", "", pixels, error)) {
         return false;
     }
     double per_radian = pixels / (2 * tan(frame->horizontal / 2));
@@ -256,7 +241,7 @@ static bool check_parallax(double parallax, double step, struct error *error)
 
 bool panorama_offset(double parallax, double step, double near, double *offset, struct error *error)
 {
-    if (!check_parallax(parallax, step, error) || !check_positive(near, "--near", " mm", error)) {
+    if (!check_parallax(parallax, step, error) || !check_positive("--near", " mm", near, error)) {
         return false;
     }
     *offset = near * sin(parallax / 2) / sin(step / 2 + parallax / 2); /* law of sines */
@@ -267,7 +252,7 @@ bool panorama_nearest(double offset, double parallax, double step, double *near,
                       struct error *error)
 {
     if (!check_parallax(parallax, step, error) ||
-        !check_positive(fabs(offset), "--offset", " mm", error)) {
+        !check_positive("--offset", " mm", fabs(offset), error)) {
         return false;
     }
     *near = fabs(offset) * sin(step / 2 + parallax / 2) / sin(parallax / 2);
@@ -277,7 +262,7 @@ bool panorama_nearest(double offset, double parallax, double step, double *near,
 bool panorama_pupil(double f, double m, double P, double hiatus, double *distance,
                     struct error *error)
 {
-    if (!check_positive(f, "--focal-length", " mm", error) || !check_lens(m, P, error)) {
+    if (!check_positive("--focal-length", " mm", f, error) || !check_lens(m, P, error)) {
         return false;
     }
     if (!isfinite(hiatus)) {

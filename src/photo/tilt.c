@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/tilt.h"
 
+#include "photo/given.h"
+
 #include <math.h>
 
 static const double pi = 3.141592653589793;
@@ -11,19 +13,10 @@ static double degrees_from_radians(double angle)
     return angle * (180 / pi);
 }
 
-static bool check_positive(double x, const char *option, const char *unit, struct error *error)
-{
-    if (!(x > 0 && isfinite(x))) {
-        return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (above 0, finite)", option, x,
-                    unit);
-    }
-    return true;
-}
-
 static bool check_lens(const struct tilt_given *g, struct error *error)
 {
-    if (!check_positive(g->f, "--focal-length", " mm", error) ||
-        !check_positive(g->N, "--aperture", "", error)) {
+    if (!check_positive("--focal-length", " mm", g->f, error) ||
+        !check_positive("--aperture", "", g->N, error)) {
         return false;
     }
     if (!(g->c >= 0 && g->c < g->f / g->N)) {
@@ -62,7 +55,7 @@ static bool ratio_from_image(const struct tilt_given *g, double tilt, double *ra
 {
     (void)tilt;
     *ratio = g->f / g->image;
-    return check_positive(g->image, "--image", " mm", error);
+    return check_positive("--image", " mm", g->image, error);
 }
 
 static bool ratio_from_distance(const struct tilt_given *g, double tilt, double *ratio,
@@ -152,7 +145,7 @@ bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct erro
 static bool check_points(double f, const struct tilt_point *first, const struct tilt_point *second,
                          struct error *error)
 {
-    if (!check_positive(f, "--focal-length", " mm", error)) {
+    if (!check_positive("--focal-length", " mm", f, error)) {
         return false;
     }
     if (!(first->distance > 0 && second->distance > 0)) {
@@ -197,7 +190,7 @@ bool tilt_through(double f, const struct tilt_point *first, const struct tilt_po
 
 bool tilt_point_focused(double f, double z, double h, struct tilt_point *point, struct error *error)
 {
-    if (!check_positive(f, "--focal-length", " mm", error)) {
+    if (!check_positive("--focal-length", " mm", f, error)) {
         return false;
     }
     if (!(z >= f && isfinite(z))) {
@@ -226,8 +219,8 @@ struct tilt_reach tilt_along(const struct tilt *camera, double rise)
 bool tilt_coverage(const struct tilt *camera, double width, double height, double rise,
                    double shift, struct tilt_coverage *coverage, struct error *error)
 {
-    if (!check_positive(width, "sensor width", " mm", error) ||
-        !check_positive(height, "sensor height", " mm", error)) {
+    if (!check_positive("sensor width", " mm", width, error) ||
+        !check_positive("sensor height", " mm", height, error)) {
         return false;
     }
     double worst = 0, v = camera->image, sine = camera->B, cosine = cos(camera->tilt);
@@ -250,8 +243,8 @@ bool tilt_coverage(const struct tilt *camera, double width, double height, doubl
 bool tilt_shift_limit(double f, double image, double circle, double width, double height,
                       double *limit, struct error *error)
 {
-    if (!check_positive(f, "--focal-length", " mm", error) ||
-        !check_positive(image, "--image", " mm", error)) {
+    if (!check_positive("--focal-length", " mm", f, error) ||
+        !check_positive("--image", " mm", image, error)) {
         return false;
     }
     double radius = circle / 2 * (image / f);

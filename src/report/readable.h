@@ -5,6 +5,9 @@
 
 #include "report/report.h"
 
+/* The upper one of the middle values, which are sorted for it; NaN if there are none. */
+double readable_median(double *values, size_t count);
+
 /*
  * The unit in which a person would read these values of one column.
  *

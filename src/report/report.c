@@ -150,8 +150,7 @@ bool report_find_column(const struct sheet *sheet, struct text name, struct aren
     if (other_unit != NULL) {
         return no_such_unit(other_unit, name, error);
     }
-    fail(error, ERROR_USAGE, "there is no column '%.*s'",
-         (int)(name.length < 60 ? name.length : 60), name.start);
+    fail(error, ERROR_USAGE, "there is no column '%.*s'", text_shown(name), name.start);
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
     }

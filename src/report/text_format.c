@@ -71,12 +71,6 @@ static void keep(struct report *report, const void *row, const struct text *pass
     }
 }
 
-static int compare(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The median magnitude of a column's finite values; NaN if there are none. */
 static double typical(struct text_state *state, const struct column *column)
 {
@@ -90,11 +84,7 @@ static double typical(struct text_state *state, const struct column *column)
             }
         }
     }
-    if (count == 0) {
-        return NAN;
-    }
-    qsort(values, count, sizeof values[0], compare);
-    return values[count / 2];
+    return readable_median(values, count);
 }
 
 /* A unit the user named with --columns is kept. */

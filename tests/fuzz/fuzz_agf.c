@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/agf.h"
 #include "fuzz.h"
+#include "optics/wavelength.h"
 
 #include <math.h>
 
@@ -27,7 +28,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                         glass->transmittance[j - 1].wavelength.hi);
             }
             struct error no_index;
-            if (!glass_check_range(glass, GLASS_LINE_D, &no_index)) {
+            if (!glass_check_range(glass, WAVELENGTH_D, &no_index)) {
                 REQUIRE(no_index.code == ERROR_DOMAIN);
             }
         }

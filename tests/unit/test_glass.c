@@ -2,7 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "file/glass_catalog.h"
+#include "file/lines.h"
 #include "optics/air.h"
+#include "optics/wavelength.h"
 
 /* N-BK7 of lensdb, whose data sheet (SCHOTT, 2014) has the numbers expected below. */
 static struct glass_record find(struct lensdb *db, const char *name)
@@ -93,8 +95,8 @@ static void test_models(void)
 {
     const struct pair nd = {1.6, 0}, Vd = {40, 0};
     const struct glass model = glass_nd_vd(nd, Vd);
-    CHECK_RELATIVE(glass_n(&model, GLASS_LINE_D), 1.6, 1e-15, "nd of the model");
-    CHECK_RELATIVE(glass_n(&model, GLASS_LINE_F) - glass_n(&model, GLASS_LINE_C), 0.6 / 40, 1e-13,
+    CHECK_RELATIVE(glass_n(&model, WAVELENGTH_D), 1.6, 1e-15, "nd of the model");
+    CHECK_RELATIVE(glass_n(&model, WAVELENGTH_F) - glass_n(&model, WAVELENGTH_C), 0.6 / 40, 1e-13,
                    "dispersion of the model");
     CHECK_RELATIVE(glass_summary(&model).Vd, 40.0, 1e-13, "Vd of the model");
     const struct glass constant = glass_constant(nd);
@@ -137,6 +139,24 @@ static void test_pairs(void)
     CHECK_NEAR((two.hi - 2) + two.lo, 0.0, 1e-30, "root 2 squared");
 }
 
+/* The constants of the program are the lines of the table. */
+static void test_lines(void)
+{
+    static const struct {
+        const char *name;
+        double wavelength;
+    } lines[] = {{"g", WAVELENGTH_G},       {"F'", WAVELENGTH_F_PRIME}, {"F", WAVELENGTH_F},
+                 {"e", WAVELENGTH_E},       {"d", WAVELENGTH_D},        {"C", WAVELENGTH_C},
+                 {"C'", WAVELENGTH_C_PRIME}};
+    double wavelength;
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        CHECK(lines_standard(text_of(lines[i].name), &wavelength));
+        CHECK_NEAR(wavelength, lines[i].wavelength, 0, lines[i].name);
+    }
+    CHECK(!lines_standard(text_of("q"), &wavelength));
+    CHECK(!lines_standard(text_of("c"), &wavelength));
+}
+
 static void test_names(struct lensdb *db)
 {
     struct glass_record record;
@@ -168,6 +188,7 @@ int main(void)
     test_slopes(&db);
     test_models();
     test_pairs();
+    test_lines();
     test_names(&db);
     arena_free(&arena);
     return check_report();
