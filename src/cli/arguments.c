@@ -151,9 +151,11 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
             argument->text = word;
             return true;
         }
-        if ((flags & OPTION_REST) != 0) {
-            char *joined = arena_printf(arena, "%.*s %.*s", (int)argument->text.length,
-                                        argument->text.start, (int)word.length, word.start);
+        if ((flags & (OPTION_REST | OPTION_MANY)) != 0) {
+            char between = (flags & OPTION_REST) != 0 ? ' ' : OPTION_MANY_SEPARATOR;
+            char *joined =
+                arena_printf(arena, "%.*s%c%.*s", (int)argument->text.length, argument->text.start,
+                             between, (int)word.length, word.start);
             argument->text = text_of(joined);
             return true;
         }

@@ -514,6 +514,7 @@ static int print_text(struct driver *driver, struct error *error)
 {
     bool done = sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false,
                             driver->input, error) &&
+                sweep_check_single(&driver->sweep, driver->command->name, error) &&
                 output_open(&driver->output, driver->common.output, &driver->arena, error);
     if (done) {
         done = driver->command->print(driver->input, &driver->output, error);

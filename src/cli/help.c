@@ -49,7 +49,8 @@ static void write_usage(const struct command *command, struct output *output)
     for (size_t i = 0; i < command->option_count; i++) {
         const struct option *option = &command->options[i];
         if ((option->flags & OPTION_OPERAND) != 0) {
-            output_printf(output, " [%s]", option->value);
+            bool many = (option->flags & OPTION_MANY) != 0;
+            output_printf(output, " [%s]%s", option->value, many ? "..." : "");
         }
     }
     output_printf(output, " [options]: %s\n", command->summary);

@@ -25,17 +25,9 @@ bool lens_makes_many(const struct lens_question *question)
 double lens_wavelength_own(double wavelength)
 {
     char text[NUMBER_LENGTH];
-    const double nanometre = unit_to_own(unit_find(&dimension_length, text_of("nm")), 1);
     const char *end = number_write_shortest(text, wavelength);
-    double nm, own;
-    number_read(text, end, (struct number_scale){1, 3}, &nm);
-    own = nm * nanometre;
-    double near[] = {own, nextafter(own, 0), nextafter(own, 1)};
-    for (size_t i = 0; i < 3; i++) {
-        if (near[i] / nanometre == nm) {
-            return near[i];
-        }
-    }
+    double own; /* by way of the digits: um to mm */
+    number_read(text, end, (struct number_scale){1, -3}, &own);
     return own;
 }
 

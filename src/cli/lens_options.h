@@ -33,7 +33,7 @@ extern const struct word section_words[];
 #define LENS_OPTION(S, member)                                                                     \
     {                                                                                              \
         OPTION(S, member.lens), .name = "lens", .letter = 'l', .value = "LENS",                    \
-                                .flags = OPTION_OPERAND | OPTION_FILE,                             \
+                                .flags = OPTION_OPERAND | OPTION_FILE | OPTION_MANY,               \
                                 .help = "a lens of lensdb (list lenses), a .lens file, or - for "  \
                                         "standard input"                                           \
     }
@@ -41,7 +41,8 @@ extern const struct word section_words[];
 #define LENS_WAVELENGTH_OPTION(S, member)                                                          \
     {                                                                                              \
         OPTION(S, member.wavelength), .name = "wavelength", .letter = 'w', .column = "wavelength", \
-                                      .value = "WAVE",                                             \
+                                      .value = "WAVE", .dimension = &dimension_length,             \
+                                      .unit = "nm",                                                \
                                       .help = "wavelength in nm, or a line: d F C e g; without "   \
                                               "it all of the lens, the primary first"              \
     }

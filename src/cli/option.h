@@ -86,7 +86,8 @@ enum option_flag {
     OPTION_COMMON = 16,  /* of every command */
     OPTION_FILE = 32,    /* names a file */
     OPTION_SETTING = 64, /* goals are solved for the settings that are not given */
-    OPTION_GOAL = 128
+    OPTION_GOAL = 128,
+    OPTION_MANY = 256 /* an operand that all words go to that are left: a list of values */
 };
 
 struct option {
@@ -104,6 +105,9 @@ struct option {
     const char *value;        /* how help names the value: "LENGTH"; null = nothing to name */
     const char *help;         /* one line */
 };
+
+/* What stands between the values of an OPTION_MANY: no comma, since names of files may have one. */
+#define OPTION_MANY_SEPARATOR '\n'
 
 /* The unit in which a bare number is read; null = none. */
 const struct unit *option_unit(const struct option *option);

@@ -36,6 +36,17 @@ static const char *lens_name(const struct option *option, const void *member)
     return ((const struct lens_value *)member)->name;
 }
 
+/* mm to um by way of the digits: 0.55um and 550 are the same, and print so. */
+static double micrometres(double millimetres)
+{
+    char text[NUMBER_LENGTH];
+    double wavelength;
+    const char *end =
+        quantity_write(text, millimetres, unit_find(&dimension_length, text_of("nm")));
+    number_read(text, end, (struct number_scale){1, -3}, &wavelength);
+    return wavelength;
+}
+
 static bool read_wavelength(const struct reader *reader, const struct option *option,
                             struct text text, void *member, struct error *error)
 {
@@ -48,13 +59,12 @@ static bool read_wavelength(const struct reader *reader, const struct option *op
         return false;
     }
     if (!is_line &&
-        !quantity_read(text, &dimension_length, unit_find(&dimension_length, text_of("nm")),
-                       &millimetres, NULL, error)) {
+        !quantity_read(text, &dimension_length, option_unit(option), &millimetres, NULL, error)) {
         error_prefix(error, "bad wavelength in --%s: ", option->name);
         return error_hint(error, "a wavelength is 550, 550nm, 0.55um, or a line: d F C e g ...");
     }
     if (!is_line) {
-        value.wavelength = unit_from_own(unit_find(&dimension_length, text_of("um")), millimetres);
+        value.wavelength = micrometres(millimetres);
     }
     if (!(value.wavelength >= WAVELENGTH_SHORTEST && value.wavelength <= WAVELENGTH_LONGEST)) {
         return fail(error, ERROR_DOMAIN, "--%s %s is out of range: it must be 1 nm to 1 mm",

@@ -23,8 +23,7 @@ static bool choose_x(const struct collection *collection, struct layout *layout,
     size_t stride = 1;
     for (size_t i = sweep->axis_count; i-- > 0;) {
         const struct axis *axis = &sweep->axes[i];
-        if (axis->option->kind == &kind_quantity &&
-            (layout->x == NULL || axis->count > layout->x->count)) {
+        if (axis_is_number(axis) && (layout->x == NULL || axis->count > layout->x->count)) {
             layout->x = axis;
             layout->x_stride = stride;
         }

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/sweep.h"
 
+#include "cli/lens_options.h"
 #include "cli/nominal.h"
 
 #include <math.h>
@@ -18,6 +19,11 @@ struct values {
     size_t count, capacity;
     const struct unit *unit;
 };
+
+static bool is_number(const struct option *option)
+{
+    return option->kind == &kind_quantity || option->kind == &kind_wavelength;
+}
 
 static bool too_many(const struct option *option, struct error *error)
 {
@@ -44,8 +50,23 @@ static bool reserve(struct values *values, size_t more, struct error *error)
     return true;
 }
 
+/* A wavelength of a range, as if it had been typed: 700 nm, not 700.0000000000001. */
+static bool add_wavelength(struct values *values, double number, struct error *error)
+{
+    char text[NUMBER_LENGTH];
+    const struct unit *unit = option_unit(values->option);
+    const struct text typed =
+        text_between(text, number_write_digits(text, unit_from_own(unit, number), 13));
+    size_t size = values->option->kind->size;
+    return reserve(values, 1, error) && option_read(values->reader, values->option, typed,
+                                                    values->data + values->count++ * size, error);
+}
+
 static bool add_number(struct values *values, double number, struct error *error)
 {
+    if (values->option->kind == &kind_wavelength) {
+        return add_wavelength(values, number, error);
+    }
     if (!option_check_range(values->option, number, error) || !reserve(values, 1, error)) {
         return false;
     }
@@ -276,7 +297,7 @@ static void note_unit(struct values *values, struct text item)
     const struct unit *typed = NULL;
     struct error ignored;
     double value;
-    if (option->kind != &kind_quantity ||
+    if (!is_number(option) ||
         !quantity_read(item, option->dimension, option_unit(option), &value, &typed, &ignored)) {
         return;
     }
@@ -287,7 +308,7 @@ static void note_unit(struct values *values, struct text item)
 static bool add_item(struct values *values, struct text item, struct error *error)
 {
     struct range range;
-    if (values->option->kind == &kind_quantity && split_range(item, &range)) {
+    if (is_number(values->option) && split_range(item, &range)) {
         return add_range(values, &range, error);
     }
     if (!reserve(values, 1, error)) {
@@ -308,11 +329,12 @@ static bool read_list(struct values *values, struct text text, struct error *err
 {
     struct text rest = text;
     values->unit = option_unit(values->option);
-    if (!values->option->kind->is_list) {
+    bool many = (values->option->flags & OPTION_MANY) != 0;
+    if (!values->option->kind->is_list && !many) {
         return add_item(values, text, error);
     }
     do {
-        struct text item = text_trim(text_cut(&rest, ','));
+        struct text item = text_trim(text_cut(&rest, many ? OPTION_MANY_SEPARATOR : ','));
         if (item.length == 0) {
             return fail(error, ERROR_USAGE, "--%s '%.*s' has an empty item", values->option->name,
                         text_shown(text), text.start);
@@ -382,6 +404,12 @@ bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
     return true;
 }
 
+bool sweep_check_single(const struct sweep *sweep, const char *command, struct error *error)
+{
+    return sweep->total == 1 || fail(error, ERROR_USAGE, "--%s has several values: %s takes one",
+                                     sweep->axes[0].option->name, command);
+}
+
 void sweep_set(const struct sweep *sweep, size_t index, void *input)
 {
     for (size_t i = sweep->axis_count; i-- > 0;) {
@@ -403,7 +431,16 @@ const struct axis *sweep_axis(const struct sweep *sweep, const char *option)
     return NULL;
 }
 
+bool axis_is_number(const struct axis *axis)
+{
+    return is_number(axis->option);
+}
+
 double axis_number(const struct axis *axis, size_t index)
 {
+    if (axis->option->kind == &kind_wavelength) {
+        const struct wavelength_value *values = (const void *)axis->values;
+        return lens_wavelength_own(values[index].wavelength);
+    }
     return ((const double *)(const void *)axis->values)[index];
 }

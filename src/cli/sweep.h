@@ -29,13 +29,19 @@ struct sweep {
 bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
                  const struct reader *reader, bool force, void *input, struct error *error);
 
+/* A text or a drawing is that of one value of each option. */
+bool sweep_check_single(const struct sweep *sweep, const char *command, struct error *error);
+
 /* Put combination `index` (0 .. total - 1) into the input. */
 void sweep_set(const struct sweep *sweep, size_t index, void *input);
 
 /* The axis of this option; null if it is not swept. */
 const struct axis *sweep_axis(const struct sweep *sweep, const char *option);
 
-/* Value of a quantity's axis, in the program's own unit. */
+/* Has the axis numbers: quantities, or wavelengths, some of which may be typed as lines? */
+bool axis_is_number(const struct axis *axis);
+
+/* Value of such an axis, in the program's own unit. */
 double axis_number(const struct axis *axis, size_t index);
 
 #endif
