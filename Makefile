@@ -71,9 +71,9 @@ $(BUILD)/unit/%: tests/unit/%.c $(objects)
 -include $(wildcard $(BUILD)/*.d $(BUILD)/*/*.d)
 
 build_packages = gcc make libc6-dev
-check_packages = $(build_packages) python3 binutils
+check_packages = $(build_packages) python3 binutils librsvg2-bin
 all_packages   = $(check_packages) clang clang-format libclang-rt-14-dev valgrind mawk mandoc \
-                 librsvg2-bin zsh fish
+                 zsh fish
 
 deps:
 	@tests/deps $(all_packages)

@@ -115,8 +115,11 @@ static bool visit_position(const struct lens_question *question, size_t position
         .position = all->position_count > 0 ? all->positions[position] : NULL,
         .section = (enum lens_section)question->section,
     };
-    one.warning = join(run->arena, question->lens.warning,
-                       lens_stated_warning(all, position, &stated, run->arena));
+    /* sources state the figures of the y-z section */
+    const char *differs = one.section == SECTION_Y
+                              ? lens_stated_warning(all, position, &stated, run->arena)
+                              : NULL;
+    one.warning = join(run->arena, question->lens.warning, differs);
     one.warning = join(run->arena, one.warning, first_order_warning(lens, run->arena));
     bool given = question->wavelength.name != NULL;
     size_t count = given || lens->wavelength_count == 0 ? 1 : lens->wavelength_count;

@@ -199,8 +199,14 @@ static bool read_range(const struct glass_table *table, struct glass *glass, str
         return false;
     }
     bool absent = isnan(glass->shortest) && isnan(glass->longest);
-    return absent || (glass->shortest > 0 && glass->longest >= glass->shortest) ||
-           bad(table, FROM, "is no beginning of a range: it must be above 0 and not above to_um",
+    if (absent || (glass->shortest > 0 && glass->longest >= glass->shortest)) {
+        return true;
+    }
+    if (table->columns[FROM] == NO_COLUMN) {
+        return bad(table, TO, "is the end of a range without a beginning, the column from_um",
+                   error);
+    }
+    return bad(table, FROM, "is no beginning of a range: it must be above 0 and not above to_um",
                error);
 }
 

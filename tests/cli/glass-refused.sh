@@ -15,3 +15,6 @@ echo "status $?"
 printf 'name\tformula\tcoefficients\nMine\tmagic\t1 2 3\n' > own/glass/ME.tsv
 lenscalc glass mine --lensdb own
 echo "status $?"
+printf 'name\tformula\tcoefficients\tto_um\nMine\tschott\t2.3 0 0 0 0 0\t2\n' > own/glass/ME.tsv
+lenscalc glass mine --lensdb own
+echo "status $?"

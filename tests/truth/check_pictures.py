@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""tests/truth/check_pictures.py - every kind of drawing as a picture: check_pictures.py BUILD_DIR
+
+Rendered by librsvg and read as pixels: there is ink, not too little and not a page full of it, and
+a white margin all round, so that nothing is cut at the page's border. Lenses: a choice of every
+kind of drawing; with LENSCALC_ALL set all of lensdb. The demo's pictures too, if they are there.
+Without rsvg-convert nothing is checked, and that is said.
+"""
+# SPDX-License-Identifier: MIT
+
+import glob
+import os
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import pictures
+from harness import ROOT, Checks
+
+WIDTH = 300       # px: what touches the border of the page does so at any size
+INK = 200         # darker pixels are ink: hairlines count, the tints of glass do not
+LEAST, MOST = 0.002, 0.45  # share of the page that is ink
+# `draw` with these words
+DRAWINGS = ("double-gauss", "double-gauss --planes", "double-gauss --construction",
+            "double-gauss --no-rays", "fisheye-16", "canon-nfd-70-210 --position tele",
+            "questar-35", "phone-80deg", "schneider-anamorphic-31 --section x")
+# other commands that draw, {} is the file
+OTHERS = ("dof -f 50mm -N 5.6 -s 3m --scale {}", "dof -f 50mm -N 2.8,5.6,11 -s 0.5..20#50 --plot {}",
+          "tilt -f 150 -N 22 --hinge 1.6m --angle 90deg --sensor 4x5 --wedge {}",
+          "glass --abbe {} --catalog SCHOTT", "lens double-gauss -w 400..700#31 --plot {}",
+          "conjugate double-gauss --object 0.5m..3m:0.1m --plot {}")
+
+
+def check_picture(checks, name, svg):
+    lines = pictures.read(pictures.render(svg, WIDTH))
+    high, wide = len(lines), len(lines[0])
+    ink = sum(pixel < INK for line in lines for pixel in line) / (high * wide)
+    checks.check(LEAST < ink < MOST, f"{name}: {100 * ink:.2f} % of the page is ink")
+    border = [lines[0], lines[-1], bytes(line[0] for line in lines),
+              bytes(line[-1] for line in lines)]
+    sides = [side for side, edge in zip(("top", "bottom", "left", "right"), border)
+             if min(edge) < 250]
+    checks.check(not sides, f"{name}: drawn up to the border: {' '.join(sides)}")
+
+
+def check_draw(checks, program, words):
+    answer = subprocess.run([program, "draw", *words], capture_output=True, text=True)
+    if answer.returncode == 1 and "has no diameter, and no ray" in answer.stderr:
+        answer = subprocess.run([program, "draw", *words, "-N", "8"], capture_output=True,
+                                text=True)
+    if checks.check(answer.returncode == 0, f"draw {' '.join(words)}: {answer.stderr}"):
+        check_picture(checks, f"draw {' '.join(words)}", answer.stdout)
+
+
+def check_others(checks, program):
+    with tempfile.TemporaryDirectory(prefix="lenscalc-pictures-") as folder:
+        path = os.path.join(folder, "x.svg")
+        for line in OTHERS:
+            words = [word.replace("{}", path) for word in line.split()]
+            answer = subprocess.run([program, *words], capture_output=True, text=True)
+            if checks.check(answer.returncode == 0, f"{line}: {answer.stderr}"):
+                with open(path, encoding="utf-8") as file:
+                    check_picture(checks, line, file.read())
+
+
+def check_reader(checks):
+    """A picture of known pixels, so that a blank page could not pass for a drawing."""
+    svg = ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20" width="40" height="20">'
+           '<rect x="10" y="5" width="20" height="10" fill="#000000"/></svg>')
+    lines = pictures.read(pictures.render(svg, 40))
+    checks.check([len(lines), len(lines[0])] == [20, 40], "the page is 40 x 20")
+    wrong = [(x, y) for y in range(20) for x in range(40)
+             if (lines[y][x] < 128) != (10 <= x < 30 and 5 <= y < 15)]
+    checks.check(not wrong, f"pixels of a rectangle: {wrong[:5]}")
+
+
+def main():
+    os.chdir(ROOT)
+    checks = Checks()
+    build = os.path.abspath(sys.argv[1])
+    program = os.path.join(build, "lenscalc")
+    if not pictures.can_render():
+        print("skipped: no rsvg-convert to render drawings with (Debian: librsvg2-bin)")
+        checks.finish()
+    check_reader(checks)
+    for line in DRAWINGS:
+        check_draw(checks, program, line.split())
+    check_others(checks, program)
+    for path in sorted(glob.glob(os.path.join(build, "demo", "*.svg"))):
+        with open(path, encoding="utf-8") as file:
+            check_picture(checks, os.path.basename(path), file.read())
+    if os.environ.get("LENSCALC_ALL"):
+        lenses = subprocess.run([program, "list", "lenses", "--csv", "--columns", "lens"],
+                                capture_output=True, text=True).stdout.split()[1:]
+        checks.check(len(lenses) > 50, f"only {len(lenses)} lenses")
+        for name in lenses:
+            check_draw(checks, program, [name, "--planes"])
+    checks.finish()
+
+
+main()
