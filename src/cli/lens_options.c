@@ -116,9 +116,8 @@ static bool visit_position(const struct lens_question *question, size_t position
         .section = (enum lens_section)question->section,
     };
     /* sources state the figures of the y-z section */
-    const char *differs = one.section == SECTION_Y
-                              ? lens_stated_warning(all, position, &stated, run->arena)
-                              : NULL;
+    const char *differs =
+        one.section == SECTION_Y ? lens_stated_warning(all, position, &stated, run->arena) : NULL;
     one.warning = join(run->arena, question->lens.warning, differs);
     one.warning = join(run->arena, one.warning, first_order_warning(lens, run->arena));
     bool given = question->wavelength.name != NULL;
