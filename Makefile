@@ -47,6 +47,9 @@ $(BUILD)/lenscalc: $(BUILD)/main.o $(objects)
 	$(Q)$(CC) $(ALL_CFLAGS) $(LINK_$(STATIC)) $(LDFLAGS) -o $@.linked $^ -lm
 	$(Q)cp $@.linked $@.copy && mv $@.copy $@ && rm $@.linked
 
+# its two rays lie side by side, and are never stored in between
+$(BUILD)/optics/paraxial.o: FLOATING += -ftree-slp-vectorize
+
 $(BUILD)/%.o: src/%.c
 	@mkdir -p $(@D)
 	@echo cc $<

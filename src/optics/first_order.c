@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "optics/first_order.h"
 
+#include "optics/fused.h"
+
 #include <math.h>
 
 struct conjugate_object lens_object(const struct lens *lens)
@@ -18,18 +20,10 @@ struct aperture_setting lens_aperture(const struct lens *lens)
     return setting;
 }
 
-/* a/b with 1/b near at hand: to about 1e-30. */
-static inline double quotient(struct pair a, struct pair b, double reciprocal)
+/* n a; most often n is 1. */
+INLINE struct pair times(struct pair n, struct pair a, bool fused)
 {
-    double q = a.hi * reciprocal;
-    struct pair p = pair_product(q, b.hi);
-    double rest = ((a.hi - p.hi) - p.lo) + (a.lo - q * b.lo);
-    return q + rest * reciprocal;
-}
-
-static inline struct pair times(double n, struct pair n_pair, struct pair a)
-{
-    return n == 1 && n_pair.lo == 0 ? a : pair_multiply(n_pair, a);
+    return n.hi == 1 && n.lo == 0 ? a : fused_multiply(n, a, fused);
 }
 
 static void set_afocal(struct first_order *all)
@@ -41,86 +35,115 @@ static void set_afocal(struct first_order *all)
     all->front_nodal = all->rear_nodal = INFINITY;
 }
 
-static void set_cardinal_points(struct first_order *all, struct pair n, struct pair n_image)
+INLINE void set_cardinal_points(struct first_order *all, const struct paraxial_matrix *m,
+                                struct pair n, struct pair n_image, bool fused)
 {
-    const struct paraxial_matrix *m = &all->matrix;
-    struct pair c = m->c;
-    double r = 1 / c.hi;
-    struct pair n_d = times(n.hi, n, m->d), n_a = times(n_image.hi, n_image, m->a);
-    all->power = -c.hi;
-    all->efl = quotient(pair_of(-1), c, r);
-    all->front_focal = quotient(n, c, r);
-    all->rear_focal = quotient(pair_negate(n_image), c, r);
-    all->ffl = quotient(n_d, c, r);
-    all->bfl = quotient(pair_negate(n_a), c, r);
-    all->front_principal = quotient(pair_subtract(n_d, n), c, r);
-    all->rear_principal = quotient(pair_subtract(n_image, n_a), c, r);
-    all->front_nodal = quotient(pair_subtract(n_d, n_image), c, r);
-    all->rear_nodal = quotient(pair_subtract(n, n_a), c, r);
+    struct pair r = fused_reciprocal(m->c, fused);
+    struct pair n_d = times(n, m->d, fused), n_a = times(n_image, m->a, fused);
+    all->power = -m->c.hi;
+    all->efl = -r.hi;
+    all->front_focal = times(n, r, fused).hi;
+    all->rear_focal = -times(n_image, r, fused).hi;
+    all->ffl = fused_quotient(n_d, r, fused);
+    all->bfl = -fused_quotient(n_a, r, fused);
+    all->front_principal = fused_quotient(quick_difference(n_d, n), r, fused);
+    all->rear_principal = fused_quotient(quick_difference(n_image, n_a), r, fused);
+    if (n.hi == n_image.hi && n.lo == n_image.lo) {
+        all->front_nodal = all->front_principal;
+        all->rear_nodal = all->rear_principal;
+        return;
+    }
+    all->front_nodal = fused_quotient(quick_difference(n_d, n_image), r, fused);
+    all->rear_nodal = fused_quotient(quick_difference(n, n_a), r, fused);
 }
 
-static double divide(struct pair a, struct pair b)
+INLINE void set_pupils(struct first_order *all, const struct paraxial_matrix *m,
+                       const struct paraxial_matrix *front, struct pair n, struct pair n_image,
+                       bool fused)
 {
-    return b.hi == 0 ? (a.hi == 0 ? NAN : INFINITY) : quotient(a, b, 1 / b.hi);
-}
-
-static void set_pupils(struct first_order *all, const struct paraxial_trace *trace, struct pair n,
-                       struct pair n_image)
-{
-    const struct paraxial_matrix *m = &trace->whole, *front = &trace->front;
     struct pair a1 = front->a, b1 = front->b;
-    struct pair b2 = pair_subtract(pair_multiply(m->b, a1), pair_multiply(m->a, b1));
-    struct pair d2 = pair_subtract(pair_multiply(m->d, a1), pair_multiply(m->c, b1));
-    all->entrance_pupil = divide(times(n.hi, n, b1), a1);
-    all->entrance_scale = divide(pair_of(1), a1);
-    all->exit_pupil = divide(pair_negate(times(n_image.hi, n_image, b2)), d2);
-    all->exit_scale = divide(pair_of(1), d2);
-    all->pupil_magnification = divide(a1, d2);
+    struct pair b2 = fused_cross(m->b, a1, m->a, b1, fused);
+    struct pair d2 = fused_cross(m->d, a1, m->c, b1, fused);
+    struct pair by_a1 = fused_reciprocal(a1, fused), by_d2 = fused_reciprocal(d2, fused);
+    all->entrance_pupil = fused_quotient(times(n, b1, fused), by_a1, fused);
+    all->entrance_scale = by_a1.hi;
+    all->exit_pupil = fused_quotient(pair_negate(times(n_image, b2, fused)), by_d2, fused);
+    all->exit_scale = by_d2.hi;
+    all->pupil_magnification = fused_quotient(a1, by_d2, fused);
 }
 
-static void set_image(struct first_order *all, const struct conjugate_object *object, struct pair n,
-                      struct pair n_image)
+INLINE void set_image(struct first_order *all, const struct paraxial_matrix *m,
+                      const struct conjugate_object *object, struct pair n, struct pair n_image,
+                      bool fused)
 {
-    const struct paraxial_matrix *m = &all->matrix;
     if (object->is_infinite) {
         all->image = all->bfl;
         all->magnification = 0;
         return;
     }
     struct pair reduced = pair_divide(object->distance, n);
-    struct pair y = pair_add(pair_multiply(m->a, reduced), m->b);
-    struct pair v = pair_add(pair_multiply(m->c, reduced), m->d);
-    all->image = divide(pair_negate(pair_multiply(n_image, y)), v);
-    all->magnification = divide(pair_of(1), v);
+    struct pair y = pair_add(fused_multiply(m->a, reduced, fused), m->b);
+    struct pair v = pair_add(fused_multiply(m->c, reduced, fused), m->d);
+    struct pair by_v = fused_reciprocal(v, fused);
+    all->image = fused_quotient(pair_negate(times(n_image, y, fused)), by_v, fused);
+    all->magnification = by_v.hi;
 }
 
-void first_order_compute(const struct paraxial_system *system, const struct paraxial_trace *trace,
-                         const struct conjugate_object *object, struct first_order *first_order)
+INLINE void compute(const struct paraxial_system *system, const struct paraxial_trace *trace,
+                    const struct conjugate_object *object, struct first_order *all, bool fused)
 {
-    struct first_order *all = first_order;
     struct pair n = system->index[0], n_image = system->index[system->count];
-    all->matrix = trace->whole;
     all->index_object = n.hi;
     all->index_image = n_image.hi;
     all->is_afocal = paraxial_is_afocal(system, trace);
     if (all->is_afocal) {
         set_afocal(all);
     } else {
-        set_cardinal_points(all, n, n_image);
+        set_cardinal_points(all, &trace->whole, n, n_image, fused);
     }
     if (system->stop != LENS_NONE) {
-        set_pupils(all, trace, n, n_image);
+        set_pupils(all, &trace->whole, &trace->front, n, n_image, fused);
     } else {
         all->entrance_pupil = all->exit_pupil = all->pupil_magnification = NAN;
         all->entrance_scale = all->exit_scale = NAN;
     }
-    set_image(all, object, n, n_image);
+    set_image(all, &trace->whole, object, n, n_image, fused);
     all->petzval_sum = system->petzval;
     all->petzval_radius = system->petzval == 0 ? INFINITY : -1 / (n_image.hi * system->petzval);
     all->length = system->length;
     all->stop_radius = all->entrance_diameter = all->exit_diameter = NAN;
     all->fnumber = all->working_fnumber = all->na_image = NAN;
     all->marginal_y = all->marginal_v = all->chief_y = all->chief_v = all->lagrange = NAN;
+    all->matrix = trace->whole; /* last: its parts, just stored, are copied in larger ones */
+}
+
+void first_order_compute_portable(const struct paraxial_system *system,
+                                  const struct paraxial_trace *trace,
+                                  const struct conjugate_object *object,
+                                  struct first_order *first_order)
+{
+    compute(system, trace, object, first_order, false);
+}
+
+#ifdef HAS_FUSED
+FUSED static void compute_fused(const struct paraxial_system *system,
+                                const struct paraxial_trace *trace,
+                                const struct conjugate_object *object, struct first_order *all)
+{
+    compute(system, trace, object, all, true);
+}
+#endif
+
+void first_order_compute(const struct paraxial_system *system, const struct paraxial_trace *trace,
+                         const struct conjugate_object *object, struct first_order *first_order)
+{
+#ifdef HAS_FUSED
+    if (fused_here()) {
+        compute_fused(system, trace, object, first_order);
+        return;
+    }
+#endif
+    compute(system, trace, object, first_order, false);
 }
 
 /* n u of the chief ray in object space, through the centre of the entrance pupil. */

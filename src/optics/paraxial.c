@@ -2,14 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "optics/paraxial.h"
 
-#include <math.h>
+#include "optics/fused.h"
 
-/* Fused multiply-add gives the error of a product in one step: the same bits as Dekker's way. */
-#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
-#define HAS_FUSED 1
-#define FUSED     __attribute__((target("avx2,fma")))
-#endif
-#define INLINE static inline __attribute__((always_inline))
+#include <math.h>
 
 static bool index_after(const struct surface *surface, double wavelength, struct pair before,
                         struct pair *after, struct error *error)
@@ -64,58 +59,79 @@ bool paraxial_compile(const struct lens *lens, double wavelength, enum lens_sect
     return true;
 }
 
+/* Both rays at once: the first starts with y = 1, v = 0, the second with y = 0, v = 1. */
+typedef double lanes __attribute__((vector_size(16)));
+
 /* y + ey, v + ev */
-struct ray {
-    double y, ey, v, ev;
+struct rays {
+    lanes y, ey, v, ev;
 };
 
-INLINE struct pair product(double a, double b, bool fused)
+INLINE lanes both(double a)
+{
+    return (lanes){a, a};
+}
+
+/* a b = p + what is returned, by Dekker's split as in pair_product */
+INLINE lanes rest_of_product(lanes a, double b, lanes p, bool fused)
 {
     if (fused) {
-        double p = a * b;
-        return (struct pair){p, __builtin_fma(a, b, -p)};
+        return (lanes){__builtin_fma(a[0], b, -p[0]), __builtin_fma(a[1], b, -p[1])};
     }
-    return pair_product(a, b);
+    const double half = 134217729, b_big = half * b;
+    const double b_high = b_big - (b_big - b), b_low = b - b_high;
+    lanes a_big = both(half) * a, a_high = a_big - (a_big - a), a_low = a - a_high;
+    return ((a_high * both(b_high) - p) + a_high * both(b_low) + a_low * both(b_high)) +
+           a_low * both(b_low);
 }
 
-/* v' = v - y P */
-INLINE struct ray refract(struct ray ray, struct pair power, bool fused)
+/* a + b = sum + what is returned: [Knuth97] 4.2.2, theorem B */
+INLINE lanes rest_of_sum(lanes a, lanes b, lanes sum)
 {
-    struct pair p = product(ray.y, power.hi, fused);
-    struct pair v = pair_sum(ray.v, -p.hi);
-    double ev = ray.ev + (v.lo - p.lo - (ray.ey * power.hi + ray.y * power.lo));
-    return (struct ray){ray.y, ray.ey, v.hi, ev};
+    lanes part = sum - a;
+    return (a - (sum - part)) + (b - part);
 }
 
-/* y' = y + (t/n) v */
-INLINE struct ray transfer(struct ray ray, struct pair reduced, bool fused)
+/* (x + ex) + (a + ea) (b + eb), x and ex in place */
+INLINE void add_product(lanes *x, lanes *ex, lanes a, lanes ea, struct pair b, bool fused)
 {
-    struct pair p = product(ray.v, reduced.hi, fused);
-    struct pair y = pair_sum(ray.y, p.hi);
-    double ey = ray.ey + (y.lo + p.lo + (ray.ev * reduced.hi + ray.v * reduced.lo));
-    return (struct ray){y.hi, ey, ray.v, ray.ev};
+    lanes p = a * both(b.hi), p_rest = rest_of_product(a, b.hi, p, fused);
+    lanes sum = *x + p, sum_rest = rest_of_sum(*x, p, sum);
+    /* what comes last, ea, is the last to be known */
+    *ex = (*ex + (sum_rest + p_rest) + a * both(b.lo)) + ea * both(b.hi);
+    *x = sum;
 }
 
-INLINE struct paraxial_matrix matrix_of(struct ray first, struct ray second)
+INLINE struct paraxial_matrix matrix_of(const struct rays *rays)
 {
-    return (struct paraxial_matrix){pair_sum(first.y, first.ey), pair_sum(second.y, second.ey),
-                                    pair_sum(first.v, first.ev), pair_sum(second.v, second.ev)};
+    lanes y = rays->y + rays->ey, y_rest = rest_of_sum(rays->y, rays->ey, y);
+    lanes v = rays->v + rays->ev, v_rest = rest_of_sum(rays->v, rays->ev, v);
+    return (struct paraxial_matrix){
+        {y[0], y_rest[0]}, {y[1], y_rest[1]}, {v[0], v_rest[0]}, {v[1], v_rest[1]}};
+}
+
+/* Through the surfaces from `first` to before `end`. */
+INLINE void pass(const struct paraxial_system *system, size_t first, size_t end, struct rays *rays,
+                 bool fused)
+{
+    for (size_t i = first; i < end; i++) {
+        const struct paraxial_surface *surface = &system->surfaces[i];
+        /* v' = v - y P */
+        add_product(&rays->v, &rays->ev, rays->y, rays->ey, pair_negate(surface->power), fused);
+        /* y' = y + (t/n) v */
+        add_product(&rays->y, &rays->ey, rays->v, rays->ev, surface->reduced, fused);
+    }
 }
 
 INLINE void trace_with(const struct paraxial_system *system, struct paraxial_trace *trace,
                        bool fused)
 {
-    struct ray first = {1, 0, 0, 0}, second = {0, 0, 1, 0};
-    trace->front = matrix_of(first, second);
-    for (size_t i = 0; i < system->count; i++) {
-        const struct paraxial_surface *surface = &system->surfaces[i];
-        if (i == system->stop) {
-            trace->front = matrix_of(first, second);
-        }
-        first = transfer(refract(first, surface->power, fused), surface->reduced, fused);
-        second = transfer(refract(second, surface->power, fused), surface->reduced, fused);
-    }
-    trace->whole = matrix_of(first, second);
+    struct rays rays = {{1, 0}, {0, 0}, {0, 1}, {0, 0}};
+    size_t stop = system->stop == LENS_NONE ? 0 : system->stop;
+    pass(system, 0, stop, &rays, fused);
+    trace->front = matrix_of(&rays);
+    pass(system, stop, system->count, &rays, fused);
+    trace->whole = matrix_of(&rays);
 }
 
 void paraxial_trace_portable(const struct paraxial_system *system, struct paraxial_trace *trace)
@@ -133,7 +149,7 @@ FUSED static void trace_fused(const struct paraxial_system *system, struct parax
 void paraxial_trace(const struct paraxial_system *system, struct paraxial_trace *trace)
 {
 #ifdef HAS_FUSED
-    if (__builtin_cpu_supports("fma") && __builtin_cpu_supports("avx2")) {
+    if (fused_here()) {
         trace_fused(system, trace);
         return;
     }

@@ -18,7 +18,12 @@ static bool solve(const char *text, struct arena *arena, struct lens *lens,
     const struct conjugate_object object = lens_object(lens);
     paraxial_trace(&system, trace);
     paraxial_trace_portable(&system, portable);
+    struct first_order same;
+    memset(first, 0, sizeof *first); /* the padding, too */
+    memset(&same, 0, sizeof same);
     first_order_compute(&system, trace, &object, first);
+    first_order_compute_portable(&system, trace, &object, &same);
+    CHECK(memcmp(first, &same, sizeof same) == 0);
     return true;
 }
 
