@@ -57,6 +57,49 @@ static void write_quoted(struct output *output, const char *text, const char *al
     }
 }
 
+/* Where the names come from that an option may have: what follows "lenscalc list". */
+struct names {
+    const struct option_kind *kind;
+    const char *list, *column;
+    bool or_file;
+};
+
+static const struct names all_names[] = {
+    {&kind_sensor, "formats", "format", false},
+    {&kind_lens, "lenses", "lens", true},
+    {&kind_glass, "glasses", "glass", false},
+};
+
+enum { NAMES = sizeof all_names / sizeof all_names[0] };
+
+static const struct names *names_of(const struct option *option)
+{
+    for (size_t i = 0; i < NAMES; i++) {
+        if (all_names[i].kind == option->kind) {
+            return &all_names[i];
+        }
+    }
+    return NULL;
+}
+
+/* The first operand of a command; null if it has none. */
+static const struct option *operand_of(const struct command *command)
+{
+    for (size_t i = 0; i < command->option_count; i++) {
+        if ((command->options[i].flags & OPTION_OPERAND) != 0) {
+            return &command->options[i];
+        }
+    }
+    return NULL;
+}
+
+static void write_words(struct output *output, const struct word *words)
+{
+    for (const struct word *word = words; word->word != NULL; word++) {
+        output_printf(output, "%s%s", word == words ? "" : " ", word->word);
+    }
+}
+
 static void bash_option(const struct command *command, const struct option *option,
                         struct output *output)
 {
@@ -67,18 +110,52 @@ static void bash_option(const struct command *command, const struct option *opti
     }
 }
 
-/* Words that may stand behind an option. */
+/* Words or names that may stand behind an option. */
 static void bash_values(const struct command *command, const struct option *option,
                         struct output *output)
 {
-    if (option->words == NULL) {
+    const struct names *names = names_of(option);
+    if (option->words == NULL && names == NULL) {
         return;
     }
-    output_printf(output, "        %s:--%s) words='", command->name, option->name);
-    for (const struct word *word = option->words; word->word != NULL; word++) {
-        output_printf(output, "%s ", word->word);
+    output_printf(output, "        %s:--%s", command->name, option->name);
+    if (option->letter != '\0') {
+        output_printf(output, "|%s:-%c", command->name, option->letter);
     }
+    if (names != NULL) {
+        output_printf(output, ") names='%s --columns %s' files=%s ;;\n", names->list, names->column,
+                      names->or_file ? "-f" : "");
+        return;
+    }
+    output_string(output, ") words='");
+    write_words(output, option->words);
     output_string(output, "' ;;\n");
+}
+
+/* Words that may stand behind the command itself. */
+static void bash_operand(const struct command *command, struct output *output)
+{
+    const struct option *operand = operand_of(command);
+    if (operand != NULL && operand->words != NULL) {
+        output_printf(output, "        %s:%s) words='", command->name, command->name);
+        write_words(output, operand->words);
+        output_string(output, "' ;;\n");
+    }
+}
+
+/* Options of a command, and the names it takes without one. */
+static void bash_rest(const struct command *command, struct output *output)
+{
+    const struct option *operand = operand_of(command);
+    const struct names *names = operand != NULL ? names_of(operand) : NULL;
+    output_printf(output, "            %s) words='", command->name);
+    each_option(command, bash_option, output);
+    output_string(output, "'");
+    if (names != NULL) {
+        output_printf(output, "; [[ $current == -* ]] || { names='%s --columns %s' files=%s; }",
+                      names->list, names->column, names->or_file ? "-f" : "");
+    }
+    output_string(output, " ;;\n");
 }
 
 static void write_bash(struct output *output)
@@ -87,7 +164,7 @@ static void write_bash(struct output *output)
                   "# lenscalc completion for bash\n"
                   "_lenscalc() {\n"
                   "    local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
-                  "    local command=${COMP_WORDS[1]} words=\n"
+                  "    local command=${COMP_WORDS[1]} words= names= files=\n"
                   "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
                   "        COMPREPLY=($(compgen -W '");
     write_commands(output);
@@ -97,32 +174,46 @@ static void write_bash(struct output *output)
                           "    case $command:$before in\n");
     for (size_t i = 0; commands[i] != NULL; i++) {
         each_option(commands[i], bash_values, output);
+        bash_operand(commands[i], output);
     }
-    output_string(output,
-                  "        *:--sensor|*:--equal-on)\n"
-                  "            local IFS=$'\\n'\n"
-                  "            COMPREPLY=($(compgen -W \"$(lenscalc list formats --columns format "
-                  "--tsv | tail -n +2)\" -- \"$current\"))\n"
-                  "            return ;;\n"
-                  "        *:--output|*:-o|*:--batch|*:--plot|*:--scale|*:--lensdb)\n"
-                  "            COMPREPLY=($(compgen -f -- \"$current\"))\n"
-                  "            return ;;\n"
-                  "        help:help) words='");
+    output_string(output, "        *:--output|*:-o|*:--batch|*:--plot|*:--scale|*:--lensdb)\n"
+                          "            COMPREPLY=($(compgen -f -- \"$current\"))\n"
+                          "            return ;;\n"
+                          "        help:help) words='");
     write_commands(output);
-    output_string(output, "' ;;\n        list:list) words='formats cameras stops units commands "
-                          "options' ;;\n"
-                          "        completion:completion) words='bash zsh fish' ;;\n"
+    output_string(output, "' ;;\n"
                           "        *) case $command in\n");
     for (size_t i = 0; commands[i] != NULL; i++) {
-        output_printf(output, "            %s) words='", commands[i]->name);
-        each_option(commands[i], bash_option, output);
-        output_string(output, "' ;;\n");
+        bash_rest(commands[i], output);
     }
-    output_string(output, "        esac ;;\n"
-                          "    esac\n"
-                          "    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
-                          "}\n"
-                          "complete -F _lenscalc lenscalc\n");
+    output_string(output,
+                  "        esac ;;\n"
+                  "    esac\n"
+                  "    if [ -n \"$names\" ]; then\n"
+                  "        local list=$(lenscalc list $names --tsv 2> /dev/null | tail -n +2)\n"
+                  "        local IFS=$'\\n'\n"
+                  "        COMPREPLY=($(compgen -W \"$list\" -- \"$current\")\n"
+                  "            ${files:+$(compgen -f -- \"$current\")})\n"
+                  "        return\n"
+                  "    fi\n"
+                  "    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
+                  "}\n"
+                  "complete -F _lenscalc lenscalc\n");
+}
+
+/* What completes the value of an option in zsh: (words), a function, or nothing. */
+static void zsh_action(const struct option *option, struct output *output)
+{
+    const struct names *names = names_of(option);
+    if (option->words != NULL) {
+        output_character(output, '(');
+        write_words(output, option->words);
+        output_character(output, ')');
+    } else if (names != NULL) {
+        output_printf(output, "_lenscalc_%s", names->list);
+    } else if ((option->flags & OPTION_FILE) != 0) {
+        output_string(output, "_files");
+    }
 }
 
 /* '--name[help]:value:(words)' */
@@ -138,34 +229,43 @@ static void zsh_option(const struct command *command, const struct option *optio
         write_quoted(output, option->name, "");
         output_character(output, ':');
     }
-    if (option->words != NULL) {
-        output_character(output, '(');
-        for (const struct word *word = option->words; word->word != NULL; word++) {
-            output_printf(output, "%s%s", word == option->words ? "" : " ", word->word);
-        }
-        output_character(output, ')');
-    } else if ((option->flags & OPTION_FILE) != 0) {
-        output_string(output, "_files");
-    } else if (option->kind == &kind_sensor) {
-        output_string(output, "_lenscalc_formats");
-    }
+    zsh_action(option, output);
     output_string(output, "' \\\n");
+}
+
+static void zsh_operand(const struct command *command, struct output *output)
+{
+    const struct option *operand = operand_of(command);
+    if (operand == NULL || (operand->words == NULL && names_of(operand) == NULL)) {
+        output_string(output, "            '*:word:'\n        ;;\n");
+        return;
+    }
+    bool many = (operand->flags & OPTION_MANY) != 0;
+    output_printf(output, "            '%s:%s:", many ? "*" : "1", operand->name);
+    zsh_action(operand, output);
+    output_string(output, many ? "'\n        ;;\n" : "' \\\n            '*:word:'\n        ;;\n");
 }
 
 static void write_zsh(struct output *output)
 {
-    output_string(output,
-                  "#compdef lenscalc\n"
-                  "# lenscalc completion for zsh\n"
-                  "_lenscalc_formats() {\n"
-                  "    local -a formats\n"
-                  "    formats=(${(f)\"$(lenscalc list formats --columns format --tsv | tail -n "
-                  "+2)\"})\n"
-                  "    _describe format formats\n"
-                  "}\n"
-                  "_lenscalc() {\n"
-                  "    local -a all\n"
-                  "    all=(\n");
+    output_string(output, "#compdef lenscalc\n"
+                          "# lenscalc completion for zsh\n");
+    for (size_t i = 0; i < NAMES; i++) {
+        const struct names *names = &all_names[i];
+        output_printf(output,
+                      "_lenscalc_%s() {\n"
+                      "    local -a names\n"
+                      "    names=(${(f)\"$(lenscalc list %s --columns %s --tsv 2> /dev/null | tail "
+                      "-n +2)\"})\n"
+                      "    compadd -a names\n"
+                      "%s"
+                      "}\n",
+                      names->list, names->list, names->column,
+                      names->or_file ? "    _files\n" : "");
+    }
+    output_string(output, "_lenscalc() {\n"
+                          "    local -a all\n"
+                          "    all=(\n");
     for (size_t i = 0; commands[i] != NULL; i++) {
         output_printf(output, "        '%s:", commands[i]->name);
         write_quoted(output, commands[i]->summary, ":");
@@ -182,9 +282,24 @@ static void write_zsh(struct output *output)
     for (size_t i = 0; commands[i] != NULL; i++) {
         output_printf(output, "    %s)\n        _arguments \\\n", commands[i]->name);
         each_option(commands[i], zsh_option, output);
-        output_string(output, "            '*:word:'\n        ;;\n");
+        zsh_operand(commands[i], output);
     }
     output_string(output, "    esac\n}\n_lenscalc \"$@\"\n");
+}
+
+/* -a 'words', or -a '(the names)' */
+static void fish_values(const struct option *option, struct output *output)
+{
+    const struct names *names = names_of(option);
+    if (option->words != NULL) {
+        output_string(output, " -a '");
+        write_words(output, option->words);
+        output_character(output, '\'');
+    } else if (names != NULL) {
+        output_printf(output,
+                      " -a '(lenscalc list %s --columns %s --tsv 2> /dev/null | tail -n +2)'",
+                      names->list, names->column);
+    }
 }
 
 static void fish_option(const struct command *command, const struct option *option,
@@ -198,18 +313,21 @@ static void fish_option(const struct command *command, const struct option *opti
     if (option->value != NULL) {
         output_string(output, (option->flags & OPTION_FILE) != 0 ? " -r -F" : " -x");
     }
-    if (option->words != NULL) {
-        output_string(output, " -a '");
-        for (const struct word *word = option->words; word->word != NULL; word++) {
-            output_printf(output, "%s%s", word == option->words ? "" : " ", word->word);
-        }
-        output_string(output, "'");
-    } else if (option->kind == &kind_sensor) {
-        output_string(output, " -a '(lenscalc list formats --columns format --tsv | tail -n +2)'");
-    }
+    fish_values(option, output);
     output_string(output, " -d '");
     write_quoted(output, option->help, "\\");
     output_string(output, "'\n");
+}
+
+static void fish_operand(const struct command *command, struct output *output)
+{
+    const struct option *operand = operand_of(command);
+    if (operand != NULL && (operand->words != NULL || names_of(operand) != NULL)) {
+        output_printf(output, "complete -c lenscalc -n '__fish_seen_subcommand_from %s'%s",
+                      command->name, (operand->flags & OPTION_FILE) != 0 ? " -F" : "");
+        fish_values(operand, output);
+        output_character(output, '\n');
+    }
 }
 
 static void write_fish(struct output *output)
@@ -223,6 +341,7 @@ static void write_fish(struct output *output)
     }
     for (size_t i = 0; commands[i] != NULL; i++) {
         each_option(commands[i], fish_option, output);
+        fish_operand(commands[i], output);
     }
 }
 
