@@ -61,22 +61,10 @@ static bool read_cell(struct lens_words *words, const char *what, lens_variable_
     return lens_words_figure(words, word, words->scale, what, figure, error);
 }
 
-/* The scale of a curvature or a coefficient in 1/mm^power. */
+/* A curvature or a coefficient was read as a plain number. */
 static bool rescale(const struct lens_words *words, int power, struct figure *figure)
 {
-    struct pair unit = {1, 0};
-    double factor = unit.hi * words->scale.multiplier;
-    struct pair ten = {10, 0};
-    for (int i = 0; i < power; i++) {
-        unit = pair_multiply(unit, pair_of(factor));
-        for (int j = 0; j < words->scale.power; j++) {
-            unit = pair_multiply(unit, ten);
-        }
-        for (int j = 0; j > words->scale.power; j--) {
-            unit = pair_divide(unit, ten);
-        }
-    }
-    figure->value = pair_divide(figure->value, unit);
+    figure->value = lens_words_per_length(figure->value, words->scale, power);
     return true;
 }
 

@@ -135,6 +135,21 @@ bool lens_words_figure(const struct lens_words *words, struct text text, struct 
     return true;
 }
 
+struct pair lens_words_per_length(struct pair value, struct number_scale scale, int power)
+{
+    struct pair unit = {1, 0}, ten = {10, 0};
+    for (int i = 0; i < power; i++) {
+        unit = pair_multiply(unit, pair_of(scale.multiplier));
+        for (int j = 0; j < scale.power; j++) {
+            unit = pair_multiply(unit, ten);
+        }
+        for (int j = 0; j > scale.power; j--) {
+            unit = pair_divide(unit, ten);
+        }
+    }
+    return pair_divide(value, unit);
+}
+
 bool lens_words_figures(struct lens_words *words, struct number_scale scale, const char *what,
                         struct figure **figures, size_t *count, struct error *error)
 {

@@ -61,6 +61,9 @@ bool lens_words_fail(const struct lens_words *words, struct text word, struct er
 bool lens_words_figure(const struct lens_words *words, struct text text, struct number_scale scale,
                        const char *what, struct figure *figure, struct error *error);
 
+/* A number of 1/length^power in 1/mm^power, of one in the unit of this scale. */
+struct pair lens_words_per_length(struct pair value, struct number_scale scale, int power);
+
 /* A list of figures up to the end of the line, in the arena. */
 bool lens_words_figures(struct lens_words *words, struct number_scale scale, const char *what,
                         struct figure **figures, size_t *count, struct error *error);

@@ -1,0 +1,100 @@
+/* file/codev.h - CODE V sequence files (.seq) while they are read. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_CODEV_H
+#define LENSCALC_FILE_CODEV_H
+
+#include "file/foreign.h"
+#include "file/sequence.h"
+
+extern const struct foreign_format codev_format;
+
+enum { CODEV_MOST_VALUES = 100 }; /* fields, wavelengths or positions */
+
+/* A glass of the file's own catalogue: PRV .. END. */
+struct codev_private {
+    struct command_word name;
+    const char *medium; /* as a .lens file has it; null = a formula that is not known */
+};
+
+/* A .seq file being read. */
+struct codev {
+    struct foreign_job *job;
+    struct commands commands;
+    struct sequence sequence;
+    struct lens_build build;
+    size_t surface;      /* the present one */
+    bool radius_mode;    /* RDM: else the numbers of a surface are curvatures */
+    bool mode_is_given;
+    bool has_image;
+    struct command_word image_solve; /* PIM */
+    struct command_word *wavelengths, *weights;
+    size_t wavelength_count, weight_count, primary;
+    struct figure *fields[2]; /* x, y */
+    size_t field_count[2];
+    struct command_word fields_at[2];
+    bool in_catalog; /* between PRV and END */
+    struct command_word *catalog_waves;
+    size_t catalog_wave_count;
+    struct codev_private *privates;
+    size_t private_count, private_room;
+};
+
+/* What stands between the name of a command and its values. */
+struct codev_qualifiers {
+    size_t surface, end; /* Sk or Sk..m; the present surface if there is none */
+    bool has_surface;
+    size_t zoom, field; /* Zk, Fk; 0 = none */
+    size_t next;        /* the first word behind them */
+};
+
+/* Read the qualifiers from word `first` on. */
+bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers,
+                      struct error *error);
+
+/* Leave out the present command, as a loss. */
+bool codev_lose(struct codev *codev, struct error *error, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Are all numbers from word `first` on 0? */
+bool codev_is_zero(const struct codev *codev, size_t first);
+
+/* Commands of a surface; `what` tells relatives apart. */
+typedef bool codev_command(struct codev *codev, int what, struct error *error);
+
+codev_command codev_surface;   /* S, SO, SI */
+codev_command codev_curve;     /* RDY CUY RDX CUX */
+codev_command codev_thickness; /* THI */
+codev_command codev_glass;     /* GLA RMD */
+codev_command codev_shape;     /* CYL */
+codev_command codev_constant;  /* K A B C D .. */
+codev_command codev_stop;
+codev_command codev_label;
+codev_command codev_aperture; /* CIR */
+codev_command codev_shift;    /* XDE .. CDE */
+codev_command codev_move;     /* DAR BEN */
+codev_command codev_pickup;
+codev_command codev_zoom;
+codev_command codev_catalog; /* PRV PWL END */
+
+/* A glass inside PRV .. END. */
+bool codev_private_glass(struct codev *codev, struct error *error);
+
+/* The medium of a surface, from its word. */
+bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, struct error *error);
+
+/* The letters of a keyword that count: three, in capitals. */
+struct codev_key {
+    char letters[4];
+};
+struct codev_key codev_key(struct text word);
+
+/* One number of each position behind `ZOO NAME`, or a single one with Zk. */
+bool codev_values(struct codev *codev, const struct codev_qualifiers *qualifiers,
+                  const struct figure *usual, const struct figure **values, bool double_them,
+                  struct error *error);
+
+/* Write a lens. */
+bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *text,
+                 struct error *error);
+
+#endif

@@ -1,0 +1,201 @@
+/* file/codev_glass.c - the glasses of a CODE V file: names, codes, its own catalogue. */
+/* SPDX-License-Identifier: MIT */
+#include "file/codev.h"
+
+#include "file/decimal.h"
+
+#include <string.h>
+
+static int shown(struct text text)
+{
+    return text.length < 60 ? (int)text.length : 60;
+}
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+bool codev_catalog(struct codev *codev, int what, struct error *error)
+{
+    struct commands *commands = &codev->commands;
+    if (what == 'P') { /* PRV, END */
+        codev->in_catalog = !codev->in_catalog;
+        return commands_end(commands, 1, error);
+    }
+    size_t count = commands->count - 1;
+    codev->catalog_waves = ARENA_ARRAY(commands->arena, count + 1, struct command_word);
+    codev->catalog_wave_count = count;
+    for (size_t i = 0; i < count; i++) {
+        struct figure wave;
+        codev->catalog_waves[i] = commands->words[i + 1];
+        if (!commands_figure(commands, i + 1, commands->scale, "wavelength", &wave, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Text that a table of indices is put together in. */
+static void append(char **at, const char *start, size_t length)
+{
+    memcpy(*at, start, length);
+    *at += length;
+}
+
+/* {486.1nm 1.5224, 587.6nm 1.5168}, or one number where all are the same. */
+static const char *table_of(struct codev *codev, size_t count)
+{
+    struct commands *commands = &codev->commands;
+    size_t room = 8;
+    bool same = true;
+    for (size_t i = 0; i < count; i++) {
+        const struct text index = commands->words[i + 1].text, first = commands->words[1].text;
+        room += codev->catalog_waves[i].text.length + index.length + 8;
+        same = same && index.length == first.length &&
+               memcmp(index.start, first.start, first.length) == 0;
+    }
+    if (same) {
+        const struct text first = commands->words[1].text;
+        return arena_string(commands->arena, first.start, first.length);
+    }
+    char *table = arena_array(commands->arena, room, 1), *at = table;
+    append(&at, "{", 1);
+    for (size_t i = 0; i < count; i++) {
+        const struct text wave = codev->catalog_waves[i].text;
+        append(&at, ", ", i > 0 ? 2 : 0);
+        append(&at, wave.start, wave.length);
+        append(&at, "nm ", 3);
+        append(&at, commands->words[i + 1].text.start, commands->words[i + 1].text.length);
+    }
+    append(&at, "}", 1);
+    return table;
+}
+
+bool codev_private_glass(struct codev *codev, struct error *error)
+{
+    struct commands *commands = &codev->commands;
+    size_t count = commands->count - 1;
+    if (codev->private_count == codev->private_room) {
+        size_t room = 2 * codev->private_room + 8;
+        struct codev_private *more = ARENA_ARRAY(commands->arena, room, struct codev_private);
+        if (codev->private_count > 0) {
+            memcpy(more, codev->privates, codev->private_count * sizeof *more);
+        }
+        codev->privates = more;
+        codev->private_room = room;
+    }
+    struct codev_private *one = &codev->privates[codev->private_count++];
+    *one = (struct codev_private){commands->words[0], NULL};
+    const struct command_word first = commands_word(commands, 1);
+    bool is_formula = first.text.length > 0 && !is_digit(first.text.start[0]) &&
+                      first.text.start[0] != '.';
+    if (is_formula) {
+        return true; /* refused where a surface has it */
+    }
+    if (count == 0 || count != codev->catalog_wave_count) {
+        return commands_fail(commands, &commands->words[count > 0 ? 1 : 0], error,
+                             "%zu indices for %zu wavelengths of PWL", count,
+                             codev->catalog_wave_count);
+    }
+    for (size_t i = 1; i <= count; i++) {
+        struct figure index;
+        if (!commands_figure(commands, i, (struct number_scale){1, 0}, "index", &index, error)) {
+            return false;
+        }
+    }
+    one->medium = table_of(codev, count);
+    return true;
+}
+
+/* The last one of this name; null if there is none. */
+static const struct codev_private *find_private(const struct codev *codev, struct text name)
+{
+    for (size_t i = codev->private_count; i-- > 0;) {
+        const struct text known = codev->privates[i].name.text;
+        if (text_same(name, arena_string(codev->job->arena, known.start, known.length))) {
+            return &codev->privates[i];
+        }
+    }
+    return NULL;
+}
+
+/* 517642, 516800.641670: the digits of nd - 1, and of Vd/100 (six digits without a point: Vd/10) */
+static const char *medium_of_code(struct text code, struct arena *arena)
+{
+    size_t point = 0, dots = 0;
+    for (size_t i = 0; i < code.length; i++) {
+        if (code.start[i] == '.') {
+            point = i;
+            dots++;
+        } else if (!is_digit(code.start[i])) {
+            return NULL;
+        }
+    }
+    struct text index = {code.start, dots == 1 ? point : 3}, abbe = {NULL, 0};
+    if (dots == 1) {
+        abbe = (struct text){code.start + point + 1, code.length - point - 1};
+        abbe = decimal_shift(abbe, 2 - (int)abbe.length, arena);
+    } else if (dots == 0 && code.length == 6) {
+        abbe = decimal_shift((struct text){code.start + 3, 3}, -1, arena);
+    }
+    bool sound = index.length >= 1 && index.length < 40 && abbe.length > 0 && abbe.length < 40;
+    return sound ? arena_printf(arena, "1.%.*s/%.*s", (int)index.length, index.start,
+                                (int)abbe.length, abbe.start)
+                 : NULL;
+}
+
+/* 1.5168:64.17, 1.5 */
+static const char *medium_of_numbers(struct text text, struct arena *arena)
+{
+    const char *end = text.start + text.length;
+    double number;
+    struct text abbe = text, index = text_cut(&abbe, ':');
+    const struct number_scale plain = {1, 0};
+    if (index.length == 0 || number_read(index.start, index.start + index.length, plain, &number) !=
+                                 index.start + index.length) {
+        return NULL;
+    }
+    if (abbe.start == NULL) {
+        return number < 10 ? arena_string(arena, text.start, text.length) : NULL;
+    }
+    return number_read(abbe.start, end, plain, &number) == end
+               ? arena_printf(arena, "%.*s/%.*s", (int)index.length, index.start,
+                              (int)abbe.length, abbe.start)
+               : NULL;
+}
+
+bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, struct error *error)
+{
+    struct arena *arena = codev->job->arena;
+    const struct text text = surface->glass.text;
+    const struct lens_words place = commands_place(&codev->commands, &surface->glass);
+    if (text.length == 0 || text_same(text, "AIR")) {
+        return true;
+    }
+    const struct codev_private *own = find_private(codev, text);
+    if (own != NULL && own->medium == NULL) {
+        return commands_fail(&codev->commands, &surface->glass, error,
+                             "the glass '%.*s' has a formula that lenscalc does not know",
+                             shown(text), text.start);
+    }
+    const char *made = own != NULL ? own->medium : medium_of_numbers(text, arena);
+    made = made != NULL ? made : medium_of_code(text, arena);
+    if (made != NULL) {
+        return sequence_medium(&codev->commands, &surface->glass, made, &surface->medium, error);
+    }
+    size_t cut = text.length;
+    while (cut > 0 && text.start[cut - 1] != '_') {
+        cut--;
+    }
+    struct text name = {text.start, cut > 1 ? cut - 1 : text.length};
+    const struct text catalog = {text.start + cut, text.length - cut};
+    if (foreign_glass(codev->job, &place, name, &catalog, cut > 1, &surface->medium, error)) {
+        return true;
+    }
+    if (error->code == ERROR_NONE) {
+        commands_fail(&codev->commands, &surface->glass, error, "glass '%.*s' is in no catalogue",
+                      shown(text), text.start);
+    }
+    return false;
+}

@@ -1,0 +1,443 @@
+/* file/codev_read.c - read a CODE V sequence file. */
+/* SPDX-License-Identifier: MIT */
+#include "file/codev.h"
+
+#include "file/codev_system.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static const struct command_grammar grammar = {
+    .comment = "!", .quotes = "'\"", .separator = ';', .continuation = '&', .infinity = 1e10};
+
+struct codev_key codev_key(struct text word)
+{
+    struct codev_key key = {{0}};
+    for (size_t i = 0; i < word.length && i < 3; i++) {
+        char c = word.start[i];
+        key.letters[i] = c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
+    }
+    return key;
+}
+
+bool codev_lose(struct codev *codev, struct error *error, const char *format, ...)
+{
+    char message[sizeof error->message];
+    const struct command_word *word = &codev->commands.words[0];
+    const struct lens_words place = commands_place(&codev->commands, word);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    return foreign_loss(codev->job, &place, word->text, error, "%.*s: %s",
+                        (int)(word->text.length < 20 ? word->text.length : 20), word->text.start,
+                        message);
+}
+
+bool codev_is_zero(const struct codev *codev, size_t first)
+{
+    const struct number_scale plain = {1, 0};
+    for (size_t i = first; i < codev->commands.count; i++) {
+        const struct text word = codev->commands.words[i].text;
+        double value = 1;
+        if (number_read(word.start, word.start + word.length, plain, &value) == NULL ||
+            value != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* S3, SO, SI, SS (the stop), S'label'; false where it is none of these. */
+static bool surface_named(const struct codev *codev, struct text name, size_t *surface)
+{
+    const struct sequence *sequence = &codev->sequence;
+    char first = name.length > 0 ? (char)(name.start[0] | 32) : 0;
+    size_t value = 0;
+    if (name.length == 1 && (first == 'o' || first == 'i')) {
+        *surface = first == 'o' ? 0 : sequence->count - 1;
+        return sequence->count > 0;
+    }
+    for (size_t i = 0; i < sequence->count; i++) {
+        const struct sequence_surface *one = &sequence->surfaces[i];
+        bool is_stop = name.length == 1 && first == 's' && one->is_stop;
+        bool is_label = name.length > 2 && (first == '\'' || first == '"') && one->name != NULL &&
+                        text_same((struct text){name.start + 1, name.length - 2}, one->name);
+        if (is_stop || is_label) {
+            *surface = i;
+            return true;
+        }
+    }
+    for (size_t i = 0; i < name.length; i++) {
+        if (name.start[i] < '0' || name.start[i] > '9' || value > 100000) {
+            return false;
+        }
+        value = 10 * value + (size_t)(name.start[i] - '0');
+    }
+    *surface = value;
+    return name.length > 0 && value < sequence->count;
+}
+
+static bool read_surfaces(struct codev *codev, const struct command_word *word,
+                          struct codev_qualifiers *qualifiers, struct error *error)
+{
+    struct text name = {word->text.start + 1, word->text.length - 1}, last = name;
+    for (size_t i = 0; i + 1 < name.length; i++) {
+        if (name.start[i] == '.' && name.start[i + 1] == '.') {
+            last = (struct text){name.start + i + 2, name.length - i - 2};
+            name.length = i;
+        }
+    }
+    qualifiers->has_surface = true;
+    return (surface_named(codev, name, &qualifiers->surface) &&
+            surface_named(codev, last, &qualifiers->end)) ||
+           commands_fail(&codev->commands, word, error, "there is no surface '%.*s'",
+                         (int)(word->text.length < 40 ? word->text.length : 40), word->text.start);
+}
+
+bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers,
+                      struct error *error)
+{
+    struct commands *commands = &codev->commands;
+    *qualifiers = (struct codev_qualifiers){
+        .surface = codev->surface, .end = codev->surface, .next = first};
+    for (; qualifiers->next < commands->count; qualifiers->next++) {
+        const struct command_word *word = &commands->words[qualifiers->next];
+        char letter = word->text.length > 1 ? (char)(word->text.start[0] | 32) : 0;
+        char second = letter != 0 ? word->text.start[1] : 0;
+        bool digit = second >= '0' && second <= '9';
+        if (word->is_quoted) {
+            break;
+        }
+        if (letter == 's' && (digit || word->text.length == 2 || second == '\'' || second == '"')) {
+            if (!read_surfaces(codev, word, qualifiers, error)) {
+                return false;
+            }
+        } else if ((letter == 'z' || letter == 'f' || letter == 'w') && digit) {
+            struct text number = {word->text.start + 1, word->text.length - 1};
+            size_t value;
+            if (!commands_count(commands, word, number, "number", 1, &value, error)) {
+                return false;
+            }
+            qualifiers->zoom = letter == 'z' ? value : qualifiers->zoom;
+            qualifiers->field = letter == 'f' ? value : qualifiers->field;
+        } else {
+            break;
+        }
+    }
+    return true;
+}
+
+static bool needs_surface(const char *key)
+{
+    return strcmp(key, "PIM") != 0 && strcmp(key, "TIT") != 0;
+}
+
+static bool read_pim(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    codev->image_solve = codev->commands.words[0];
+    return commands_end(&codev->commands, 1, error);
+}
+
+static bool read_nothing(struct codev *codev, int what, struct error *error)
+{
+    (void)codev, (void)what, (void)error;
+    return true;
+}
+
+static bool refuse_macro(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    return commands_fail(&codev->commands, &codev->commands.words[0], error,
+                         "a command of a macro: lenscalc reads lens data and runs no macros");
+}
+
+/* What changes the light, but not where its numbers are 0. */
+static bool lose_unless_zero(struct codev *codev, int what, struct error *error)
+{
+    static const char *const reasons[] = {
+        "vignetting factors", "a shifted or turned aperture", "a Fresnel surface of this base",
+        "an offset of the point about which a surface turns"};
+    struct codev_qualifiers qualifiers;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
+    }
+    return codev_is_zero(codev, qualifiers.next) || codev_lose(codev, error, "%s", reasons[what]);
+}
+
+static bool lose(struct codev *codev, int what, struct error *error)
+{
+    static const char *const reasons[] = {
+        "a rectangular or elliptic aperture", "a toric, anamorphic or special surface",
+        "a diffractive surface", "a shift or turn that is undone or related to another surface",
+        "a thermal environment", "an index that is changed"};
+    return codev_lose(codev, error, "%s", reasons[what]);
+}
+
+/* Commands and what tells relatives apart; the first three letters count. */
+static const struct {
+    char key[4];
+    codev_command *run;
+    int what;
+} keywords[] = {
+    {"RDM", codev_radius_mode, 0},
+    {"LEN", read_nothing, 0},
+    {"TIT", codev_title, 0},
+    {"DIM", read_nothing, 0}, /* read before all others */
+    {"WL", codev_waves, 'L'},
+    {"WTW", codev_waves, 'W'},
+    {"REF", codev_reference, 0},
+    {"EPD", codev_aperture_of_lens, 'E'},
+    {"FNO", codev_aperture_of_lens, 'F'},
+    {"NAO", codev_aperture_of_lens, 'O'},
+    {"NA", codev_aperture_of_lens, 'N'},
+    {"XAN", codev_fields, 'A'},
+    {"YAN", codev_fields, 'a'},
+    {"XOB", codev_fields, 'O'},
+    {"YOB", codev_fields, 'o'},
+    {"XIM", codev_fields, 'I'},
+    {"YIM", codev_fields, 'i'},
+    {"XRI", codev_fields, 'R'},
+    {"YRI", codev_fields, 'r'},
+    {"RDY", codev_curve, 'R'},
+    {"CUY", codev_curve, 'C'},
+    {"RDX", codev_curve, 'r'},
+    {"CUX", codev_curve, 'c'},
+    {"THI", codev_thickness, 0},
+    {"GLA", codev_glass, 0},
+    {"RMD", codev_glass, 0},
+    {"CYL", codev_shape, 0},
+    {"SPH", read_nothing, 0},
+    {"CON", read_nothing, 0},
+    {"ASP", read_nothing, 0},
+    {"K", codev_constant, 0},
+    {"A", codev_constant, 4},
+    {"B", codev_constant, 6},
+    {"C", codev_constant, 8},
+    {"D", codev_constant, 10},
+    {"E", codev_constant, 12},
+    {"F", codev_constant, 14},
+    {"G", codev_constant, 16},
+    {"H", codev_constant, 18},
+    {"J", codev_constant, 20},
+    {"STO", codev_stop, 0},
+    {"SLB", codev_label, 0},
+    {"CIR", codev_aperture, 0},
+    {"XDE", codev_shift, 'X'},
+    {"YDE", codev_shift, 'Y'},
+    {"ZDE", codev_shift, 'Z'},
+    {"ADE", codev_shift, 'A'},
+    {"BDE", codev_shift, 'B'},
+    {"CDE", codev_shift, 'C'},
+    {"DAR", codev_move, SEQUENCE_BACK},
+    {"BEN", codev_move, SEQUENCE_BEND},
+    {"PIM", read_pim, 0},
+    {"PIK", codev_pickup, 0},
+    {"ZOO", codev_zoom, 0},
+    {"PRV", codev_catalog, 'P'},
+    {"PWL", codev_catalog, 'W'},
+    {"END", codev_catalog, 'P'},
+    {"VUX", lose_unless_zero, 0},
+    {"VLX", lose_unless_zero, 0},
+    {"VUY", lose_unless_zero, 0},
+    {"VLY", lose_unless_zero, 0},
+    {"ADX", lose_unless_zero, 1},
+    {"ADY", lose_unless_zero, 1},
+    {"ARO", lose_unless_zero, 1},
+    {"CUF", lose_unless_zero, 2},
+    {"XOD", lose_unless_zero, 3},
+    {"YOD", lose_unless_zero, 3},
+    {"ZOD", lose_unless_zero, 3},
+    {"REX", lose, 0},
+    {"REY", lose, 0},
+    {"ELX", lose, 0},
+    {"ELY", lose, 0},
+    {"XTO", lose, 1},
+    {"YTO", lose, 1},
+    {"AAS", lose, 1},
+    {"SPS", lose, 1},
+    {"DIF", lose, 2},
+    {"HOR", lose, 2},
+    {"HWL", lose, 2},
+    {"HCT", lose, 2},
+    {"HCO", lose, 2},
+    {"REV", lose, 3},
+    {"RET", lose, 3},
+    {"GLB", lose, 3},
+    {"TEM", lose, 4},
+    {"PRE", lose, 4},
+    {"INC", lose, 5},
+};
+
+/* Displays, tolerances, variables of the optimiser, bookkeeping. */
+static const char harmless[][4] = {
+    "GO",  "INI", "CCY", "CCX", "THC", "CUC", "GLC", "KC",  "AC",  "BC",  "CC",  "DC",  "EC",
+    "FC",  "GC",  "HC",  "JC",  "XDC", "YDC", "ZDC", "ADC", "BDC", "CDC", "DER", "CLS", "UID",
+    "WTF", "DOR", "POL", "CA",  "CUM", "THM", "CAX", "COM", "HCC", "DSX", "DSY", "BTX", "BTY",
+    "DLF", "DLT", "DLR", "DLN", "DLV", "TIR", "CMP", "SD",  "MFL", "CWL", "INT", "RMX", "DEL",
+    "CIN", "TOL", "DPT", "FVR", "SAV", "LDM", "PTB",
+};
+
+/* Beginnings of macros; these are refused even where losses are allowed. */
+static const char macros[][4] = {"IN",  "OUT", "LCL", "GBL", "FOR", "IF",  "ELS", "WHI", "UNT",
+                                 "EVA", "RUN", "WRI", "WRT", "GOT", "RFD", "NUM", "STR", "AUT",
+                                 "FCT", "ROW", "BUF", "DO",  "INS", "DEL"};
+
+static bool is_in(const char (*list)[4], size_t count, const char *key)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(list[i], key) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool codev_is_harmless(struct text word)
+{
+    const struct codev_key key = codev_key(word);
+    return is_in(harmless, sizeof harmless / sizeof harmless[0], key.letters);
+}
+
+static bool is_surface_line(struct text word)
+{
+    char second = word.length > 1 ? (char)(word.start[1] | 32) : 0;
+    bool named = word.length == 2 && (second == 'o' || second == 'i');
+    return (word.start[0] | 32) == 's' &&
+           (word.length == 1 || named || (second >= '0' && second <= '9'));
+}
+
+static bool run_command(struct codev *codev, struct error *error)
+{
+    const struct command_word *word = &codev->commands.words[0];
+    const struct codev_key key = codev_key(word->text);
+    bool is_macro = word->text.length > 0 && word->text.start[0] == '^';
+    if (codev->in_catalog && strcmp(key.letters, "PWL") != 0 && strcmp(key.letters, "END") != 0) {
+        return codev_private_glass(codev, error);
+    }
+    if (word->is_quoted || word->text.length == 0) {
+        return commands_fail(&codev->commands, word, error, "a text where a command must stand");
+    }
+    if (is_surface_line(word->text)) {
+        return codev_surface(codev, 0, error);
+    }
+    for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
+        if (strcmp(keywords[i].key, key.letters) != 0) {
+            continue;
+        }
+        bool of_surface = i >= 19 && needs_surface(keywords[i].key) && keywords[i].what != 'P' &&
+                          keywords[i].what != 'W';
+        if (of_surface && codev->sequence.count == 0 && keywords[i].run != lose_unless_zero &&
+            keywords[i].run != lose && keywords[i].run != codev_zoom) {
+            return commands_fail(&codev->commands, word, error, "'%s' before the first surface",
+                                 keywords[i].key);
+        }
+        return keywords[i].run(codev, keywords[i].what, error);
+    }
+    if (is_macro || is_in(macros, sizeof macros / sizeof macros[0], key.letters)) {
+        return refuse_macro(codev, 0, error);
+    }
+    return codev_is_harmless(word->text) || codev_lose(codev, error, "an unknown command");
+}
+
+/* The unit may stand behind the lengths that it is of. */
+static bool read_unit(struct codev *codev, struct text content, struct error *error)
+{
+    commands_open(&codev->commands, codev->job->source, content, &grammar, codev->job->arena);
+    while (commands_next(&codev->commands, error)) {
+        const struct codev_key key = codev_key(codev->commands.words[0].text);
+        if (strcmp(key.letters, "DIM") == 0 && !codev->commands.words[0].is_quoted &&
+            !codev_unit(codev, 0, error)) {
+            return false;
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+/*
+ * Without RDM the numbers of a surface are curvatures; but a surface whose sphere the beam does
+ * not go through cannot be meant.
+ */
+static bool check_mode(struct codev *codev, struct error *error)
+{
+    const struct lens *lens = codev->build.lens;
+    double beam = lens->aperture_kind == APERTURE_EPD ? lens->aperture.value.hi / 2 : 0;
+    for (size_t i = 1; i < codev->sequence.count && !codev->mode_is_given; i++) {
+        struct sequence_surface *surface = &codev->sequence.surfaces[i];
+        double c = surface->curve.value.hi;
+        if (surface->is_radius || !(fabs(c) * beam > 1)) {
+            continue;
+        }
+        commands_fail(&codev->commands, &surface->at, error,
+                      "without RDM the number of a surface is its curvature, and the beam of %g mm "
+                      "does not pass through a sphere of radius %.3g mm",
+                      2 * beam, 1 / fabs(c));
+        return error_hint(error, "if it is a radius, put a line with RDM before the surfaces");
+    }
+    return true;
+}
+
+static bool finish(struct codev *codev, struct error *error)
+{
+    struct sequence *sequence = &codev->sequence;
+    if (!codev->has_image) {
+        fail(error, ERROR_DATA, "the file has no image surface SI");
+        return error_locate(error, codev->job->source, 0, 0);
+    }
+    for (size_t i = 0; i < sequence->count; i++) {
+        if (!codev_find_glass(codev, &sequence->surfaces[i], error)) {
+            return false;
+        }
+    }
+    if (codev->image_solve.text.length > 0 && sequence->count > 2) {
+        struct sequence_solve *solve =
+            &sequence->surfaces[sequence->count - 2].thickness_solve;
+        *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
+    }
+    return codev_finish_system(codev, error) && check_mode(codev, error) &&
+           sequence_finish(sequence, error);
+}
+
+static bool codev_read(struct foreign_job *job, struct text content, struct lens *lens,
+                       struct error *error)
+{
+    struct codev *codev = ARENA_NEW(job->arena, struct codev);
+    codev->job = job;
+    lens_build_begin(&codev->build, lens, job->arena);
+    if (!read_unit(codev, content, error)) {
+        return false;
+    }
+    const struct number_scale scale = codev->commands.scale;
+    commands_open(&codev->commands, job->source, content, &grammar, job->arena);
+    codev->commands.scale = scale;
+    codev->sequence =
+        (struct sequence){.job = job, .commands = &codev->commands, .build = &codev->build};
+    while (commands_next(&codev->commands, error)) {
+        if (!run_command(codev, error)) {
+            return false;
+        }
+    }
+    return error->code == ERROR_NONE && finish(codev, error);
+}
+
+/* Lines that begin with S O and with S I, or RDM. */
+static bool codev_is_like(struct text content)
+{
+    bool object = false, image = false;
+    for (struct text rest = content; rest.start != NULL;) {
+        struct text line = text_trim(text_cut(&rest, '\n')), word = text_cut(&line, ' ');
+        object = object || text_same(word, "SO") || text_same(word, "RDM;LEN");
+        image = image || text_same(word, "SI");
+    }
+    return object && image;
+}
+
+const struct foreign_format codev_format = {.name = "seq",
+                                            .ending = ".seq",
+                                            .help = "CODE V sequence file",
+                                            .is_like = codev_is_like,
+                                            .read = codev_read,
+                                            .write = codev_write};

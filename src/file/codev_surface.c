@@ -1,0 +1,354 @@
+/* file/codev_surface.c - the surfaces of a CODE V file. */
+/* SPDX-License-Identifier: MIT */
+#include "file/codev.h"
+
+#include <string.h>
+
+static const struct number_scale plain = {1, 0};
+static const double radians = 0.017453292519943295;
+
+/* The surface a command is about. */
+static struct sequence_surface *surface_of(struct codev *codev,
+                                           const struct codev_qualifiers *qualifiers)
+{
+    return &codev->sequence.surfaces[qualifiers->surface];
+}
+
+/* One value behind the qualifiers, and nothing more. */
+static bool read_value(struct codev *codev, struct number_scale scale, const char *what,
+                       struct codev_qualifiers *qualifiers, struct figure *figure,
+                       struct error *error)
+{
+    return codev_qualifiers(codev, 1, qualifiers, error) &&
+           commands_figure(&codev->commands, qualifiers->next, scale, what, figure, error) &&
+           commands_end(&codev->commands, qualifiers->next + 1, error);
+}
+
+static void set_curve(struct codev *codev, struct sequence_surface *surface, struct figure figure,
+                      bool is_radius)
+{
+    surface->curve = figure;
+    surface->is_radius = is_radius;
+    if (!is_radius) {
+        sequence_per_length(&codev->commands, 1, &surface->curve);
+    }
+}
+
+/* REFL and REFR are no glasses; the rest is looked up in the end. */
+static void set_glass(struct codev *codev, struct sequence_surface *surface, size_t word)
+{
+    struct commands *commands = &codev->commands;
+    const struct text text = commands->words[word].text;
+    if (!commands->words[word].is_quoted && text_same(text, "REFL")) {
+        surface->reflects = true;
+    } else if (commands->words[word].is_quoted || !text_same(text, "REFR")) {
+        surface->glass = commands->words[word];
+    }
+}
+
+/* SO must be the first and SI the last; a number after S must be that of the surface. */
+static bool check_place(struct codev *codev, struct error *error)
+{
+    struct commands *commands = &codev->commands;
+    const struct command_word *word = &commands->words[0];
+    const struct text text = word->text;
+    size_t next = codev->sequence.count, number = 0;
+    bool is_object = text_same(text, "SO") || text_same(text, "S0");
+    if (codev->has_image) {
+        return commands_fail(commands, word, error, "a surface behind the image SI");
+    }
+    if (is_object != (next == 0)) {
+        return commands_fail(commands, word, error,
+                             is_object ? "the object SO is not the first surface"
+                                       : "a surface before the object SO");
+    }
+    codev->has_image = text_same(text, "SI");
+    if (text.length == 1 || is_object || codev->has_image) {
+        return true;
+    }
+    const struct text digits = {text.start + 1, text.length - 1};
+    return commands_count(commands, word, digits, "number of the surface", 1, &number, error) &&
+           (number == next || commands_fail(commands, word, error,
+                                            "surface %zu, where surface %zu must stand", number,
+                                            next));
+}
+
+bool codev_surface(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    struct commands *commands = &codev->commands;
+    struct figure curve, thickness;
+    if (!check_place(codev, error) ||
+        !commands_figure(commands, 1, codev->radius_mode ? commands->scale : plain,
+                         codev->radius_mode ? "radius" : "curvature", &curve, error) ||
+        !commands_figure(commands, 2, commands->scale, "thickness", &thickness, error)) {
+        return false;
+    }
+    codev->surface = codev->sequence.count;
+    struct sequence_surface *surface = sequence_add(&codev->sequence, commands->words[0]);
+    set_curve(codev, surface, curve, codev->radius_mode);
+    surface->thickness = thickness;
+    for (size_t i = 3; i < commands->count && i < 5; i++) {
+        set_glass(codev, surface, i);
+    }
+    return commands_end(commands, 5, error);
+}
+
+/* A solve behind the qualifiers: CUY UMY u, THI HMY h. */
+static bool read_solve(struct codev *codev, const struct codev_qualifiers *qualifiers,
+                       bool is_thickness, bool *is_solve, struct error *error)
+{
+    static const struct {
+        const char *name;
+        bool of_angle;
+        enum solve_ray ray;
+    } solves[] = {{"HMY", false, SOLVE_MARGINAL},
+                  {"HCY", false, SOLVE_CHIEF},
+                  {"UMY", true, SOLVE_MARGINAL},
+                  {"UCY", true, SOLVE_CHIEF}};
+    struct commands *commands = &codev->commands;
+    const struct command_word word = commands_word(commands, qualifiers->next);
+    struct sequence_surface *surface = surface_of(codev, qualifiers);
+    char c = word.text.length > 0 ? word.text.start[0] : '0';
+    *is_solve = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    if (!*is_solve) {
+        return true;
+    }
+    for (size_t i = 0; i < sizeof solves / sizeof solves[0]; i++) {
+        if (!text_same(word.text, solves[i].name) || solves[i].of_angle == is_thickness) {
+            continue;
+        }
+        struct sequence_solve *solve =
+            is_thickness ? &surface->thickness_solve : &surface->curvature_solve;
+        *solve = (struct sequence_solve){true, solves[i].of_angle, solves[i].ray, {{0, 0}, {0}, 0},
+                                         word};
+        return commands_figure(commands, qualifiers->next + 1,
+                               is_thickness ? commands->scale : plain, "target of the solve",
+                               &solve->target, error) &&
+               commands_end(commands, qualifiers->next + 2, error);
+    }
+    return codev_lose(codev, error, "a solve that is not known, the number of the file stands");
+}
+
+bool codev_curve(struct codev *codev, int what, struct error *error)
+{
+    bool is_radius = what == 'R' || what == 'r', is_x = what == 'r' || what == 'c', is_solve;
+    struct commands *commands = &codev->commands;
+    struct codev_qualifiers qualifiers;
+    struct figure figure;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error) ||
+        (!is_x && !read_solve(codev, &qualifiers, false, &is_solve, error))) {
+        return false;
+    }
+    if (!is_x && is_solve) {
+        return true;
+    }
+    if (!commands_figure(commands, qualifiers.next, is_radius ? commands->scale : plain,
+                         is_radius ? "radius" : "curvature", &figure, error) ||
+        !commands_end(commands, qualifiers.next + 1, error)) {
+        return false;
+    }
+    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    if (qualifiers.zoom > 1) {
+        return codev_lose(codev, error, "a curvature of position %zu alone", qualifiers.zoom);
+    }
+    if (is_x && surface->curved == CURVED_BOTH) {
+        return codev_lose(codev, error, "a curvature in x of a surface that is no cylinder");
+    }
+    if (is_x && figure.value.hi == 0) {
+        return true;
+    }
+    if (is_x && surface->curved == CURVED_Y && sequence_is_some(&surface->curve)) {
+        return codev_lose(codev, error, "a surface that is curved in x and in y");
+    }
+    surface->curved = is_x ? CURVED_X : surface->curved;
+    set_curve(codev, surface, figure, is_radius);
+    return true;
+}
+
+bool codev_thickness(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    struct codev_qualifiers qualifiers;
+    bool is_solve;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error) ||
+        !read_solve(codev, &qualifiers, true, &is_solve, error)) {
+        return false;
+    }
+    if (is_solve) {
+        return true;
+    }
+    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    if (qualifiers.zoom > 0) {
+        return codev_values(codev, &qualifiers, &surface->thickness, &surface->thicknesses, false,
+                            error);
+    }
+    return read_value(codev, codev->commands.scale, "thickness", &qualifiers, &surface->thickness,
+                      error);
+}
+
+bool codev_glass(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    struct codev_qualifiers qualifiers;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
+    }
+    if (qualifiers.next >= codev->commands.count) {
+        const struct command_word word = commands_word(&codev->commands, qualifiers.next);
+        return commands_fail(&codev->commands, &word, error, "the glass is missing");
+    }
+    if (qualifiers.zoom > 1) {
+        return codev_lose(codev, error, "a glass of position %zu alone", qualifiers.zoom);
+    }
+    set_glass(codev, surface_of(codev, &qualifiers), qualifiers.next);
+    return commands_end(&codev->commands, qualifiers.next + 1, error);
+}
+
+bool codev_shape(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    struct codev_qualifiers qualifiers;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
+    }
+    surface_of(codev, &qualifiers)->curved = CURVED_Y;
+    return commands_end(&codev->commands, qualifiers.next, error);
+}
+
+bool codev_constant(struct codev *codev, int what, struct error *error)
+{
+    struct codev_qualifiers qualifiers;
+    struct figure figure;
+    if (!read_value(codev, plain, what == 0 ? "conic" : "coefficient", &qualifiers, &figure,
+                    error)) {
+        return false;
+    }
+    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    if (qualifiers.zoom > 1) {
+        return codev_lose(codev, error, "a constant of position %zu alone", qualifiers.zoom);
+    }
+    if (what == 0) {
+        surface->conic = figure;
+        return true;
+    }
+    int at = what / 2 - 1; /* A is the coefficient of r^4 */
+    sequence_per_length(&codev->commands, what - 1, &figure);
+    surface->coefficient[at] = figure;
+    bool is_some = figure.value.hi != 0;
+    surface->coefficients = (surface->coefficients & ~(1u << at)) | ((unsigned)is_some << at);
+    return true;
+}
+
+bool codev_stop(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    struct codev_qualifiers qualifiers;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
+    }
+    if (qualifiers.surface == 0) {
+        return commands_fail(&codev->commands, &codev->commands.words[0], error,
+                             "the object cannot be the stop");
+    }
+    for (size_t i = 0; i < codev->sequence.count; i++) {
+        codev->sequence.surfaces[i].is_stop = i == qualifiers.surface;
+    }
+    return commands_end(&codev->commands, qualifiers.next, error);
+}
+
+bool codev_label(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    struct codev_qualifiers qualifiers;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
+    }
+    const struct text label = commands_word(&codev->commands, qualifiers.next).text;
+    if (label.length > 0 && memchr(label.start, '"', label.length) == NULL) {
+        surface_of(codev, &qualifiers)->name =
+            arena_string(codev->job->arena, label.start, label.length);
+    }
+    return commands_end(&codev->commands, qualifiers.next + 1, error);
+}
+
+bool codev_aperture(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    struct commands *commands = &codev->commands;
+    struct codev_qualifiers qualifiers;
+    struct figure radius;
+    bool is_edge = false;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
+    }
+    size_t at = qualifiers.next;
+    for (; at < commands->count; at++) {
+        const struct text word = commands->words[at].text;
+        if (text_same(word, "OBS") || text_same(word, "HOL")) {
+            return codev_lose(codev, error, "an obscuration or hole");
+        }
+        bool is_label = word.length > 1 && (word.start[0] | 32) == 'l' &&
+                        (word.start[1] == '\'' || word.start[1] == '"');
+        if (!text_same(word, "EDG") && !text_same(word, "CLR") && !is_label) {
+            break;
+        }
+        is_edge = is_edge || text_same(word, "EDG");
+    }
+    if (!commands_figure(commands, at, commands->scale, "radius of the aperture", &radius, error) ||
+        !commands_end(commands, at + 1, error)) {
+        return false;
+    }
+    if (!(radius.value.hi >= 0)) {
+        return commands_fail(commands, &commands->words[at], error,
+                             "the radius of an aperture is not below 0");
+    }
+    if (is_edge) {
+        return true; /* the rim of the glass, for drawings */
+    }
+    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    if (qualifiers.zoom > 0) {
+        qualifiers.next = at;
+        return codev_values(codev, &qualifiers, &surface->diameter, &surface->diameters, true,
+                            error);
+    }
+    surface->diameter = sequence_diameter(&radius, codev->job->arena);
+    return true;
+}
+
+/* X, Y, Z: decentres; A, B, C: tilts, of which alpha and beta are left-handed in CODE V. */
+bool codev_shift(struct codev *codev, int what, struct error *error)
+{
+    bool is_turn = what >= 'A' && what <= 'C';
+    struct codev_qualifiers qualifiers;
+    struct figure figure;
+    if (!read_value(codev, is_turn ? plain : codev->commands.scale, is_turn ? "tilt" : "decentre",
+                    &qualifiers, &figure, error)) {
+        return false;
+    }
+    if (qualifiers.zoom > 1) {
+        return codev_lose(codev, error, "a shift or turn of position %zu alone", qualifiers.zoom);
+    }
+    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    surface->moved_at = codev->commands.words[0];
+    if (!is_turn) {
+        surface->shift[what - 'X'] = figure;
+        return true;
+    }
+    figure.value = pair_multiply(figure.value, pair_of(radians));
+    surface->turn[what - 'A'] =
+        what == 'C' ? figure : sequence_negate(figure, codev->job->arena);
+    return true;
+}
+
+bool codev_move(struct codev *codev, int what, struct error *error)
+{
+    struct codev_qualifiers qualifiers;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
+    }
+    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    surface->move = (enum sequence_move)what;
+    surface->moved_at = codev->commands.words[0];
+    return commands_end(&codev->commands, qualifiers.next, error);
+}

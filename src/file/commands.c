@@ -1,0 +1,241 @@
+/* file/commands.c - the words of lens files that are made of commands: CODE V and OSLO. */
+/* SPDX-License-Identifier: MIT */
+#include "file/commands.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+void commands_open(struct commands *commands, const char *source, struct text content,
+                   const struct command_grammar *grammar, struct arena *arena)
+{
+    *commands = (struct commands){.source = source,
+                                  .grammar = grammar,
+                                  .arena = arena,
+                                  .rest = content,
+                                  .scale = {1, 0}};
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\f';
+}
+
+static bool is_quote(const struct commands *commands, char c)
+{
+    return c != '\0' && strchr(commands->grammar->quotes, c) != NULL;
+}
+
+/* The line up to its comment; what looks like one inside of quotes is none. */
+static struct text without_comment(const struct commands *commands, struct text line)
+{
+    const char *comment = commands->grammar->comment;
+    size_t length = strlen(comment);
+    char closing = '\0';
+    for (size_t i = 0; i < line.length; i++) {
+        char c = line.start[i];
+        if (closing != '\0') {
+            closing = c == closing ? '\0' : closing;
+        } else if (line.length - i >= length && memcmp(line.start + i, comment, length) == 0) {
+            line.length = i;
+        } else if (is_quote(commands, c)) {
+            closing = c;
+        }
+    }
+    while (line.length > 0 && is_blank(line.start[line.length - 1])) {
+        line.length--;
+    }
+    return line;
+}
+
+/* Go to the next line that has something; false at the end of the file. */
+static bool next_line(struct commands *commands)
+{
+    while (commands->rest.start != NULL && commands->rest.length > 0) {
+        commands->line = without_comment(commands, text_cut(&commands->rest, '\n'));
+        commands->at = commands->line.start;
+        commands->number++;
+        if (commands->line.length > 0) {
+            return true;
+        }
+    }
+    commands->line = (struct text){NULL, 0};
+    commands->at = NULL;
+    return false;
+}
+
+static bool add_word(struct commands *commands, struct text text, bool is_quoted,
+                     struct error *error)
+{
+    if (commands->count == commands->room) {
+        size_t room = commands->room > 0 ? 2 * commands->room : 64;
+        struct command_word *more = ARENA_ARRAY(commands->arena, room, struct command_word);
+        if (commands->count > 0) {
+            memcpy(more, commands->words, commands->count * sizeof *more);
+        }
+        commands->words = more;
+        commands->room = room;
+    }
+    struct command_word *word = &commands->words[commands->count];
+    *word = (struct command_word){text, commands->line, commands->number, is_quoted};
+    if (commands->count == COMMAND_MOST_WORDS) {
+        return commands_fail(commands, word, error, "a command of more than %d words",
+                             COMMAND_MOST_WORDS);
+    }
+    commands->count++;
+    return true;
+}
+
+static bool read_quoted(struct commands *commands, const char *end, struct error *error)
+{
+    const char *start = commands->at;
+    const char *close = memchr(start + 1, *start, (size_t)(end - start - 1));
+    if (close == NULL) {
+        const struct command_word word = {text_between(start, end), commands->line,
+                                          commands->number, true};
+        return commands_fail(commands, &word, error, "the text does not end with %c", *start);
+    }
+    /* CODE V writes names that have quotes of their own as ""name"" */
+    if (close == start + 1 && end - close > 1 && !is_blank(close[1]) &&
+        close[1] != commands->grammar->separator) {
+        const char *inner = memchr(close + 1, *start, (size_t)(end - close - 1));
+        if (inner != NULL && end - inner > 1 && inner[1] == *start) {
+            commands->at = inner + 2;
+            return add_word(commands, text_between(close + 1, inner), true, error);
+        }
+    }
+    commands->at = close + 1;
+    return add_word(commands, text_between(start + 1, close), true, error);
+}
+
+/* A word goes up to a blank or a separator outside of quotes: S'front' is one word. */
+static bool read_word(struct commands *commands, const char *end, struct error *error)
+{
+    const char *start = commands->at, *at = start;
+    char closing = '\0';
+    for (; at < end && (closing != '\0' || (!is_blank(*at) && *at != commands->grammar->separator));
+         at++) {
+        if (closing != '\0') {
+            closing = *at == closing ? '\0' : closing;
+        } else if (is_quote(commands, *at)) {
+            closing = *at;
+        }
+    }
+    commands->at = at;
+    return add_word(commands, text_between(start, at), false, error);
+}
+
+/* The mark of continuation may touch the last word of its line. */
+static bool cut_continuation(struct commands *commands)
+{
+    struct text *line = &commands->line;
+    char mark = commands->grammar->continuation;
+    if (mark == '\0' || line->length == 0 || line->start[line->length - 1] != mark) {
+        return false;
+    }
+    line->length--;
+    return true;
+}
+
+bool commands_next(struct commands *commands, struct error *error)
+{
+    error->code = ERROR_NONE;
+    commands->count = 0;
+    bool goes_on = false;
+    for (;;) {
+        const char *end = commands->line.start + commands->line.length;
+        if (commands->at == NULL || commands->at >= end) {
+            if ((commands->count > 0 && !goes_on) || !next_line(commands)) {
+                return commands->count > 0;
+            }
+            goes_on = cut_continuation(commands);
+            continue;
+        }
+        if (is_blank(*commands->at)) {
+            commands->at++;
+            continue;
+        }
+        if (*commands->at == commands->grammar->separator) {
+            commands->at++;
+            if (commands->count > 0) {
+                return true;
+            }
+            continue;
+        }
+        bool read = is_quote(commands, *commands->at) ? read_quoted(commands, end, error)
+                                                      : read_word(commands, end, error);
+        if (!read) {
+            return false;
+        }
+    }
+}
+
+struct command_word commands_word(const struct commands *commands, size_t word)
+{
+    if (word < commands->count) {
+        return commands->words[word];
+    }
+    struct command_word last = commands->words[commands->count - 1];
+    const char *end = last.line.start + last.line.length;
+    last.text = (struct text){end, 0};
+    last.is_quoted = false;
+    return last;
+}
+
+struct lens_words commands_place(const struct commands *commands, const struct command_word *word)
+{
+    return (struct lens_words){.source = commands->source,
+                               .line = word->line,
+                               .number = word->number,
+                               .at = word->line.start,
+                               .scale = commands->scale,
+                               .arena = commands->arena};
+}
+
+bool commands_fail(const struct commands *commands, const struct command_word *word,
+                   struct error *error, const char *format, ...)
+{
+    char message[sizeof error->message];
+    const struct lens_words place = commands_place(commands, word);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    return lens_words_fail(&place, word->text, error, "%s", message);
+}
+
+bool commands_figure(const struct commands *commands, size_t word, struct number_scale scale,
+                     const char *what, struct figure *figure, struct error *error)
+{
+    const struct command_word found = commands_word(commands, word);
+    const struct lens_words place = commands_place(commands, &found);
+    return lens_words_figure(&place, found.text, scale, what, figure, error);
+}
+
+bool commands_end(const struct commands *commands, size_t word, struct error *error)
+{
+    if (word >= commands->count) {
+        return true;
+    }
+    const struct text text = commands->words[word].text;
+    return commands_fail(commands, &commands->words[word], error, "'%.*s' does not belong here",
+                         (int)(text.length < 40 ? text.length : 40), text.start);
+}
+
+bool commands_count(const struct commands *commands, const struct command_word *word,
+                    struct text text, const char *what, size_t least, size_t *value,
+                    struct error *error)
+{
+    *value = 0;
+    for (size_t i = 0; i < text.length && *value < 1000000; i++) {
+        if (text.start[i] < '0' || text.start[i] > '9') {
+            text.length = 0;
+        } else {
+            *value = 10 * *value + (size_t)(text.start[i] - '0');
+        }
+    }
+    const struct command_word shown = {text, word->line, word->number, false};
+    return (text.length > 0 && *value >= least && *value < 1000000) ||
+           commands_fail(commands, text.length > 0 ? &shown : word, error,
+                         "the %s is a whole number from %zu on", what, least);
+}

@@ -1,0 +1,83 @@
+/* file/commands.h - the words of lens files that are made of commands: CODE V and OSLO. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_COMMANDS_H
+#define LENSCALC_FILE_COMMANDS_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "file/lens_words.h"
+#include "optics/lens.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* What separates the commands of a program's files. */
+struct command_grammar {
+    const char *comment;  /* from here to the end of the line, outside of quotes */
+    const char *quotes;   /* characters that enclose a word with blanks */
+    char separator;       /* between two commands of one line */
+    char continuation;    /* at the end of a line: the command goes on; 0 = there is none */
+    double infinity;      /* distances of the object of this many units and more are infinite */
+};
+
+/* A word and where it stands. */
+struct command_word {
+    struct text text;  /* without its quotes */
+    struct text line;  /* the physical line */
+    long number;       /* of that line, 1-based */
+    bool is_quoted;
+};
+
+enum { COMMAND_MOST_WORDS = 4096 };
+
+/* A file being read, command by command. Texts point into the content. */
+struct commands {
+    const char *source; /* for messages */
+    const struct command_grammar *grammar;
+    struct arena *arena;
+    struct text rest; /* what is still to read */
+    struct text line; /* the present line, without its comment */
+    const char *at;   /* where its next word begins */
+    long number;
+    struct number_scale scale; /* unit of a length in mm */
+    struct command_word *words;
+    size_t count, room;
+};
+
+void commands_open(struct commands *commands, const char *source, struct text content,
+                   const struct command_grammar *grammar, struct arena *arena);
+
+/*
+ * Go to the next command.
+ *
+ * Result    false at the end of the file with error->code ERROR_NONE
+ * Errors    ERROR_DATA with line and column: a quote that does not end in its line, a command of
+ *           more than COMMAND_MOST_WORDS words
+ */
+bool commands_next(struct commands *commands, struct error *error);
+
+/* The word of this number, or an empty one where the command has ended. */
+struct command_word commands_word(const struct commands *commands, size_t word);
+
+/* The line of a word, for foreign_loss and lens_words_fail. */
+struct lens_words commands_place(const struct commands *commands, const struct command_word *word);
+
+/* Report something wrong with a word. Returns false. */
+bool commands_fail(const struct commands *commands, const struct command_word *word,
+                   struct error *error, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* A number that stands in a word of the command, as lens_words_figure reads it. */
+bool commands_figure(const struct commands *commands, size_t word, struct number_scale scale,
+                     const char *what, struct figure *figure, struct error *error);
+
+/* Nothing may follow from this word on. */
+bool commands_end(const struct commands *commands, size_t word, struct error *error);
+
+/* A whole number of at least `least`. */
+bool commands_count(const struct commands *commands, const struct command_word *word,
+                    struct text text, const char *what, size_t least, size_t *value,
+                    struct error *error);
+
+#endif

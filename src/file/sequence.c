@@ -1,0 +1,450 @@
+/* file/sequence.c - a lens as CODE V and OSLO have it: surfaces, pick-ups, tilts, solves. */
+/* SPDX-License-Identifier: MIT */
+#include "file/sequence.h"
+
+#include "file/decimal.h"
+
+#include <math.h>
+#include <string.h>
+
+const struct figure sequence_nothing = {{0, 0}, {NULL, 0}, LENS_NONE};
+
+/* Room for one more. */
+static void *grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size)
+{
+    if (count < *room) {
+        return array;
+    }
+    size_t more = *room > 0 ? 2 * *room : 16;
+    void *larger = arena_array(arena, more, size);
+    if (count > 0) {
+        memcpy(larger, array, count * size);
+    }
+    *room = more;
+    return larger;
+}
+
+struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at)
+{
+    sequence->surfaces = grow(sequence->job->arena, sequence->surfaces, sequence->count,
+                              &sequence->room, sizeof sequence->surfaces[0]);
+    struct sequence_surface *surface = &sequence->surfaces[sequence->count++];
+    *surface = (struct sequence_surface){.at = at,
+                                         .curve = sequence_nothing,
+                                         .is_radius = true,
+                                         .thickness = sequence_nothing,
+                                         .medium = medium_air,
+                                         .diameter = sequence_nothing,
+                                         .conic = sequence_nothing};
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        surface->coefficient[i] = sequence_nothing;
+    }
+    for (int i = 0; i < 3; i++) {
+        surface->shift[i] = surface->turn[i] = sequence_nothing;
+    }
+    return surface;
+}
+
+void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup)
+{
+    sequence->pickups = grow(sequence->job->arena, sequence->pickups, sequence->pickup_count,
+                             &sequence->pickup_room, sizeof sequence->pickups[0]);
+    sequence->pickups[sequence->pickup_count++] = pickup;
+}
+
+bool sequence_is_some(const struct figure *figure)
+{
+    return figure->typed.start != NULL && figure->value.hi != 0;
+}
+
+struct figure sequence_negate(struct figure figure, struct arena *arena)
+{
+    if (figure.typed.start != NULL) {
+        figure.typed = decimal_negate(figure.typed, arena);
+    }
+    figure.value = pair_negate(figure.value);
+    return figure;
+}
+
+void sequence_per_length(const struct commands *commands, int power, struct figure *figure)
+{
+    figure->value = lens_words_per_length(figure->value, commands->scale, power);
+}
+
+struct figure sequence_diameter(const struct figure *radius, struct arena *arena)
+{
+    return (struct figure){.value = {2 * radius->value.hi, 2 * radius->value.lo},
+                           .typed = decimal_double(radius->typed, arena),
+                           .variable = LENS_NONE};
+}
+
+bool sequence_medium(const struct commands *commands, const struct command_word *at,
+                     const char *written, struct medium *medium, struct error *error)
+{
+    struct lens_words words = commands_place(commands, at);
+    words.line = text_of(written);
+    return lens_words_medium(&words, words.line, medium, error);
+}
+
+/* scale * figure + offset; digits are kept where nothing but the sign changes. */
+static struct figure follow(const struct sequence *sequence, struct figure source,
+                            const struct sequence_pickup *pickup, struct number_scale unit)
+{
+    if (pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1 && pickup->scale.lo == 0) {
+        return pickup->scale.hi == 1 ? source : sequence_negate(source, sequence->job->arena);
+    }
+    struct pair value = pair_add(pair_multiply(pickup->scale, source.value), pickup->offset);
+    return figure_computed(value, unit, sequence->job->arena);
+}
+
+/* The same for the numbers of all positions. */
+static const struct figure *follow_all(const struct sequence *sequence,
+                                       const struct figure *sources,
+                                       const struct sequence_pickup *pickup)
+{
+    size_t count = sequence->build->lens->position_count;
+    if (sources == NULL) {
+        return NULL;
+    }
+    struct figure *all = ARENA_ARRAY(sequence->job->arena, count, struct figure);
+    for (size_t i = 0; i < count; i++) {
+        all[i] = follow(sequence, sources[i], pickup, sequence->commands->scale);
+    }
+    return all;
+}
+
+static void follow_curve(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                         const struct sequence_surface *source, struct sequence_surface *target)
+{
+    const bool as_radius = pickup->what == SEQUENCE_RADIUS;
+    const struct number_scale scale = sequence->commands->scale;
+    struct figure curve = source->curve;
+    bool plain = pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1;
+    if (curve.value.hi != 0 && source->is_radius != as_radius && !plain) {
+        curve.value = pair_divide(pair_of(1), curve.value);
+    }
+    if (plain) {
+        target->is_radius = source->is_radius;
+        target->curve = follow(sequence, curve, pickup, scale);
+        return;
+    }
+    const struct number_scale inverse = {1, 0}; /* digits of a computed curvature are of 1/mm */
+    target->is_radius = as_radius;
+    target->curve = follow(sequence, curve, pickup, as_radius ? scale : inverse);
+    if (!as_radius) {
+        struct pair per_unit = lens_words_per_length(pair_of(1), scale, 1);
+        target->curve =
+            figure_computed(pair_divide(target->curve.value, per_unit), inverse, sequence->job->arena);
+        sequence_per_length(sequence->commands, 1, &target->curve);
+    }
+}
+
+static void follow_profile(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                           const struct sequence_surface *source, struct sequence_surface *target)
+{
+    follow_curve(sequence, pickup, source, target);
+    target->conic = source->conic;
+    target->curved = source->curved;
+    target->coefficients = source->coefficients;
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        target->coefficient[i] = pickup->scale.hi < 0 ? sequence_negate(source->coefficient[i],
+                                                                        sequence->job->arena)
+                                                      : source->coefficient[i];
+    }
+}
+
+static void follow_length(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                          struct sequence_surface *target)
+{
+    struct pair sum = {0, 0};
+    for (size_t i = pickup->source; i < pickup->end; i++) {
+        sum = pair_add(sum, sequence->surfaces[i].thickness.value);
+    }
+    sum = pair_add(pair_multiply(pickup->scale, sum), pickup->offset);
+    target->thickness = figure_computed(sum, sequence->commands->scale, sequence->job->arena);
+}
+
+static bool apply_pickup(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                         struct error *error)
+{
+    if (pickup->source >= sequence->count || pickup->target >= sequence->count ||
+        pickup->source == pickup->target) {
+        return commands_fail(sequence->commands, &pickup->at, error,
+                             "a pick-up between surfaces %zu and %zu of %zu", pickup->source,
+                             pickup->target, sequence->count);
+    }
+    const struct sequence_surface *source = &sequence->surfaces[pickup->source];
+    struct sequence_surface *target = &sequence->surfaces[pickup->target];
+    const struct number_scale scale = sequence->commands->scale;
+    switch (pickup->what) {
+    case SEQUENCE_RADIUS:
+    case SEQUENCE_CURVATURE:
+        follow_curve(sequence, pickup, source, target);
+        break;
+    case SEQUENCE_PROFILE:
+        follow_profile(sequence, pickup, source, target);
+        break;
+    case SEQUENCE_THICKNESS:
+        target->thickness = follow(sequence, source->thickness, pickup, scale);
+        target->thicknesses = follow_all(sequence, source->thicknesses, pickup);
+        break;
+    case SEQUENCE_LENGTH:
+        follow_length(sequence, pickup, target);
+        break;
+    case SEQUENCE_DIAMETER:
+        target->diameter = follow(sequence, source->diameter, pickup, scale);
+        target->diameters = follow_all(sequence, source->diameters, pickup);
+        break;
+    case SEQUENCE_CONIC:
+        target->conic = follow(sequence, source->conic, pickup, (struct number_scale){1, 0});
+        break;
+    case SEQUENCE_MEDIUM:
+        target->medium = source->medium;
+        break;
+    }
+    return true;
+}
+
+/* A number in all positions, as one figure with a variable if there are several. */
+static struct figure cell(const struct sequence *sequence, const char *name,
+                          const struct figure *one, const struct figure *all, struct pair extra)
+{
+    struct lens_build *build = sequence->build;
+    size_t count = build->lens->position_count;
+    struct figure figure = *one;
+    if (extra.hi != 0) {
+        figure = figure_computed(pair_add(one->value, extra), sequence->commands->scale,
+                                 sequence->job->arena);
+    }
+    if (all == NULL || count == 0) {
+        return figure;
+    }
+    struct figure *values = ARENA_ARRAY(sequence->job->arena, count, struct figure);
+    for (size_t i = 0; i < count; i++) {
+        values[i] = extra.hi == 0 ? all[i]
+                                  : figure_computed(pair_add(all[i].value, extra),
+                                                    sequence->commands->scale, sequence->job->arena);
+    }
+    return (struct figure){.typed = text_of(name),
+                           .variable = lens_build_variable(build, name, values)};
+}
+
+static void put_curve(const struct sequence *sequence, const struct sequence_surface *from,
+                      struct surface *surface)
+{
+    const char *unit = sequence->build->lens->unit;
+    if (!sequence_is_some(&from->curve)) {
+        return;
+    }
+    if (from->is_radius) {
+        surface->is_plane = false;
+        surface->radius = from->curve;
+    } else if (figure_radius_of(&from->curve, unit, sequence->job->arena, &surface->radius)) {
+        surface->is_plane = false;
+    } else {
+        surface->has_curvature = true;
+        surface->curvature = from->curve;
+    }
+}
+
+static bool is_moved(const struct sequence_surface *surface)
+{
+    bool some = false;
+    for (int i = 0; i < 3; i++) {
+        some = some || sequence_is_some(&surface->shift[i]) || sequence_is_some(&surface->turn[i]);
+    }
+    return some;
+}
+
+/* Shift and turns; the shift along the axis has gone into the thicknesses. */
+static const struct displacement *displacement_of(const struct sequence *sequence,
+                                                  const struct sequence_surface *from, bool turn_only)
+{
+    struct displacement *all = ARENA_NEW(sequence->job->arena, struct displacement);
+    for (int i = 0; i < 2; i++) {
+        all->decenter[i] = turn_only ? sequence_nothing : from->shift[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        all->tilt[i] = from->turn[i];
+    }
+    return all;
+}
+
+/* What the surfaces' shifts along z do to the thicknesses around them. */
+static void spread_z(const struct sequence *sequence)
+{
+    for (size_t i = 1; i < sequence->count; i++) {
+        struct sequence_surface *surface = &sequence->surfaces[i];
+        struct pair z = surface->shift[2].value;
+        surface[-1].extra = pair_add(surface[-1].extra, z);
+        if (surface->move == SEQUENCE_BACK) {
+            surface->extra = pair_subtract(surface->extra, z);
+        }
+    }
+}
+
+static bool check_move(const struct sequence *sequence, const struct sequence_surface *from,
+                       struct error *error)
+{
+    const struct lens_words place = commands_place(sequence->commands, &from->moved_at);
+    const struct text word = from->moved_at.text;
+    int turns = sequence_is_some(&from->turn[0]) + sequence_is_some(&from->turn[1]);
+    bool about_z = sequence_is_some(&from->turn[2]);
+    if (from->move == SEQUENCE_BEND && (turns > 1 || about_z)) {
+        return foreign_loss(sequence->job, &place, word, error,
+                            "a bend with turns about more than one axis: only the first is kept");
+    }
+    if (from->move == SEQUENCE_BACK && about_z && from->curved != CURVED_BOTH) {
+        return foreign_loss(sequence->job, &place, word, error,
+                            "a cylinder turned about z is left unturned");
+    }
+    return true;
+}
+
+/* The surface, and behind a bend a plane that turns the axis. */
+static bool put_surface(const struct sequence *sequence, size_t index, size_t *lens_index,
+                        struct error *error)
+{
+    struct sequence_surface *from = &sequence->surfaces[index];
+    struct lens_build *build = sequence->build;
+    struct arena *arena = sequence->job->arena;
+    struct lens *lens = build->lens;
+    if (is_moved(from) && !check_move(sequence, from, error)) {
+        return false;
+    }
+    struct surface *surface = lens_build_surface(build);
+    *lens_index = lens->surface_count - 1;
+    put_curve(sequence, from, surface);
+    const struct medium *before =
+        *lens_index > 0 ? &surface[-1].medium : &lens->object_medium;
+    surface->kind = from->reflects ? SURFACE_REFLECT : SURFACE_REFRACT;
+    surface->medium = from->reflects ? *before : from->medium;
+    surface->conic = from->conic;
+    surface->coefficients = from->coefficients;
+    memcpy(surface->coefficient, from->coefficient, sizeof surface->coefficient);
+    surface->curved = from->curved;
+    surface->name = from->name;
+    struct figure zero = figure_of(0, arena);
+    if (from->thickness.typed.start != NULL) {
+        zero = from->thickness;
+    }
+    const char *name = arena_printf(arena, "d%zu", *lens_index + 1);
+    struct figure thickness = cell(sequence, name, &zero, from->thicknesses, from->extra);
+    surface->has_diameter = from->diameter.typed.start != NULL && from->diameter.value.hi != 0;
+    if (surface->has_diameter) {
+        name = arena_printf(arena, "a%zu", *lens_index + 1);
+        surface->diameter = cell(sequence, name, &from->diameter, from->diameters, pair_of(0));
+    }
+    if (from->is_stop) {
+        lens_build_stop(build, *lens_index);
+    }
+    if (is_moved(from) && from->move == SEQUENCE_BACK) {
+        surface->moved = displacement_of(sequence, from, false);
+    } else if (is_moved(from)) {
+        surface->bend = displacement_of(sequence, from, false);
+    }
+    if (is_moved(from) && from->move == SEQUENCE_BEND) {
+        const struct medium medium = surface->medium;
+        surface->thickness = figure_of(0, arena);
+        surface = lens_build_surface(build);
+        surface->medium = medium;
+        surface->bend = displacement_of(sequence, from, true);
+        from->has_plane_behind = true;
+    }
+    surface->thickness = thickness;
+    return true;
+}
+
+static bool put_object(const struct sequence *sequence, struct error *error)
+{
+    struct lens *lens = sequence->build->lens;
+    struct sequence_surface *object = &sequence->surfaces[0];
+    const struct lens_words place = commands_place(sequence->commands, &object->at);
+    double far = sequence->commands->grammar->infinity;
+    struct pair one = {1, 0};
+    struct pair in_units =
+        pair_multiply(object->thickness.value, lens_words_per_length(one, sequence->commands->scale, 1));
+    if ((sequence_is_some(&object->curve) || is_moved(object)) &&
+        !foreign_loss(sequence->job, &place, object->at.text, error,
+                      "a curved or tilted object is taken as a plane")) {
+        return false;
+    }
+    lens->object_medium = object->medium;
+    const struct figure infinite = {{INFINITY, 0}, text_of("inf"), LENS_NONE};
+    lens->object_is_infinite = fabs(in_units.hi) >= far;
+    lens->object = lens->object_is_infinite ? infinite
+                                            : cell(sequence, "", &object->thickness, NULL, object->extra);
+    if (!lens->object_is_infinite && !(lens->object.value.hi > 0)) {
+        return commands_fail(sequence->commands, &object->at, error,
+                             "the object's distance %.6g is not above 0", in_units.hi);
+    }
+    size_t count = lens->position_count;
+    if (object->thicknesses == NULL || count == 0) {
+        return true;
+    }
+    struct figure *objects = ARENA_ARRAY(sequence->job->arena, count, struct figure);
+    for (size_t i = 0; i < count; i++) {
+        in_units = pair_multiply(object->thicknesses[i].value,
+                                 lens_words_per_length(one, sequence->commands->scale, 1));
+        objects[i] = fabs(in_units.hi) >= far
+                         ? infinite
+                         : cell(sequence, "", &object->thicknesses[i], NULL, object->extra);
+    }
+    lens->objects = objects;
+    return true;
+}
+
+/* The image plane: its distance is the last thickness; a tilted or bent one stays as a surface. */
+static bool put_image(const struct sequence *sequence, bool is_solved, struct error *error)
+{
+    struct sequence_surface *image = &sequence->surfaces[sequence->count - 1];
+    const struct lens_words place = commands_place(sequence->commands, &image->at);
+    struct lens *lens = sequence->build->lens;
+    size_t last = lens->surface_count;
+    lens->focus = is_solved ? FOCUS_PARAXIAL : FOCUS_TABLE;
+    if (sequence_is_some(&image->curve) &&
+        !foreign_loss(sequence->job, &place, image->at.text, error,
+                      "a curved image is taken as a plane")) {
+        return false;
+    }
+    if (is_moved(image)) {
+        image->thickness = sequence_nothing;
+        image->extra = pair_of(0);
+        image->medium = lens->surfaces[last - 1].medium;
+        lens->focus = FOCUS_TABLE;
+        return put_surface(sequence, sequence->count - 1, &last, error);
+    }
+    return true;
+}
+
+bool sequence_finish(struct sequence *sequence, struct error *error)
+{
+    const struct commands *commands = sequence->commands;
+    if (sequence->count < 3) {
+        fail(error, ERROR_DATA, "the file has no surface between object and image");
+        return error_locate(error, commands->source, 0, 0);
+    }
+    for (size_t i = 0; i < sequence->pickup_count; i++) {
+        if (!apply_pickup(sequence, &sequence->pickups[i], error)) {
+            return false;
+        }
+    }
+    struct sequence_surface *image = &sequence->surfaces[sequence->count - 1], *last = image - 1;
+    if (image->thickness.typed.start != NULL) { /* the defocus */
+        last->extra = pair_add(last->extra, image->thickness.value);
+    }
+    spread_z(sequence);
+    size_t *indices = ARENA_ARRAY(sequence->job->arena, sequence->count, size_t);
+    if (!put_object(sequence, error)) {
+        return false;
+    }
+    for (size_t i = 1; i + 1 < sequence->count; i++) {
+        if (!put_surface(sequence, i, &indices[i], error)) {
+            return false;
+        }
+    }
+    const struct sequence_solve *solve = &last->thickness_solve;
+    bool is_solved = solve->is_set && !solve->of_angle && solve->ray == SOLVE_MARGINAL &&
+                     solve->target.value.hi == 0 && last->extra.hi == 0;
+    return put_image(sequence, is_solved, error) && sequence_solve_all(sequence, indices, error);
+}

@@ -1,0 +1,121 @@
+/* file/sequence.h - a lens as CODE V and OSLO have it: from object to image, with solves. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_SEQUENCE_H
+#define LENSCALC_FILE_SEQUENCE_H
+
+#include "base/error.h"
+#include "file/commands.h"
+#include "file/foreign.h"
+#include "file/lens_build.h"
+#include "file/lens_solve.h"
+#include "optics/lens.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* How a shifted and turned surface moves what comes after it. */
+enum sequence_move {
+    SEQUENCE_ALONG, /* the axis goes on in the turned system */
+    SEQUENCE_BACK,  /* the axis goes on unbent */
+    SEQUENCE_BEND   /* the axis is turned once more behind it, as a mirror turns it */
+};
+
+/* A thickness or curvature that follows from a ray. */
+struct sequence_solve {
+    bool is_set, of_angle; /* else of a height, mm */
+    enum solve_ray ray;
+    struct figure target;
+    struct command_word at;
+};
+
+/* A number that follows another surface's: scale * its + offset. */
+enum sequence_what {
+    SEQUENCE_RADIUS,
+    SEQUENCE_CURVATURE,
+    SEQUENCE_THICKNESS,
+    SEQUENCE_DIAMETER,
+    SEQUENCE_CONIC,
+    SEQUENCE_MEDIUM,
+    SEQUENCE_PROFILE, /* curvature, conic and coefficients */
+    SEQUENCE_LENGTH   /* a thickness: the sum of those from `source` up to before `end` */
+};
+
+struct sequence_pickup {
+    enum sequence_what what;
+    size_t target, source, end;
+    struct pair scale, offset; /* offset in mm, 1/mm, or 1 */
+    struct command_word at;
+};
+
+/* A surface as the file has it. Tilts are right-handed, as in a lens. */
+struct sequence_surface {
+    struct command_word at; /* where it begins */
+    struct figure curve;    /* radius in mm, or curvature in 1/mm; not given: typed.start is null */
+    bool is_radius;
+    struct figure thickness;
+    const struct figure *thicknesses, *diameters; /* one a position, or null */
+    struct pair extra;                            /* mm, added to every thickness in the end */
+    struct medium medium;
+    bool reflects;
+    struct figure diameter, conic; /* not given: typed.start is null */
+    unsigned coefficients;
+    struct figure coefficient[LENS_COEFFICIENTS];
+    enum curved curved;
+    bool is_stop;
+    const char *name;
+    enum sequence_move move;
+    struct figure shift[3], turn[3]; /* x, y, z */
+    struct command_word moved_at;
+    bool has_plane_behind;     /* in the lens, to turn the axis */
+    struct command_word glass; /* what is still to be looked up; empty = medium is known */
+    struct sequence_solve thickness_solve, curvature_solve;
+};
+
+/* A file's surfaces, the object first, the image last. */
+struct sequence {
+    struct foreign_job *job;
+    const struct commands *commands;
+    struct lens_build *build;
+    struct sequence_surface *surfaces;
+    size_t count, room;
+    struct sequence_pickup *pickups;
+    size_t pickup_count, pickup_room;
+};
+
+/* A number that was not given. */
+extern const struct figure sequence_nothing;
+
+/* One more surface, a plane in air; valid until the next one is added. */
+struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at);
+
+void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup);
+
+/* Is the figure given and other than 0? */
+bool sequence_is_some(const struct figure *figure);
+
+/* A figure with the other sign, digits and value. */
+struct figure sequence_negate(struct figure figure, struct arena *arena);
+
+/* A figure of 1/length^power that was read as a plain number. */
+void sequence_per_length(const struct commands *commands, int power, struct figure *figure);
+
+/* A full diameter from the radius that was read. */
+struct figure sequence_diameter(const struct figure *radius, struct arena *arena);
+
+/* A medium from what a .lens file would have for it. */
+bool sequence_medium(const struct commands *commands, const struct command_word *at,
+                     const char *written, struct medium *medium, struct error *error);
+
+/*
+ * Make the lens: pick-ups, surfaces, solves; the header of the lens is there already.
+ *
+ * Errors    ERROR_DATA: no surface, a pick-up of a surface that is not there, a solve without an
+ *           answer; what a lens cannot hold, unless lossy
+ */
+bool sequence_finish(struct sequence *sequence, struct error *error);
+
+/* The solves; `indices` are those of the lens's surfaces. A part of sequence_finish. */
+bool sequence_solve_all(const struct sequence *sequence, const size_t *indices,
+                        struct error *error);
+
+#endif

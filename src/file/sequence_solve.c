@@ -1,0 +1,173 @@
+/* file/sequence_solve.c - thicknesses and curvatures that follow from rays, in all positions. */
+/* SPDX-License-Identifier: MIT */
+#include "file/sequence.h"
+
+#include <math.h>
+
+/* With an f-number the rays depend on what is solved: then it is solved again. */
+enum { MOST_PASSES = 40 };
+static const double same_enough = 4e-16;
+
+/* One solve being applied. */
+struct solving {
+    const struct sequence *sequence;
+    const struct sequence_surface *from;
+    const struct sequence_solve *solve;
+    size_t surface; /* of the lens */
+    bool is_thickness;
+};
+
+static bool solve_one(const struct solving *solving, size_t position, struct pair *value,
+                      struct error *error)
+{
+    struct arena *arena = solving->sequence->job->arena;
+    const struct lens *lens = solving->sequence->build->lens;
+    struct solve_state state;
+    if (!solve_follow(lens_at_position(lens, position, arena), solving->surface,
+                      solving->solve->ray, arena, &state, error)) {
+        return false;
+    }
+    const struct pair target = solving->solve->target.value;
+    *value = solving->is_thickness ? solve_thickness(&state, target)
+                                   : solve_curvature(&state, target);
+    if (solving->is_thickness) {
+        *value = pair_add(*value, solving->from->extra);
+    }
+    return fabs(value->hi) < 1e100 ||
+           fail(error, ERROR_DOMAIN, "the ray runs parallel, or the surface does not bend it");
+}
+
+/* A curvature comes with the digits of the file's unit. */
+static struct figure figure_solved(const struct solving *solving, struct pair value)
+{
+    const struct commands *commands = solving->sequence->commands;
+    const struct number_scale plain = {1, 0};
+    struct arena *arena = solving->sequence->job->arena;
+    if (solving->is_thickness) {
+        return figure_computed(value, commands->scale, arena);
+    }
+    struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
+    struct figure figure = figure_computed(pair_divide(value, per_unit), plain, arena);
+    sequence_per_length(commands, 1, &figure);
+    return figure;
+}
+
+static bool is_near(struct pair a, struct pair b)
+{
+    return fabs(pair_subtract(a, b).hi) <= same_enough * (fabs(a.hi) + 1);
+}
+
+static bool set_thickness(const struct solving *solving, const struct figure *values, size_t count)
+{
+    struct lens_build *build = solving->sequence->build;
+    struct figure *figure = &build->lens->surfaces[solving->surface].thickness;
+    bool differ = false, near = true;
+    for (size_t i = 0; i < count; i++) {
+        const struct figure *old = figure->variable != LENS_NONE
+                                       ? &build->lens->variables[figure->variable].values[i]
+                                       : figure;
+        near = near && is_near(old->value, values[i].value);
+        differ = differ || values[i].value.hi != values[0].value.hi ||
+                 values[i].value.lo != values[0].value.lo;
+    }
+    if (figure->variable != LENS_NONE) {
+        build->lens->variables[figure->variable].values = values;
+    } else if (differ) {
+        const char *name = arena_printf(build->arena, "d%zu", solving->surface + 1);
+        *figure = (struct figure){.typed = text_of(name),
+                                  .variable = lens_build_variable(build, name, values)};
+    } else {
+        *figure = values[0];
+    }
+    return near;
+}
+
+static bool set_curvature(const struct solving *solving, const struct figure *values, size_t count,
+                          bool *near, struct error *error)
+{
+    struct surface *surface = &solving->sequence->build->lens->surfaces[solving->surface];
+    const struct lens_words place =
+        commands_place(solving->sequence->commands, &solving->solve->at);
+    const struct pair old = surface_curvature(surface, SECTION_Y);
+    for (size_t i = 1; i < count; i++) {
+        if (!is_near(values[i].value, values[0].value) &&
+            !foreign_loss(solving->sequence->job, &place, solving->solve->at.text, error,
+                          "a curvature that is solved in every position is that of the first")) {
+            return false;
+        }
+    }
+    surface->is_plane = true;
+    surface->radius = sequence_nothing;
+    surface->has_curvature = values[0].value.hi != 0;
+    surface->curvature = values[0];
+    *near = is_near(old, values[0].value);
+    return true;
+}
+
+/* Result: false with ERROR_NONE where the stored number stands, as a loss that is listed. */
+static bool apply(const struct solving *solving, bool *near, struct error *error)
+{
+    size_t positions = solving->sequence->build->lens->position_count;
+    size_t count = positions > 0 ? positions : 1;
+    struct figure *values = ARENA_ARRAY(solving->sequence->job->arena, count, struct figure);
+    for (size_t i = 0; i < count; i++) {
+        struct pair value;
+        if (!solve_one(solving, i, &value, error)) {
+            const struct error found = *error;
+            const struct lens_words place =
+                commands_place(solving->sequence->commands, &solving->solve->at);
+            return foreign_loss(solving->sequence->job, &place, solving->solve->at.text, error,
+                                "the solve is left out, the number of the file stands: %s",
+                                found.message) &&
+                   (error->code = ERROR_NONE, false);
+        }
+        values[i] = figure_solved(solving, value);
+    }
+    if (solving->is_thickness) {
+        *near = set_thickness(solving, values, count);
+        return true;
+    }
+    return set_curvature(solving, values, count, near, error);
+}
+
+/* Result: whether nothing moved any more; false with a code where it failed. */
+static bool pass(const struct sequence *sequence, const size_t *indices, bool *settled,
+                 struct error *error)
+{
+    *settled = true;
+    for (size_t i = 1; i + 1 < sequence->count; i++) {
+        struct sequence_surface *from = &sequence->surfaces[i];
+        struct sequence_solve *solves[] = {&from->curvature_solve, &from->thickness_solve};
+        for (int j = 0; j < 2; j++) {
+            /* behind a bend the thickness is that of the plane that turns the axis */
+            size_t surface = indices[i] + (j == 1 && from->has_plane_behind);
+            struct solving solving = {sequence, from, solves[j], surface, j == 1};
+            bool near = true;
+            if (!solves[j]->is_set) {
+                continue;
+            }
+            if (!apply(&solving, &near, error)) {
+                solves[j]->is_set = false;
+                if (error->code != ERROR_NONE) {
+                    return false;
+                }
+            }
+            *settled = *settled && near;
+        }
+    }
+    return true;
+}
+
+bool sequence_solve_all(const struct sequence *sequence, const size_t *indices,
+                        struct error *error)
+{
+    bool settled = false;
+    for (int i = 0; i < MOST_PASSES && !settled; i++) {
+        if (!pass(sequence, indices, &settled, error)) {
+            return false;
+        }
+    }
+    return settled ||
+           fail(error, ERROR_DATA, "%s: the solves of the file do not settle",
+                sequence->commands->source);
+}
