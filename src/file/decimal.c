@@ -14,7 +14,7 @@ struct decimal {
     struct text exponent;
 };
 
-enum { DECIMAL_ROOM = 16 };
+enum { DECIMAL_ROOM = 80 };
 
 static struct decimal take_apart(struct text typed, struct arena *arena)
 {

@@ -16,7 +16,7 @@ struct text decimal_double(struct text typed, struct arena *arena);
 struct text decimal_half(struct text typed, struct arena *arena);
 struct text decimal_negate(struct text typed, struct arena *arena);
 
-/* The digits times a power of ten, from -12 to 12, without an exponent unless there is one. */
+/* The digits times a power of ten, from -60 to 60, without an exponent unless there is one. */
 struct text decimal_shift(struct text typed, int power, struct arena *arena);
 
 #endif

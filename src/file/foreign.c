@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/foreign.h"
 
+#include "file/codev.h"
 #include "file/encoding.h"
 
 #include <stdarg.h>
@@ -9,6 +10,7 @@
 #include <string.h>
 
 const struct foreign_format *const foreign_formats[] = {
+    &codev_format,
     NULL,
 };
 

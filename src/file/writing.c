@@ -1,0 +1,149 @@
+/* file/writing.c - text of a lens file that grows while it is written. */
+/* SPDX-License-Identifier: MIT */
+#include "file/writing.h"
+
+#include "file/decimal.h"
+#include "file/lens_build.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double radians = 0.017453292519943295;
+
+void writing_begin(struct writing *writing, const struct lens *lens, bool has_metres,
+                   struct arena *arena)
+{
+    bool is_metre = strcmp(lens->unit, "m") == 0 && !has_metres;
+    *writing = (struct writing){.arena = arena, .lens = lens, .shift = is_metre ? 3 : 0};
+    writing->scale = is_metre ? (struct number_scale){1, 0} : lens_unit_scale(lens->unit);
+}
+
+void writing_put(struct writing *writing, struct text text)
+{
+    if (writing->length + text.length > writing->room) {
+        size_t room = 2 * (writing->room + text.length) + 1024;
+        char *more = arena_array(writing->arena, room, 1);
+        if (writing->length > 0) {
+            memcpy(more, writing->data, writing->length);
+        }
+        writing->data = more;
+        writing->room = room;
+    }
+    if (text.length > 0) {
+        memcpy(writing->data + writing->length, text.start, text.length);
+    }
+    writing->length += text.length;
+}
+
+void writing_printf(struct writing *writing, const char *format, ...)
+{
+    char line[512];
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    size_t most = sizeof line - 1;
+    writing_put(writing, (struct text){line, (size_t)length < most ? (size_t)length : most});
+}
+
+struct figure writing_first(const struct writing *writing, const struct figure *figure)
+{
+    return figure->variable != LENS_NONE ? writing->lens->variables[figure->variable].values[0]
+                                         : *figure;
+}
+
+struct text writing_length(const struct writing *writing, const struct figure *figure, int power)
+{
+    const struct figure first = writing_first(writing, figure);
+    struct arena *arena = writing->arena;
+    if (first.typed.start != NULL) {
+        return writing->shift == 0 || power == 0
+                   ? first.typed
+                   : decimal_shift(first.typed, writing->shift * power, arena);
+    }
+    if (power > 0) {
+        return figure_computed(first.value, writing->scale, arena).typed;
+    }
+    struct pair plain = first.value;
+    plain = pair_divide(plain, lens_words_per_length(pair_of(1), writing->scale, -power));
+    return figure_computed(plain, (struct number_scale){1, 0}, arena).typed;
+}
+
+struct text writing_degrees(const struct writing *writing, const struct figure *figure)
+{
+    return figure->typed.start != NULL
+               ? figure->typed
+               : figure_computed(pair_divide(figure->value, pair_of(radians)),
+                                 (struct number_scale){1, 0}, writing->arena)
+                     .typed;
+}
+
+struct text writing_wave(const struct writing *writing, double micrometres, struct text typed,
+                         int power)
+{
+    const char *unit = typed.start + typed.length - 2;
+    bool has_unit = typed.length > 2 && unit[1] == 'm' && (unit[0] == 'n' || unit[0] == 'u') &&
+                    (typed.start[0] == '.' || (typed.start[0] >= '0' && typed.start[0] <= '9'));
+    if (has_unit) {
+        const struct text number = {typed.start, typed.length - 2};
+        int by = power - (unit[0] == 'n' ? 3 : 0);
+        return by == 0 ? number : decimal_shift(number, by, writing->arena);
+    }
+    char number[NUMBER_LENGTH];
+    const struct text shortest = text_between(number, number_write_shortest(number, micrometres));
+    return decimal_shift(shortest, power, writing->arena);
+}
+
+struct text writing_quotable(const struct writing *writing, const char *string, const char *bad,
+                             bool *has_lost)
+{
+    char *copy = arena_string(writing->arena, string, strlen(string));
+    for (char *at = copy; *at != '\0'; at++) {
+        bool out = strchr(bad, *at) != NULL || (unsigned char)*at < ' ';
+        *has_lost = *has_lost || out;
+        *at = out ? ' ' : *at;
+    }
+    return text_of(copy);
+}
+
+static bool is_same(struct text a, struct text b)
+{
+    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
+}
+
+/* Which glass a name means; empty where nobody knows it. */
+static struct text meaning(const struct foreign_job *job, const char *name)
+{
+    struct error error;
+    struct medium medium = {.kind = MEDIUM_GLASS, .written = text_of(name), .index = {1, 0}};
+    bool found = job->glasses != NULL && job->glasses->find(job->glasses->context, &medium, &error);
+    return found ? medium.written : (struct text){"", 0};
+}
+
+void writing_glass(const struct writing *writing, const struct foreign_job *job,
+                   const struct medium *medium, struct text *name, struct text *catalog)
+{
+    struct arena *arena = writing->arena;
+    const char *typed = arena_string(arena, medium->written.start, medium->written.length);
+    const struct text known = meaning(job, typed);
+    struct text rest = known.length > 0 ? known : text_of(typed);
+    *catalog = text_cut(&rest, ':');
+    *name = rest;
+    if (rest.start == NULL) {
+        *name = *catalog;
+        *catalog = (struct text){"", 0};
+    }
+    char *bare = arena_string(arena, name->start, name->length), *to = bare;
+    for (size_t i = 0; i < name->length; i++) {
+        bool keep = strchr("-_ ", name->start[i]) == NULL;
+        *to = name->start[i];
+        to += keep;
+    }
+    *to = '\0';
+    const char *full = arena_printf(arena, "%.*s%s%s", (int)catalog->length, catalog->start,
+                                    catalog->length > 0 ? ":" : "", bare);
+    if (known.length > 0 && is_same(meaning(job, full), known)) {
+        *name = text_of(bare);
+    }
+}

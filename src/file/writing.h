@@ -1,0 +1,62 @@
+/* file/writing.h - text of a lens file that grows while it is written. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_WRITING_H
+#define LENSCALC_FILE_WRITING_H
+
+#include "base/arena.h"
+#include "base/text.h"
+#include "file/foreign.h"
+#include "optics/lens.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A file being written. */
+struct writing {
+    struct arena *arena;
+    const struct lens *lens;
+    struct number_scale scale; /* of the file's unit of length, in mm */
+    int shift; /* power of ten that takes a length from the lens's unit to the file's */
+    char *data;
+    size_t length, room;
+};
+
+/* Begin; a lens in metres is written in millimetres where the program has no metres. */
+void writing_begin(struct writing *writing, const struct lens *lens, bool has_metres,
+                   struct arena *arena);
+
+void writing_put(struct writing *writing, struct text text);
+void writing_printf(struct writing *writing, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The figure in the first position, where a variable stands for it. */
+struct figure writing_first(const struct writing *writing, const struct figure *figure);
+
+/*
+ * The digits of a figure: those typed, or, of a computed number, as many as it needs.
+ *
+ * Given     power  of the length in it: 1 of a thickness, -1 of a curvature, 0 of a plain number
+ */
+struct text writing_length(const struct writing *writing, const struct figure *figure, int power);
+
+/* The digits of an angle, in degrees. */
+struct text writing_degrees(const struct writing *writing, const struct figure *figure);
+
+/* The digits of a wavelength, in nm (power 3) or um (power 0). */
+struct text writing_wave(const struct writing *writing, double micrometres, struct text typed,
+                         int power);
+
+/* A text without the characters that would end it; `has_lost` tells that some had to go. */
+struct text writing_quotable(const struct writing *writing, const char *string, const char *bad,
+                             bool *has_lost);
+
+/*
+ * The name of a glass in the file's own spelling, and its catalogue (empty if it is not known).
+ *
+ * Given     medium  of a glass
+ * Result    without '-', '_' and blanks, where no other glass of the catalogue has that name
+ */
+void writing_glass(const struct writing *writing, const struct foreign_job *job,
+                   const struct medium *medium, struct text *name, struct text *catalog);
+
+#endif
