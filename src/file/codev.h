@@ -10,6 +10,9 @@ extern const struct foreign_format codev_format;
 
 enum { CODEV_MOST_VALUES = 100 }; /* fields, wavelengths or positions */
 
+/* A comment that lenscalc writes beside the EPD of a lens whose stop rules the aperture. */
+#define CODEV_STOP_RULES "! lenscalc: the stop's diameter rules, not EPD"
+
 /* A glass of the file's own catalogue: PRV .. END. */
 struct codev_private {
     struct command_word name;

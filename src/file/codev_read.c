@@ -401,6 +401,19 @@ static bool finish(struct codev *codev, struct error *error)
            sequence_finish(sequence, error);
 }
 
+/* What lenscalc itself has written as a comment. */
+static void read_remark(struct codev *codev, struct text content)
+{
+    struct lens *lens = codev->build.lens;
+    for (struct text rest = content; rest.start != NULL;) {
+        if (text_equal(text_trim(text_cut(&rest, '\n')), CODEV_STOP_RULES)) {
+            lens->aperture_kind = APERTURE_STOP;
+            lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
+            lens->apertures = NULL;
+        }
+    }
+}
+
 static bool codev_read(struct foreign_job *job, struct text content, struct lens *lens,
                        struct error *error)
 {
@@ -420,6 +433,7 @@ static bool codev_read(struct foreign_job *job, struct text content, struct lens
             return false;
         }
     }
+    read_remark(codev, content);
     return error->code == ERROR_NONE && finish(codev, error);
 }
 

@@ -195,13 +195,53 @@ static void put_catalog(struct output *output)
 static const char *const aperture_words[] = {
     [APERTURE_FNUMBER] = "FNO", [APERTURE_EPD] = "EPD", [APERTURE_NA] = "NAO"};
 
+static void put_values(struct output *output, const char *name, const struct figure *values,
+                       int power, bool halve)
+{
+    size_t column = strlen(name);
+    put_string(output, name);
+    for (size_t i = 0; i < output->lens->position_count; i++) {
+        struct text number = isinf(values[i].value.hi)
+                                 ? text_of("0.1e14")
+                                 : writing_length(&output->writing, &values[i], power);
+        put_number(output, &column, halve ? decimal_half(number, output->job->arena) : number);
+    }
+    put_string(output, "\n");
+}
+
+/* The pupil that the stop's diameter gives, and a comment by which it is read as that stop. */
+static bool put_pupil(struct output *output, struct error *error)
+{
+    struct figure pupil = {.variable = LENS_NONE};
+    put_string(output, CODEV_STOP_RULES "\n");
+    if (!writing_pupil(&output->writing, 0, &pupil.value.hi)) {
+        return lose(output, error, "an aperture that is ruled by a stop without a pupil");
+    }
+    put_command(output, "EPD", writing_length(&output->writing, &pupil, 1));
+    return true;
+}
+
+/* The same in every position. */
+static void put_pupils(struct output *output)
+{
+    const struct lens *lens = output->lens;
+    struct figure *pupils =
+        ARENA_ARRAY(output->job->arena, lens->position_count, struct figure);
+    for (size_t i = 0; i < lens->position_count; i++) {
+        pupils[i].variable = LENS_NONE;
+        if (!writing_pupil(&output->writing, i, &pupils[i].value.hi)) {
+            return;
+        }
+    }
+    put_values(output, "ZOO EPD", pupils, 1, false);
+}
+
 static bool put_aperture(struct output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
     enum aperture_kind kind = lens->aperture_kind;
     if (kind == APERTURE_STOP) {
-        return lose(output, error, "an aperture that is ruled by the stop's diameter: CODE V wants "
-                                   "EPD, FNO or NAO");
+        return put_pupil(output, error);
     }
     if (kind == APERTURE_NONE) {
         return true;
@@ -373,20 +413,6 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     return put_details(output, surface, error);
 }
 
-static void put_values(struct output *output, const char *name, const struct figure *values,
-                       int power, bool halve)
-{
-    size_t column = strlen(name);
-    put_string(output, name);
-    for (size_t i = 0; i < output->lens->position_count; i++) {
-        struct text number = isinf(values[i].value.hi)
-                                 ? text_of("0.1e14")
-                                 : writing_length(&output->writing, &values[i], power);
-        put_number(output, &column, halve ? decimal_half(number, output->job->arena) : number);
-    }
-    put_string(output, "\n");
-}
-
 /* CODE V counts the planes that were put in for bends. */
 static size_t number_of(const struct lens *lens, size_t index)
 {
@@ -414,6 +440,9 @@ static bool put_positions(struct output *output, struct error *error)
     if (lens->apertures != NULL && lens->aperture_kind > APERTURE_STOP) {
         put_values(output, arena_printf(arena, "ZOO %s", aperture_words[lens->aperture_kind]),
                    lens->apertures, lens->aperture_kind == APERTURE_EPD, false);
+    }
+    if (lens->aperture_kind == APERTURE_STOP) {
+        put_pupils(output);
     }
     if (lens->objects != NULL) {
         put_values(output, "ZOO THI SO", lens->objects, 1, false);

@@ -4,13 +4,15 @@
 
 #include "file/codev.h"
 #include "file/encoding.h"
+#include "file/lens_glass.h"
+#include "file/oslo.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 const struct foreign_format *const foreign_formats[] = {
-    &codev_format,
+    &codev_format, &oslo_format,
     NULL,
 };
 
@@ -94,7 +96,16 @@ static bool ask(const struct foreign_job *job, const char *written, struct mediu
                 struct error *error)
 {
     *medium = (struct medium){.kind = MEDIUM_GLASS, .written = text_of(written), .index = {1, 0}};
-    return job->glasses->find(job->glasses->context, medium, error);
+    if (!job->glasses->find(job->glasses->context, medium, error)) {
+        return false;
+    }
+    const struct glass *glass = lens_glass_of(medium);
+    if (glass != NULL && glass->catalog.length > 0) { /* as the catalogue spells it */
+        medium->written = text_of(arena_printf(
+            job->arena, "%.*s:%.*s", (int)glass->catalog.length, glass->catalog.start,
+            (int)glass->name.length, glass->name.start));
+    }
+    return true;
 }
 
 /* Ask one catalogue; "CDGM-ZEMAX201409" and "OHARA_2021-04" are editions of CDGM and OHARA. */

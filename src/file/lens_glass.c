@@ -34,6 +34,11 @@ struct medium lens_glass_medium(const struct glass *glass)
         .kind = MEDIUM_GLASS, .written = glass->name, .glass_index = index_of, .glass = glass};
 }
 
+const struct glass *lens_glass_of(const struct medium *medium)
+{
+    return medium->kind == MEDIUM_GLASS && medium->glass_index == index_of ? medium->glass : NULL;
+}
+
 struct glass_source lens_glass_source(struct lens_glasses *glasses)
 {
     return (struct glass_source){find, glasses};

@@ -16,6 +16,9 @@ struct lens_glasses {
 /* The source of glasses for lens_read; it lives as long as `glasses`. */
 struct glass_source lens_glass_source(struct lens_glasses *glasses);
 
+/* The glass of a medium that was found here; null of other media. */
+const struct glass *lens_glass_of(const struct medium *medium);
+
 /* The glass as a medium; it must live as long. */
 struct medium lens_glass_medium(const struct glass *glass);
 

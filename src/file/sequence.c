@@ -290,6 +290,14 @@ static bool check_move(const struct sequence *sequence, const struct sequence_su
     const struct text word = from->moved_at.text;
     int turns = sequence_is_some(&from->turn[0]) + sequence_is_some(&from->turn[1]);
     bool about_z = sequence_is_some(&from->turn[2]);
+    int moves = turns + about_z;
+    for (int i = 0; i < 3; i++) {
+        moves += sequence_is_some(&from->shift[i]);
+    }
+    if (from->turns_first && moves > 1) {
+        return foreign_loss(sequence->job, &place, word, error,
+                            "a surface that is turned before it is shifted is shifted first");
+    }
     if (from->move == SEQUENCE_BEND && (turns > 1 || about_z)) {
         return foreign_loss(sequence->job, &place, word, error,
                             "a bend with turns about more than one axis: only the first is kept");
@@ -443,8 +451,11 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
             return false;
         }
     }
-    const struct sequence_solve *solve = &last->thickness_solve;
+    struct sequence_solve *solve = &last->thickness_solve;
     bool is_solved = solve->is_set && !solve->of_angle && solve->ray == SOLVE_MARGINAL &&
                      solve->target.value.hi == 0 && last->extra.hi == 0;
+    if (is_solved && last->thickness.typed.start != NULL) {
+        solve->is_set = false; /* 'focus paraxial' solves it whenever it is asked for */
+    }
     return put_image(sequence, is_solved, error) && sequence_solve_all(sequence, indices, error);
 }

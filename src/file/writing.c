@@ -4,7 +4,10 @@
 
 #include "file/decimal.h"
 #include "file/lens_build.h"
+#include "file/lens_glass.h"
+#include "optics/first_order.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -107,43 +110,72 @@ struct text writing_quotable(const struct writing *writing, const char *string, 
     return text_of(copy);
 }
 
+bool writing_pupil(const struct writing *writing, size_t position, double *diameter)
+{
+    const struct lens *lens = lens_at_position(writing->lens, position, writing->arena);
+    struct aperture_setting aperture = lens_aperture(lens);
+    struct conjugate_object object = lens_object(lens);
+    struct first_order first;
+    struct error error;
+    bool known = first_order_of_lens(lens, lens_primary_wavelength(lens), SECTION_Y,
+                                     writing->arena, &first, &error) &&
+                 first_order_aperture(&first, &object, &aperture, FIELD_NONE, 0, &error);
+    if (!known || !(first.entrance_diameter > 0) ||
+        !isfinite(first.entrance_diameter)) {
+        return false;
+    }
+    *diameter = first.entrance_diameter;
+    return true;
+}
+
+/* Which glass a name means; null where nobody knows it. */
+static const struct glass *meaning(const struct foreign_job *job, const char *name)
+{
+    struct error error;
+    struct medium medium = {.kind = MEDIUM_GLASS, .written = text_of(name), .index = {1, 0}};
+    bool found = job->glasses != NULL && job->glasses->find(job->glasses->context, &medium, &error);
+    return found ? lens_glass_of(&medium) : NULL;
+}
+
 static bool is_same(struct text a, struct text b)
 {
     return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
 }
 
-/* Which glass a name means; empty where nobody knows it. */
-static struct text meaning(const struct foreign_job *job, const char *name)
+/* The name without '-', '_' and blanks. */
+static const char *bare_name(struct text name, struct arena *arena)
 {
-    struct error error;
-    struct medium medium = {.kind = MEDIUM_GLASS, .written = text_of(name), .index = {1, 0}};
-    bool found = job->glasses != NULL && job->glasses->find(job->glasses->context, &medium, &error);
-    return found ? medium.written : (struct text){"", 0};
+    char *bare = arena_string(arena, name.start, name.length), *to = bare;
+    for (size_t i = 0; i < name.length; i++) {
+        bool keep = strchr("-_ ", name.start[i]) == NULL;
+        *to = name.start[i];
+        to += keep;
+    }
+    *to = '\0';
+    return bare;
 }
 
 void writing_glass(const struct writing *writing, const struct foreign_job *job,
                    const struct medium *medium, struct text *name, struct text *catalog)
 {
-    struct arena *arena = writing->arena;
-    const char *typed = arena_string(arena, medium->written.start, medium->written.length);
-    const struct text known = meaning(job, typed);
-    struct text rest = known.length > 0 ? known : text_of(typed);
-    *catalog = text_cut(&rest, ':');
-    *name = rest;
-    if (rest.start == NULL) {
+    const struct glass *glass = lens_glass_of(medium);
+    *name = medium->written;
+    *catalog = text_cut(name, ':');
+    if (name->start == NULL) {
         *name = *catalog;
         *catalog = (struct text){"", 0};
     }
-    char *bare = arena_string(arena, name->start, name->length), *to = bare;
-    for (size_t i = 0; i < name->length; i++) {
-        bool keep = strchr("-_ ", name->start[i]) == NULL;
-        *to = name->start[i];
-        to += keep;
+    if (glass == NULL) {
+        return;
     }
-    *to = '\0';
-    const char *full = arena_printf(arena, "%.*s%s%s", (int)catalog->length, catalog->start,
-                                    catalog->length > 0 ? ":" : "", bare);
-    if (known.length > 0 && is_same(meaning(job, full), known)) {
+    *name = glass->name;
+    *catalog = glass->catalog;
+    const char *bare = bare_name(*name, writing->arena);
+    const struct glass *found =
+        meaning(job, arena_printf(writing->arena, "%.*s:%s", (int)catalog->length, catalog->start,
+                                  bare));
+    if (found != NULL && is_same(found->name, glass->name) &&
+        is_same(found->catalog, glass->catalog)) {
         *name = text_of(bare);
     }
 }

@@ -51,6 +51,13 @@ struct text writing_quotable(const struct writing *writing, const char *string, 
                              bool *has_lost);
 
 /*
+ * The diameter of the entrance pupil in one position, mm, of whatever aperture the lens has.
+ *
+ * Result    false where it has none, or an infinite one: then *diameter is unchanged
+ */
+bool writing_pupil(const struct writing *writing, size_t position, double *diameter);
+
+/*
  * The name of a glass in the file's own spelling, and its catalogue (empty if it is not known).
  *
  * Given     medium  of a glass

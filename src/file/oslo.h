@@ -1,0 +1,24 @@
+/* file/oslo.h - OSLO lens files, .len. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_OSLO_H
+#define LENSCALC_FILE_OSLO_H
+
+#include "file/foreign.h"
+
+/*
+ * .len as OSLO writes it, text of commands.
+ *
+ * Source    public files; optiland's reader and its notes of the OSLO Program Reference (units,
+ *           pick-ups, the infinite object, defaults); sinopt.com and lambdares.com on the signs of
+ *           tilts
+ * Limits    what is understood and what is refused is told in lenscalc-convert.1
+ */
+extern const struct foreign_format oslo_format;
+
+/* A comment that lenscalc writes beside the EBR of a lens whose stop rules the aperture. */
+#define OSLO_STOP_RULES "// lenscalc: the stop's diameter rules, not EBR"
+
+bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
+                struct error *error);
+
+#endif

@@ -1,0 +1,593 @@
+/* file/oslo_read.c - read an OSLO lens file. */
+/* SPDX-License-Identifier: MIT */
+#include "file/oslo.h"
+#include "file/oslo_words.h"
+#include "file/sequence.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static const struct command_grammar grammar = {
+    .comment = "//", .quotes = "\"", .separator = ';', .continuation = '\0', .infinity = 1e8};
+static const struct number_scale plain = {1, 0};
+static const double radians = 0.017453292519943295;
+
+/* The surface being read, and the words behind the command's name are what they should be. */
+static struct sequence_surface *present(struct oslo *oslo)
+{
+    return &oslo->sequence.surfaces[oslo->surface];
+}
+
+static bool read_one(struct oslo *oslo, struct number_scale scale, const char *what,
+                     struct figure *figure, struct error *error)
+{
+    return commands_figure(&oslo->commands, 1, scale, what, figure, error) &&
+           commands_end(&oslo->commands, 2, error);
+}
+
+static bool read_len(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    const struct command_word mode = commands_word(&oslo->commands, 1);
+    const struct text title = commands_word(&oslo->commands, 2).text;
+    if (!text_same(mode.text, "NEW")) {
+        return commands_fail(&oslo->commands, &mode, error, "a lens begins with LEN NEW");
+    }
+    if (oslo->has_begun) {
+        return commands_fail(&oslo->commands, &oslo->commands.words[0], error,
+                             "a second lens in the file");
+    }
+    oslo->has_begun = true;
+    if (title.length > 0) {
+        oslo->build.lens->title = arena_string(oslo->job->arena, title.start, title.length);
+    }
+    return true;
+}
+
+/* EBR (radius of the beam), NAO, FNO */
+static bool read_aperture(struct oslo *oslo, int what, struct error *error)
+{
+    static const enum aperture_kind kinds[] = {APERTURE_EPD, APERTURE_NA, APERTURE_FNUMBER};
+    struct lens *lens = oslo->build.lens;
+    struct figure figure;
+    if (!read_one(oslo, what == 0 ? oslo->commands.scale : plain, "aperture", &figure, error)) {
+        return false;
+    }
+    if (!(figure.value.hi > 0)) {
+        return commands_fail(&oslo->commands, &oslo->commands.words[1], error,
+                             "the aperture must be above 0");
+    }
+    lens->aperture_kind = kinds[what];
+    lens->aperture = what == 0 ? sequence_diameter(&figure, oslo->job->arena) : figure;
+    oslo->aperture = oslo->commands.words[0];
+    return true;
+}
+
+/* ANG, OBH, GIH: the field's edge; what it means depends on the object, so it is kept. */
+static bool read_field(struct oslo *oslo, int what, struct error *error)
+{
+    oslo->field_is = (enum oslo_field)what;
+    oslo->field_at = oslo->commands.words[0];
+    return read_one(oslo, what == OSLO_ANGLE ? plain : oslo->commands.scale, "field", &oslo->field,
+                    error);
+}
+
+static bool read_note(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what, (void)error;
+    const struct text note = commands_word(&oslo->commands, 1).text;
+    if (note.length > 0) {
+        lens_build_note(&oslo->build, note);
+    }
+    return true;
+}
+
+static bool next_surface(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what, (void)error;
+    struct command_word none = oslo->commands.words[0];
+    oslo->surface = oslo->sequence.count;
+    sequence_add(&oslo->sequence, none);
+    return true;
+}
+
+/* AIR, RFL, RFH and the glass are the last that was said. */
+static bool read_medium(struct oslo *oslo, int what, struct error *error)
+{
+    struct sequence_surface *surface = present(oslo);
+    surface->reflects = what != 0;
+    surface->medium = medium_air;
+    surface->glass = (struct command_word){{"", 0}, {"", 0}, 0, false};
+    return commands_end(&oslo->commands, 1, error);
+}
+
+static bool read_curve(struct oslo *oslo, int what, struct error *error)
+{
+    struct sequence_surface *surface = present(oslo);
+    surface->is_radius = what == 0;
+    if (!read_one(oslo, what == 0 ? oslo->commands.scale : plain,
+                  what == 0 ? "radius" : "curvature", &surface->curve, error)) {
+        return false;
+    }
+    if (what != 0) {
+        sequence_per_length(&oslo->commands, 1, &surface->curve);
+    }
+    return true;
+}
+
+static bool read_thickness(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    return read_one(oslo, oslo->commands.scale, "thickness", &present(oslo)->thickness, error);
+}
+
+/* AP 5, AP CHK 5; an aperture of the size of the sky is none. */
+static bool read_diameter(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    const struct command_word word = commands_word(&oslo->commands, 1);
+    size_t at = text_same(word.text, "CHK") || text_same(word.text, "NOT") ? 2 : 1;
+    struct figure radius;
+    if (!commands_figure(&oslo->commands, at, oslo->commands.scale, "radius of the aperture",
+                         &radius, error) ||
+        !commands_end(&oslo->commands, at + 1, error)) {
+        return false;
+    }
+    if (!(radius.value.hi >= 0)) {
+        return commands_fail(&oslo->commands, &oslo->commands.words[at], error,
+                             "the radius of an aperture is not below 0");
+    }
+    if (oslo->surface > 0) {
+        present(oslo)->diameter = sequence_diameter(&radius, oslo->job->arena);
+    }
+    return true;
+}
+
+static bool read_stop(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    for (size_t i = 0; i < oslo->sequence.count; i++) {
+        oslo->sequence.surfaces[i].is_stop = i == oslo->surface;
+    }
+    oslo->has_stop = true;
+    return commands_end(&oslo->commands, 1, error);
+}
+
+static bool read_conic(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    return read_one(oslo, plain, "conic", &present(oslo)->conic, error);
+}
+
+static bool put_coefficient(struct oslo *oslo, int order, struct error *error)
+{
+    struct sequence_surface *surface = present(oslo);
+    int at = order / 2 - 1;
+    if (!read_one(oslo, plain, "coefficient", &surface->coefficient[at], error)) {
+        return false;
+    }
+    bool is_some = surface->coefficient[at].value.hi != 0;
+    sequence_per_length(&oslo->commands, order - 1, &surface->coefficient[at]);
+    surface->coefficients = (surface->coefficients & ~(1u << at)) | ((unsigned)is_some << at);
+    return true;
+}
+
+static bool read_general(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    const struct command_word word = commands_word(&oslo->commands, 1);
+    oslo->is_general = text_same(word.text, "ASR");
+    return oslo->is_general || text_same(word.text, "ADO") ||
+           oslo_lose(oslo, error, "an asphere that is no even one");
+}
+
+/* AS1 is the coefficient of r^2, AS2 of r^4 .. where the surface is ASP ASR. */
+static bool read_general_coefficient(struct oslo *oslo, struct error *error)
+{
+    const struct command_word *word = &oslo->commands.words[0];
+    const struct text digits = {word->text.start + 2, word->text.length - 2};
+    struct figure figure;
+    size_t index;
+    if (!commands_count(&oslo->commands, word, digits, "number of the coefficient", 0, &index,
+                        error) ||
+        !read_one(oslo, plain, "coefficient", &figure, error)) {
+        return false;
+    }
+    if (figure.value.hi == 0) {
+        return true;
+    }
+    if (!oslo->is_general || index == 0 || index > LENS_COEFFICIENTS) {
+        return oslo_lose(oslo, error, "a coefficient of another asphere than ASP ASR, of order 2 "
+                                      "to 20");
+    }
+    return put_coefficient(oslo, 2 * (int)index, error);
+}
+
+/* X Y Z: decentres; A B C: tilts, of which those about x and y are left-handed in OSLO. */
+static bool read_shift(struct oslo *oslo, int what, struct error *error)
+{
+    bool is_turn = what >= 'A' && what <= 'C';
+    struct sequence_surface *surface = present(oslo);
+    struct figure figure;
+    if (!read_one(oslo, is_turn ? plain : oslo->commands.scale, is_turn ? "tilt" : "decentre",
+                  &figure, error)) {
+        return false;
+    }
+    surface->moved_at = oslo->commands.words[0];
+    if (!is_turn) {
+        surface->shift[what - 'X'] = figure;
+        return true;
+    }
+    figure.value = pair_multiply(figure.value, pair_of(radians));
+    surface->turn[what - 'A'] = what == 'C' ? figure : sequence_negate(figure, oslo->job->arena);
+    return true;
+}
+
+/* DT 1: first shifted, then turned. DT -1 is the same where there is one shift or turn alone. */
+static bool read_order(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    struct figure figure;
+    if (!read_one(oslo, plain, "order of shift and turn", &figure, error)) {
+        return false;
+    }
+    present(oslo)->turns_first = figure.value.hi < 0;
+    return true;
+}
+
+static bool read_move(struct oslo *oslo, int what, struct error *error)
+{
+    struct sequence_surface *surface = present(oslo);
+    const struct command_word word = commands_word(&oslo->commands, 1);
+    size_t to = oslo->surface;
+    if (word.text.length > 0 &&
+        !commands_count(&oslo->commands, &word, word.text, "number of the surface", 0, &to, error)) {
+        return false;
+    }
+    surface->move = (enum sequence_move)what;
+    surface->moved_at = oslo->commands.words[0];
+    return (to == oslo->surface && what == SEQUENCE_BACK) || what != SEQUENCE_BACK ||
+           oslo_lose(oslo, error, "coordinates of another surface");
+}
+
+static const struct {
+    const char *name;
+    bool is_thickness, of_angle;
+    enum solve_ray ray;
+} solves[] = {{"PY", true, false, SOLVE_MARGINAL},
+              {"PYC", true, false, SOLVE_CHIEF},
+              {"PU", false, true, SOLVE_MARGINAL},
+              {"PUC", false, true, SOLVE_CHIEF}};
+
+static bool read_solve(struct oslo *oslo, int what, struct error *error)
+{
+    struct sequence_surface *surface = present(oslo);
+    struct sequence_solve *solve =
+        solves[what].is_thickness ? &surface->thickness_solve : &surface->curvature_solve;
+    *solve = (struct sequence_solve){.is_set = true,
+                                     .of_angle = solves[what].of_angle,
+                                     .ray = solves[what].ray,
+                                     .at = oslo->commands.words[0]};
+    return read_one(oslo, solves[what].is_thickness ? oslo->commands.scale : plain,
+                    "target of the solve", &solve->target, error);
+}
+
+static const struct {
+    const char *name;
+    enum sequence_what what;
+    double scale;
+    bool is_length;
+} pickups[] = {{"CV", SEQUENCE_PROFILE, 1, false},    {"CVM", SEQUENCE_PROFILE, -1, false},
+               {"TH", SEQUENCE_THICKNESS, 1, true},   {"THM", SEQUENCE_THICKNESS, -1, true},
+               {"LN", SEQUENCE_LENGTH, 1, true},      {"LNM", SEQUENCE_LENGTH, -1, true},
+               {"AP", SEQUENCE_DIAMETER, 1, true},    {"GLA", SEQUENCE_MEDIUM, 1, false}};
+
+/* A surface by its number, or that many before the present one. */
+static bool read_reference(struct oslo *oslo, size_t word, size_t *surface, struct error *error)
+{
+    const struct command_word found = commands_word(&oslo->commands, word);
+    bool is_relative = found.text.length > 0 && found.text.start[0] == '-';
+    struct text digits = {found.text.start + is_relative, found.text.length - is_relative};
+    if (!commands_count(&oslo->commands, &found, digits, "number of the surface", 0, surface,
+                        error)) {
+        return false;
+    }
+    if (is_relative ? *surface > oslo->surface : *surface >= oslo->surface) {
+        return commands_fail(&oslo->commands, &found, error,
+                             "a pick-up from surface %zu, which is not before surface %zu",
+                             *surface, oslo->surface);
+    }
+    *surface = is_relative ? oslo->surface - *surface : *surface;
+    return true;
+}
+
+static bool read_pickup(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    const struct command_word word = commands_word(&oslo->commands, 1);
+    struct sequence_pickup pickup = {.target = oslo->surface, .at = oslo->commands.words[0]};
+    size_t found = 0, next = 3;
+    struct figure offset = {.value = {0, 0}};
+    while (found < sizeof pickups / sizeof pickups[0] &&
+           !text_same(word.text, pickups[found].name)) {
+        found++;
+    }
+    if (found == sizeof pickups / sizeof pickups[0]) {
+        return oslo_lose(oslo, error, "a pick-up that is not known, the number of the file stands");
+    }
+    if (!read_reference(oslo, 2, &pickup.source, error)) {
+        return false;
+    }
+    pickup.what = pickups[found].what;
+    pickup.scale = pair_of(pickups[found].scale);
+    pickup.end = oslo->surface;
+    if (pickup.what == SEQUENCE_LENGTH) {
+        const struct command_word end = commands_word(&oslo->commands, 3);
+        next = 4;
+        if (!commands_count(&oslo->commands, &end, end.text, "number of the surface", 0,
+                            &pickup.end, error)) {
+            return false;
+        }
+        pickup.end = pickup.end == 0 ? oslo->surface : pickup.end;
+        if (pickup.end > oslo->surface || pickup.end <= pickup.source) {
+            return commands_fail(&oslo->commands, &end, error, "a length from surface %zu to %zu",
+                                 pickup.source, pickup.end);
+        }
+    }
+    if (next < oslo->commands.count &&
+        !commands_figure(&oslo->commands, next,
+                         pickups[found].is_length ? oslo->commands.scale : plain, "offset", &offset,
+                         error)) {
+        return false;
+    }
+    pickup.offset = offset.value;
+    if (!pickups[found].is_length) {
+        pickup.offset = lens_words_per_length(pickup.offset, oslo->commands.scale, 1);
+    }
+    sequence_pick_up(&oslo->sequence, pickup);
+    return commands_end(&oslo->commands, next + 1, error);
+}
+
+static bool read_end(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what, (void)error;
+    oslo->has_ended = true;
+    return true;
+}
+
+static bool read_nothing(struct oslo *oslo, int what, struct error *error)
+{
+    (void)oslo, (void)what, (void)error;
+    return true;
+}
+
+static bool lose(struct oslo *oslo, int what, struct error *error)
+{
+    static const char *const reasons[] = {
+        "a perfect lens", "a grating", "coordinates of another surface", "a zoom configuration",
+        "a toric surface", "an aperture that is no circle", "rays that leave the object in parallel",
+        "an index that changes inside of the glass", "a solve that is not known"};
+    return oslo_lose(oslo, error, "%s", reasons[what]);
+}
+
+/* What is lost only where it is another number than the usual one. */
+static bool lose_unless_zero(struct oslo *oslo, int what, struct error *error)
+{
+    struct figure figure;
+    return read_one(oslo, plain, "value", &figure, error) &&
+           (figure.value.hi == 0 || lose(oslo, what, error));
+}
+
+static const struct {
+    const char *name;
+    bool (*run)(struct oslo *oslo, int what, struct error *error);
+    int what;
+} keywords[] = {
+    {"LEN", read_len, 0},
+    {"EBR", read_aperture, 0},
+    {"NAO", read_aperture, 1},
+    {"FNO", read_aperture, 2},
+    {"FNB", read_aperture, 2},
+    {"ANG", read_field, OSLO_ANGLE},
+    {"OBH", read_field, OSLO_OBJECT},
+    {"GIH", read_field, OSLO_IMAGE},
+    {"UNI", read_nothing, 0}, /* read before all others */
+    {"NXT", next_surface, 0},
+    {"AIR", read_medium, 0},
+    {"RFL", read_medium, 1},
+    {"RFH", read_medium, 1},
+    {"GLA", oslo_glass, 0},
+    {"RD", read_curve, 0},
+    {"CV", read_curve, 1},
+    {"TH", read_thickness, 0},
+    {"AP", read_diameter, 0},
+    {"AST", read_stop, 0},
+    {"CC", read_conic, 0},
+    {"AD", put_coefficient, 4},
+    {"AE", put_coefficient, 6},
+    {"AF", put_coefficient, 8},
+    {"AG", put_coefficient, 10},
+    {"ASP", read_general, 0},
+    {"DCX", read_shift, 'X'},
+    {"DCY", read_shift, 'Y'},
+    {"DCZ", read_shift, 'Z'},
+    {"TLA", read_shift, 'A'},
+    {"TLB", read_shift, 'B'},
+    {"TLC", read_shift, 'C'},
+    {"DT", read_order, 0},
+    {"BEN", read_move, SEQUENCE_BEND},
+    {"RCO", read_move, SEQUENCE_BACK},
+    {"PY", read_solve, 0},
+    {"PYC", read_solve, 1},
+    {"PU", read_solve, 2},
+    {"PUC", read_solve, 3},
+    {"PK", read_pickup, 0},
+    {"WV", oslo_waves, 0},
+    {"WW", oslo_weights, 0},
+    {"END", read_end, 0},
+    {"PFL", lose, 0},
+    {"PFM", lose, 0},
+    {"GSP", lose, 1},
+    {"GOR", lose, 1},
+    {"GC", lose, 2},
+    {"TOX", lose_unless_zero, 2},
+    {"TOY", lose_unless_zero, 2},
+    {"TOZ", lose_unless_zero, 2},
+    {"CFG", lose, 3},
+    {"CVX", lose_unless_zero, 4},
+    {"RDX", lose_unless_zero, 4},
+    {"APN", lose_unless_zero, 5},
+    {"GRT", lose, 7},
+    {"GRD", lose, 7},
+    {"PI", lose, 8},
+    {"PIC", lose, 8},
+    {"EC", lose, 8},
+    {"APA", lose, 8},
+};
+
+/* Notes of the designer, displays, tolerances, operands. */
+static const char *const harmless[] = {
+    "DES", "DLID", "WRSP", "TCE", "DSP", "DRW", "NOT", "LID", "SUR", "APCK", "TEM", "PRE", "TELE",
+    "SDAD", "IMD", "EVZ", "DLAP", "RFS", "OPDM", "WARM", "ASI", "PLT", "TOL",
+};
+
+static bool run_numbered(struct oslo *oslo, struct text name, bool *known, struct error *error)
+{
+    bool digit = name.length > 2 && name.start[name.length - 1] >= '0' &&
+                 name.start[name.length - 1] <= '9';
+    struct text first = {name.start, 2};
+    *known = true;
+    if (digit && text_same(first, "WV")) {
+        return oslo_wave(oslo, error);
+    }
+    if (digit && text_same(first, "WW")) {
+        return oslo_weight(oslo, error);
+    }
+    if (digit && text_same(first, "AS")) {
+        return read_general_coefficient(oslo, error);
+    }
+    first.length = 3;
+    if (digit && name.length > 3 && text_same(first, "SNO")) {
+        return read_note(oslo, 0, error);
+    }
+    *known = false;
+    return true;
+}
+
+static bool run_command(struct oslo *oslo, struct error *error)
+{
+    const struct command_word *word = &oslo->commands.words[0];
+    bool known;
+    if (!oslo->has_begun && !text_same(word->text, "LEN")) {
+        return commands_fail(&oslo->commands, word, error, "the file does not begin with LEN NEW");
+    }
+    if (oslo->has_ended) {
+        return oslo_lose(oslo, error, "a command behind END: further data of the lens");
+    }
+    for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
+        if (!word->is_quoted && text_same(word->text, keywords[i].name)) {
+            return keywords[i].run(oslo, keywords[i].what, error);
+        }
+    }
+    if (!run_numbered(oslo, word->text, &known, error)) {
+        return false;
+    }
+    if (known) {
+        return true;
+    }
+    for (size_t i = 0; i < sizeof harmless / sizeof harmless[0]; i++) {
+        if (text_same(word->text, harmless[i])) {
+            return true;
+        }
+    }
+    return oslo_lose(oslo, error, "an unknown command");
+}
+
+bool oslo_lose(struct oslo *oslo, struct error *error, const char *format, ...)
+{
+    char message[sizeof error->message];
+    const struct command_word *word = &oslo->commands.words[0];
+    const struct lens_words place = commands_place(&oslo->commands, word);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    return foreign_loss(oslo->job, &place, word->text, error, "%.*s: %s",
+                        (int)(word->text.length < 20 ? word->text.length : 20), word->text.start,
+                        message);
+}
+
+/* The unit may stand behind lengths. */
+static bool read_unit(struct oslo *oslo, struct text content, struct error *error)
+{
+    commands_open(&oslo->commands, oslo->job->source, content, &grammar, oslo->job->arena);
+    while (commands_next(&oslo->commands, error)) {
+        if (text_same(oslo->commands.words[0].text, "UNI") && !oslo_unit(oslo, error)) {
+            return false;
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+/* What lenscalc itself has written as a comment. */
+static void read_remark(struct oslo *oslo, struct text content)
+{
+    struct lens *lens = oslo->build.lens;
+    for (struct text rest = content; rest.start != NULL;) {
+        if (text_equal(text_trim(text_cut(&rest, '\n')), OSLO_STOP_RULES)) {
+            lens->aperture_kind = APERTURE_STOP;
+            lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
+        }
+    }
+}
+
+static bool oslo_read(struct foreign_job *job, struct text content, struct lens *lens,
+                      struct error *error)
+{
+    struct oslo *oslo = ARENA_NEW(job->arena, struct oslo);
+    oslo->job = job;
+    lens_build_begin(&oslo->build, lens, job->arena);
+    if (!read_unit(oslo, content, error)) {
+        return false;
+    }
+    const struct number_scale scale = oslo->commands.scale;
+    commands_open(&oslo->commands, job->source, content, &grammar, job->arena);
+    oslo->commands.scale = scale;
+    oslo->sequence =
+        (struct sequence){.job = job, .commands = &oslo->commands, .build = &oslo->build};
+    sequence_add(&oslo->sequence, (struct command_word){{"", 0}, {"", 0}, 1, false});
+    while (commands_next(&oslo->commands, error)) {
+        if (!run_command(oslo, error)) {
+            return false;
+        }
+    }
+    if (error->code != ERROR_NONE) {
+        return false;
+    }
+    if (!oslo->has_stop && oslo->sequence.count > 2) { /* OSLO's stop, where none is named */
+        oslo->sequence.surfaces[1].is_stop = true;
+    }
+    read_remark(oslo, content);
+    return oslo_finish_system(oslo, error) && sequence_finish(&oslo->sequence, error);
+}
+
+/* Some line begins with LEN NEW. */
+static bool oslo_is_like(struct text content)
+{
+    for (struct text rest = content; rest.start != NULL;) {
+        struct text line = text_trim(text_cut(&rest, '\n')), word = text_cut(&line, ' ');
+        struct text next = line.start != NULL ? text_trim(line) : line, second = text_cut(&next, ' ');
+        if (text_same(word, "LEN") && text_same(second, "NEW")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+const struct foreign_format oslo_format = {.name = "len",
+                                           .ending = ".len",
+                                           .help = "OSLO lens file",
+                                           .is_like = oslo_is_like,
+                                           .read = oslo_read,
+                                           .write = oslo_write};

@@ -1,0 +1,285 @@
+/* file/oslo_system.c - what an OSLO file says of the whole lens, and its glasses. */
+/* SPDX-License-Identifier: MIT */
+#include "file/decimal.h"
+#include "file/oslo_words.h"
+
+#include <math.h>
+#include <string.h>
+
+static const struct number_scale plain = {1, 0};
+static const double radians = 0.017453292519943295;
+
+bool oslo_unit(struct oslo *oslo, struct error *error)
+{
+    static const struct {
+        double mm;
+        const char *unit;
+    } units[] = {{1, "mm"}, {10, "cm"}, {25.4, "in"}, {1000, "m"}};
+    struct figure figure;
+    if (!commands_figure(&oslo->commands, 1, plain, "unit in mm", &figure, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (figure.value.hi == units[i].mm) {
+            oslo->build.lens->unit = units[i].unit;
+            oslo->commands.scale = lens_unit_scale(units[i].unit);
+            return true;
+        }
+    }
+    return commands_fail(&oslo->commands, &oslo->commands.words[1], error,
+                         "a unit of %g mm: it is one of 1, 10, 25.4, 1000", figure.value.hi);
+}
+
+static bool check_wave(struct oslo *oslo, size_t word, bool is_weight, struct error *error)
+{
+    struct figure figure;
+    if (!commands_figure(&oslo->commands, word, plain, is_weight ? "weight" : "wavelength", &figure,
+                         error)) {
+        return false;
+    }
+    if (is_weight ? figure.value.hi >= 0 : figure.value.hi >= 0.001 && figure.value.hi <= 1000) {
+        return true;
+    }
+    const struct command_word at = commands_word(&oslo->commands, word);
+    return commands_fail(&oslo->commands, &at, error,
+                         is_weight ? "a weight is not below 0"
+                                   : "the wavelength is not within 1 nm to 1 mm");
+}
+
+static bool read_list(struct oslo *oslo, bool is_weight, struct error *error)
+{
+    struct commands *commands = &oslo->commands;
+    size_t count = commands->count - 1;
+    if (count > OSLO_MOST_WAVES) {
+        return commands_fail(commands, &commands->words[0], error, "more than %d wavelengths",
+                             OSLO_MOST_WAVES);
+    }
+    for (size_t i = 0; i < count; i++) {
+        (is_weight ? oslo->weights : oslo->waves)[i] = commands->words[i + 1].text;
+        if (!check_wave(oslo, i + 1, is_weight, error)) {
+            return false;
+        }
+    }
+    *(is_weight ? &oslo->weight_count : &oslo->wave_count) = count;
+    return true;
+}
+
+bool oslo_waves(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    return read_list(oslo, false, error);
+}
+
+bool oslo_weights(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    return read_list(oslo, true, error);
+}
+
+/* WV2 and WW2: one more, or another one in place of what there is. */
+static bool read_entry(struct oslo *oslo, bool is_weight, struct error *error)
+{
+    const struct command_word *word = &oslo->commands.words[0];
+    const struct text digits = {word->text.start + 2, word->text.length - 2};
+    size_t *count = is_weight ? &oslo->weight_count : &oslo->wave_count, number;
+    if (!commands_count(&oslo->commands, word, digits, "number of the wavelength", 1, &number,
+                        error) ||
+        !check_wave(oslo, 1, is_weight, error) || !commands_end(&oslo->commands, 2, error)) {
+        return false;
+    }
+    if (number > *count + 1 || number > OSLO_MOST_WAVES) {
+        return commands_fail(&oslo->commands, word, error, "number %zu behind %zu wavelengths",
+                             number, *count);
+    }
+    (is_weight ? oslo->weights : oslo->waves)[number - 1] = oslo->commands.words[1].text;
+    *count = number > *count ? number : *count;
+    return true;
+}
+
+bool oslo_wave(struct oslo *oslo, struct error *error)
+{
+    return read_entry(oslo, false, error);
+}
+
+bool oslo_weight(struct oslo *oslo, struct error *error)
+{
+    return read_entry(oslo, true, error);
+}
+
+static bool is_number(struct text text)
+{
+    double value;
+    return text.length > 0 && number_read(text.start, text.start + text.length, plain, &value) ==
+                                  text.start + text.length;
+}
+
+static bool is_same(struct text a, struct text b)
+{
+    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
+}
+
+/* {0.58756um 1.6201, 0.48613um 1.6272}, or one number where all are the same. */
+static const char *table_of(const struct oslo *oslo, size_t first, size_t count)
+{
+    static const char *const usual[] = {"0.58756", "0.48613", "0.65627"};
+    const struct command_word *words = &oslo->commands.words[first];
+    struct arena *arena = oslo->job->arena;
+    bool same = true;
+    const char *table = "{";
+    for (size_t i = 0; i < count; i++) {
+        const struct text wave = oslo->wave_count > 0 ? oslo->waves[i] : text_of(usual[i]);
+        same = same && is_same(words[i].text, words[0].text);
+        table = arena_printf(arena, "%s%s%.*sum %.*s", table, i > 0 ? ", " : "", (int)wave.length,
+                             wave.start, (int)words[i].text.length, words[i].text.start);
+    }
+    return same ? arena_string(arena, words[0].text.start, words[0].text.length)
+                : arena_printf(arena, "%s}", table);
+}
+
+/* The indices at the wavelengths in force; a number before them is the glass's name. */
+static bool read_indices(struct oslo *oslo, size_t first, bool is_model, struct error *error)
+{
+    struct commands *commands = &oslo->commands;
+    size_t waves = oslo->wave_count > 0 ? oslo->wave_count : 3;
+    size_t count = commands->count - first;
+    const struct command_word *word = &commands->words[first];
+    const char *written;
+    for (size_t i = 0; i < count; i++) {
+        struct figure index;
+        if (!commands_figure(commands, first + i, plain, "index", &index, error)) {
+            return false;
+        }
+    }
+    if (count == waves + 1 && count > 2) {
+        first++;
+        count--;
+    }
+    if (count == 1) {
+        written = arena_string(oslo->job->arena, word->text.start, word->text.length);
+    } else if (is_model && count == 2 && waves != 2) {
+        written = arena_printf(oslo->job->arena, "%.*s/%.*s", (int)word->text.length,
+                               word->text.start, (int)word[1].text.length, word[1].text.start);
+    } else if (count != waves) {
+        return commands_fail(commands, word, error, "%zu indices for %zu wavelengths", count,
+                             waves);
+    } else {
+        written = table_of(oslo, first, count);
+    }
+    return sequence_medium(commands, word, written,
+                           &oslo->sequence.surfaces[oslo->surface].medium, error);
+}
+
+/* A glass by name; those of Ohara and Hoya have a letter in front, those of Schott have none. */
+static bool find_glass(struct oslo *oslo, const struct command_word *word, struct error *error)
+{
+    static const struct {
+        const char *prefix, *catalog;
+    } makers[] = {{"O_", "OHARA"}, {"H_", "HOYA"}, {"", "SCHOTT"}};
+    const struct lens_words place = commands_place(&oslo->commands, word);
+    struct medium *medium = &oslo->sequence.surfaces[oslo->surface].medium;
+    for (size_t i = 0; i < sizeof makers / sizeof makers[0]; i++) {
+        size_t length = strlen(makers[i].prefix);
+        struct text first = {word->text.start, length};
+        if (word->text.length <= length || !text_same(first, makers[i].prefix)) {
+            continue;
+        }
+        const struct text name = {word->text.start + length, word->text.length - length};
+        const struct text catalog = text_of(makers[i].catalog);
+        if (foreign_glass(oslo->job, &place, name, &catalog, 1, medium, error)) {
+            return true;
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return commands_fail(&oslo->commands, word, error, "glass '%.*s' is in no catalogue",
+                         (int)(word->text.length < 60 ? word->text.length : 60), word->text.start);
+}
+
+bool oslo_glass(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    struct sequence_surface *surface = &oslo->sequence.surfaces[oslo->surface];
+    bool is_model = text_same(commands_word(&oslo->commands, 1).text, "MOD");
+    size_t first = is_model ? 2 : 1;
+    const struct command_word word = commands_word(&oslo->commands, first);
+    surface->reflects = false;
+    if (word.text.length == 0) {
+        return commands_fail(&oslo->commands, &word, error, "the glass is missing");
+    }
+    if (is_number(word.text)) {
+        return read_indices(oslo, first, is_model, error);
+    }
+    if (first + 1 < oslo->commands.count) {
+        return read_indices(oslo, first + 1, is_model, error);
+    }
+    return find_glass(oslo, &oslo->commands.words[first], error);
+}
+
+static void finish_waves(struct oslo *oslo)
+{
+    for (size_t i = 0; i < oslo->wave_count; i++) {
+        const struct text um = oslo->waves[i];
+        const struct text heavy = i < oslo->weight_count ? oslo->weights[i] : text_of("1");
+        double wavelength = 0, weight = 1;
+        number_read(um.start, um.start + um.length, plain, &wavelength);
+        number_read(heavy.start, heavy.start + heavy.length, plain, &weight);
+        struct lens_wavelength *one = lens_build_wavelength(&oslo->build, wavelength, weight);
+        one->typed =
+            text_of(arena_printf(oslo->job->arena, "%.*sum", (int)um.length, um.start));
+        if (weight != 1) {
+            one->weight_typed = heavy;
+        }
+    }
+}
+
+/* The axis and the edge of the field. */
+static void put_fields(struct oslo *oslo, enum field_kind kind, struct figure edge)
+{
+    oslo->build.lens->field_kind = kind;
+    *lens_build_field(&oslo->build) = figure_of(0, oslo->job->arena);
+    if (edge.value.hi != 0) {
+        *lens_build_field(&oslo->build) = edge;
+    }
+}
+
+/* An object's height at infinity is an angle: tan w = -height/distance. */
+static void finish_field(struct oslo *oslo, bool is_infinite)
+{
+    struct figure edge = oslo->field;
+    if (oslo->field_is == OSLO_IMAGE) {
+        put_fields(oslo, FIELD_IMAGE, edge);
+    } else if (oslo->field_is == OSLO_OBJECT && !is_infinite) {
+        put_fields(oslo, FIELD_HEIGHT, edge);
+    } else if (oslo->field_is != OSLO_NO_FIELD) {
+        if (oslo->field_is == OSLO_OBJECT) {
+            double distance = oslo->sequence.surfaces[0].thickness.value.hi;
+            edge = figure_of(atan(-edge.value.hi / distance) / radians, oslo->job->arena);
+        }
+        edge.value = pair_multiply(edge.value, pair_of(radians));
+        put_fields(oslo, FIELD_ANGLE, edge);
+    }
+}
+
+bool oslo_finish_system(struct oslo *oslo, struct error *error)
+{
+    struct lens *lens = oslo->build.lens;
+    const struct figure *distance = &oslo->sequence.surfaces[0].thickness;
+    struct pair units = pair_multiply(
+        distance->value, lens_words_per_length(pair_of(1), oslo->commands.scale, 1));
+    bool is_infinite = fabs(units.hi) >= oslo->commands.grammar->infinity;
+    const struct lens_words place = commands_place(&oslo->commands, &oslo->aperture);
+    finish_waves(oslo);
+    finish_field(oslo, is_infinite);
+    if (lens->aperture_kind == APERTURE_EPD && !is_infinite) {
+        lens->aperture_kind = APERTURE_NONE;
+        return foreign_loss(oslo->job, &place, oslo->aperture.text, error,
+                            "EBR: the beam's radius at the first surface, of a finite object");
+    }
+    if (lens->aperture_kind == APERTURE_NA && is_infinite) {
+        lens->aperture_kind = APERTURE_NONE;
+        return foreign_loss(oslo->job, &place, oslo->aperture.text, error,
+                            "NAO: a numerical aperture of an object at infinity");
+    }
+    return true;
+}

@@ -1,0 +1,47 @@
+/* file/oslo_words.h - an OSLO lens file while it is read. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_OSLO_WORDS_H
+#define LENSCALC_FILE_OSLO_WORDS_H
+
+#include "file/sequence.h"
+
+enum { OSLO_MOST_WAVES = 100 };
+
+enum oslo_field { OSLO_NO_FIELD, OSLO_ANGLE, OSLO_OBJECT, OSLO_IMAGE };
+
+/* A .len file being read. */
+struct oslo {
+    struct foreign_job *job;
+    struct commands commands;
+    struct sequence sequence;
+    struct lens_build build;
+    size_t surface; /* the present one */
+    bool has_begun, has_ended, has_stop, is_general;
+    struct command_word aperture; /* where it stands */
+    enum oslo_field field_is;
+    struct figure field;
+    struct command_word field_at;
+    struct text waves[OSLO_MOST_WAVES], weights[OSLO_MOST_WAVES]; /* um */
+    size_t wave_count, weight_count;
+};
+
+/* Leave out the present command, as a loss. */
+bool oslo_lose(struct oslo *oslo, struct error *error, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* GLA NAME, GLA MOD NAME n n n, GLA 1.5, GLA MOD 1.5 60 */
+bool oslo_glass(struct oslo *oslo, int what, struct error *error);
+
+/* WV a b c; WV2 b; WW 1 1 1; WW2 1 */
+bool oslo_waves(struct oslo *oslo, int what, struct error *error);
+bool oslo_weights(struct oslo *oslo, int what, struct error *error);
+bool oslo_wave(struct oslo *oslo, struct error *error);
+bool oslo_weight(struct oslo *oslo, struct error *error);
+
+/* The unit of all lengths, wherever it stands. */
+bool oslo_unit(struct oslo *oslo, struct error *error);
+
+/* Wavelengths, aperture and fields, when all of the file is read. */
+bool oslo_finish_system(struct oslo *oslo, struct error *error);
+
+#endif

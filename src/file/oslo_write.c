@@ -1,0 +1,323 @@
+/* file/oslo_write.c - a lens as an OSLO lens file. */
+/* SPDX-License-Identifier: MIT */
+#include "file/decimal.h"
+#include "file/oslo.h"
+#include "file/writing.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A lens being written. */
+struct output {
+    struct writing writing;
+    struct foreign_job *job;
+    const struct lens *lens;
+    size_t models; /* glasses that were named so far */
+};
+
+static bool lose(const struct output *output, struct error *error, const char *what)
+{
+    return foreign_loss(output->job, NULL, (struct text){"", 0}, error, "%s", what);
+}
+
+static void put_string(struct output *output, const char *string)
+{
+    writing_put(&output->writing, text_of(string));
+}
+
+static void put_command(struct output *output, const char *name, struct text value)
+{
+    put_string(output, name);
+    put_string(output, " ");
+    writing_put(&output->writing, value);
+    put_string(output, "\n");
+}
+
+static struct text length_of(struct output *output, const struct figure *figure)
+{
+    return writing_length(&output->writing, figure, 1);
+}
+
+static bool put_text(struct output *output, const char *name, const char *string,
+                     struct error *error)
+{
+    bool has_lost = false;
+    const struct text text = writing_quotable(&output->writing, string, "\"", &has_lost);
+    put_string(output, name);
+    put_string(output, " \"");
+    writing_put(&output->writing, text);
+    put_string(output, "\"");
+    return !has_lost || lose(output, error, "double quotes inside of a text are left out");
+}
+
+static bool put_aperture(struct output *output, struct error *error)
+{
+    const struct lens *lens = output->lens;
+    struct arena *arena = output->job->arena;
+    struct figure figure = lens->apertures != NULL ? lens->apertures[0] : lens->aperture;
+    if (lens->aperture_kind == APERTURE_NONE) {
+        return true;
+    }
+    if (lens->aperture_kind == APERTURE_NA && !lens->object_is_infinite) {
+        put_command(output, "NAO", writing_length(&output->writing, &figure, 0));
+        return true;
+    }
+    if (lens->aperture_kind == APERTURE_FNUMBER) {
+        put_command(output, "FNO", writing_length(&output->writing, &figure, 0));
+        return true;
+    }
+    if (!lens->object_is_infinite) {
+        return lose(output, error, "the aperture of a lens with a finite object: OSLO wants its "
+                                   "NA, write 'aperture na'");
+    }
+    if (lens->aperture_kind == APERTURE_STOP) {
+        put_string(output, OSLO_STOP_RULES "\n");
+        figure = (struct figure){.variable = LENS_NONE};
+        if (!writing_pupil(&output->writing, 0, &figure.value.hi)) {
+            return lose(output, error, "an aperture that is ruled by a stop without a pupil");
+        }
+    }
+    put_command(output, "EBR", decimal_half(length_of(output, &figure), arena));
+    return true;
+}
+
+static bool put_field(struct output *output, struct error *error)
+{
+    static const char *const words[] = {
+        [FIELD_ANGLE] = "ANG", [FIELD_HEIGHT] = "OBH", [FIELD_IMAGE] = "GIH"};
+    const struct lens *lens = output->lens;
+    const struct figure *edge = NULL;
+    size_t others = 0;
+    for (size_t i = 0; i < lens->field_count; i++) {
+        const struct figure *field = &lens->fields[i];
+        if (edge == NULL || fabs(field->value.hi) > fabs(edge->value.hi)) {
+            others += edge != NULL && edge->value.hi != 0;
+            edge = field;
+        } else {
+            others += field->value.hi != 0;
+        }
+    }
+    if (edge == NULL) {
+        return true;
+    }
+    put_command(output, words[lens->field_kind],
+                lens->field_kind == FIELD_ANGLE ? writing_degrees(&output->writing, edge)
+                                                : length_of(output, edge));
+    return others == 0 || lose(output, error, "OSLO keeps the edge of the field only: the fields "
+                                              "between it and the axis are left out");
+}
+
+static bool put_header(struct output *output, struct error *error)
+{
+    const struct lens *lens = output->lens;
+    static const char *const units[][2] = {
+        {"mm", "1.0"}, {"cm", "10.0"}, {"in", "25.4"}, {"m", "1000.0"}};
+    put_string(output, "// OSLO 6.6 0 0 0\n");
+    if (lens->source != NULL) {
+        put_command(output, "// source:", text_of(lens->source));
+    }
+    if (!put_text(output, "LEN NEW", lens->title != NULL ? lens->title : "", error)) {
+        return false;
+    }
+    writing_printf(&output->writing, " 100 %zu\n", lens->surface_count + 1);
+    if (!put_aperture(output, error) || !put_field(output, error)) {
+        return false;
+    }
+    put_string(output, "DES \"\"\n");
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (strcmp(units[i][0], lens->unit) == 0) {
+            put_command(output, "UNI", text_of(units[i][1]));
+        }
+    }
+    for (size_t i = 0; i < lens->note_count && i < 10; i++) {
+        const char *name = arena_printf(output->job->arena, "SNO%zu", i + 1);
+        if (!put_text(output, name, lens->notes[i], error)) {
+            return false;
+        }
+        put_string(output, "\n");
+    }
+    return lens->note_count <= 10 || lose(output, error, "more than ten notes");
+}
+
+/* Indices at the wavelengths of a table, or of the lens. */
+static void put_indices(struct output *output, const struct medium *medium)
+{
+    struct writing *writing = &output->writing;
+    put_string(output, "WV");
+    for (size_t i = 0; i < medium->point_count; i++) {
+        put_string(output, " ");
+        writing_put(writing,
+                    writing_wave(writing, medium->points[i].wavelength, (struct text){"", 0}, 0));
+    }
+    writing_printf(writing, "\nGLA MOD MODEL%zu", ++output->models);
+    for (size_t i = 0; i < medium->point_count; i++) {
+        const struct figure figure = {.value = medium->points[i].index, .variable = LENS_NONE};
+        put_string(output, " ");
+        writing_put(writing, writing_length(writing, &figure, 0));
+    }
+    put_string(output, "\n");
+}
+
+static void put_medium(struct output *output, const struct medium *medium)
+{
+    struct writing *writing = &output->writing;
+    struct text name, catalog;
+    if (medium_is_air(medium)) {
+        put_string(output, "AIR\n");
+    } else if (medium->kind == MEDIUM_TABLE && medium->point_count > 2) {
+        put_indices(output, medium);
+    } else if (medium->kind == MEDIUM_TABLE) {
+        put_indices(output, medium);
+    } else if (medium->kind == MEDIUM_MODEL) {
+        struct text abbe = medium->written, index = text_cut(&abbe, '/');
+        put_string(output, "WV 0.58756 0.48613 0.65627\nGLA MOD ");
+        writing_put(writing, index);
+        put_command(output, "", abbe);
+    } else if (medium->kind == MEDIUM_CONSTANT) {
+        put_command(output, "GLA", medium->written);
+    } else {
+        writing_glass(writing, output->job, medium, &name, &catalog);
+        const char *prefix = text_equal(catalog, "OHARA") ? "O_" : text_equal(catalog, "HOYA") ? "H_" : "";
+        put_string(output, "GLA ");
+        put_string(output, prefix);
+        put_command(output, "", name);
+    }
+}
+
+static void put_coefficients(struct output *output, const struct surface *surface)
+{
+    static const char *const words[] = {NULL, "AD", "AE", "AF", "AG"};
+    bool general = (surface->coefficients & ~0x1eu) != 0;
+    if (general) {
+        writing_printf(&output->writing, "ASP ASR %d\n", LENS_COEFFICIENTS);
+    }
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        if ((surface->coefficients >> i & 1) != 0) {
+            put_command(output,
+                        general ? arena_printf(output->job->arena, "AS%d", i + 1) : words[i],
+                        writing_length(&output->writing, &surface->coefficient[i], -(2 * i + 1)));
+        }
+    }
+}
+
+static void put_displacement(struct output *output, const struct displacement *all, bool back)
+{
+    struct writing *writing = &output->writing;
+    struct arena *arena = output->job->arena;
+    put_string(output, "DT 1\n");
+    put_command(output, "DCX", writing_length(writing, &all->decenter[0], 1));
+    put_command(output, "DCY", writing_length(writing, &all->decenter[1], 1));
+    put_command(output, "TLA", decimal_negate(writing_degrees(writing, &all->tilt[0]), arena));
+    put_command(output, "TLB", decimal_negate(writing_degrees(writing, &all->tilt[1]), arena));
+    put_command(output, "TLC", writing_degrees(writing, &all->tilt[2]));
+    put_string(output, back ? "RCO\n" : "");
+}
+
+static bool put_shape(struct output *output, const struct surface *surface, struct error *error)
+{
+    struct writing *writing = &output->writing;
+    if (surface->has_curvature) {
+        put_command(output, "CV", writing_length(writing, &surface->curvature, -1));
+    } else if (!surface->is_plane) {
+        put_command(output, "RD", length_of(output, &surface->radius));
+    }
+    if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
+        put_command(output, "CC", writing_length(writing, &surface->conic, 0));
+    }
+    put_coefficients(output, surface);
+    return surface->curved == CURVED_BOTH ||
+           lose(output, error, "a cylinder is written as curved in both sections");
+}
+
+static bool put_surface(struct output *output, size_t index, struct error *error)
+{
+    const struct lens *lens = output->lens;
+    const struct surface *surface = &lens->surfaces[index];
+    const struct medium *before = index > 0 ? &surface[-1].medium : &lens->object_medium;
+    bool is_last = index + 1 == lens->surface_count;
+    bool solved = is_last && lens->focus == FOCUS_PARAXIAL;
+    put_string(output, "NXT\n");
+    if (surface->moved != NULL && surface->bend != NULL) { /* the bend on a plane of its own */
+        put_medium(output, before);
+        put_displacement(output, surface->bend, false);
+        put_string(output, "NXT\n");
+    }
+    if (surface->kind == SURFACE_REFLECT) {
+        put_string(output, "RFL\n");
+    } else {
+        put_medium(output, &surface->medium);
+    }
+    if (!put_shape(output, surface, error)) {
+        return false;
+    }
+    if (surface->has_thickness) {
+        put_command(output, "TH", length_of(output, &surface->thickness));
+    }
+    put_string(output, solved ? "PY 0.0\n" : "");
+    if (surface->has_diameter) {
+        put_command(output, "AP CHK",
+                    decimal_half(length_of(output, &surface->diameter), output->job->arena));
+    }
+    put_string(output, surface->is_stop ? "AST\n" : "");
+    if (surface->moved != NULL || surface->bend != NULL) {
+        put_displacement(output, surface->moved != NULL ? surface->moved : surface->bend,
+                         surface->moved != NULL);
+    }
+    return surface->vary_count == 0 ||
+           lose(output, error, "marks for the designer (R~, t~) are left out");
+}
+
+static void put_waves(struct output *output)
+{
+    const struct lens *lens = output->lens;
+    struct writing *writing = &output->writing;
+    put_string(output, "WV");
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        put_string(output, " ");
+        writing_put(writing, writing_wave(writing, lens->wavelengths[i].wavelength,
+                                          lens->wavelengths[i].typed, 0));
+    }
+    put_string(output, lens->wavelength_count == 0 ? " 0.5875618\nWW" : "\nWW");
+    for (size_t i = 0; i < lens->wavelength_count || i == 0; i++) {
+        const struct text weight = i < lens->wavelength_count ? lens->wavelengths[i].weight_typed
+                                                              : (struct text){NULL, 0};
+        put_string(output, " ");
+        writing_put(writing, weight.start != NULL ? weight : text_of("1.0"));
+    }
+    put_string(output, "\n");
+}
+
+/* OSLO takes surface 1 where no stop is named. */
+static bool check_losses(struct output *output, struct error *error)
+{
+    const struct lens *lens = output->lens;
+    return (lens->stop != LENS_NONE ||
+            lose(output, error, "the lens has no stop: OSLO takes its first surface")) &&
+           (lens->position_count == 0 ||
+            lose(output, error, "the positions but the first: write them one by one")) &&
+           (lens->focus != FOCUS_BEST ||
+            lose(output, error, "the best focus: the image lies at the last thickness"));
+}
+
+bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
+                struct error *error)
+{
+    struct output output = {.job = job, .lens = lens};
+    writing_begin(&output.writing, lens, true, job->arena);
+    if (!check_losses(&output, error) || !put_header(&output, error)) {
+        return false;
+    }
+    put_medium(&output, &lens->object_medium);
+    put_command(&output, "TH", lens->object_is_infinite ? text_of("1.0e+20")
+                                                        : length_of(&output, &lens->object));
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (!put_surface(&output, i, error)) {
+            return false;
+        }
+    }
+    put_string(&output, "NXT\nAIR\n");
+    put_waves(&output);
+    writing_printf(&output.writing, "END %zu\n", lens->surface_count + 1);
+    *text = (struct text){output.writing.data, output.writing.length};
+    return true;
+}
