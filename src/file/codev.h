@@ -25,8 +25,8 @@ struct codev {
     struct commands commands;
     struct sequence sequence;
     struct lens_build build;
-    size_t surface;      /* the present one */
-    bool radius_mode;    /* RDM: else the numbers of a surface are curvatures */
+    size_t surface;   /* the present one */
+    bool radius_mode; /* RDM: else the numbers of a surface are curvatures */
     bool mode_is_given;
     bool has_image;
     struct command_word image_solve; /* PIM */

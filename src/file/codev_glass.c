@@ -88,8 +88,8 @@ bool codev_private_glass(struct codev *codev, struct error *error)
     struct codev_private *one = &codev->privates[codev->private_count++];
     *one = (struct codev_private){commands->words[0], NULL};
     const struct command_word first = commands_word(commands, 1);
-    bool is_formula = first.text.length > 0 && !is_digit(first.text.start[0]) &&
-                      first.text.start[0] != '.';
+    bool is_formula =
+        first.text.length > 0 && !is_digit(first.text.start[0]) && first.text.start[0] != '.';
     if (is_formula) {
         return true; /* refused where a surface has it */
     }
@@ -160,8 +160,8 @@ static const char *medium_of_numbers(struct text text, struct arena *arena)
         return number < 10 ? arena_string(arena, text.start, text.length) : NULL;
     }
     return number_read(abbe.start, end, plain, &number) == end
-               ? arena_printf(arena, "%.*s/%.*s", (int)index.length, index.start,
-                              (int)abbe.length, abbe.start)
+               ? arena_printf(arena, "%.*s/%.*s", (int)index.length, index.start, (int)abbe.length,
+                              abbe.start)
                : NULL;
 }
 

@@ -101,8 +101,8 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
                       struct error *error)
 {
     struct commands *commands = &codev->commands;
-    *qualifiers = (struct codev_qualifiers){
-        .surface = codev->surface, .end = codev->surface, .next = first};
+    *qualifiers =
+        (struct codev_qualifiers){.surface = codev->surface, .end = codev->surface, .next = first};
     for (; qualifiers->next < commands->count; qualifiers->next++) {
         const struct command_word *word = &commands->words[qualifiers->next];
         char letter = word->text.length > 1 ? (char)(word->text.start[0] | 32) : 0;
@@ -158,9 +158,9 @@ static bool refuse_macro(struct codev *codev, int what, struct error *error)
 /* What changes the light, but not where its numbers are 0. */
 static bool lose_unless_zero(struct codev *codev, int what, struct error *error)
 {
-    static const char *const reasons[] = {
-        "vignetting factors", "a shifted or turned aperture", "a Fresnel surface of this base",
-        "an offset of the point about which a surface turns"};
+    static const char *const reasons[] = {"vignetting factors", "a shifted or turned aperture",
+                                          "a Fresnel surface of this base",
+                                          "an offset of the point about which a surface turns"};
     struct codev_qualifiers qualifiers;
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
@@ -171,9 +171,12 @@ static bool lose_unless_zero(struct codev *codev, int what, struct error *error)
 static bool lose(struct codev *codev, int what, struct error *error)
 {
     static const char *const reasons[] = {
-        "a rectangular or elliptic aperture", "a toric, anamorphic or special surface",
-        "a diffractive surface", "a shift or turn that is undone or related to another surface",
-        "a thermal environment", "an index that is changed"};
+        "a rectangular or elliptic aperture",
+        "a toric, anamorphic or special surface",
+        "a diffractive surface",
+        "a shift or turn that is undone or related to another surface",
+        "a thermal environment",
+        "an index that is changed"};
     return codev_lose(codev, error, "%s", reasons[what]);
 }
 
@@ -274,17 +277,17 @@ static const struct {
 
 /* Displays, tolerances, variables of the optimiser, bookkeeping. */
 static const char harmless[][4] = {
-    "GO",  "INI", "CCY", "CCX", "THC", "CUC", "GLC", "KC",  "AC",  "BC",  "CC",  "DC",  "EC",
-    "FC",  "GC",  "HC",  "JC",  "XDC", "YDC", "ZDC", "ADC", "BDC", "CDC", "DER", "CLS", "UID",
-    "WTF", "DOR", "POL", "CA",  "CUM", "THM", "CAX", "COM", "HCC", "DSX", "DSY", "BTX", "BTY",
-    "DLF", "DLT", "DLR", "DLN", "DLV", "TIR", "CMP", "SD",  "MFL", "CWL", "INT", "RMX", "DEL",
-    "CIN", "TOL", "DPT", "FVR", "SAV", "LDM", "PTB",
+    "GO",  "INI", "CCY", "CCX", "THC", "CUC", "GLC", "KC",  "AC",  "BC",  "CC",  "DC",
+    "EC",  "FC",  "GC",  "HC",  "JC",  "XDC", "YDC", "ZDC", "ADC", "BDC", "CDC", "DER",
+    "CLS", "UID", "WTF", "DOR", "POL", "CA",  "CUM", "THM", "CAX", "COM", "HCC", "DSX",
+    "DSY", "BTX", "BTY", "DLF", "DLT", "DLR", "DLN", "DLV", "TIR", "CMP", "SD",  "MFL",
+    "CWL", "INT", "RMX", "DEL", "CIN", "TOL", "DPT", "FVR", "SAV", "LDM", "PTB",
 };
 
 /* Beginnings of macros; these are refused even where losses are allowed. */
-static const char macros[][4] = {"IN",  "OUT", "LCL", "GBL", "FOR", "IF",  "ELS", "WHI", "UNT",
-                                 "EVA", "RUN", "WRI", "WRT", "GOT", "RFD", "NUM", "STR", "AUT",
-                                 "FCT", "ROW", "BUF", "DO",  "INS", "DEL"};
+static const char macros[][4] = {"IN",  "OUT", "LCL", "GBL", "FOR", "IF",  "ELS", "WHI",
+                                 "UNT", "EVA", "RUN", "WRI", "WRT", "GOT", "RFD", "NUM",
+                                 "STR", "AUT", "FCT", "ROW", "BUF", "DO",  "INS", "DEL"};
 
 static bool is_in(const char (*list)[4], size_t count, const char *key)
 {
@@ -393,8 +396,7 @@ static bool finish(struct codev *codev, struct error *error)
         }
     }
     if (codev->image_solve.text.length > 0 && sequence->count > 2) {
-        struct sequence_solve *solve =
-            &sequence->surfaces[sequence->count - 2].thickness_solve;
+        struct sequence_solve *solve = &sequence->surfaces[sequence->count - 2].thickness_solve;
         *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
     return codev_finish_system(codev, error) && check_mode(codev, error) &&

@@ -68,9 +68,9 @@ static bool check_place(struct codev *codev, struct error *error)
     }
     const struct text digits = {text.start + 1, text.length - 1};
     return commands_count(commands, word, digits, "number of the surface", 1, &number, error) &&
-           (number == next || commands_fail(commands, word, error,
-                                            "surface %zu, where surface %zu must stand", number,
-                                            next));
+           (number == next ||
+            commands_fail(commands, word, error, "surface %zu, where surface %zu must stand",
+                          number, next));
 }
 
 bool codev_surface(struct codev *codev, int what, struct error *error)
@@ -120,8 +120,8 @@ static bool read_solve(struct codev *codev, const struct codev_qualifiers *quali
         }
         struct sequence_solve *solve =
             is_thickness ? &surface->thickness_solve : &surface->curvature_solve;
-        *solve = (struct sequence_solve){true, solves[i].of_angle, solves[i].ray, {{0, 0}, {0}, 0},
-                                         word};
+        *solve = (struct sequence_solve){
+            true, solves[i].of_angle, solves[i].ray, {{0, 0}, {0}, 0}, word};
         return commands_figure(commands, qualifiers->next + 1,
                                is_thickness ? commands->scale : plain, "target of the solve",
                                &solve->target, error) &&
@@ -336,8 +336,7 @@ bool codev_shift(struct codev *codev, int what, struct error *error)
         return true;
     }
     figure.value = pair_multiply(figure.value, pair_of(radians));
-    surface->turn[what - 'A'] =
-        what == 'C' ? figure : sequence_negate(figure, codev->job->arena);
+    surface->turn[what - 'A'] = what == 'C' ? figure : sequence_negate(figure, codev->job->arena);
     return true;
 }
 

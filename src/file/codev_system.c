@@ -24,9 +24,8 @@ bool codev_title(struct codev *codev, int what, struct error *error)
         title = (struct text){title.start + 1, title.length - 2};
     }
     if (qualifiers.zoom == 0) {
-        lens->title = title.length > 0
-                          ? arena_string(codev->job->arena, title.start, title.length)
-                          : lens->title;
+        lens->title = title.length > 0 ? arena_string(codev->job->arena, title.start, title.length)
+                                       : lens->title;
         return true;
     }
     char *name = arena_string(codev->job->arena, title.start, title.length);
@@ -115,8 +114,8 @@ static void put_wavelength(struct codev *codev, size_t index)
     struct arena *arena = codev->job->arena;
     double wavelength = 0, weight = 1;
     number_read(nm.start, nm.start + nm.length, (struct number_scale){1, -3}, &wavelength);
-    const struct text heavy = index < codev->weight_count ? codev->weights[index].text
-                                                          : text_of("1");
+    const struct text heavy =
+        index < codev->weight_count ? codev->weights[index].text : text_of("1");
     number_read(heavy.start, heavy.start + heavy.length, plain, &weight);
     struct lens_wavelength *one = lens_build_wavelength(&codev->build, wavelength, weight);
     one->typed = text_of(arena_printf(arena, "%.*snm", (int)nm.length, nm.start));
@@ -283,14 +282,13 @@ bool codev_values(struct codev *codev, const struct codev_qualifiers *qualifiers
     struct figure *all = ARENA_ARRAY(arena, positions + 1, struct figure);
     if (positions == 0 || qualifiers->zoom > positions ||
         (given != (qualifiers->zoom > 0 ? 1 : positions))) {
-        return commands_fail(commands, &commands->words[0], error,
-                             "%zu numbers for %zu positions", given, positions);
+        return commands_fail(commands, &commands->words[0], error, "%zu numbers for %zu positions",
+                             given, positions);
     }
     for (size_t i = 0; i < positions; i++) {
         bool is_read = qualifiers->zoom == 0 || qualifiers->zoom == i + 1;
         size_t word = qualifiers->next + (qualifiers->zoom == 0 ? i : 0);
-        if (is_read &&
-            !commands_figure(commands, word, commands->scale, "value", &all[i], error)) {
+        if (is_read && !commands_figure(commands, word, commands->scale, "value", &all[i], error)) {
             return false;
         }
         if (is_read && double_them) {
@@ -331,8 +329,8 @@ bool codev_zoom(struct codev *codev, int what, struct error *error)
     static const struct {
         const char *name;
         char what;
-    } names[] = {{"TIT", ' '}, {"EPD", 'E'}, {"FNO", 'F'}, {"NAO", 'O'}, {"NA", 'N'},
-                 {"THI", 't'}, {"CIR", 'c'}};
+    } names[] = {{"TIT", ' '}, {"EPD", 'E'}, {"FNO", 'F'}, {"NAO", 'O'},
+                 {"NA", 'N'},  {"THI", 't'}, {"CIR", 'c'}};
     const struct command_word word = commands_word(&codev->commands, 1);
     struct codev_qualifiers qualifiers;
     char kind = 0;
@@ -357,14 +355,15 @@ bool codev_zoom(struct codev *codev, int what, struct error *error)
         return true;
     }
     if (kind == 0) {
-        return codev_lose(codev, error, "'%.*s' in positions: only thicknesses, diameters and "
-                                        "apertures change with them",
+        return codev_lose(codev, error,
+                          "'%.*s' in positions: only thicknesses, diameters and "
+                          "apertures change with them",
                           (int)(word.text.length < 20 ? word.text.length : 20), word.text.start);
     }
-    return !is_list || codev_values(codev, &qualifiers,
-                                    kind == 't' ? &surface->thickness : &surface->diameter,
-                                    kind == 't' ? &surface->thicknesses : &surface->diameters,
-                                    kind == 'c', error);
+    return !is_list ||
+           codev_values(codev, &qualifiers, kind == 't' ? &surface->thickness : &surface->diameter,
+                        kind == 't' ? &surface->thicknesses : &surface->diameters, kind == 'c',
+                        error);
 }
 
 /* PIK RDY S4 Z1 RDY S2 Z1 -1.0 0.5 */
@@ -387,7 +386,8 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
         found++;
     }
     if (found == sizeof names / sizeof names[0]) {
-        return codev_lose(codev, error, "a pick-up that is not known, the number of the file stands");
+        return codev_lose(codev, error,
+                          "a pick-up that is not known, the number of the file stands");
     }
     if (!codev_qualifiers(codev, 2, &to, error) ||
         !codev_qualifiers(codev, to.next + 1, &from, error)) {

@@ -64,7 +64,8 @@ static bool put_text(struct output *output, const char *name, const char *string
     put(output, text);
     put_string(output, quote);
     put_string(output, "\n");
-    return !has_lost || lose(output, error, "a text with both kinds of quotes loses the double ones");
+    return !has_lost ||
+           lose(output, error, "a text with both kinds of quotes loses the double ones");
 }
 
 static bool is_same_medium(const struct medium *a, const struct medium *b)
@@ -131,8 +132,9 @@ static bool put_medium(struct output *output, const struct medium *medium, struc
     put(output, index);
     put_string(output, ":");
     put(output, abbe);
-    return lose(output, error, "a glass whose nd is not from 1 to 2 or whose Vd is not from 0 to "
-                               "100 has no code; it is written nd:Vd");
+    return lose(output, error,
+                "a glass whose nd is not from 1 to 2 or whose Vd is not from 0 to "
+                "100 has no code; it is written nd:Vd");
 }
 
 /* A table of indices or one index for all light, as a glass of the file's own catalogue. */
@@ -166,8 +168,8 @@ static void put_own(struct output *output, size_t index)
 
 static void add_own(struct output *output, const struct medium *medium)
 {
-    bool own = (medium->kind == MEDIUM_CONSTANT && !medium_is_air(medium)) ||
-               medium->kind == MEDIUM_TABLE;
+    bool own =
+        (medium->kind == MEDIUM_CONSTANT && !medium_is_air(medium)) || medium->kind == MEDIUM_TABLE;
     for (size_t i = 0; i < output->own_count && own; i++) {
         own = !is_same_medium(output->own[i], medium);
     }
@@ -179,8 +181,7 @@ static void add_own(struct output *output, const struct medium *medium)
 static void put_catalog(struct output *output)
 {
     const struct lens *lens = output->lens;
-    output->own =
-        ARENA_ARRAY(output->job->arena, lens->surface_count + 1, const struct medium *);
+    output->own = ARENA_ARRAY(output->job->arena, lens->surface_count + 1, const struct medium *);
     add_own(output, &lens->object_medium);
     for (size_t i = 0; i < lens->surface_count; i++) {
         add_own(output, &lens->surfaces[i].medium);
@@ -225,8 +226,7 @@ static bool put_pupil(struct output *output, struct error *error)
 static void put_pupils(struct output *output)
 {
     const struct lens *lens = output->lens;
-    struct figure *pupils =
-        ARENA_ARRAY(output->job->arena, lens->position_count, struct figure);
+    struct figure *pupils = ARENA_ARRAY(output->job->arena, lens->position_count, struct figure);
     for (size_t i = 0; i < lens->position_count; i++) {
         pupils[i].variable = LENS_NONE;
         if (!writing_pupil(&output->writing, i, &pupils[i].value.hi)) {
@@ -265,8 +265,8 @@ static void put_waves(struct output *output)
     put_string(output, lens->wavelength_count == 0 ? " 587.5618\nREF 1\nWTW" : "\nREF 1\nWTW");
     column = 3;
     for (size_t i = 0; i < lens->wavelength_count || i == 0; i++) {
-        const struct text weight = i < lens->wavelength_count ? lens->wavelengths[i].weight_typed
-                                                              : (struct text){NULL, 0};
+        const struct text weight =
+            i < lens->wavelength_count ? lens->wavelengths[i].weight_typed : (struct text){NULL, 0};
         put_number(output, &column, weight.start != NULL ? weight : text_of("1"));
     }
     put_string(output, "\n");
@@ -274,8 +274,9 @@ static void put_waves(struct output *output)
 
 static void put_fields(struct output *output)
 {
-    static const char *const words[][2] = {
-        [FIELD_ANGLE] = {"XAN", "YAN"}, [FIELD_HEIGHT] = {"XOB", "YOB"}, [FIELD_IMAGE] = {"XIM", "YIM"}};
+    static const char *const words[][2] = {[FIELD_ANGLE] = {"XAN", "YAN"},
+                                           [FIELD_HEIGHT] = {"XOB", "YOB"},
+                                           [FIELD_IMAGE] = {"XIM", "YIM"}};
     const struct lens *lens = output->lens;
     for (int axis = 0; axis < 2 && lens->field_kind != FIELD_NONE; axis++) {
         size_t column = 3;
@@ -295,7 +296,9 @@ static void put_fields(struct output *output)
 static bool put_header(struct output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
-    const char unit = strcmp(lens->unit, "cm") == 0 ? 'C' : strcmp(lens->unit, "in") == 0 ? 'I' : 'M';
+    const char unit = strcmp(lens->unit, "cm") == 0   ? 'C'
+                      : strcmp(lens->unit, "in") == 0 ? 'I'
+                                                      : 'M';
     put_string(output, "RDM;LEN\n");
     if (lens->title != NULL && !put_text(output, "TITLE", lens->title, error)) {
         return false;
@@ -338,7 +341,8 @@ static bool put_asphere(struct output *output, const struct surface *surface, st
     bool asphere = (surface->coefficients & ~1u) != 0;
     if (asphere || conic) {
         put_string(output, asphere ? "  ASP\n" : "  CON\n");
-        put_command(output, "  K", conic ? writing_length(writing, &surface->conic, 0) : text_of("0.0"));
+        put_command(output, "  K",
+                    conic ? writing_length(writing, &surface->conic, 0) : text_of("0.0"));
     }
     for (int i = 1; i < LENS_COEFFICIENTS; i++) {
         if ((surface->coefficients >> i & 1) != 0) {
@@ -388,8 +392,7 @@ static bool put_surface(struct output *output, size_t index, struct error *error
 {
     const struct surface *surface = &output->lens->surfaces[index];
     struct writing *writing = &output->writing;
-    const struct medium *before =
-        index > 0 ? &surface[-1].medium : &output->lens->object_medium;
+    const struct medium *before = index > 0 ? &surface[-1].medium : &output->lens->object_medium;
     if (surface->moved != NULL && surface->bend != NULL) { /* the bend on a plane of its own */
         put_string(output, "S 0.0 0.0");
         if (!put_medium(output, before, error)) {
@@ -402,8 +405,8 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     put_string(output, "S ");
     put(output, has_radius ? writing_length(writing, &surface->radius, 1) : text_of("0.0"));
     put_string(output, " ");
-    put(output, surface->has_thickness ? writing_length(writing, &surface->thickness, 1)
-                                       : text_of("0.0"));
+    put(output,
+        surface->has_thickness ? writing_length(writing, &surface->thickness, 1) : text_of("0.0"));
     if (surface->kind == SURFACE_REFLECT) {
         put_string(output, " REFL");
     } else if (!put_medium(output, &surface->medium, error)) {

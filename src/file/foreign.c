@@ -12,7 +12,8 @@
 #include <string.h>
 
 const struct foreign_format *const foreign_formats[] = {
-    &codev_format, &oslo_format,
+    &codev_format,
+    &oslo_format,
     NULL,
 };
 
@@ -101,9 +102,9 @@ static bool ask(const struct foreign_job *job, const char *written, struct mediu
     }
     const struct glass *glass = lens_glass_of(medium);
     if (glass != NULL && glass->catalog.length > 0) { /* as the catalogue spells it */
-        medium->written = text_of(arena_printf(
-            job->arena, "%.*s:%.*s", (int)glass->catalog.length, glass->catalog.start,
-            (int)glass->name.length, glass->name.start));
+        medium->written =
+            text_of(arena_printf(job->arena, "%.*s:%.*s", (int)glass->catalog.length,
+                                 glass->catalog.start, (int)glass->name.length, glass->name.start));
     }
     return true;
 }

@@ -198,8 +198,9 @@ static bool read_general_coefficient(struct oslo *oslo, struct error *error)
         return true;
     }
     if (!oslo->is_general || index == 0 || index > LENS_COEFFICIENTS) {
-        return oslo_lose(oslo, error, "a coefficient of another asphere than ASP ASR, of order 2 "
-                                      "to 20");
+        return oslo_lose(oslo, error,
+                         "a coefficient of another asphere than ASP ASR, of order 2 "
+                         "to 20");
     }
     return put_coefficient(oslo, 2 * (int)index, error);
 }
@@ -241,8 +242,8 @@ static bool read_move(struct oslo *oslo, int what, struct error *error)
     struct sequence_surface *surface = present(oslo);
     const struct command_word word = commands_word(&oslo->commands, 1);
     size_t to = oslo->surface;
-    if (word.text.length > 0 &&
-        !commands_count(&oslo->commands, &word, word.text, "number of the surface", 0, &to, error)) {
+    if (word.text.length > 0 && !commands_count(&oslo->commands, &word, word.text,
+                                                "number of the surface", 0, &to, error)) {
         return false;
     }
     surface->move = (enum sequence_move)what;
@@ -278,10 +279,10 @@ static const struct {
     enum sequence_what what;
     double scale;
     bool is_length;
-} pickups[] = {{"CV", SEQUENCE_PROFILE, 1, false},    {"CVM", SEQUENCE_PROFILE, -1, false},
-               {"TH", SEQUENCE_THICKNESS, 1, true},   {"THM", SEQUENCE_THICKNESS, -1, true},
-               {"LN", SEQUENCE_LENGTH, 1, true},      {"LNM", SEQUENCE_LENGTH, -1, true},
-               {"AP", SEQUENCE_DIAMETER, 1, true},    {"GLA", SEQUENCE_MEDIUM, 1, false}};
+} pickups[] = {{"CV", SEQUENCE_PROFILE, 1, false},  {"CVM", SEQUENCE_PROFILE, -1, false},
+               {"TH", SEQUENCE_THICKNESS, 1, true}, {"THM", SEQUENCE_THICKNESS, -1, true},
+               {"LN", SEQUENCE_LENGTH, 1, true},    {"LNM", SEQUENCE_LENGTH, -1, true},
+               {"AP", SEQUENCE_DIAMETER, 1, true},  {"GLA", SEQUENCE_MEDIUM, 1, false}};
 
 /* A surface by its number, or that many before the present one. */
 static bool read_reference(struct oslo *oslo, size_t word, size_t *surface, struct error *error)
@@ -364,10 +365,15 @@ static bool read_nothing(struct oslo *oslo, int what, struct error *error)
 
 static bool lose(struct oslo *oslo, int what, struct error *error)
 {
-    static const char *const reasons[] = {
-        "a perfect lens", "a grating", "coordinates of another surface", "a zoom configuration",
-        "a toric surface", "an aperture that is no circle", "rays that leave the object in parallel",
-        "an index that changes inside of the glass", "a solve that is not known"};
+    static const char *const reasons[] = {"a perfect lens",
+                                          "a grating",
+                                          "coordinates of another surface",
+                                          "a zoom configuration",
+                                          "a toric surface",
+                                          "an aperture that is no circle",
+                                          "rays that leave the object in parallel",
+                                          "an index that changes inside of the glass",
+                                          "a solve that is not known"};
     return oslo_lose(oslo, error, "%s", reasons[what]);
 }
 
@@ -448,14 +454,14 @@ static const struct {
 
 /* Notes of the designer, displays, tolerances, operands. */
 static const char *const harmless[] = {
-    "DES", "DLID", "WRSP", "TCE", "DSP", "DRW", "NOT", "LID", "SUR", "APCK", "TEM", "PRE", "TELE",
-    "SDAD", "IMD", "EVZ", "DLAP", "RFS", "OPDM", "WARM", "ASI", "PLT", "TOL",
+    "DES",  "DLID", "WRSP", "TCE", "DSP",  "DRW", "NOT",  "LID",  "SUR", "APCK", "TEM", "PRE",
+    "TELE", "SDAD", "IMD",  "EVZ", "DLAP", "RFS", "OPDM", "WARM", "ASI", "PLT",  "TOL",
 };
 
 static bool run_numbered(struct oslo *oslo, struct text name, bool *known, struct error *error)
 {
-    bool digit = name.length > 2 && name.start[name.length - 1] >= '0' &&
-                 name.start[name.length - 1] <= '9';
+    bool digit =
+        name.length > 2 && name.start[name.length - 1] >= '0' && name.start[name.length - 1] <= '9';
     struct text first = {name.start, 2};
     *known = true;
     if (digit && text_same(first, "WV")) {
@@ -577,7 +583,8 @@ static bool oslo_is_like(struct text content)
 {
     for (struct text rest = content; rest.start != NULL;) {
         struct text line = text_trim(text_cut(&rest, '\n')), word = text_cut(&line, ' ');
-        struct text next = line.start != NULL ? text_trim(line) : line, second = text_cut(&next, ' ');
+        struct text next = line.start != NULL ? text_trim(line) : line,
+                    second = text_cut(&next, ' ');
         if (text_same(word, "LEN") && text_same(second, "NEW")) {
             return true;
         }

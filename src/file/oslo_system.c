@@ -165,8 +165,8 @@ static bool read_indices(struct oslo *oslo, size_t first, bool is_model, struct 
     } else {
         written = table_of(oslo, first, count);
     }
-    return sequence_medium(commands, word, written,
-                           &oslo->sequence.surfaces[oslo->surface].medium, error);
+    return sequence_medium(commands, word, written, &oslo->sequence.surfaces[oslo->surface].medium,
+                           error);
 }
 
 /* A glass by name; those of Ohara and Hoya have a letter in front, those of Schott have none. */
@@ -225,8 +225,7 @@ static void finish_waves(struct oslo *oslo)
         number_read(um.start, um.start + um.length, plain, &wavelength);
         number_read(heavy.start, heavy.start + heavy.length, plain, &weight);
         struct lens_wavelength *one = lens_build_wavelength(&oslo->build, wavelength, weight);
-        one->typed =
-            text_of(arena_printf(oslo->job->arena, "%.*sum", (int)um.length, um.start));
+        one->typed = text_of(arena_printf(oslo->job->arena, "%.*sum", (int)um.length, um.start));
         if (weight != 1) {
             one->weight_typed = heavy;
         }
@@ -265,8 +264,8 @@ bool oslo_finish_system(struct oslo *oslo, struct error *error)
 {
     struct lens *lens = oslo->build.lens;
     const struct figure *distance = &oslo->sequence.surfaces[0].thickness;
-    struct pair units = pair_multiply(
-        distance->value, lens_words_per_length(pair_of(1), oslo->commands.scale, 1));
+    struct pair units =
+        pair_multiply(distance->value, lens_words_per_length(pair_of(1), oslo->commands.scale, 1));
     bool is_infinite = fabs(units.hi) >= oslo->commands.grammar->infinity;
     const struct lens_words place = commands_place(&oslo->commands, &oslo->aperture);
     finish_waves(oslo);

@@ -67,8 +67,9 @@ static bool put_aperture(struct output *output, struct error *error)
         return true;
     }
     if (!lens->object_is_infinite) {
-        return lose(output, error, "the aperture of a lens with a finite object: OSLO wants its "
-                                   "NA, write 'aperture na'");
+        return lose(output, error,
+                    "the aperture of a lens with a finite object: OSLO wants its "
+                    "NA, write 'aperture na'");
     }
     if (lens->aperture_kind == APERTURE_STOP) {
         put_string(output, OSLO_STOP_RULES "\n");
@@ -103,8 +104,9 @@ static bool put_field(struct output *output, struct error *error)
     put_command(output, words[lens->field_kind],
                 lens->field_kind == FIELD_ANGLE ? writing_degrees(&output->writing, edge)
                                                 : length_of(output, edge));
-    return others == 0 || lose(output, error, "OSLO keeps the edge of the field only: the fields "
-                                              "between it and the axis are left out");
+    return others == 0 || lose(output, error,
+                               "OSLO keeps the edge of the field only: the fields "
+                               "between it and the axis are left out");
 }
 
 static bool put_header(struct output *output, struct error *error)
@@ -177,7 +179,9 @@ static void put_medium(struct output *output, const struct medium *medium)
         put_command(output, "GLA", medium->written);
     } else {
         writing_glass(writing, output->job, medium, &name, &catalog);
-        const char *prefix = text_equal(catalog, "OHARA") ? "O_" : text_equal(catalog, "HOYA") ? "H_" : "";
+        const char *prefix = text_equal(catalog, "OHARA")  ? "O_"
+                             : text_equal(catalog, "HOYA") ? "H_"
+                                                           : "";
         put_string(output, "GLA ");
         put_string(output, prefix);
         put_command(output, "", name);
@@ -279,8 +283,8 @@ static void put_waves(struct output *output)
     }
     put_string(output, lens->wavelength_count == 0 ? " 0.5875618\nWW" : "\nWW");
     for (size_t i = 0; i < lens->wavelength_count || i == 0; i++) {
-        const struct text weight = i < lens->wavelength_count ? lens->wavelengths[i].weight_typed
-                                                              : (struct text){NULL, 0};
+        const struct text weight =
+            i < lens->wavelength_count ? lens->wavelengths[i].weight_typed : (struct text){NULL, 0};
         put_string(output, " ");
         writing_put(writing, weight.start != NULL ? weight : text_of("1.0"));
     }
@@ -308,8 +312,8 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
         return false;
     }
     put_medium(&output, &lens->object_medium);
-    put_command(&output, "TH", lens->object_is_infinite ? text_of("1.0e+20")
-                                                        : length_of(&output, &lens->object));
+    put_command(&output, "TH",
+                lens->object_is_infinite ? text_of("1.0e+20") : length_of(&output, &lens->object));
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (!put_surface(&output, i, error)) {
             return false;

@@ -133,8 +133,8 @@ static void follow_curve(const struct sequence *sequence, const struct sequence_
     target->curve = follow(sequence, curve, pickup, as_radius ? scale : inverse);
     if (!as_radius) {
         struct pair per_unit = lens_words_per_length(pair_of(1), scale, 1);
-        target->curve =
-            figure_computed(pair_divide(target->curve.value, per_unit), inverse, sequence->job->arena);
+        target->curve = figure_computed(pair_divide(target->curve.value, per_unit), inverse,
+                                        sequence->job->arena);
         sequence_per_length(sequence->commands, 1, &target->curve);
     }
 }
@@ -147,9 +147,9 @@ static void follow_profile(const struct sequence *sequence, const struct sequenc
     target->curved = source->curved;
     target->coefficients = source->coefficients;
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        target->coefficient[i] = pickup->scale.hi < 0 ? sequence_negate(source->coefficient[i],
-                                                                        sequence->job->arena)
-                                                      : source->coefficient[i];
+        target->coefficient[i] = pickup->scale.hi < 0
+                                     ? sequence_negate(source->coefficient[i], sequence->job->arena)
+                                     : source->coefficient[i];
     }
 }
 
@@ -221,9 +221,10 @@ static struct figure cell(const struct sequence *sequence, const char *name,
     }
     struct figure *values = ARENA_ARRAY(sequence->job->arena, count, struct figure);
     for (size_t i = 0; i < count; i++) {
-        values[i] = extra.hi == 0 ? all[i]
-                                  : figure_computed(pair_add(all[i].value, extra),
-                                                    sequence->commands->scale, sequence->job->arena);
+        values[i] = extra.hi == 0
+                        ? all[i]
+                        : figure_computed(pair_add(all[i].value, extra), sequence->commands->scale,
+                                          sequence->job->arena);
     }
     return (struct figure){.typed = text_of(name),
                            .variable = lens_build_variable(build, name, values)};
@@ -258,7 +259,8 @@ static bool is_moved(const struct sequence_surface *surface)
 
 /* Shift and turns; the shift along the axis has gone into the thicknesses. */
 static const struct displacement *displacement_of(const struct sequence *sequence,
-                                                  const struct sequence_surface *from, bool turn_only)
+                                                  const struct sequence_surface *from,
+                                                  bool turn_only)
 {
     struct displacement *all = ARENA_NEW(sequence->job->arena, struct displacement);
     for (int i = 0; i < 2; i++) {
@@ -323,8 +325,7 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     struct surface *surface = lens_build_surface(build);
     *lens_index = lens->surface_count - 1;
     put_curve(sequence, from, surface);
-    const struct medium *before =
-        *lens_index > 0 ? &surface[-1].medium : &lens->object_medium;
+    const struct medium *before = *lens_index > 0 ? &surface[-1].medium : &lens->object_medium;
     surface->kind = from->reflects ? SURFACE_REFLECT : SURFACE_REFRACT;
     surface->medium = from->reflects ? *before : from->medium;
     surface->conic = from->conic;
@@ -370,8 +371,8 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     const struct lens_words place = commands_place(sequence->commands, &object->at);
     double far = sequence->commands->grammar->infinity;
     struct pair one = {1, 0};
-    struct pair in_units =
-        pair_multiply(object->thickness.value, lens_words_per_length(one, sequence->commands->scale, 1));
+    struct pair in_units = pair_multiply(object->thickness.value,
+                                         lens_words_per_length(one, sequence->commands->scale, 1));
     if ((sequence_is_some(&object->curve) || is_moved(object)) &&
         !foreign_loss(sequence->job, &place, object->at.text, error,
                       "a curved or tilted object is taken as a plane")) {
@@ -380,8 +381,9 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     lens->object_medium = object->medium;
     const struct figure infinite = {{INFINITY, 0}, text_of("inf"), LENS_NONE};
     lens->object_is_infinite = fabs(in_units.hi) >= far;
-    lens->object = lens->object_is_infinite ? infinite
-                                            : cell(sequence, "", &object->thickness, NULL, object->extra);
+    lens->object = lens->object_is_infinite
+                       ? infinite
+                       : cell(sequence, "", &object->thickness, NULL, object->extra);
     if (!lens->object_is_infinite && !(lens->object.value.hi > 0)) {
         return commands_fail(sequence->commands, &object->at, error,
                              "the object's distance %.6g is not above 0", in_units.hi);

@@ -4,7 +4,7 @@
 #define LENSCALC_FILE_SEQUENCE_H
 
 #include "base/error.h"
-#include "file/commands.h"
+#include "file/command_words.h"
 #include "file/foreign.h"
 #include "file/lens_build.h"
 #include "file/lens_solve.h"
@@ -64,7 +64,7 @@ struct sequence_surface {
     bool is_stop;
     const char *name;
     enum sequence_move move;
-    bool turns_first; /* before it is shifted, and about z first */
+    bool turns_first;                /* before it is shifted, and about z first */
     struct figure shift[3], turn[3]; /* x, y, z */
     struct command_word moved_at;
     bool has_plane_behind;     /* in the lens, to turn the axis */

@@ -28,8 +28,8 @@ static bool solve_one(const struct solving *solving, size_t position, struct pai
         return false;
     }
     const struct pair target = solving->solve->target.value;
-    *value = solving->is_thickness ? solve_thickness(&state, target)
-                                   : solve_curvature(&state, target);
+    *value =
+        solving->is_thickness ? solve_thickness(&state, target) : solve_curvature(&state, target);
     if (solving->is_thickness) {
         *value = pair_add(*value, solving->from->extra);
     }
@@ -158,8 +158,7 @@ static bool pass(const struct sequence *sequence, const size_t *indices, bool *s
     return true;
 }
 
-bool sequence_solve_all(const struct sequence *sequence, const size_t *indices,
-                        struct error *error)
+bool sequence_solve_all(const struct sequence *sequence, const size_t *indices, struct error *error)
 {
     bool settled = false;
     for (int i = 0; i < MOST_PASSES && !settled; i++) {
@@ -167,7 +166,6 @@ bool sequence_solve_all(const struct sequence *sequence, const size_t *indices,
             return false;
         }
     }
-    return settled ||
-           fail(error, ERROR_DATA, "%s: the solves of the file do not settle",
-                sequence->commands->source);
+    return settled || fail(error, ERROR_DATA, "%s: the solves of the file do not settle",
+                           sequence->commands->source);
 }

@@ -117,11 +117,10 @@ bool writing_pupil(const struct writing *writing, size_t position, double *diame
     struct conjugate_object object = lens_object(lens);
     struct first_order first;
     struct error error;
-    bool known = first_order_of_lens(lens, lens_primary_wavelength(lens), SECTION_Y,
-                                     writing->arena, &first, &error) &&
+    bool known = first_order_of_lens(lens, lens_primary_wavelength(lens), SECTION_Y, writing->arena,
+                                     &first, &error) &&
                  first_order_aperture(&first, &object, &aperture, FIELD_NONE, 0, &error);
-    if (!known || !(first.entrance_diameter > 0) ||
-        !isfinite(first.entrance_diameter)) {
+    if (!known || !(first.entrance_diameter > 0) || !isfinite(first.entrance_diameter)) {
         return false;
     }
     *diameter = first.entrance_diameter;
@@ -171,9 +170,8 @@ void writing_glass(const struct writing *writing, const struct foreign_job *job,
     *name = glass->name;
     *catalog = glass->catalog;
     const char *bare = bare_name(*name, writing->arena);
-    const struct glass *found =
-        meaning(job, arena_printf(writing->arena, "%.*s:%s", (int)catalog->length, catalog->start,
-                                  bare));
+    const struct glass *found = meaning(
+        job, arena_printf(writing->arena, "%.*s:%s", (int)catalog->length, catalog->start, bare));
     if (found != NULL && is_same(found->name, glass->name) &&
         is_same(found->catalog, glass->catalog)) {
         *name = text_of(bare);

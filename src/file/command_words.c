@@ -1,6 +1,6 @@
-/* file/commands.c - the words of lens files that are made of commands: CODE V and OSLO. */
+/* file/command_words.c - the words of lens files that are made of commands: CODE V and OSLO. */
 /* SPDX-License-Identifier: MIT */
-#include "file/commands.h"
+#include "file/command_words.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -9,11 +9,8 @@
 void commands_open(struct commands *commands, const char *source, struct text content,
                    const struct command_grammar *grammar, struct arena *arena)
 {
-    *commands = (struct commands){.source = source,
-                                  .grammar = grammar,
-                                  .arena = arena,
-                                  .rest = content,
-                                  .scale = {1, 0}};
+    *commands = (struct commands){
+        .source = source, .grammar = grammar, .arena = arena, .rest = content, .scale = {1, 0}};
 }
 
 static bool is_blank(char c)

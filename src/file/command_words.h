@@ -1,7 +1,7 @@
-/* file/commands.h - the words of lens files that are made of commands: CODE V and OSLO. */
+/* file/command_words.h - the words of lens files that are made of commands: CODE V and OSLO. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_COMMANDS_H
-#define LENSCALC_FILE_COMMANDS_H
+#ifndef LENSCALC_FILE_COMMAND_WORDS_H
+#define LENSCALC_FILE_COMMAND_WORDS_H
 
 #include "base/arena.h"
 #include "base/error.h"
@@ -14,18 +14,18 @@
 
 /* What separates the commands of a program's files. */
 struct command_grammar {
-    const char *comment;  /* from here to the end of the line, outside of quotes */
-    const char *quotes;   /* characters that enclose a word with blanks */
-    char separator;       /* between two commands of one line */
-    char continuation;    /* at the end of a line: the command goes on; 0 = there is none */
-    double infinity;      /* distances of the object of this many units and more are infinite */
+    const char *comment; /* from here to the end of the line, outside of quotes */
+    const char *quotes;  /* characters that enclose a word with blanks */
+    char separator;      /* between two commands of one line */
+    char continuation;   /* at the end of a line: the command goes on; 0 = there is none */
+    double infinity;     /* distances of the object of this many units and more are infinite */
 };
 
 /* A word and where it stands. */
 struct command_word {
-    struct text text;  /* without its quotes */
-    struct text line;  /* the physical line */
-    long number;       /* of that line, 1-based */
+    struct text text; /* without its quotes */
+    struct text line; /* the physical line */
+    long number;      /* of that line, 1-based */
     bool is_quoted;
 };
 
