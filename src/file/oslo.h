@@ -18,6 +18,9 @@ extern const struct foreign_format oslo_format;
 /* A comment that lenscalc writes beside the EBR of a lens whose stop rules the aperture. */
 #define OSLO_STOP_RULES "// lenscalc: the stop's diameter rules, not EBR"
 
+/* And the fields as a .lens file has them, which OSLO keeps as fractions of the largest. */
+#define OSLO_FIELDS "// lenscalc: fields"
+
 bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                 struct error *error);
 

@@ -354,6 +354,15 @@ static bool read_end(struct oslo *oslo, int what, struct error *error)
 {
     (void)what, (void)error;
     oslo->has_ended = true;
+    oslo->in_points = false;
+    return true;
+}
+
+/* RST NEW .. END behind the lens: points of the field. */
+static bool read_set(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what, (void)error;
+    oslo->in_points = true;
     return true;
 }
 
@@ -432,6 +441,8 @@ static const struct {
     {"WV", oslo_waves, 0},
     {"WW", oslo_weights, 0},
     {"END", read_end, 0},
+    {"RST", read_set, 0},
+    {"F", oslo_point, 0},
     {"PFL", lose, 0},
     {"PFM", lose, 0},
     {"GSP", lose, 1},
@@ -488,7 +499,9 @@ static bool run_command(struct oslo *oslo, struct error *error)
     if (!oslo->has_begun && !text_same(word->text, "LEN")) {
         return commands_fail(&oslo->commands, word, error, "the file does not begin with LEN NEW");
     }
-    if (oslo->has_ended) {
+    bool of_points = text_same(word->text, "RST") ||
+                     (oslo->in_points && (text_same(word->text, "F") || text_same(word->text, "END")));
+    if (oslo->has_ended && !of_points) {
         return oslo_lose(oslo, error, "a command behind END: further data of the lens");
     }
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
@@ -537,15 +550,23 @@ static bool read_unit(struct oslo *oslo, struct text content, struct error *erro
 }
 
 /* What lenscalc itself has written as a comment. */
-static void read_remark(struct oslo *oslo, struct text content)
+static bool read_remarks(struct oslo *oslo, struct text content, struct error *error)
 {
     struct lens *lens = oslo->build.lens;
+    const size_t length = sizeof OSLO_FIELDS - 1;
     for (struct text rest = content; rest.start != NULL;) {
-        if (text_equal(text_trim(text_cut(&rest, '\n')), OSLO_STOP_RULES)) {
+        const struct text line = text_trim(text_cut(&rest, '\n'));
+        if (line.length > length && memcmp(line.start, OSLO_FIELDS, length) == 0 &&
+            !oslo_fields(oslo, text_between(line.start + length, line.start + line.length),
+                         error)) {
+            return false;
+        }
+        if (text_equal(line, OSLO_STOP_RULES)) {
             lens->aperture_kind = APERTURE_STOP;
             lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
         }
     }
+    return true;
 }
 
 static bool oslo_read(struct foreign_job *job, struct text content, struct lens *lens,
@@ -574,8 +595,8 @@ static bool oslo_read(struct foreign_job *job, struct text content, struct lens 
     if (!oslo->has_stop && oslo->sequence.count > 2) { /* OSLO's stop, where none is named */
         oslo->sequence.surfaces[1].is_stop = true;
     }
-    read_remark(oslo, content);
-    return oslo_finish_system(oslo, error) && sequence_finish(&oslo->sequence, error);
+    return oslo_finish_system(oslo, error) && read_remarks(oslo, content, error) &&
+           sequence_finish(&oslo->sequence, error);
 }
 
 /* Some line begins with LEN NEW. */

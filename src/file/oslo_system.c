@@ -232,11 +232,76 @@ static void finish_waves(struct oslo *oslo)
     }
 }
 
-/* The axis and the edge of the field. */
+/* F n y x z yr xr y1 y2 x1 x2 weight: fractions of the field, and limits of the pupil. */
+bool oslo_point(struct oslo *oslo, int what, struct error *error)
+{
+    (void)what;
+    static const double usual[] = {0, 0, 0, 0, 0, -1, 1, -1, 1};
+    struct figure figure, fraction;
+    if (oslo->point_count == OSLO_MOST_WAVES) {
+        return commands_fail(&oslo->commands, &oslo->commands.words[0], error,
+                             "more than %d points of the field", OSLO_MOST_WAVES);
+    }
+    if (!commands_figure(&oslo->commands, 2, plain, "point of the field", &fraction, error)) {
+        return false;
+    }
+    oslo->points[oslo->point_count++] = fraction;
+    for (size_t i = 3; i < oslo->commands.count && i < 11; i++) {
+        if (!commands_figure(&oslo->commands, i, plain, "point of the field", &figure, error)) {
+            return false;
+        }
+        if (figure.value.hi != usual[i - 2]) {
+            return oslo_lose(oslo, error,
+                             "a point beside the y axis, or one with a pupil of its own");
+        }
+    }
+    return true;
+}
+
+bool oslo_fields(struct oslo *oslo, struct text line, struct error *error)
+{
+    struct lens *lens = oslo->build.lens;
+    struct lens_words words = {.source = oslo->job->source,
+                               .line = line,
+                               .at = line.start,
+                               .scale = oslo->commands.scale,
+                               .arena = oslo->job->arena};
+    bool angle = lens->field_kind == FIELD_ANGLE;
+    if (lens->field_kind == FIELD_NONE) {
+        return true;
+    }
+    if (!lens_words_figures(&words, angle ? plain : words.scale, "field", &lens->fields,
+                            &lens->field_count, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < lens->field_count && angle; i++) {
+        lens->fields[i].value = pair_multiply(lens->fields[i].value, pair_of(radians));
+    }
+    return true;
+}
+
+/* The points of the field; without any its axis and its edge. */
 static void put_fields(struct oslo *oslo, enum field_kind kind, struct figure edge)
 {
+    struct arena *arena = oslo->job->arena;
+    struct figure zero = figure_of(0, arena);
     oslo->build.lens->field_kind = kind;
-    *lens_build_field(&oslo->build) = figure_of(0, oslo->job->arena);
+    for (size_t i = 0; i < oslo->point_count; i++) {
+        double fraction = oslo->points[i].value.hi;
+        struct figure field = fraction == 0 ? zero : edge;
+        if (fraction != 0 && fraction != 1 && kind == FIELD_ANGLE) {
+            field = figure_of(atan(fraction * tan(edge.value.hi)) / radians, arena);
+            field.value = pair_multiply(field.value, pair_of(radians));
+        } else if (fraction != 0 && fraction != 1) {
+            field = figure_computed(pair_multiply(edge.value, pair_of(fraction)),
+                                    oslo->commands.scale, arena);
+        }
+        *lens_build_field(&oslo->build) = field;
+    }
+    if (oslo->point_count > 0) {
+        return;
+    }
+    *lens_build_field(&oslo->build) = zero;
     if (edge.value.hi != 0) {
         *lens_build_field(&oslo->build) = edge;
     }

@@ -16,11 +16,13 @@ struct oslo {
     struct sequence sequence;
     struct lens_build build;
     size_t surface; /* the present one */
-    bool has_begun, has_ended, has_stop, is_general;
+    bool has_begun, has_ended, has_stop, is_general, in_points;
     struct command_word aperture; /* where it stands */
     enum oslo_field field_is;
     struct figure field;
     struct command_word field_at;
+    struct figure points[OSLO_MOST_WAVES]; /* fractions of the field */
+    size_t point_count;
     struct text waves[OSLO_MOST_WAVES], weights[OSLO_MOST_WAVES]; /* um */
     size_t wave_count, weight_count;
 };
@@ -37,6 +39,12 @@ bool oslo_waves(struct oslo *oslo, int what, struct error *error);
 bool oslo_weights(struct oslo *oslo, int what, struct error *error);
 bool oslo_wave(struct oslo *oslo, struct error *error);
 bool oslo_weight(struct oslo *oslo, struct error *error);
+
+/* F n y x ..: a point of the field */
+bool oslo_point(struct oslo *oslo, int what, struct error *error);
+
+/* The fields of a remark that lenscalc wrote. */
+bool oslo_fields(struct oslo *oslo, struct text line, struct error *error);
 
 /* The unit of all lengths, wherever it stands. */
 bool oslo_unit(struct oslo *oslo, struct error *error);

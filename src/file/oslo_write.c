@@ -82,31 +82,57 @@ static bool put_aperture(struct output *output, struct error *error)
     return true;
 }
 
-static bool put_field(struct output *output, struct error *error)
+static const struct figure *edge_of(const struct lens *lens)
+{
+    const struct figure *edge = NULL;
+    for (size_t i = 0; i < lens->field_count; i++) {
+        const struct figure *field = &lens->fields[i];
+        edge = edge == NULL || fabs(field->value.hi) > fabs(edge->value.hi) ? field : edge;
+    }
+    return edge;
+}
+
+static struct text field_text(struct output *output, const struct figure *field)
+{
+    return output->lens->field_kind == FIELD_ANGLE ? writing_degrees(&output->writing, field)
+                                                   : length_of(output, field);
+}
+
+static void put_field(struct output *output)
 {
     static const char *const words[] = {
         [FIELD_ANGLE] = "ANG", [FIELD_HEIGHT] = "OBH", [FIELD_IMAGE] = "GIH"};
     const struct lens *lens = output->lens;
-    const struct figure *edge = NULL;
-    size_t others = 0;
-    for (size_t i = 0; i < lens->field_count; i++) {
-        const struct figure *field = &lens->fields[i];
-        if (edge == NULL || fabs(field->value.hi) > fabs(edge->value.hi)) {
-            others += edge != NULL && edge->value.hi != 0;
-            edge = field;
-        } else {
-            others += field->value.hi != 0;
-        }
-    }
+    const struct figure *edge = edge_of(lens);
     if (edge == NULL) {
-        return true;
+        return;
     }
-    put_command(output, words[lens->field_kind],
-                lens->field_kind == FIELD_ANGLE ? writing_degrees(&output->writing, edge)
-                                                : length_of(output, edge));
-    return others == 0 || lose(output, error,
-                               "OSLO keeps the edge of the field only: the fields "
-                               "between it and the axis are left out");
+    put_command(output, words[lens->field_kind], field_text(output, edge));
+    put_string(output, OSLO_FIELDS);
+    for (size_t i = 0; i < lens->field_count; i++) {
+        put_string(output, " ");
+        writing_put(&output->writing, field_text(output, &lens->fields[i]));
+    }
+    put_string(output, "\n");
+}
+
+/* OSLO's field points: fractions of the edge, of angles those of their tangents. */
+static void put_points(struct output *output)
+{
+    const struct lens *lens = output->lens;
+    const struct figure *edge = edge_of(lens);
+    bool angle = lens->field_kind == FIELD_ANGLE;
+    if (edge == NULL || edge->value.hi == 0) {
+        return;
+    }
+    put_string(output, "RST NEW\n");
+    for (size_t i = 0; i < lens->field_count; i++) {
+        double field = lens->fields[i].value.hi, whole = edge->value.hi;
+        double fraction = angle ? tan(field) / tan(whole) : field / whole;
+        writing_printf(&output->writing, "F %zu %.12g 0.0 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 1.0\n",
+                       i + 1, fraction);
+    }
+    writing_printf(&output->writing, "END %zu\n", lens->field_count);
 }
 
 static bool put_header(struct output *output, struct error *error)
@@ -122,9 +148,10 @@ static bool put_header(struct output *output, struct error *error)
         return false;
     }
     writing_printf(&output->writing, " 100 %zu\n", lens->surface_count + 1);
-    if (!put_aperture(output, error) || !put_field(output, error)) {
+    if (!put_aperture(output, error)) {
         return false;
     }
+    put_field(output);
     put_string(output, "DES \"\"\n");
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
         if (strcmp(units[i][0], lens->unit) == 0) {
@@ -322,6 +349,7 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
     put_string(&output, "NXT\nAIR\n");
     put_waves(&output);
     writing_printf(&output.writing, "END %zu\n", lens->surface_count + 1);
+    put_points(&output);
     *text = (struct text){output.writing.data, output.writing.length};
     return true;
 }
