@@ -274,82 +274,6 @@ static bool read_solve(struct oslo *oslo, int what, struct error *error)
                     "target of the solve", &solve->target, error);
 }
 
-static const struct {
-    const char *name;
-    enum sequence_what what;
-    double scale;
-    bool is_length;
-} pickups[] = {{"CV", SEQUENCE_PROFILE, 1, false},  {"CVM", SEQUENCE_PROFILE, -1, false},
-               {"TH", SEQUENCE_THICKNESS, 1, true}, {"THM", SEQUENCE_THICKNESS, -1, true},
-               {"LN", SEQUENCE_LENGTH, 1, true},    {"LNM", SEQUENCE_LENGTH, -1, true},
-               {"AP", SEQUENCE_DIAMETER, 1, true},  {"GLA", SEQUENCE_MEDIUM, 1, false}};
-
-/* A surface by its number, or that many before the present one. */
-static bool read_reference(struct oslo *oslo, size_t word, size_t *surface, struct error *error)
-{
-    const struct command_word found = commands_word(&oslo->commands, word);
-    bool is_relative = found.text.length > 0 && found.text.start[0] == '-';
-    struct text digits = {found.text.start + is_relative, found.text.length - is_relative};
-    if (!commands_count(&oslo->commands, &found, digits, "number of the surface", 0, surface,
-                        error)) {
-        return false;
-    }
-    if (is_relative ? *surface > oslo->surface : *surface >= oslo->surface) {
-        return commands_fail(&oslo->commands, &found, error,
-                             "a pick-up from surface %zu, which is not before surface %zu",
-                             *surface, oslo->surface);
-    }
-    *surface = is_relative ? oslo->surface - *surface : *surface;
-    return true;
-}
-
-static bool read_pickup(struct oslo *oslo, int what, struct error *error)
-{
-    (void)what;
-    const struct command_word word = commands_word(&oslo->commands, 1);
-    struct sequence_pickup pickup = {.target = oslo->surface, .at = oslo->commands.words[0]};
-    size_t found = 0, next = 3;
-    struct figure offset = {.value = {0, 0}};
-    while (found < sizeof pickups / sizeof pickups[0] &&
-           !text_same(word.text, pickups[found].name)) {
-        found++;
-    }
-    if (found == sizeof pickups / sizeof pickups[0]) {
-        return oslo_lose(oslo, error, "a pick-up that is not known, the number of the file stands");
-    }
-    if (!read_reference(oslo, 2, &pickup.source, error)) {
-        return false;
-    }
-    pickup.what = pickups[found].what;
-    pickup.scale = pair_of(pickups[found].scale);
-    pickup.end = oslo->surface;
-    if (pickup.what == SEQUENCE_LENGTH) {
-        const struct command_word end = commands_word(&oslo->commands, 3);
-        next = 4;
-        if (!commands_count(&oslo->commands, &end, end.text, "number of the surface", 0,
-                            &pickup.end, error)) {
-            return false;
-        }
-        pickup.end = pickup.end == 0 ? oslo->surface : pickup.end;
-        if (pickup.end > oslo->surface || pickup.end <= pickup.source) {
-            return commands_fail(&oslo->commands, &end, error, "a length from surface %zu to %zu",
-                                 pickup.source, pickup.end);
-        }
-    }
-    if (next < oslo->commands.count &&
-        !commands_figure(&oslo->commands, next,
-                         pickups[found].is_length ? oslo->commands.scale : plain, "offset", &offset,
-                         error)) {
-        return false;
-    }
-    pickup.offset = offset.value;
-    if (!pickups[found].is_length) {
-        pickup.offset = lens_words_per_length(pickup.offset, oslo->commands.scale, 1);
-    }
-    sequence_pick_up(&oslo->sequence, pickup);
-    return commands_end(&oslo->commands, next + 1, error);
-}
-
 static bool read_end(struct oslo *oslo, int what, struct error *error)
 {
     (void)what, (void)error;
@@ -437,7 +361,7 @@ static const struct {
     {"PYC", read_solve, 1},
     {"PU", read_solve, 2},
     {"PUC", read_solve, 3},
-    {"PK", read_pickup, 0},
+    {"PK", oslo_pickup, 0},
     {"WV", oslo_waves, 0},
     {"WW", oslo_weights, 0},
     {"END", read_end, 0},
@@ -499,8 +423,9 @@ static bool run_command(struct oslo *oslo, struct error *error)
     if (!oslo->has_begun && !text_same(word->text, "LEN")) {
         return commands_fail(&oslo->commands, word, error, "the file does not begin with LEN NEW");
     }
-    bool of_points = text_same(word->text, "RST") ||
-                     (oslo->in_points && (text_same(word->text, "F") || text_same(word->text, "END")));
+    bool of_points =
+        text_same(word->text, "RST") ||
+        (oslo->in_points && (text_same(word->text, "F") || text_same(word->text, "END")));
     if (oslo->has_ended && !of_points) {
         return oslo_lose(oslo, error, "a command behind END: further data of the lens");
     }

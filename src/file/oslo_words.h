@@ -40,6 +40,9 @@ bool oslo_weights(struct oslo *oslo, int what, struct error *error);
 bool oslo_wave(struct oslo *oslo, struct error *error);
 bool oslo_weight(struct oslo *oslo, struct error *error);
 
+/* PK TH 3 0.5 */
+bool oslo_pickup(struct oslo *oslo, int what, struct error *error);
+
 /* F n y x ..: a point of the field */
 bool oslo_point(struct oslo *oslo, int what, struct error *error);
 

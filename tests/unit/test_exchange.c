@@ -86,9 +86,9 @@ static bool is_same_lens(struct bench *bench, const struct lens *a, const struct
 }
 
 /* All lenses of lensdb, written and read again, in all their positions. */
-static size_t check_round_trip(const char *format_name, bool all_positions)
+static void check_round_trip(const char *format_name, bool all_positions,
+                             const char *const *reasons)
 {
-    size_t refused = 0;
     struct bench names;
     const char *const *list;
     struct error error;
@@ -107,7 +107,14 @@ static size_t check_round_trip(const char *format_name, bool all_positions)
         bool written = read && format->write(&job, &lens, &text, &error);
         CHECK(read);
         if (!written) { /* it says what the format has no words for, and writes it if allowed */
-            refused++;
+            bool known = false;
+            for (const char *const *reason = reasons; *reason != NULL; reason++) {
+                known = known || strstr(error.message, *reason) != NULL;
+            }
+            if (!known) {
+                printf("%s as %s: %s\n", *list, format_name, error.message);
+            }
+            CHECK(known);
             CHECK(error.code == ERROR_DATA && error.hint[0] != '\0');
             job.lossy = true;
             CHECK(format->write(&job, &lens, &text, &error) && job.loss_count > 0);
@@ -135,12 +142,13 @@ static size_t check_round_trip(const char *format_name, bool all_positions)
         arena_free(&bench.arena);
     }
     arena_free(&names.arena);
-    return refused;
 }
 
 int main(void)
 {
-    CHECK(check_round_trip("seq", true) == 2); /* A2; an index above 2 */
-    CHECK(check_round_trip("len", false) == 6); /* 3 zooms, 2 cylinders, one without a stop */
+    static const char *const codev[] = {"coefficient A2", "nd is not from 1 to 2", NULL};
+    static const char *const oslo[] = {"the positions", "a cylinder", "no stop", NULL};
+    check_round_trip("seq", true, codev);
+    check_round_trip("len", false, oslo);
     return check_report();
 }
