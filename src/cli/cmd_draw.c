@@ -78,6 +78,26 @@ static void add_image(struct picture *picture)
     }
 }
 
+/* From vertex to vertex where the axis bends, and a little farther at both ends. */
+static void add_bent_axis(struct picture *picture)
+{
+    const struct lens *lens = picture->one->lens;
+    const size_t count = lens->surface_count;
+    double *z, *y, more = 0.6 * picture->size;
+    picture_part(picture, SECTION_AXIS, count + 2, &z, &y);
+    z[0] = -more;
+    y[0] = 0;
+    for (size_t i = 0; i < count; i++) {
+        z[i + 1] = picture->axis[i].z;
+        y[i + 1] = picture->axis[i].y;
+    }
+    const struct surface *last = &lens->surfaces[count - 1];
+    double t = last->has_thickness ? last->thickness.value.hi : more * picture->heading;
+    double angle = picture->axis[count - 1].angle;
+    z[count + 1] = z[count] + t * cos(angle);
+    y[count + 1] = y[count] + t * sin(angle);
+}
+
 /* Through everything that is drawn, and a little farther. */
 static void add_axis(struct picture *picture)
 {
@@ -117,7 +137,17 @@ static bool draw_case(const struct lens_case *one, struct run *run, const void *
     if (!picture_lens(&picture, error)) {
         return false;
     }
-    if (input->construction) {
+    if (!picture.is_centred && (input->construction || input->planes)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--%s is for centred lenses, and parts of this one are decentred, tilted or "
+                    "bent",
+                    input->construction ? "construction" : "planes");
+    }
+    if (!picture.is_centred) {
+        add_bent_axis(&picture);
+        picture_note(&picture, "no rays and no image: parts are decentred, tilted or bent, and "
+                               "paraxial rays are those of the centred lens");
+    } else if (input->construction) {
         picture.image = NAN;
         if (!picture_construction(&picture, error)) {
             return false;
@@ -132,7 +162,9 @@ static bool draw_case(const struct lens_case *one, struct run *run, const void *
             picture_planes(&picture, true);
         }
     }
-    add_axis(&picture);
+    if (picture.is_centred) {
+        add_axis(&picture);
+    }
     if (one->warning != NULL) {
         picture_note(&picture, arena_printf(run->arena, "warning: %s", one->warning));
     }

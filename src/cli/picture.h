@@ -9,6 +9,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* Where a surface stands in the drawing: its vertex, and the angle of its axis (rad, up from z). */
+struct picture_frame {
+    double z, y, angle;
+};
+
 /* A cross-section being made; everything in the arena. Lengths in mm, z from the first vertex. */
 struct picture {
     const struct lens_case *one;
@@ -18,7 +23,9 @@ struct picture {
     const char **glasses, **notes;
     size_t glass_count, note_count;
     /* one a surface */
-    double *vertex, *semi;
+    double *vertex, *semi;                 /* along the axis, as if it went on straight */
+    struct picture_frame *frames, *axis;   /* of the surface itself; of the axis there */
+    bool is_centred;                       /* nothing is decentred, tilted or bent */
     bool *is_drawn;                        /* false: a plane in air that bends no ray */
     double *direction;                     /* in which light arrives: 1 or -1 */
     double size;                           /* the largest semi-diameter drawn */
@@ -35,6 +42,9 @@ void picture_line(struct picture *picture, enum section_kind kind, double z1, do
                   double y2, const char *label);
 void picture_note(struct picture *picture, const char *note);
 
+/* From the straight axis to the drawing: a point that belongs to a surface. */
+void picture_put(const struct picture *picture, size_t surface, double *z, double *y);
+
 /* Sag in the section drawn. */
 double picture_sag(const struct picture *picture, size_t surface, double r);
 
@@ -43,9 +53,11 @@ double picture_sag(const struct picture *picture, size_t surface, double r);
 /*
  * Places, diameters, elements, mirrors, stop and image plane.
  *
- * Limits    a surface without a diameter gets the height of marginal plus chief ray, less where
+ * Limits    decentred, tilted and bent parts stand where they are in the plane of the drawing; what
+ *           goes out of it is left out, with a note.
+ *           a surface without a diameter gets the height of marginal plus chief ray, less where
  *           its glass would end or the sag does
- * Errors    ERROR_DOMAIN: a surface without a diameter that no ray gives one; a tilted lens
+ * Errors    ERROR_DOMAIN: a surface without a diameter that no ray gives one
  */
 bool picture_lens(struct picture *picture, struct error *error);
 

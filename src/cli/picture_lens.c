@@ -97,6 +97,57 @@ static void find_places(struct picture *picture)
     picture->heading = direction;
 }
 
+/* Shift, then turn, as far as both lie in the plane of the drawing; returns what does not. */
+static bool displace(const struct picture *picture, const struct displacement *by,
+                     struct picture_frame *frame)
+{
+    if (by == NULL) {
+        return false;
+    }
+    /* a right-handed turn about x takes z towards -y, one about y takes it towards x */
+    bool y_section = picture->one->section == SECTION_Y;
+    double shift = by->decenter[y_section ? 1 : 0].value.hi;
+    double turn = y_section ? -by->tilt[0].value.hi : by->tilt[1].value.hi;
+    frame->z -= shift * sin(frame->angle);
+    frame->y += shift * cos(frame->angle);
+    frame->angle += turn;
+    return by->decenter[y_section ? 0 : 1].value.hi != 0 ||
+           by->tilt[y_section ? 1 : 0].value.hi != 0 || by->tilt[2].value.hi != 0;
+}
+
+static void find_frames(struct picture *picture)
+{
+    const struct lens *lens = picture->one->lens;
+    struct picture_frame axis = {0, 0, 0};
+    bool is_skew = false;
+    picture->is_centred = true;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        is_skew = displace(picture, surface->bend, &axis) || is_skew;
+        picture->axis[i] = picture->frames[i] = axis;
+        is_skew = displace(picture, surface->moved, &picture->frames[i]) || is_skew;
+        picture->is_centred =
+            picture->is_centred && surface->bend == NULL && surface->moved == NULL;
+        double t = surface->has_thickness ? surface->thickness.value.hi : 0;
+        axis.z += t * cos(axis.angle);
+        axis.y += t * sin(axis.angle);
+    }
+    if (is_skew) {
+        picture_note(picture, "shifts and turns out of the plane of the drawing are left out");
+    }
+}
+
+void picture_put(const struct picture *picture, size_t surface, double *z, double *y)
+{
+    if (picture->is_centred) {
+        return;
+    }
+    const struct picture_frame *frame = &picture->frames[surface];
+    double along = *z - picture->vertex[surface], across = *y;
+    *z = frame->z + along * cos(frame->angle) - across * sin(frame->angle);
+    *y = frame->y + along * sin(frame->angle) + across * cos(frame->angle);
+}
+
 /* Is there room between two neighbouring surfaces, each with a flat beyond its diameter, to r? */
 static bool is_apart(const struct picture *picture, size_t i, double r)
 {
@@ -142,10 +193,6 @@ static bool find_diameters(struct picture *picture, struct error *error)
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
         double y = picture->marginal[i].y, bar = picture->chief[i].y;
-        if (surface->moved != NULL || surface->bend != NULL) {
-            return fail(error, ERROR_DOMAIN,
-                        "surface %zu is decentred or tilted: only centred lenses are drawn", i + 1);
-        }
         picture->semi[i] = surface->has_diameter ? surface->diameter.value.hi / 2
                                                  : fabs(y) + (isfinite(bar) ? fabs(bar) : 0);
         if (!picture->is_drawn[i]) {
@@ -222,17 +269,22 @@ static void add_element(struct picture *picture, size_t i)
         bool flat = stepped && semi < r;
         if (flat) {
             z[count] = edge(picture, surface);
-            y[count++] = -up * r;
+            y[count] = -up * r;
+            picture_put(picture, surface, &z[count], &y[count]);
+            count++;
         }
         for (int k = 0; k <= SAMPLES; k++) {
             double h = up * semi * sin(QUARTER * (2.0 * k / SAMPLES - 1)); /* denser at the rims */
             z[count] = picture->vertex[surface] + picture_sag(picture, surface, h);
             y[count] = h;
+            picture_put(picture, surface, &z[count], &y[count]);
             reach(picture, z[count++]);
         }
         if (flat) {
             z[count] = edge(picture, surface);
-            y[count++] = up * r;
+            y[count] = up * r;
+            picture_put(picture, surface, &z[count], &y[count]);
+            count++;
         }
     }
     part->count = count;
@@ -256,7 +308,7 @@ static double find_hole(const struct picture *picture, size_t mirror)
         double more = fabs(bar->y + (z - start) * bar->after / n);
         hole = fmax(hole, 1.3 * (height + (isfinite(more) ? more : 0)));
     }
-    return hole < 0.7 * picture->semi[mirror] ? hole : 0;
+    return picture->is_centred && hole < 0.7 * picture->semi[mirror] ? hole : 0;
 }
 
 static void add_mirror(struct picture *picture, size_t i)
@@ -269,6 +321,7 @@ static void add_mirror(struct picture *picture, size_t i)
         for (int k = 0; k <= SAMPLES; k++) {
             y[k] = side * (hole + (semi - hole) * k / SAMPLES);
             z[k] = picture->vertex[i] + picture_sag(picture, i, y[k]);
+            picture_put(picture, i, &z[k], &y[k]);
             reach(picture, z[k]);
         }
         int strokes = (int)fmax(3, HATCHES * (semi - hole) / picture->size);
@@ -280,9 +333,19 @@ static void add_mirror(struct picture *picture, size_t i)
             hatch_y[3 * k] = h;
             hatch_z[3 * k + 1] = at + depth * picture->direction[i];
             hatch_y[3 * k + 1] = h - 0.8 * depth;
+            picture_put(picture, i, &hatch_z[3 * k], &hatch_y[3 * k]);
+            picture_put(picture, i, &hatch_z[3 * k + 1], &hatch_y[3 * k + 1]);
             hatch_z[3 * k + 2] = hatch_y[3 * k + 2] = NAN;
         }
     }
+}
+
+static void add_stroke(struct picture *picture, size_t stop, double z1, double y1, double z2,
+                       double y2)
+{
+    picture_put(picture, stop, &z1, &y1);
+    picture_put(picture, stop, &z2, &y2);
+    picture_line(picture, SECTION_STOP, z1, y1, z2, y2, NULL);
 }
 
 static void add_stop(struct picture *picture)
@@ -298,10 +361,11 @@ static void add_stop(struct picture *picture)
         return;
     }
     for (int side = -1; side <= 1; side += 2) {
-        picture_line(picture, SECTION_STOP, at, side * r, at, side * (r + tick), NULL);
-        picture_line(picture, SECTION_STOP, at - 0.3 * tick, side * r, at + 0.3 * tick, side * r,
-                     NULL);
+        add_stroke(picture, stop, at, side * r, at, side * (r + tick));
+        add_stroke(picture, stop, at - 0.3 * tick, side * r, at + 0.3 * tick, side * r);
     }
+    double y = 0;
+    picture_put(picture, stop, &at, &y);
     reach(picture, at);
 }
 
@@ -314,9 +378,12 @@ bool picture_lens(struct picture *picture, struct error *error)
     picture->glasses = ARENA_ARRAY(picture->arena, count, const char *);
     picture->vertex = ARENA_ARRAY(picture->arena, count, double);
     picture->semi = ARENA_ARRAY(picture->arena, count, double);
+    picture->frames = ARENA_ARRAY(picture->arena, count, struct picture_frame);
+    picture->axis = ARENA_ARRAY(picture->arena, count, struct picture_frame);
     picture->direction = ARENA_ARRAY(picture->arena, count, double);
     picture->is_drawn = ARENA_ARRAY(picture->arena, count, bool);
     find_places(picture);
+    find_frames(picture);
     if (!find_diameters(picture, error)) {
         return false;
     }

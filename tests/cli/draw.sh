@@ -14,3 +14,9 @@ printf 'surface 50 0 1.5 20\nsurface 50 0 air 20\n' | lenscalc draw - --construc
 printf 'surface - 5 air 20\n' | lenscalc draw -
 lenscalc draw
 ls none.svg
+# a folded lens: elements, mirror and axis where they are
+printf 'surface 60 8 1.5 30\nsurface -60 40 air 30\nbend tilt=45,0,0\nsurface - 0 mirror 50\nbend tilt=45,0,0\nsurface - -40 air 10\nsurface -40 -6 1.6 24\nsurface 80 -30 air 24\n' > folded.lens
+lenscalc draw folded.lens | sed 's/ d="[^"]*"//' | grep -v '^<g\|^</g'
+lenscalc draw folded.lens --section x | grep -o '>[^<]*left out<'
+lenscalc draw folded.lens --planes
+lenscalc draw folded.lens --construction

@@ -132,6 +132,63 @@ def check_outlines(checks, name, root, count):
                      f"{name}: surface {piece + 1}: {worst:.3f} px off the sag, points {hits}")
 
 
+FOLDED = """surface 60 8 1.5168/64.17 30
+surface -60 40 air 30
+bend tilt=45,0,0
+surface - 0 mirror 50
+bend tilt=45,0,0
+surface - -40 air 10
+surface -40 -6 1.62/36 24
+surface 80 -30 air 24
+"""
+TILTED = """surface - 4 1.5168/64.17 30 tilt=20,0
+surface - 20 air 30 tilt=20,0
+surface 50 6 1.62/36 24 decenter=0,6
+surface - 30 air 24 decenter=0,6
+"""
+
+
+def drawn(program, lens):
+    """Outlines in mm from the middle of the first, y up."""
+    answer = subprocess.run([program, "draw", "-"], input=lens, capture_output=True, text=True)
+    root = tree.fromstring(answer.stdout)
+    fills = [g for g in root.iter(SVG + "g") if g.get("stroke") == "#26323d"]
+    outlines = [points(e) for g in fills for e in g if len(points(e)) > 20]
+    scale = bar_scale(root)
+    left = min(x for x, _ in outlines[0])
+    middle = (min(y for _, y in outlines[0]) + max(y for _, y in outlines[0])) / 2
+    return [[((x - left) / scale, (middle - y) / scale) for x, y in o] for o in outlines]
+
+
+def box(outline):
+    return [f(p[k] for p in outline) for k in (0, 1) for f in (min, max)]
+
+
+def near(found, expected):
+    return all(abs(a - b) < 0.01 for a, b in zip(found, expected))
+
+
+def check_moved(checks, program):
+    """A periscope folded upwards by a mirror at 45 degrees; a tilted plate, a decentred lens."""
+    first, second = drawn(program, FOLDED)
+    # the mirror's vertex is at z = 48, the second lens 40 mm above it, its axis upright
+    checks.check(near(box(first)[2:], [-15, 15]), f"folded: first lens {box(first)}")
+    rim = 40 - (40 ** 2 - 12 ** 2) ** 0.5, 80 - (80 ** 2 - 12 ** 2) ** 0.5
+    checks.check(near(box(second), [36, 60, 40, 46]), f"folded: second lens {box(second)}")
+    ends = sorted({round(y, 2) for x, y in second if abs(x - 60) < 0.01})
+    checks.check(near([ends[0], ends[-1]], [40 + rim[0], 46 - rim[1]]),
+                 f"folded: rims of the second lens {ends}")
+    plate, lens = drawn(program, TILTED)
+    # each face turns about its own vertex, 4 mm apart along z: right-handed about x, so that the
+    # upper edge goes to the right
+    sine, cosine = 0.3420201433256687, 0.9396926207859084
+    checks.check(near(box(plate), [0, 4 + 30 * sine, -15 * cosine, 15 * cosine]),
+                 f"tilted: {box(plate)}")
+    # its first vertex is 24 mm behind that of the plate, 15 sin 20 deg from the left edge
+    checks.check(near(box(lens), [15 * sine + 24, 15 * sine + 30, -6, 18]),
+                 f"decentred: {box(lens)}")
+
+
 def main():
     program = os.path.join(os.path.abspath(sys.argv[1]), "lenscalc")
     checks = Checks()
@@ -149,6 +206,7 @@ def main():
         checks.check(plain.returncode == 0 or refused, f"{name} --construction: {plain.stderr}")
         if plain.returncode == 0:
             check_page(checks, name + " --construction", plain.stdout)
+    check_moved(checks, program)
     for name, count in COMPARED.items():
         root = check_page(checks, name, run(program, "draw", name).stdout)
         if root is not None:
