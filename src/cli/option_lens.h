@@ -3,13 +3,31 @@
 #ifndef LENSCALC_CLI_OPTION_LENS_H
 #define LENSCALC_CLI_OPTION_LENS_H
 
-#include "optics/lens.h"
+#include "optics/first_order.h"
+
+/* What was found of a lens in one position, for the rows that ask again. */
+struct lens_memo {
+    bool is_known;
+    double wavelength; /* um, that it was found for */
+    int section;
+    struct first_order first;
+    const char *warning; /* null = all is well */
+};
 
 /* A lens as the user named it. */
 struct lens_value {
     const struct lens *lens; /* null = not given */
     const char *name;        /* as typed */
     const char *warning;     /* what lens_check doubts; null = nothing */
+    struct arena *arena;     /* where it lives */
+    struct lens_memo *memo;  /* one a position */
+};
+
+/* The first lenses of a run, which the rows of a batch name again and again. */
+struct lens_cache {
+    struct arena *arena;       /* lives as long as the run */
+    struct lens_value *lenses; /* null = none yet */
+    size_t count;
 };
 
 /* A wavelength: a number with a unit (nm), or the name of a spectral line. */
@@ -17,5 +35,8 @@ struct wavelength_value {
     double wavelength; /* um; 0 = not given */
     const char *name;  /* as typed */
 };
+
+/* mm to um by way of the digits: 0.55um and 550 are the same, and print so. */
+double wavelength_micrometres(double millimetres);
 
 #endif
