@@ -6,12 +6,14 @@
 #include "file/encoding.h"
 #include "file/lens_glass.h"
 #include "file/oslo.h"
+#include "file/zemax.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 const struct foreign_format *const foreign_formats[] = {
+    &zemax_format,
     &codev_format,
     &oslo_format,
     NULL,
@@ -92,6 +94,29 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
     return error_hint(error, "'lenscalc convert --lossy' leaves it out and lists what is lost");
 }
 
+/* A word of a .lens file has no blanks; names of glasses are the same without them. */
+static struct text without_blanks(struct arena *arena, const char *name)
+{
+    char *word = arena_string(arena, name, strlen(name)), *to = word;
+    for (const char *from = name; *from != '\0'; from++) {
+        *to = *from;
+        to += *from != ' ';
+    }
+    *to = '\0';
+    return text_of(word);
+}
+
+/* Would the word be taken for a glass in a .lens file too? */
+static bool is_glass_word(struct text name)
+{
+    char c = name.length > 0 ? name.start[0] : '\0';
+    bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    return letter && memchr(name.start, '#', name.length) == NULL &&
+           memchr(name.start, '{', name.length) == NULL &&
+           memchr(name.start, '"', name.length) == NULL && !text_equal(name, "air") &&
+           !text_equal(name, "mirror");
+}
+
 /* Ask the source for one name; true if it knows it. */
 static bool ask(const struct foreign_job *job, const char *written, struct medium *medium,
                 struct error *error)
@@ -102,9 +127,10 @@ static bool ask(const struct foreign_job *job, const char *written, struct mediu
     }
     const struct glass *glass = lens_glass_of(medium);
     if (glass != NULL && glass->catalog.length > 0) { /* as the catalogue spells it */
-        medium->written =
-            text_of(arena_printf(job->arena, "%.*s:%.*s", (int)glass->catalog.length,
-                                 glass->catalog.start, (int)glass->name.length, glass->name.start));
+        medium->written = without_blanks(
+            job->arena,
+            arena_printf(job->arena, "%.*s:%.*s", (int)glass->catalog.length, glass->catalog.start,
+                         (int)glass->name.length, glass->name.start));
     }
     return true;
 }
@@ -133,7 +159,8 @@ bool foreign_glass(struct foreign_job *job, const struct lens_words *words, stru
 {
     if (job->glasses == NULL) {
         *medium = (struct medium){.kind = MEDIUM_GLASS, .written = name, .index = {1, 0}};
-        return true;
+        return is_glass_word(name) ||
+               lens_words_fail(words, name, error, "this cannot be the name of a glass");
     }
     for (size_t i = 0; i < count; i++) {
         if (ask_catalog(job, catalogs[i], name, medium, error)) {
@@ -162,7 +189,8 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
     bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
     const struct foreign_format *format = foreign_of(source, is_text ? text : content);
     if (format == NULL) {
-        return lens_read(job->source, content, job->glasses, job->arena, lens, error);
+        return lens_read(job->source, is_text ? text : content, job->glasses, job->arena, lens,
+                         error);
     }
     if (!is_text) {
         return false;

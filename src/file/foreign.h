@@ -83,7 +83,7 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
  * Find a glass as the file's catalogues have it, so that homonyms are decided by their order.
  *
  * Given     catalogs  names in the order of the file; count may be 0
- *           medium    receives it, written CATALOG:NAME, or NAME where none of them has it
+ *           medium    receives it, written CATALOG:NAME as the catalogue spells it
  * Result    false with ERROR_NONE where no catalogue has it: the reader may know an index
  * Errors    ERROR_DATA with the place: several catalogues have the name with different data
  * Note      where none of the file's catalogues has the glass, but exactly one glass of that name

@@ -2,12 +2,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_build.h"
 
+#include "file/lines.h"
+
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const struct figure no_figure = {.variable = LENS_NONE};
 
-static struct figure zero_figure(void)
+struct figure figure_zero(void)
 {
     struct figure zero = no_figure;
     zero.typed = text_of("0");
@@ -38,7 +41,7 @@ struct surface *lens_build_surface(struct lens_build *build)
                                 .has_thickness = true,
                                 .radius = no_figure,
                                 .curvature = no_figure,
-                                .thickness = zero_figure(),
+                                .thickness = figure_zero(),
                                 .diameter = no_figure,
                                 .conic = no_figure,
                                 .medium = medium_air};
@@ -68,12 +71,28 @@ void lens_build_stop(struct lens_build *build, size_t index)
     lens->stop = index;
 }
 
+const char *lens_build_string(struct lens_build *build, struct text text)
+{
+    char *string = arena_array(build->arena, 3 * text.length + 1, 1), *to = string;
+    for (size_t i = 0; i < text.length; i++) {
+        unsigned char c = (unsigned char)text.start[i];
+        bool begins = i == 0 || to[-1] == ' ';
+        if (c == '#' && begins) {
+            memcpy(to, "No.", 3);
+            to += 3;
+        } else {
+            *to++ = (char)(c < ' ' || c == 127 ? ' ' : c);
+        }
+    }
+    return string;
+}
+
 void lens_build_note(struct lens_build *build, struct text note)
 {
     struct lens *lens = build->lens;
     lens->notes = arena_grow(build->arena, lens->notes, lens->note_count, &build->note_room,
                              sizeof lens->notes[0]);
-    lens->notes[lens->note_count++] = arena_string(build->arena, note.start, note.length);
+    lens->notes[lens->note_count++] = lens_build_string(build, note);
 }
 
 struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double micrometres,
@@ -87,6 +106,13 @@ struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double m
     char number[NUMBER_LENGTH];
     char *end = number_write_shortest(number, micrometres);
     one->typed = text_of(arena_printf(build->arena, "%.*sum", (int)(end - number), number));
+    static const char *const lines[] = {"d",  "F", "C", "e", "g", "F'",
+                                        "C'", "h", "i", "r", "s", "t"};
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        double wavelength;
+        bool same = lines_standard(text_of(lines[i]), &wavelength) && wavelength == micrometres;
+        one->typed = same ? text_of(lines[i]) : one->typed;
+    }
     if (weight != 1) {
         end = number_write_shortest(number, weight);
         one->weight_typed = text_of(arena_string(build->arena, number, (size_t)(end - number)));
@@ -128,6 +154,16 @@ struct figure figure_computed(struct pair value, struct number_scale unit, struc
     return figure_typed(text, pair_write_shortest(text, value, unit), unit, arena);
 }
 
+struct figure figure_rounded(struct pair value, struct number_scale unit, struct arena *arena)
+{
+    static const char one[] = "1";
+    char text[NUMBER_LENGTH];
+    struct pair length = {1, 0};
+    pair_read(one, one + 1, unit, &length);
+    double number = pair_divide(value, length).hi;
+    return figure_typed(text, number_write_shortest(text, number), unit, arena);
+}
+
 struct figure figure_of(double value, struct arena *arena)
 {
     char text[NUMBER_LENGTH];
@@ -146,6 +182,26 @@ struct number_scale lens_unit_scale(const char *unit)
         }
     }
     return NUMBER_UNSCALED;
+}
+
+struct figure figure_per_length(struct figure figure, const char *unit, int power)
+{
+    const struct number_scale scale = lens_unit_scale(unit);
+    const char *end = figure.typed.start + figure.typed.length;
+    if (power == 1) {
+        pair_read(figure.typed.start, end, scale, &figure.value);
+        return figure;
+    }
+    static const char one[] = "1";
+    struct pair length = {1, 0}, factor = {1, 0};
+    pair_read(one, one + 1, scale, &length);
+    pair_read(figure.typed.start, end, NUMBER_UNSCALED, &figure.value);
+    for (int i = 0; i < abs(power); i++) {
+        factor = pair_multiply(factor, length);
+    }
+    figure.value =
+        power < 0 ? pair_divide(figure.value, factor) : pair_multiply(figure.value, factor);
+    return figure;
 }
 
 /* Significant digits of a typed number. */
@@ -178,19 +234,20 @@ static bool is_exact_reciprocal(struct pair curvature, struct pair radius)
 bool figure_radius_of(const struct figure *curvature, const char *unit, struct arena *arena,
                       struct figure *radius)
 {
-    enum { FEW = 12, MANY = 20, LONG = 25 };
+    enum { FEW = 12, MANY = 20, DOUBLE = 15, LONG = 25 };
     int digits = count_digits(curvature->typed);
-    if (curvature->value.hi == 0 || digits < 15) {
+    if (curvature->value.hi == 0) {
         return false;
     }
+    bool is_double = digits >= DOUBLE && digits < LONG;
     const struct number_scale scale = lens_unit_scale(unit);
     const struct pair exact = pair_divide(pair_of(1), curvature->value);
     for (int count = 1; count <= (digits < LONG ? FEW : MANY); count++) {
         char text[PAIR_LENGTH];
         struct figure figure =
             figure_typed(text, pair_write_digits(text, exact, scale, count), scale, arena);
-        if (digits < LONG ? is_reciprocal(curvature->typed, figure.typed)
-                          : is_exact_reciprocal(curvature->value, figure.value)) {
+        if (is_double ? is_reciprocal(curvature->typed, figure.typed)
+                      : is_exact_reciprocal(curvature->value, figure.value)) {
             *radius = figure_computed(figure.value, scale, arena);
             return true;
         }

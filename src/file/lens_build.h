@@ -26,7 +26,13 @@ struct surface *lens_build_surface(struct lens_build *build);
 /* A surface that is the stop: a plane of its own if it neither bends nor turns light. */
 void lens_build_stop(struct lens_build *build, size_t surface);
 
-/* One more of each; the note is copied. */
+/*
+ * A title, note or name as a .lens file can hold it: control characters become blanks, and '#'
+ * where a word begins, which would begin a comment, becomes "No."
+ */
+const char *lens_build_string(struct lens_build *build, struct text text);
+
+/* One more of each; the note is copied, a wavelength has the name of its line if it is one. */
 void lens_build_note(struct lens_build *build, struct text note);
 struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double micrometres,
                                               double weight);
@@ -49,8 +55,17 @@ size_t lens_build_variable(struct lens_build *build, const char *name, const str
  */
 struct figure figure_computed(struct pair value, struct number_scale unit, struct arena *arena);
 
+/* The same rounded to a double of the unit: the shortest digits; for what rays decide. */
+struct figure figure_rounded(struct pair value, struct number_scale unit, struct arena *arena);
+
+/* "0" */
+struct figure figure_zero(void);
+
 /* The same of a double: the shortest digits that read back to it. */
 struct figure figure_of(double value, struct arena *arena);
+
+/* The same digits as a number of another dimension: the unit ("mm", "in" ..) to a power. */
+struct figure figure_per_length(struct figure figure, const char *unit, int power);
 
 /* A number of a lens's unit in its unit ("mm", "cm", "m", "in"). */
 struct number_scale lens_unit_scale(const char *unit);
@@ -61,9 +76,9 @@ struct number_scale lens_unit_scale(const char *unit);
  * Given     curvature  typed digits and value, 1/mm, of a program that stores 1/R as a double
  *           unit       of the lens
  *           radius     receives it with its digits
- * Result    true where an R of at most 12 digits has this double as its reciprocal, computed in
- *           doubles (of a curvature with 25 digits or more: an R of at most 20 digits whose
- *           reciprocal it is to 28 digits): then R was meant, and the curvature was rounded
+ * Result    true where an R of at most 12 digits has this reciprocal: of a curvature with 15 to 24
+ *           digits computed in doubles, as it was rounded; else to 28 digits (then, of a curvature
+ *           with 25 digits or more, an R of at most 20 digits)
  */
 bool figure_radius_of(const struct figure *curvature, const char *unit, struct arena *arena,
                       struct figure *radius);

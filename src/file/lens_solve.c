@@ -41,8 +41,8 @@ static bool start_of(const struct lens *lens, enum solve_ray ray, struct arena *
            fail(error, ERROR_DOMAIN, "a solve of a chief ray wants a stop and a field");
 }
 
-bool solve_follow(const struct lens *lens, size_t surface, enum solve_ray ray, struct arena *arena,
-                  struct solve_state *state, struct error *error)
+static bool follow(const struct lens *lens, size_t surface, enum solve_ray ray, struct arena *arena,
+                   struct solve_state *state, struct error *error)
 {
     struct paraxial_system system;
     double height, slope;
@@ -63,6 +63,15 @@ bool solve_follow(const struct lens *lens, size_t surface, enum solve_ray ray, s
     state->index_before = system.index[surface];
     state->index_after = system.index[surface + 1];
     return true;
+}
+
+bool solve_follow(const struct lens *lens, size_t surface, enum solve_ray ray, struct arena *arena,
+                  struct solve_state *state, struct error *error)
+{
+    struct arena_mark mark = arena_mark(arena);
+    bool done = follow(lens, surface, ray, arena, state, error);
+    arena_reset(arena, mark);
+    return done;
 }
 
 struct pair solve_thickness(const struct solve_state *state, struct pair height)

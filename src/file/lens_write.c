@@ -217,7 +217,7 @@ static void put_header(struct writer *writer)
     if (lens->objects == NULL) {
         put_figures(writer, "object     ", &lens->object, 1, writer->unit);
     }
-    if (lens->object_medium.written.start != medium_air.written.start) {
+    if (!text_equal(lens->object_medium.written, "air")) {
         put_string(writer, "medium      ");
         put(writer, lens->object_medium.written.start, lens->object_medium.written.length);
         put_string(writer, "\n");

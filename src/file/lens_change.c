@@ -1,0 +1,218 @@
+/* file/lens_change.c - a lens scaled, or in another unit. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_change.h"
+
+#include "file/lens_build.h"
+
+#include <math.h>
+#include <string.h>
+
+/* What is done to a number of the dimension length^power. */
+struct change {
+    struct arena *arena;
+    const char *unit; /* of the digits */
+    struct pair factor;
+    bool rounded;
+};
+
+static struct pair power_of(struct pair base, int power)
+{
+    struct pair product = {1, 0};
+    for (int i = 0; i < (power < 0 ? -power : power); i++) {
+        product = pair_multiply(product, base);
+    }
+    return power < 0 ? pair_divide(pair_of(1), product) : product;
+}
+
+static struct pair unit_length(const char *unit)
+{
+    struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
+    return figure_per_length(one, unit, 1).value;
+}
+
+/* The digits of a value in unit^power. */
+static void write_digits(const struct change *change, int power, struct figure *figure)
+{
+    struct pair value = figure->value;
+    if (power == 1) {
+        *figure = change->rounded
+                      ? figure_rounded(value, lens_unit_scale(change->unit), change->arena)
+                      : figure_computed(value, lens_unit_scale(change->unit), change->arena);
+        return;
+    }
+    value = pair_multiply(value, power_of(unit_length(change->unit), -power));
+    *figure = change->rounded ? figure_rounded(value, NUMBER_UNSCALED, change->arena)
+                              : figure_computed(value, NUMBER_UNSCALED, change->arena);
+    *figure = figure_per_length(*figure, change->unit, power);
+}
+
+static void change_figure(const struct change *change, int power, struct figure *figure)
+{
+    if (figure->variable != LENS_NONE || !isfinite(figure->value.hi) ||
+        (figure->value.hi == 0 && figure->typed.start == NULL)) {
+        return;
+    }
+    struct pair k = change->factor;
+    if (power > 0) {
+        figure->value = pair_multiply(figure->value, power_of(k, power));
+    } else if (k.hi != 1 || k.lo != 0) {
+        figure->value = pair_divide(figure->value, power_of(k, -power));
+    }
+    write_digits(change, power, figure);
+}
+
+static const struct figure *change_all(const struct change *change, const struct figure *figures,
+                                       size_t count)
+{
+    if (figures == NULL) {
+        return NULL;
+    }
+    struct figure *copy = ARENA_ARRAY(change->arena, count, struct figure);
+    for (size_t i = 0; i < count; i++) {
+        copy[i] = figures[i];
+        change_figure(change, 1, &copy[i]);
+    }
+    return copy;
+}
+
+static const struct displacement *change_displacement(const struct change *change,
+                                                      const struct displacement *from)
+{
+    if (from == NULL) {
+        return NULL;
+    }
+    struct displacement *copy = ARENA_NEW(change->arena, struct displacement);
+    *copy = *from;
+    change_figure(change, 1, &copy->decenter[0]);
+    change_figure(change, 1, &copy->decenter[1]);
+    return copy;
+}
+
+/* R and t are lengths, c is 1/length, A4 length^-3; k and glass are numbers. */
+static int dimension_of(struct text what)
+{
+    if (text_equal(what, "R") || text_equal(what, "t")) {
+        return 1;
+    }
+    if (text_equal(what, "c")) {
+        return -1;
+    }
+    int order = 0;
+    for (size_t i = 1; i < what.length && what.start[0] == 'A'; i++) {
+        order = 10 * order + (what.start[i] - '0');
+    }
+    return order > 0 ? 1 - order : 0;
+}
+
+static const struct vary *change_varies(const struct change *change, const struct surface *surface)
+{
+    if (surface->vary_count == 0) {
+        return surface->varies;
+    }
+    struct vary *copy = ARENA_ARRAY(change->arena, surface->vary_count, struct vary);
+    for (size_t i = 0; i < surface->vary_count; i++) {
+        copy[i] = surface->varies[i];
+        int power = dimension_of(copy[i].what);
+        if (copy[i].has_bounds && power != 0) {
+            change_figure(change, power, &copy[i].low);
+            change_figure(change, power, &copy[i].high);
+        }
+    }
+    return copy;
+}
+
+static void change_surface(const struct change *change, struct surface *surface)
+{
+    if (!surface->is_plane) {
+        change_figure(change, 1, &surface->radius);
+    }
+    if (surface->has_curvature) {
+        change_figure(change, -1, &surface->curvature);
+    }
+    if (surface->has_thickness) {
+        change_figure(change, 1, &surface->thickness);
+    }
+    if (surface->has_diameter) {
+        change_figure(change, 1, &surface->diameter);
+    }
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        if ((surface->coefficients >> i & 1) != 0) {
+            change_figure(change, -(2 * i + 1), &surface->coefficient[i]);
+        }
+    }
+    surface->moved = change_displacement(change, surface->moved);
+    surface->bend = change_displacement(change, surface->bend);
+    surface->varies = change_varies(change, surface);
+}
+
+static void change_system(const struct change *change, struct lens *lens)
+{
+    size_t positions = lens->position_count;
+    change_figure(change, 1, &lens->object);
+    lens->objects = change_all(change, lens->objects, positions);
+    if (lens->field_kind == FIELD_HEIGHT || lens->field_kind == FIELD_IMAGE) {
+        lens->fields = (struct figure *)change_all(change, lens->fields, lens->field_count);
+    }
+    if (lens->aperture_kind == APERTURE_EPD) {
+        change_figure(change, 1, &lens->aperture);
+        lens->apertures = change_all(change, lens->apertures, positions);
+    }
+    for (int i = 0; i < STATED_COUNT; i++) {
+        if (i != STATED_FNUMBER) {
+            lens->stated[i] = change_all(change, lens->stated[i], lens->stated_count[i]);
+        }
+    }
+    struct lens_variable *variables =
+        ARENA_ARRAY(change->arena, lens->variable_count, struct lens_variable);
+    for (size_t i = 0; i < lens->variable_count; i++) {
+        variables[i].name = lens->variables[i].name;
+        variables[i].values = change_all(change, lens->variables[i].values, positions);
+    }
+    lens->variables = variables;
+}
+
+static const struct lens *changed(const struct change *change, const struct lens *lens)
+{
+    struct lens *copy = ARENA_NEW(change->arena, struct lens);
+    *copy = *lens;
+    copy->unit = change->unit;
+    copy->surfaces = ARENA_ARRAY(change->arena, lens->surface_count, struct surface);
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        copy->surfaces[i] = lens->surfaces[i];
+        change_surface(change, &copy->surfaces[i]);
+    }
+    change_system(change, copy);
+    return copy;
+}
+
+const struct lens *lens_scaled(const struct lens *lens, struct pair factor, bool rounded,
+                               struct arena *arena)
+{
+    const struct change change = {arena, lens->unit, factor, rounded};
+    return changed(&change, lens);
+}
+
+const struct lens *lens_in_unit(const struct lens *lens, const char *unit, struct arena *arena)
+{
+    const struct change change = {arena, unit, {1, 0}, false};
+    return strcmp(unit, lens->unit) == 0 ? lens : changed(&change, lens);
+}
+
+const struct lens *lens_one_position(const struct lens *lens, size_t position, struct arena *arena)
+{
+    struct lens *copy = ARENA_NEW(arena, struct lens);
+    *copy = *lens_at_position(lens, position, arena);
+    copy->positions = NULL;
+    copy->position_count = 0;
+    copy->variables = NULL;
+    copy->variable_count = 0;
+    copy->objects = NULL;
+    copy->apertures = NULL;
+    for (int i = 0; i < STATED_COUNT; i++) {
+        if (copy->stated_count[i] > 1) {
+            copy->stated[i] = &lens->stated[i][position];
+            copy->stated_count[i] = 1;
+        }
+    }
+    return copy;
+}

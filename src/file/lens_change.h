@@ -1,0 +1,43 @@
+/* file/lens_change.h - a lens scaled, turned around, in another unit; its digits follow. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_LENS_CHANGE_H
+#define LENSCALC_FILE_LENS_CHANGE_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "optics/lens.h"
+
+/*
+ * All lengths times a factor, the stated ones too; angles, indices and f-numbers stay.
+ *
+ * Given     factor   above 0
+ *           rounded  digits of doubles instead of all digits: for a factor that is no short decimal
+ * Formula   R, t, diameters, heights k; curvatures 1/k; A2i: k^(1 - 2i)
+ * Limits    products of decimals are exact to 31 digits
+ */
+const struct lens *lens_scaled(const struct lens *lens, struct pair factor, bool rounded,
+                               struct arena *arena);
+
+/* The same lens written in another unit: "mm", "cm", "m" or "in". */
+const struct lens *lens_in_unit(const struct lens *lens, const char *unit, struct arena *arena);
+
+/* The lens in one of its positions only: without variables, and what is stated of that position. */
+const struct lens *lens_one_position(const struct lens *lens, size_t position, struct arena *arena);
+
+/*
+ * The lens turned around by half a turn about y: light enters where it left.
+ *
+ * Result    object and image change places where both are at a finite distance; else the lens
+ *           looks at infinity again, with the image at the paraxial focus. An aperture given as
+ *           f-number, entrance pupil or NA becomes the diameter that the stop has with it
+ * Formula   an even number of mirrors: R -> -R, A -> -A, t as it is; an odd one: R and A as they
+ *           are, t -> -t. A bend of the axis is undone in the order z, y, x, shift, each on a
+ *           plane of its own
+ * Source    derived here: the property tests turn lenses twice
+ * Errors    ERROR_DOMAIN: an aperture that is not at the stop and no stop; distances of the object
+ *           or apertures that change between positions; variable distances beside an odd number of
+ *           mirrors
+ */
+const struct lens *lens_reversed(const struct lens *lens, struct arena *arena, struct error *error);
+
+#endif

@@ -1,0 +1,81 @@
+/* file/zemax_parse.h - a .zmx file as it stands, line by line, before it is a lens. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_ZEMAX_PARSE_H
+#define LENSCALC_FILE_ZEMAX_PARSE_H
+
+#include "file/foreign.h"
+#include "file/lens_build.h"
+
+enum {
+    ZEMAX_PARAMETERS = 13, /* PARM 1 .. 12 */
+    ZEMAX_EXTRAS = 24,     /* XDAT 1 .. 23 */
+    ZEMAX_SURFACES = 2000,
+    ZEMAX_WAVES = 64,
+    ZEMAX_FIELDS = 64,
+    ZEMAX_CATALOGS = 64,
+    ZEMAX_CONFIGURATIONS = 100,
+    ZEMAX_NUMBERS = 12
+};
+
+/* One line: its keyword, where it stands, and the numbers after the keyword. */
+struct zemax_line {
+    struct lens_words words; /* for messages */
+    struct text keyword;
+    struct text first; /* the first word after the keyword */
+    size_t count;      /* numbers before the first word that is none */
+    struct figure numbers[ZEMAX_NUMBERS];
+    bool infinite; /* the first word is INFINITY */
+};
+
+/* A surface. A line that the file does not have is null. */
+struct zemax_surface {
+    const struct zemax_line *surf, *type, *curvature, *thickness, *conic, *diameter, *glass;
+    const struct zemax_line *clear; /* CLAP */
+    const struct zemax_line *solve; /* of the thickness */
+    const struct zemax_line *parameters[ZEMAX_PARAMETERS];
+    const struct zemax_line *pickups[ZEMAX_PARAMETERS]; /* PPAR */
+    const struct zemax_line *extras[ZEMAX_EXTRAS];
+    struct text comment;
+    bool is_stop;
+};
+
+/* An operand of the multiple configurations: THIC 4 2 1.5 */
+struct zemax_setting {
+    const struct zemax_line *line;
+    long surface, configuration; /* 1-based configuration */
+    struct zemax_setting *next;
+};
+
+/* Notes in which lenscalc keeps what a .zmx file has no words for. */
+enum zemax_own { OWN_SOURCE, OWN_KIND, OWN_POSITIONS, OWN_STATED, ZEMAX_OWN = OWN_STATED + 3 };
+
+struct zemax_file {
+    struct foreign_job *job;
+    struct lens_build build;
+    struct lens_words words;
+    struct zemax_surface *surfaces;
+    size_t surface_count, surface_room;
+    bool in_tail; /* behind the surfaces: merit function, tolerances, configurations */
+    struct text catalogs[ZEMAX_CATALOGS];
+    size_t catalog_count;
+    const struct zemax_line *aperture, *fields, *x, *y; /* ENPD .., FTYP, XFLN, YFLN */
+    struct figure waves[ZEMAX_WAVES], weights[ZEMAX_WAVES];
+    size_t wave_count, primary;
+    const struct zemax_line *primary_line;
+    size_t configurations;
+    struct zemax_setting *settings, *last_setting;
+    struct text own[ZEMAX_OWN];
+    const struct displacement *bend; /* of the next surface */
+};
+
+/* Read all lines. Errors as foreign_format.read */
+bool zemax_parse(struct zemax_file *file, struct text content, struct error *error);
+
+/* A number of a line, 0 where it is absent. */
+double zemax_number(const struct zemax_line *line, size_t at);
+
+/* Record a loss at a line. */
+#define zemax_loss(file, line, error, ...)                                                         \
+    foreign_loss((file)->job, &(line)->words, (line)->keyword, (error), __VA_ARGS__)
+
+#endif

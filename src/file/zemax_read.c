@@ -1,0 +1,336 @@
+/* file/zemax_read.c - a .zmx file as a lens: system data, positions, solves. */
+/* SPDX-License-Identifier: MIT */
+#include "file/zemax.h"
+#include "file/zemax_parse.h"
+#include "file/zemax_surface.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double radians = 0.017453292519943295;
+
+/* A figure of a line again, in another unit. */
+static struct figure in_unit(struct figure figure, struct number_scale scale)
+{
+    pair_read(figure.typed.start, figure.typed.start + figure.typed.length, scale, &figure.value);
+    return figure;
+}
+
+static bool set_aperture(struct zemax_file *file, struct error *error)
+{
+    const struct zemax_line *line = file->aperture;
+    struct lens *lens = file->build.lens;
+    if (line == NULL) {
+        return true;
+    }
+    if (text_same(line->keyword, "FLOA")) {
+        lens->aperture_kind = APERTURE_STOP;
+        lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
+        return true;
+    }
+    if (!(line->numbers[0].value.hi > 0)) {
+        return lens_words_fail(&line->words, line->numbers[0].typed, error,
+                               "the aperture must be above 0");
+    }
+    lens->aperture = line->numbers[0];
+    lens->aperture_kind = text_same(line->keyword, "ENPD")   ? APERTURE_EPD
+                          : text_same(line->keyword, "FNUM") ? APERTURE_FNUMBER
+                                                             : APERTURE_NA;
+    bool special = zemax_number(line, 1) != 0;
+    if (lens->aperture_kind == APERTURE_NA && special) {
+        lens->aperture_kind = APERTURE_NONE;
+        return zemax_loss(file, line, error,
+                          "the aperture as the angle of a cone: the lens gets none");
+    }
+    if (lens->aperture_kind == APERTURE_FNUMBER && special && !lens->object_is_infinite) {
+        lens->aperture_kind = APERTURE_NONE;
+        return zemax_loss(file, line, error,
+                          "a working f-number at a finite distance: the lens gets no aperture");
+    }
+    return true;
+}
+
+static bool add_field(struct zemax_file *file, size_t at, bool angle, struct error *error)
+{
+    struct number_scale scale = angle ? NUMBER_UNSCALED : lens_unit_scale(file->build.lens->unit);
+    bool has = file->y != NULL && at < file->y->count;
+    if (file->x != NULL && zemax_number(file->x, at) != 0) {
+        return foreign_loss(file->job, &file->x->words, file->x->numbers[at].typed, error,
+                            "field %zu lies beside the y-z plane: it is left out", at + 1);
+    }
+    struct figure *field = lens_build_field(&file->build);
+    *field = has ? in_unit(file->y->numbers[at], scale) : *field;
+    field->typed = has ? field->typed : text_of("0");
+    if (angle) {
+        if (!(fabs(field->value.hi) <= 180)) {
+            return lens_words_fail(&file->y->words, field->typed, error,
+                                   "a field angle is not beyond 180 degrees");
+        }
+        field->value = pair_multiply(field->value, pair_of(radians));
+    }
+    return true;
+}
+
+static bool set_fields(struct zemax_file *file, struct error *error)
+{
+    static const enum field_kind kinds[] = {FIELD_ANGLE, FIELD_HEIGHT, FIELD_IMAGE, FIELD_IMAGE};
+    double type = zemax_number(file->fields, 0), stated = zemax_number(file->fields, 2);
+    size_t listed = file->y != NULL ? file->y->count : 0;
+    if (listed == 0) {
+        return true;
+    }
+    size_t count = stated >= 1 && stated < (double)listed ? (size_t)stated : listed;
+    if (!(type >= 0 && type <= 3)) {
+        return zemax_loss(file, file->fields, error, "fields of the kind %g: they are left out",
+                          type);
+    }
+    if (type == 3 && !zemax_loss(file, file->fields, error,
+                                 "real image heights: they are taken for paraxial ones")) {
+        return false;
+    }
+    file->build.lens->field_kind = kinds[(int)type];
+    for (size_t i = 0; i < count; i++) {
+        if (!add_field(file, i, type == 0, error)) {
+            return false;
+        }
+    }
+    if (file->build.lens->field_count == 0) {
+        file->build.lens->field_kind = FIELD_NONE;
+    }
+    return true;
+}
+
+static struct text after_um(struct zemax_file *file, struct text number)
+{
+    return text_of(arena_printf(file->job->arena, "%.*sum", (int)number.length, number.start));
+}
+
+/* The primary one first. Without a count, the repeated default at the end is passed over. */
+static bool set_waves(struct zemax_file *file, struct error *error)
+{
+    size_t count = file->wave_count, stated = (size_t)fabs(zemax_number(file->fields, 3));
+    if (stated >= 1 && stated < count) {
+        count = stated;
+    }
+    while (stated == 0 && count > 1 &&
+           file->waves[count - 1].value.hi == file->waves[count - 2].value.hi) {
+        count--;
+    }
+    if (count > 0 && file->primary >= count) {
+        return lens_words_fail(&file->primary_line->words, file->primary_line->keyword, error,
+                               "the primary wavelength is number %zu of %zu", file->primary + 1,
+                               count);
+    }
+    for (size_t i = 0; i < count; i++) {
+        size_t at = i == 0 ? file->primary : i <= file->primary ? i - 1 : i;
+        double wavelength = file->waves[at].value.hi, weight = file->weights[at].value.hi;
+        if (!(wavelength > 0) || !(weight >= 0)) {
+            return lens_words_fail(&file->primary_line->words, file->primary_line->keyword, error,
+                                   "wavelength %zu is missing, or its weight is below 0", at + 1);
+        }
+        struct lens_wavelength *one = lens_build_wavelength(&file->build, wavelength, weight);
+        bool is_line = one->typed.start[one->typed.length - 1] != 'm';
+        one->typed = is_line ? one->typed : after_um(file, file->waves[at].typed);
+    }
+    return true;
+}
+
+/* The object's distance, and what lies before the first surface. */
+static bool set_object(struct zemax_file *file, struct error *error)
+{
+    const double far = 1e10; /* what the program writes for infinity where it wants a number */
+    struct lens *lens = file->build.lens;
+    struct zemax_surface *object = &file->surfaces[0];
+    const struct zemax_line *line = object->thickness;
+    bool finite = line != NULL && !line->infinite && fabs(line->numbers[0].value.hi) < far;
+    if (zemax_number(object->curvature, 0) != 0 &&
+        !zemax_loss(file, object->curvature, error, "a curved object: it is taken for a plane")) {
+        return false;
+    }
+    if (finite) {
+        if (!(line->numbers[0].value.hi > 0)) {
+            return lens_words_fail(&line->words, line->numbers[0].typed, error,
+                                   "the object lies at or behind the first surface");
+        }
+        lens->object_is_infinite = false;
+        lens->object = line->numbers[0];
+    }
+    if (object->is_stop) {
+        return lens_words_fail(&object->surf->words, object->surf->keyword, error,
+                               "the object is the stop");
+    }
+    return object->glass == NULL ||
+           zemax_medium(file, object, &medium_air, &lens->object_medium, error);
+}
+
+/* What the source states, if lenscalc wrote one number or as many as there are positions. */
+static void set_stated(struct zemax_file *file, int what)
+{
+    struct lens *lens = file->build.lens;
+    struct text rest = file->own[OWN_STATED + what];
+    struct number_scale unit =
+        what == STATED_FNUMBER ? NUMBER_UNSCALED : lens_unit_scale(lens->unit);
+    size_t most = lens->position_count > 0 ? lens->position_count : 1, count = 0;
+    struct figure *figures = ARENA_ARRAY(file->job->arena, most, struct figure);
+    while (rest.start != NULL && rest.length > 0 && count < most) {
+        struct text word = text_cut(&rest, ' ');
+        figures[count] = (struct figure){.typed = word, .variable = LENS_NONE};
+        if (pair_read(word.start, word.start + word.length, unit, &figures[count].value) !=
+                word.start + word.length ||
+            !(fabs(figures[count].value.hi) < 1e100)) {
+            return;
+        }
+        count++;
+    }
+    if (rest.start == NULL && (count == 1 || (count > 0 && count == most))) {
+        lens->stated[what] = figures;
+        lens->stated_count[what] = count;
+    }
+}
+
+static void set_all_stated(struct zemax_file *file)
+{
+    for (int i = 0; i < STATED_COUNT; i++) {
+        set_stated(file, i);
+    }
+}
+
+/* A word of a .lens file that is no word of another meaning. */
+static bool is_position_name(struct text name)
+{
+    for (size_t i = 0; i < name.length; i++) {
+        char c = name.start[i], lower = (char)(c | 32);
+        if (!((lower >= 'a' && lower <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+              c == '.' || c == '+')) {
+            return false;
+        }
+    }
+    return name.length > 0 && !text_same(name, "all");
+}
+
+/* The names of the positions, if lenscalc wrote as many as there are. */
+static void name_positions(struct zemax_file *file)
+{
+    struct lens *lens = file->build.lens;
+    struct text rest = file->own[OWN_POSITIONS];
+    size_t count = 1;
+    for (size_t i = 0; i < rest.length; i++) {
+        count += rest.start[i] == ' ';
+    }
+    if (rest.length == 0 || count != lens->position_count) {
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        struct text name = text_cut(&rest, ' ');
+        if (!is_position_name(name) || lens_position_find(lens, name) != LENS_NONE) {
+            return;
+        }
+        lens->positions[i] = arena_string(file->job->arena, name.start, name.length);
+    }
+}
+
+/* How many positions, and their names: "1", "2" .. */
+static void set_positions(struct zemax_file *file)
+{
+    struct lens *lens = file->build.lens;
+    const struct text source = file->own[OWN_SOURCE], kind = file->own[OWN_KIND];
+    lens->source = source.length > 0 ? lens_build_string(&file->build, source) : NULL;
+    lens->kind = kind.length > 0 ? lens_build_string(&file->build, kind) : NULL;
+    if (file->configurations < 2) {
+        set_all_stated(file);
+        return;
+    }
+    lens->positions = ARENA_ARRAY(file->job->arena, file->configurations, const char *);
+    lens->position_count = file->configurations;
+    for (size_t i = 0; i < file->configurations; i++) {
+        lens->positions[i] = arena_printf(file->job->arena, "%zu", i + 1);
+    }
+    name_positions(file);
+    set_all_stated(file);
+}
+
+/* The image is a plane on the axis; what the file says of it beyond that is lost. */
+static bool check_image(struct zemax_file *file, struct error *error)
+{
+    const struct zemax_surface *image = &file->surfaces[file->surface_count - 1];
+    if (zemax_number(image->curvature, 0) != 0 &&
+        !zemax_loss(file, image->curvature, error, "a curved image: it is taken for a plane")) {
+        return false;
+    }
+    if (image->is_stop) {
+        return lens_words_fail(&image->surf->words, image->surf->keyword, error,
+                               "the image is the stop");
+    }
+    return true;
+}
+
+/* The image plane lies where the marginal ray meets the axis, if the file says so. */
+static void set_focus(struct zemax_file *file)
+{
+    bool paraxial = zemax_focuses(file);
+    file->build.lens->focus = paraxial ? FOCUS_PARAXIAL : FOCUS_TABLE;
+}
+
+/* An aperture at a stop wants the stop's diameter. */
+static bool check_floating(struct zemax_file *file, struct error *error)
+{
+    struct lens *lens = file->build.lens;
+    if (lens->aperture_kind != APERTURE_STOP ||
+        (lens->stop != LENS_NONE && lens->surfaces[lens->stop].has_diameter)) {
+        return true;
+    }
+    lens->aperture_kind = APERTURE_NONE;
+    return zemax_loss(
+        file, file->aperture, error,
+        "the aperture is that of the stop, which has no diameter: the lens gets none");
+}
+
+static bool read(struct foreign_job *job, struct text content, struct lens *lens,
+                 struct error *error)
+{
+    struct zemax_file file = {.job = job};
+    lens_build_begin(&file.build, lens, job->arena);
+    if (!zemax_parse(&file, content, error)) {
+        return false;
+    }
+    set_positions(&file);
+    if (!set_object(&file, error) || !check_image(&file, error) || !set_aperture(&file, error) ||
+        !set_fields(&file, error) || !set_waves(&file, error) || !zemax_surfaces(&file, error) ||
+        !check_floating(&file, error)) {
+        return false;
+    }
+    set_focus(&file);
+    return true;
+}
+
+/* "MODE", "VERS" or "UNIT" begins a line, and "SURF 0" another. */
+static bool is_like(struct text content)
+{
+    static const char *const words[] = {"VERS", "MODE", "NAME", "UNIT", "NOTE", "ENPD", "FNUM"};
+    struct text rest = content, line = text_trim(text_cut(&rest, '\n'));
+    while (rest.start != NULL && line.length == 0) {
+        line = text_trim(text_cut(&rest, '\n'));
+    }
+    bool begins = false;
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        size_t length = strlen(words[i]);
+        begins = begins || (line.length >= length && memcmp(line.start, words[i], length) == 0 &&
+                            (line.length == length || line.start[length] == ' '));
+    }
+    while (begins && rest.start != NULL) {
+        line = text_trim(text_cut(&rest, '\n'));
+        if (text_equal(line, "SURF 0")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+const struct foreign_format zemax_format = {
+    .name = "zmx",
+    .ending = ".zmx",
+    .help = "Zemax OpticStudio, sequential lens",
+    .is_like = is_like,
+    .read = read,
+    .write = zemax_write,
+};

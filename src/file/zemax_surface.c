@@ -1,0 +1,458 @@
+/* file/zemax_surface.c - the surfaces of a .zmx file as those of a lens. */
+/* SPDX-License-Identifier: MIT */
+#include "file/zemax_surface.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double radians = 0.017453292519943295;
+
+static bool is_type(const struct zemax_surface *surface, const char *type)
+{
+    return surface->type == NULL || surface->type->first.start == NULL
+               ? strcmp(type, "STANDARD") == 0
+               : text_same(surface->type->first, type);
+}
+
+static bool is_mirror(const struct zemax_surface *surface)
+{
+    return surface->glass != NULL && text_same(surface->glass->keyword, "MIRROR");
+}
+
+/* nd/Vd, of a model glass or one of which only they are known. */
+static struct medium model_of(struct zemax_file *file, struct figure nd, struct figure Vd)
+{
+    return (struct medium){
+        .kind = MEDIUM_MODEL,
+        .written = text_of(arena_printf(file->job->arena, "%.*s/%.*s", (int)nd.typed.length,
+                                        nd.typed.start, (int)Vd.typed.length, Vd.typed.start)),
+        .index = nd.value,
+        .abbe = Vd.value};
+}
+
+/* "517642" is nd = 1.517, Vd = 64.2. */
+static bool is_code(struct text name)
+{
+    bool digits = name.length == 6;
+    for (size_t i = 0; i < name.length; i++) {
+        digits = digits && name.start[i] >= '0' && name.start[i] <= '9';
+    }
+    return digits;
+}
+
+static struct figure figure_text(const char *typed)
+{
+    struct figure figure = {.typed = text_of(typed), .variable = LENS_NONE};
+    pair_read(typed, typed + strlen(typed), NUMBER_UNSCALED, &figure.value);
+    return figure;
+}
+
+static struct medium code_medium(struct zemax_file *file, struct text name)
+{
+    struct arena *arena = file->job->arena;
+    struct figure nd = figure_text(arena_printf(arena, "1.%.3s", name.start));
+    struct figure Vd =
+        figure_text(arena_printf(arena, "%.2s.%.1s", name.start + 3, name.start + 5));
+    return Vd.value.hi > 0
+               ? model_of(file, nd, Vd)
+               : (struct medium){.kind = MEDIUM_CONSTANT, .written = nd.typed, .index = nd.value};
+}
+
+/* GLAS name mode pick-up nd Vd dPgF .. */
+static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
+                         struct medium *medium, struct error *error)
+{
+    if (!(zemax_number(line, 2) > 0 && zemax_number(line, 2) < 100)) {
+        return lens_words_fail(&line->words, line->keyword, error,
+                               "a model glass without an index");
+    }
+    bool constant = zemax_number(line, 3) == 0;
+    *medium = constant ? (struct medium){.kind = MEDIUM_CONSTANT,
+                                         .written = line->numbers[2].typed,
+                                         .index = line->numbers[2].value}
+                       : model_of(file, line->numbers[2], line->numbers[3]);
+    if (!constant && zemax_number(line, 3) < 0) {
+        return lens_words_fail(&line->words, line->numbers[3].typed, error,
+                               "the Abbe number is below 0");
+    }
+    return zemax_number(line, 4) == 0 ||
+           zemax_loss(file, line, error, "the deviation %g of the partial dispersion PgF",
+                      zemax_number(line, 4));
+}
+
+/* No catalogue has it: the indices beside its name, if they are more than the usual 1.5 and 40. */
+static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line,
+                          struct medium *medium, struct error *error)
+{
+    double nd = zemax_number(line, 2), Vd = zemax_number(line, 3);
+    int length = (int)(line->keyword.length < 40 ? line->keyword.length : 40);
+    if (!(nd > 0) || nd > 100 || !(Vd > 0) || (nd == 1.5 && Vd == 40)) {
+        return lens_words_fail(&line->words, line->keyword, error,
+                               "the glass '%.*s' is in no catalogue, and the file has no index of "
+                               "it",
+                               length, line->keyword.start);
+    }
+    *medium = model_of(file, line->numbers[2], line->numbers[3]);
+    return zemax_loss(file, line, error,
+                      "the glass '%.*s' is in no catalogue: its nd %g and Vd %g stand for it",
+                      length, line->keyword.start, nd, Vd);
+}
+
+/* The program's own names of a material that lensdb has by its full name, of the same formula. */
+static struct text own_name(struct text name)
+{
+    static const char *const same[][2] = {{"SILICA", "FUSED_SILICA"}, {"F_SILICA", "FUSED_SILICA"}};
+    for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
+        if (text_same(name, same[i][0])) {
+            return text_of(same[i][1]);
+        }
+    }
+    return name;
+}
+
+/* In the file's catalogues; else by a name of our own; else as the file describes it. */
+static bool find_glass(struct zemax_file *file, const struct zemax_line *line,
+                       struct medium *medium, struct error *error)
+{
+    struct text own = own_name(line->keyword);
+    if (foreign_glass(file->job, &line->words, line->keyword, file->catalogs, file->catalog_count,
+                      medium, error)) {
+        return true;
+    }
+    if (error->code == ERROR_NONE && own.start != line->keyword.start &&
+        foreign_glass(file->job, &line->words, own, NULL, 0, medium, error)) {
+        return true;
+    }
+    return error->code == ERROR_NONE && unknown_glass(file, line, medium, error);
+}
+
+bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
+                  const struct medium *before, struct medium *medium, struct error *error)
+{
+    const struct zemax_line *line = surface->glass;
+    *medium = is_type(surface, "COORDBRK") || is_mirror(surface) ? *before : medium_air;
+    if (line == NULL || is_mirror(surface) || text_same(line->keyword, "AIR")) {
+        return true;
+    }
+    if (text_same(line->keyword, "___BLANK")) {
+        return model_medium(file, line, medium, error);
+    }
+    bool offset = zemax_number(line, 0) == 4;
+    for (size_t i = 8; offset && i < line->count; i++) {
+        if (line->numbers[i].value.hi != 0 &&
+            !zemax_loss(file, line, error, "a glass with an offset of its index or dispersion")) {
+            return false;
+        }
+    }
+    if (is_code(line->keyword)) {
+        *medium = code_medium(file, line->keyword);
+        return true;
+    }
+    return find_glass(file, line, medium, error);
+}
+
+/* A parameter after its pick-up: scale x (that of an earlier surface) + offset. */
+static struct figure parameter(struct zemax_file *file, size_t at, size_t number)
+{
+    const struct zemax_surface *surface = &file->surfaces[at];
+    const struct zemax_line *pickup = surface->pickups[number];
+    const struct figure none = {.typed = text_of("0"), .variable = LENS_NONE};
+    double from = zemax_number(pickup, 1);
+    if (pickup != NULL && pickup->count >= 3 && from >= 0 && from < (double)at) {
+        struct pair value = parameter(file, (size_t)from, number).value;
+        struct pair offset = pickup->count > 3 ? pickup->numbers[3].value : pair_of(0);
+        value = pair_add(pair_multiply(value, pickup->numbers[2].value), offset);
+        return figure_computed(value, NUMBER_UNSCALED, file->job->arena);
+    }
+    return surface->parameters[number] != NULL ? surface->parameters[number]->numbers[1] : none;
+}
+
+/* A figure in the file's unit to a power, from one that was read without a unit. */
+static struct figure in_unit(struct zemax_file *file, struct figure figure, int power)
+{
+    return figure_per_length(figure, file->build.lens->unit, power);
+}
+
+static bool set_curvature(struct zemax_file *file, const struct zemax_surface *from,
+                          struct surface *to)
+{
+    if (zemax_number(from->curvature, 0) == 0) {
+        return true;
+    }
+    to->curvature = in_unit(file, from->curvature->numbers[0], -1);
+    to->is_plane =
+        !figure_radius_of(&to->curvature, file->build.lens->unit, file->job->arena, &to->radius);
+    to->has_curvature = to->is_plane;
+    if (!to->is_plane) {
+        to->curvature = (struct figure){.variable = LENS_NONE};
+    }
+    return true;
+}
+
+static void set_coefficient(struct zemax_file *file, struct surface *to, size_t index,
+                            struct figure figure)
+{
+    if (figure.value.hi != 0) {
+        to->coefficient[index] = in_unit(file, figure, -(int)(2 * index + 1));
+        to->coefficients |= 1u << index;
+    }
+}
+
+static bool set_even(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
+{
+    for (size_t i = 1; i <= 8; i++) {
+        set_coefficient(file, to, i - 1, parameter(file, at, i));
+    }
+    (void)error;
+    return true;
+}
+
+/* XDAT 1 N, XDAT 2 r0, XDAT i+2 alpha_2i: alpha (r/r0)^2i */
+static bool set_extended(struct zemax_file *file, size_t at, struct surface *to,
+                         struct error *error)
+{
+    const struct zemax_surface *from = &file->surfaces[at];
+    double terms = zemax_number(from->extras[1], 1), norm = zemax_number(from->extras[2], 1);
+    struct pair scale = pair_of(1), r0 = pair_of(1);
+    if (from->extras[2] != NULL && norm != 0) {
+        r0 = from->extras[2]->numbers[1].value;
+    }
+    for (size_t i = 1; (double)i <= terms && i + 2 < ZEMAX_EXTRAS; i++) {
+        const struct zemax_line *line = from->extras[i + 2];
+        scale = pair_multiply(scale, pair_multiply(r0, r0));
+        if (zemax_number(line, 1) == 0) {
+            continue;
+        }
+        if (i > LENS_COEFFICIENTS) {
+            return zemax_loss(file, line, error, "the coefficient A%zu: lenscalc goes up to A20",
+                              2 * i);
+        }
+        struct figure figure = line->numbers[1];
+        if (r0.hi != 1 || r0.lo != 0) {
+            figure = figure_computed(pair_divide(figure.value, scale), NUMBER_UNSCALED,
+                                     file->job->arena);
+        }
+        set_coefficient(file, to, i - 1, figure);
+    }
+    return true;
+}
+
+/* The tangents of a plane z = x tan a + y tan b as turns about its vertex. */
+static bool set_tilted(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
+{
+    struct displacement *moved = ARENA_NEW(file->job->arena, struct displacement);
+    double a = parameter(file, at, 1).value.hi, b = parameter(file, at, 2).value.hi;
+    double turns[3] = {atan(b), -atan(a * cos(atan(b))), 0};
+    (void)error;
+    for (int i = 0; i < 3; i++) {
+        moved->tilt[i] = figure_of(turns[i] / radians, file->job->arena);
+        moved->tilt[i].value = pair_multiply(moved->tilt[i].value, pair_of(radians));
+        moved->decenter[i % 2] = figure_of(0, file->job->arena);
+    }
+    to->moved = moved;
+    return true;
+}
+
+/* CURV is that of the y-z section, PARM 1 the radius of the other one, 0 a plane. */
+static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
+                         struct error *error)
+{
+    struct figure radius = parameter(file, at, 1);
+    bool other = false;
+    for (size_t i = 2; i < ZEMAX_PARAMETERS; i++) {
+        other = other || parameter(file, at, i).value.hi != 0;
+    }
+    bool both = radius.value.hi != 0 && (!to->is_plane || to->has_curvature);
+    if ((both || other) && !zemax_loss(file, file->surfaces[at].type, error,
+                                       "a toroid: only its y-z section is kept, as a cylinder")) {
+        return false;
+    }
+    to->curved = CURVED_Y;
+    if (radius.value.hi != 0 && !both) {
+        to->curved = CURVED_X;
+        to->is_plane = false;
+        to->radius = in_unit(file, radius, 1);
+    }
+    return true;
+}
+
+static bool set_nothing(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
+{
+    (void)file, (void)at, (void)to, (void)error;
+    return true;
+}
+
+static const struct {
+    const char *type;
+    bool (*set)(struct zemax_file *file, size_t at, struct surface *to, struct error *error);
+} types[] = {{"STANDARD", set_nothing}, {"EVENASPH", set_even},     {"XASPHERE", set_extended},
+             {"TILTSURF", set_tilted},  {"TOROIDAL", set_toroidal}, {"COORDBRK", set_nothing}};
+
+static bool set_type(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
+{
+    const struct zemax_surface *from = &file->surfaces[at];
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
+        if (is_type(from, types[i].type)) {
+            return types[i].set(file, at, to, error);
+        }
+    }
+    struct text type = from->type->first;
+    if (text_same(type, "NONSEQCO")) {
+        return lens_words_fail(&from->type->words, type, error,
+                               "a non-sequential group: lenscalc has lenses whose surfaces follow "
+                               "each other");
+    }
+    return foreign_loss(file->job, &from->type->words, type, error,
+                        "a surface of the type %.*s: its standard form with curvature and conic "
+                        "stands for it",
+                        (int)(type.length < 20 ? type.length : 20), type.start);
+}
+
+/* Twice the semi-diameter, or a circular aperture's radius. */
+static void set_diameter(struct zemax_file *file, const struct zemax_surface *from,
+                         struct surface *to)
+{
+    const struct figure *radius = from->clear != NULL      ? &from->clear->numbers[1]
+                                  : from->diameter != NULL ? &from->diameter->numbers[0]
+                                                           : NULL;
+    if (radius != NULL && radius->value.hi > 0) {
+        struct pair twice = {2 * radius->value.hi, 2 * radius->value.lo};
+        to->diameter =
+            figure_computed(twice, lens_unit_scale(file->build.lens->unit), file->job->arena);
+        to->has_diameter = true;
+    }
+}
+
+static void set_comment(struct zemax_file *file, const struct zemax_surface *from,
+                        struct surface *to)
+{
+    if (from->comment.length > 0) {
+        const char *text = lens_build_string(&file->build, from->comment);
+        char *name = arena_string(file->job->arena, text, strlen(text));
+        for (char *c = name; *c != '\0'; c++) {
+            *c = (char)(*c == '"' ? '\'' : *c);
+        }
+        to->name = name;
+    }
+}
+
+/* The medium before the next surface to add. */
+static struct medium medium_before(const struct lens *lens)
+{
+    return lens->surface_count > 0 ? lens->surfaces[lens->surface_count - 1].medium
+                                   : lens->object_medium;
+}
+
+static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
+{
+    const struct zemax_surface *from = &file->surfaces[at];
+    const struct medium before = medium_before(file->build.lens);
+    struct surface *to = lens_build_surface(&file->build);
+    to->bend = file->bend;
+    file->bend = NULL;
+    if (!zemax_medium(file, from, &before, &to->medium, error) || !set_curvature(file, from, to)) {
+        return false;
+    }
+    if (is_mirror(from)) {
+        to->kind = SURFACE_REFLECT;
+    }
+    if (zemax_number(from->conic, 0) != 0) {
+        to->conic = from->conic->numbers[0];
+    }
+    if (!set_type(file, at, to, error)) {
+        return false;
+    }
+    set_diameter(file, from, to);
+    set_comment(file, from, to);
+    return true;
+}
+
+/* A plane that does nothing but carry a bend of the axis. */
+static void flush_bend(struct zemax_file *file)
+{
+    if (file->bend != NULL) {
+        const struct medium before = medium_before(file->build.lens);
+        struct surface *to = lens_build_surface(&file->build);
+        to->medium = before;
+        to->bend = file->bend;
+        file->bend = NULL;
+    }
+}
+
+/* A bend waits for its surface. */
+static void add_bend(struct zemax_file *file, const struct displacement *bend)
+{
+    flush_bend(file);
+    file->bend = bend;
+}
+
+/* Does the break do nothing but bend, and a surface follow? Then it needs no plane of its own. */
+static bool is_bare(const struct zemax_file *file, size_t at)
+{
+    const struct zemax_surface *surface = &file->surfaces[at];
+    bool still = surface->thickness == NULL ||
+                 (!surface->thickness->infinite && zemax_number(surface->thickness, 0) == 0);
+    bool last = at + 2 >= file->surface_count;
+    return still && !last && surface->solve == NULL && !surface->is_stop &&
+           file->configurations < 2 && surface->comment.length == 0;
+}
+
+/* COORDBRK: shift, then turn about x, y, z; with PARM 6 turn about z, y, x, then shift. */
+static void add_break(struct zemax_file *file, size_t at)
+{
+    static const int parts[2][4] = {{1, 3, 4, 5}, {5, 4, 3, 1}};
+    struct arena *arena = file->job->arena;
+    bool reversed = parameter(file, at, 6).value.hi != 0;
+    struct displacement *bend = NULL;
+    for (int i = 0; i < 4; i++) {
+        int part = parts[reversed][i];
+        bool shift = part == 1;
+        struct figure one = parameter(file, at, (size_t)part), two = parameter(file, at, 2);
+        if (one.value.hi == 0 && !(shift && two.value.hi != 0) && !(i == 3 && bend == NULL)) {
+            continue;
+        }
+        if (bend == NULL || reversed) {
+            bend = ARENA_NEW(arena, struct displacement);
+            for (int k = 0; k < 3; k++) {
+                bend->tilt[k] = bend->decenter[k % 2] = figure_of(0, arena);
+            }
+            add_bend(file, bend);
+        }
+        if (shift) {
+            bend->decenter[0] = in_unit(file, one, 1);
+            bend->decenter[1] = in_unit(file, two, 1);
+        } else {
+            bend->tilt[part - 3] = one;
+            bend->tilt[part - 3].value = pair_multiply(one.value, pair_of(radians));
+        }
+    }
+}
+
+bool zemax_surfaces(struct zemax_file *file, struct error *error)
+{
+    struct lens *lens = file->build.lens;
+    size_t *places = ARENA_ARRAY(file->job->arena, file->surface_count, size_t);
+    places[0] = LENS_NONE;
+    for (size_t i = 1; i + 1 < file->surface_count; i++) {
+        if (is_type(&file->surfaces[i], "COORDBRK")) {
+            add_break(file, i);
+            if (is_bare(file, i)) {
+                places[i] = LENS_NONE;
+                continue;
+            }
+            flush_bend(file);
+        } else if (!add_surface(file, i, error)) {
+            return false;
+        }
+        places[i] = lens->surface_count - 1;
+        if (file->surfaces[i].is_stop && lens->stop != LENS_NONE) {
+            return lens_words_fail(&file->surfaces[i].surf->words, file->surfaces[i].surf->keyword,
+                                   error, "a second stop");
+        }
+        if (file->surfaces[i].is_stop) {
+            lens_build_stop(&file->build, places[i]);
+        }
+    }
+    places[file->surface_count - 1] = LENS_NONE;
+    return zemax_thicknesses(file, places, error);
+}

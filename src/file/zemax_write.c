@@ -1,0 +1,240 @@
+/* file/zemax_write.c - a lens as a .zmx file. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_build.h"
+#include "file/zemax.h"
+#include "file/zemax_writer.h"
+#include "optics/wavelength.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_FIELDS = 12, MOST_WAVES = 24 };
+
+static void put_notes(struct zemax_writer *writer)
+{
+    static const char *const stated[] = {"efl", "bfl", "fnumber"};
+    const struct lens *lens = writer->lens;
+    for (size_t i = 0; i < lens->note_count; i++) {
+        growing_string(&writer->out, "NOTE 0 ");
+        growing_string(&writer->out, lens->notes[i]);
+        growing_string(&writer->out, "\r\n");
+    }
+    const char *const texts[2] = {lens->source, lens->kind};
+    for (int i = 0; i < 2; i++) {
+        if (texts[i] != NULL) {
+            growing_string(&writer->out,
+                           i == 0 ? "NOTE 0 lenscalc source " : "NOTE 0 lenscalc kind ");
+            growing_string(&writer->out, texts[i]);
+            growing_string(&writer->out, "\r\n");
+        }
+    }
+    if (lens->position_count > 0) {
+        growing_string(&writer->out, "NOTE 0 lenscalc positions");
+        for (size_t i = 0; i < lens->position_count; i++) {
+            growing_string(&writer->out, " ");
+            growing_string(&writer->out, lens->positions[i]);
+        }
+        growing_string(&writer->out, "\r\n");
+    }
+    for (int i = 0; i < STATED_COUNT; i++) {
+        for (size_t k = 0; k < lens->stated_count[i]; k++) {
+            growing_string(&writer->out, k == 0 ? "NOTE 0 lenscalc stated " : " ");
+            growing_string(&writer->out, k == 0 ? stated[i] : "");
+            growing_string(&writer->out, k == 0 ? " " : "");
+            growing_figure(&writer->out, &lens->stated[i][k],
+                           i == STATED_FNUMBER ? NUMBER_UNSCALED : writer->unit);
+        }
+        growing_string(&writer->out, lens->stated_count[i] > 0 ? "\r\n" : "");
+    }
+}
+
+static void put_aperture(struct zemax_writer *writer)
+{
+    static const char *const words[] = {"", "FLOA", "FNUM ", "ENPD ", "OBNA "};
+    const struct lens *lens = writer->lens;
+    const struct figure *aperture = lens->apertures != NULL ? &lens->apertures[0] : &lens->aperture;
+    if (lens->aperture_kind == APERTURE_NONE) {
+        return;
+    }
+    growing_string(&writer->out, words[lens->aperture_kind]);
+    if (lens->aperture_kind != APERTURE_STOP) {
+        growing_figure(&writer->out, aperture,
+                       lens->aperture_kind == APERTURE_EPD ? writer->unit : NUMBER_UNSCALED);
+        growing_string(&writer->out, lens->aperture_kind == APERTURE_EPD ? "" : " 0");
+    }
+    growing_string(&writer->out, "\r\n");
+}
+
+static bool put_fields(struct zemax_writer *writer, struct error *error)
+{
+    static const int types[] = {0, 0, 1, 2};
+    const struct lens *lens = writer->lens;
+    size_t waves = lens->wavelength_count > 0 ? lens->wavelength_count : 1;
+    size_t count = lens->field_count < MOST_FIELDS ? lens->field_count : MOST_FIELDS;
+    if (count < lens->field_count &&
+        !zemax_lose(writer, error, "more than %d fields: those beyond are left out", MOST_FIELDS)) {
+        return false;
+    }
+    growing_format(&writer->out, "FTYP %d 0 %zu %zu 0 0 0\r\n", types[lens->field_kind],
+                   count > 0 ? count : 1, waves < MOST_WAVES ? waves : MOST_WAVES);
+    if (count == 0) {
+        return true;
+    }
+    growing_string(&writer->out, "XFLN");
+    for (size_t i = 0; i < count; i++) {
+        growing_string(&writer->out, " 0");
+    }
+    growing_string(&writer->out, "\r\nYFLN");
+    for (size_t i = 0; i < count; i++) {
+        struct figure field = lens->fields[i];
+        if (field.typed.start == NULL && lens->field_kind == FIELD_ANGLE) {
+            field.value = pair_divide(field.value, pair_of(0.017453292519943295));
+        }
+        growing_string(&writer->out, " ");
+        growing_figure(&writer->out, &field,
+                       lens->field_kind == FIELD_ANGLE ? NUMBER_UNSCALED : writer->unit);
+    }
+    growing_string(&writer->out, "\r\n");
+    return true;
+}
+
+static bool put_waves(struct zemax_writer *writer, struct error *error)
+{
+    const struct lens *lens = writer->lens;
+    if (lens->wavelength_count == 0) {
+        growing_string(&writer->out, "WAVM 1 ");
+        growing_number(&writer->out, WAVELENGTH_D);
+        growing_string(&writer->out, " 1\r\n");
+    }
+    for (size_t i = 0; i < lens->wavelength_count && i < MOST_WAVES; i++) {
+        growing_format(&writer->out, "WAVM %zu ", i + 1);
+        growing_number(&writer->out, lens->wavelengths[i].wavelength);
+        growing_string(&writer->out, " ");
+        growing_number(&writer->out, lens->wavelengths[i].weight);
+        growing_string(&writer->out, "\r\n");
+    }
+    growing_string(&writer->out, "PWAV 1\r\n");
+    return lens->wavelength_count <= MOST_WAVES ||
+           zemax_lose(writer, error, "more than %d wavelengths: those beyond are left out",
+                      MOST_WAVES);
+}
+
+static bool put_header(struct zemax_writer *writer, struct error *error)
+{
+    static const struct {
+        const char *unit, *word;
+    } units[] = {{"mm", "MM"}, {"cm", "CM"}, {"m", "METER"}, {"in", "IN"}};
+    const struct lens *lens = writer->lens;
+    growing_string(&writer->out, "MODE SEQ\r\n");
+    if (lens->title != NULL) {
+        growing_string(&writer->out, "NAME ");
+        growing_string(&writer->out, lens->title);
+        growing_string(&writer->out, "\r\n");
+    }
+    put_notes(writer);
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (strcmp(units[i].unit, lens->unit) == 0) {
+            growing_format(&writer->out, "UNIT %s X W X CM MR CPMM\r\n", units[i].word);
+        }
+    }
+    put_aperture(writer);
+    if (writer->catalog_count > 0) {
+        growing_string(&writer->out, "GCAT");
+        for (size_t i = 0; i < writer->catalog_count; i++) {
+            growing_string(&writer->out, " ");
+            growing_text(&writer->out, writer->catalogs[i]);
+        }
+        growing_string(&writer->out, "\r\n");
+    }
+    return put_fields(writer, error) && put_waves(writer, error);
+}
+
+/* THIC and SDIA of the surfaces whose distance or diameter changes. */
+static void put_variables(struct zemax_writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    size_t count = lens->position_count;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        size_t variable = lens->surfaces[i].thickness.variable;
+        for (size_t p = 0; p < count && variable != LENS_NONE; p++) {
+            growing_format(&writer->out, "THIC %zu %zu ", writer->places[i], p + 1);
+            growing_figure(&writer->out, &lens->variables[variable].values[p], writer->unit);
+            growing_string(&writer->out, " 0 0 0 1 1 1 0 0 \"\" 0\r\n");
+        }
+        variable = lens->surfaces[i].has_diameter ? lens->surfaces[i].diameter.variable : LENS_NONE;
+        for (size_t p = 0; p < count && variable != LENS_NONE; p++) {
+            growing_format(&writer->out, "SDIA %zu %zu ", writer->own_places[i], p + 1);
+            zemax_put_half(writer, &lens->variables[variable].values[p]);
+            growing_string(&writer->out, " 0 0 0 1 1 1 0 0 \"\" 0\r\n");
+        }
+    }
+}
+
+/* The object's distance, distances, diameters and apertures of each position. */
+static void put_positions(struct zemax_writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    size_t count = lens->position_count;
+    growing_format(&writer->out, "MNUM %zu 1\r\n", count > 0 ? count : 1);
+    for (size_t p = 0; p < count && lens->objects != NULL; p++) {
+        growing_format(&writer->out, "THIC 0 %zu ", p + 1);
+        if (isinf(lens->objects[p].value.hi)) {
+            growing_string(&writer->out, "1e10");
+        } else {
+            growing_figure(&writer->out, &lens->objects[p], writer->unit);
+        }
+        growing_string(&writer->out, " 0 0 0 1 1 1 0 0 \"\" 0\r\n");
+    }
+    put_variables(writer);
+    for (size_t p = 0; p < count && lens->apertures != NULL; p++) {
+        growing_format(&writer->out, "APER 0 %zu ", p + 1);
+        growing_figure(&writer->out, &lens->apertures[p],
+                       lens->aperture_kind == APERTURE_EPD ? writer->unit : NUMBER_UNSCALED);
+        growing_string(&writer->out, " 0 0 0 1 1 1 0 0 \"\" 0\r\n");
+    }
+}
+
+static bool put_object(struct zemax_writer *writer, struct error *error)
+{
+    const struct lens *lens = writer->lens;
+    const struct figure *object = lens->objects != NULL ? &lens->objects[0] : &lens->object;
+    zemax_put_surf(writer, "STANDARD");
+    growing_string(&writer->out, "  CURV 0 0 0 0 0 \"\"\r\n  DISZ ");
+    if (isinf(object->value.hi)) {
+        growing_string(&writer->out, "INFINITY");
+    } else {
+        growing_figure(&writer->out, object, writer->unit);
+    }
+    growing_string(&writer->out, "\r\n");
+    return zemax_put_medium(writer, &lens->object_medium, error);
+}
+
+bool zemax_write(struct foreign_job *job, const struct lens *lens, struct text *text,
+                 struct error *error)
+{
+    struct zemax_writer writer = {.out = {.arena = job->arena},
+                                  .job = job,
+                                  .lens = lens,
+                                  .unit = lens_unit_scale(lens->unit),
+                                  .places = ARENA_ARRAY(job->arena, lens->surface_count, size_t),
+                                  .own_places =
+                                      ARENA_ARRAY(job->arena, lens->surface_count, size_t)};
+    zemax_note_catalog(&writer, &lens->object_medium);
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        zemax_note_catalog(&writer, &lens->surfaces[i].medium);
+    }
+    if (!put_header(&writer, error) || !put_object(&writer, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (!zemax_put_surface(&writer, i, error)) {
+            return false;
+        }
+    }
+    zemax_put_surf(&writer, "STANDARD");
+    growing_string(&writer.out, "  CURV 0 0 0 0 0 \"\"\r\n  DISZ 0\r\n");
+    put_positions(&writer);
+    *text = growing_done(&writer.out);
+    return lens->focus != FOCUS_BEST ||
+           zemax_lose(&writer, error, "the best focus: the image lies at the last thickness");
+}

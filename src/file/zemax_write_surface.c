@@ -1,0 +1,365 @@
+/* file/zemax_write_surface.c - surfaces and media of a .zmx file. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_build.h"
+#include "file/lens_glass.h"
+#include "file/zemax_writer.h"
+#include "optics/glass.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { EVEN_TERMS = 8 };
+
+/* The value in the first position. */
+static const struct figure *first_of(const struct zemax_writer *writer, const struct figure *figure)
+{
+    return figure->variable == LENS_NONE ? figure
+                                         : &writer->lens->variables[figure->variable].values[0];
+}
+
+static void put_length(struct zemax_writer *writer, const struct figure *figure)
+{
+    growing_figure(&writer->out, first_of(writer, figure), writer->unit);
+}
+
+/* "  CURV 1/R": so many digits that the reader finds the same radius again. */
+static void put_reciprocal(struct zemax_writer *writer, const struct figure *radius)
+{
+    struct arena *arena = writer->job->arena;
+    char text[PAIR_LENGTH];
+    double plain_radius = 0;
+    struct figure typed = figure_computed(radius->value, writer->unit, arena);
+    struct figure curvature, again;
+    number_read(typed.typed.start, typed.typed.start + typed.typed.length, NUMBER_UNSCALED,
+                &plain_radius);
+    char *end = number_write_digits(text, 1 / plain_radius, 17);
+    curvature = (struct figure){.typed = {text, (size_t)(end - text)}, .variable = LENS_NONE};
+    curvature = figure_per_length(curvature, writer->lens->unit, -1);
+    bool found = figure_radius_of(&curvature, writer->lens->unit, arena, &again) &&
+                 again.value.hi == radius->value.hi && again.value.lo == radius->value.lo;
+    if (!found) {
+        struct pair exact = pair_divide(pair_of(1), radius->value);
+        struct number_scale inverse = {1, 0};
+        struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
+        exact = pair_multiply(exact, figure_per_length(one, writer->lens->unit, 1).value);
+        end = pair_write_digits(text, exact, inverse, 31);
+    }
+    growing_put(&writer->out, text, (size_t)(end - text));
+}
+
+/* A curvature as typed; longer where the reader would take it for 1/R of a short radius. */
+static void put_curvature(struct zemax_writer *writer, const struct figure *curvature)
+{
+    struct figure radius, figure = *curvature;
+    char text[PAIR_LENGTH];
+    if (figure.typed.start == NULL) {
+        struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
+        struct pair unit = figure_per_length(one, writer->lens->unit, 1).value;
+        figure =
+            figure_computed(pair_multiply(figure.value, unit), NUMBER_UNSCALED, writer->job->arena);
+        figure.value = curvature->value;
+    }
+    if (figure_radius_of(&figure, writer->lens->unit, writer->job->arena, &radius)) {
+        struct pair value = {0, 0};
+        pair_read(figure.typed.start, figure.typed.start + figure.typed.length, NUMBER_UNSCALED,
+                  &value);
+        char *end = pair_write_digits(text, value, NUMBER_UNSCALED, 31);
+        growing_put(&writer->out, text, (size_t)(end - text));
+        return;
+    }
+    growing_text(&writer->out, figure.typed);
+}
+
+static bool same_text(struct text a, struct text b)
+{
+    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
+}
+
+/* CATALOG and NAME of a glass as its catalogue spells them. */
+static void split_glass(const struct medium *medium, struct text *catalog, struct text *name)
+{
+    const struct glass *glass = lens_glass_of(medium);
+    struct text rest = medium->written, before = text_cut(&rest, ':');
+    *name = rest.start != NULL ? rest : before;
+    *catalog = rest.start != NULL ? before : ((struct text){NULL, 0});
+    if (glass != NULL) {
+        *name = glass->name;
+        *catalog = glass->catalog;
+    }
+}
+
+void zemax_note_catalog(struct zemax_writer *writer, const struct medium *medium)
+{
+    struct text catalog, name;
+    if (medium->kind != MEDIUM_GLASS) {
+        return;
+    }
+    split_glass(medium, &catalog, &name);
+    for (size_t i = 0; i < writer->catalog_count; i++) {
+        if (same_text(writer->catalogs[i], catalog)) {
+            return;
+        }
+    }
+    if (catalog.length > 0 && writer->catalog_count < ZEMAX_MOST_CATALOGS) {
+        writer->catalogs[writer->catalog_count++] = catalog;
+    }
+}
+
+/* Would the name be found in an earlier catalogue of the file's list, as another glass? */
+static bool check_homonym(struct zemax_writer *writer, const struct medium *medium,
+                          struct error *error)
+{
+    const struct foreign_job *job = writer->job;
+    struct text catalog, name;
+    split_glass(medium, &catalog, &name);
+    for (size_t i = 0; i < writer->catalog_count && job->glasses != NULL; i++) {
+        struct medium other = {.kind = MEDIUM_GLASS};
+        struct error ignored;
+        if (same_text(writer->catalogs[i], catalog)) {
+            return true;
+        }
+        other.written =
+            text_of(arena_printf(job->arena, "%.*s:%.*s", (int)writer->catalogs[i].length,
+                                 writer->catalogs[i].start, (int)name.length, name.start));
+        if (job->glasses->find(job->glasses->context, &other, &ignored)) {
+            return zemax_lose(writer, error,
+                              "the glass %.*s:%.*s: the file would be read with that of %.*s",
+                              (int)catalog.length, catalog.start, (int)name.length, name.start,
+                              (int)writer->catalogs[i].length, writer->catalogs[i].start);
+        }
+    }
+    return true;
+}
+
+/* An index alone: Vd = 0 is no dispersion. */
+static void put_model(struct zemax_writer *writer, struct text index, struct text abbe)
+{
+    growing_string(&writer->out, "  GLAS ___BLANK 1 0 ");
+    growing_text(&writer->out, index);
+    growing_string(&writer->out, " ");
+    growing_text(&writer->out, abbe);
+    growing_string(&writer->out, " 0 0 0 0 0 0\r\n");
+}
+
+static bool put_table(struct zemax_writer *writer, const struct medium *medium, struct error *error)
+{
+    struct pair index;
+    double primary = lens_primary_wavelength(writer->lens);
+    if (!medium_index(medium, primary, &index, error)) {
+        return false;
+    }
+    char text[PAIR_LENGTH];
+    char *end = pair_write_shortest(text, index, NUMBER_UNSCALED);
+    put_model(writer, (struct text){text, (size_t)(end - text)}, text_of("0"));
+    return zemax_lose(writer, error,
+                      "a medium given by a table: its index at %.6g um stands for it", primary);
+}
+
+bool zemax_put_medium(struct zemax_writer *writer, const struct medium *medium, struct error *error)
+{
+    struct text catalog, name, rest = medium->written, index = text_cut(&rest, '/');
+    if (medium_is_air(medium)) {
+        return true;
+    }
+    switch (medium->kind) {
+    case MEDIUM_CONSTANT:
+        put_model(writer, index, text_of("0"));
+        return true;
+    case MEDIUM_MODEL:
+        put_model(writer, index, rest);
+        return true;
+    case MEDIUM_TABLE:
+        return put_table(writer, medium, error);
+    default:
+        split_glass(medium, &catalog, &name);
+        growing_string(&writer->out, "  GLAS ");
+        growing_text(&writer->out, name);
+        growing_string(&writer->out, " 0 0 0 0 0 0 0 0 0 0\r\n");
+        return (memchr(name.start, ' ', name.length) == NULL ||
+                zemax_lose(writer, error, "the glass '%.*s': its name has a blank",
+                           (int)name.length, name.start)) &&
+               check_homonym(writer, medium, error);
+    }
+}
+
+void zemax_put_surf(struct zemax_writer *writer, const char *type)
+{
+    growing_format(&writer->out, "SURF %zu\r\n  TYPE %s\r\n", writer->number++, type);
+}
+
+static void put_parameter(struct zemax_writer *writer, int number, const struct figure *figure,
+                          bool angle, bool negative)
+{
+    struct figure one = *figure;
+    if (angle && one.typed.start == NULL) {
+        one.value = pair_divide(one.value, pair_of(0.017453292519943295));
+    }
+    growing_format(&writer->out, "  PARM %d ", number);
+    if (negative && one.value.hi != 0 && one.typed.start != NULL) {
+        bool minus = one.typed.start[0] == '-', plus = one.typed.start[0] == '+';
+        growing_string(&writer->out, minus ? "" : "-");
+        one.typed.start += minus || plus;
+        one.typed.length -= minus || plus;
+    } else if (negative) {
+        one.value = pair_negate(one.value);
+    }
+    growing_figure(&writer->out, &one, angle ? NUMBER_UNSCALED : writer->unit);
+    growing_string(&writer->out, "\r\n");
+}
+
+/* A break of the axis, or its undoing. */
+static void put_break(struct zemax_writer *writer, const struct displacement *moved, bool undo)
+{
+    zemax_put_surf(writer, "COORDBRK");
+    put_parameter(writer, 1, &moved->decenter[0], false, undo);
+    put_parameter(writer, 2, &moved->decenter[1], false, undo);
+    for (int i = 0; i < 3; i++) {
+        put_parameter(writer, 3 + i, &moved->tilt[i], true, undo);
+    }
+    growing_string(&writer->out, undo ? "  PARM 6 1\r\n" : "  PARM 6 0\r\n");
+}
+
+static const char *type_of(const struct surface *surface)
+{
+    return surface->curved != CURVED_BOTH               ? "TOROIDAL"
+           : (surface->coefficients >> EVEN_TERMS) != 0 ? "XASPHERE"
+           : surface->coefficients != 0                 ? "EVENASPH"
+                                                        : "STANDARD";
+}
+
+static void put_coefficients(struct zemax_writer *writer, const struct surface *surface)
+{
+    bool extended = (surface->coefficients >> EVEN_TERMS) != 0;
+    if (extended) {
+        growing_string(&writer->out, "  XDAT 1 10 0 0 1 0 0 \"\"\r\n  XDAT 2 1 0 0 1 0 0 \"\"\r\n");
+    }
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        struct figure figure = surface->coefficient[i];
+        if ((surface->coefficients >> i & 1) == 0) {
+            continue;
+        }
+        if (figure.typed.start == NULL) { /* from mm to the lens's unit */
+            struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
+            struct pair unit = figure_per_length(one, writer->lens->unit, 2 * i + 1).value;
+            figure.value = pair_multiply(figure.value, unit);
+        }
+        growing_format(&writer->out, extended ? "  XDAT %d " : "  PARM %d ",
+                       extended ? i + 3 : i + 1);
+        growing_figure(&writer->out, &figure, NUMBER_UNSCALED);
+        growing_string(&writer->out, extended ? " 0 0 1 0 0 \"\"\r\n" : "\r\n");
+    }
+}
+
+static bool put_shape(struct zemax_writer *writer, const struct surface *surface, size_t number,
+                      struct error *error)
+{
+    bool cylinder = surface->curved != CURVED_BOTH, cross = surface->curved == CURVED_X;
+    bool has_conic = surface->conic.value.hi != 0;
+    growing_string(&writer->out, "  CURV ");
+    if (surface->is_plane && !surface->has_curvature) {
+        growing_string(&writer->out, "0");
+    } else if (cross) {
+        growing_string(&writer->out, "0");
+    } else if (surface->has_curvature) {
+        put_curvature(writer, &surface->curvature);
+    } else {
+        put_reciprocal(writer, &surface->radius);
+    }
+    growing_string(&writer->out, " 0 0 0 0 \"\"\r\n");
+    if (cross && (surface->has_curvature || !surface->is_plane)) {
+        struct figure radius = surface->radius;
+        if (surface->has_curvature) {
+            radius = (struct figure){.value = pair_divide(pair_of(1), surface->curvature.value)};
+        }
+        put_parameter(writer, 1, &radius, false, false);
+    }
+    if (has_conic && !cross) {
+        growing_string(&writer->out, "  CONI ");
+        growing_figure(&writer->out, &surface->conic, NUMBER_UNSCALED);
+        growing_string(&writer->out, "\r\n");
+    }
+    if (!cylinder) {
+        put_coefficients(writer, surface);
+    }
+    return !cylinder || (surface->coefficients == 0 && !(cross && has_conic)) ||
+           zemax_lose(writer, error,
+                      "surface %zu: a cylinder with aspheric terms: they are left out", number);
+}
+
+static void put_thickness(struct zemax_writer *writer, const struct surface *surface, bool last)
+{
+    growing_string(&writer->out, "  DISZ ");
+    if (surface->has_thickness) {
+        put_length(writer, &surface->thickness);
+    } else {
+        growing_string(&writer->out, "0");
+    }
+    bool paraxial = writer->lens->focus == FOCUS_PARAXIAL || !surface->has_thickness;
+    growing_string(&writer->out, last && paraxial ? "\r\n  MAZH 0 0\r\n" : "\r\n");
+}
+
+void zemax_put_half(struct zemax_writer *writer, const struct figure *figure)
+{
+    char text[PAIR_LENGTH];
+    const struct pair half = {figure->value.hi / 2, figure->value.lo / 2};
+    char *end = pair_write_shortest(text, half, writer->unit);
+    growing_put(&writer->out, text, (size_t)(end - text));
+}
+
+static void put_diameter(struct zemax_writer *writer, const struct surface *surface)
+{
+    growing_string(&writer->out, "  DIAM ");
+    zemax_put_half(writer, first_of(writer, &surface->diameter));
+    growing_string(&writer->out, " 1 0 0 1 \"\"\r\n");
+}
+
+static bool check_surface(struct zemax_writer *writer, const struct surface *surface, size_t number,
+                          struct error *error)
+{
+    return surface->vary_count == 0 ||
+           zemax_lose(writer, error, "surface %zu: the marks of what may vary are left out",
+                      number);
+}
+
+bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *error)
+{
+    const struct surface *surface = &writer->lens->surfaces[index];
+    bool last = index + 1 == writer->lens->surface_count, moved = surface->moved != NULL;
+    if (!check_surface(writer, surface, index + 1, error)) {
+        return false;
+    }
+    if (surface->bend != NULL) {
+        put_break(writer, surface->bend, false);
+        growing_string(&writer->out, "  DISZ 0\r\n");
+    }
+    if (moved) {
+        put_break(writer, surface->moved, false);
+        growing_string(&writer->out, "  DISZ 0\r\n");
+    }
+    zemax_put_surf(writer, type_of(surface));
+    growing_string(&writer->out, surface->is_stop ? "  STOP\r\n" : "");
+    if (surface->name != NULL) {
+        growing_string(&writer->out, "  COMM ");
+        growing_string(&writer->out, surface->name);
+        growing_string(&writer->out, "\r\n");
+    }
+    if (!put_shape(writer, surface, index + 1, error)) {
+        return false;
+    }
+    if (surface->has_diameter) {
+        put_diameter(writer, surface);
+    }
+    if (surface->kind == SURFACE_REFLECT) {
+        growing_string(&writer->out, "  GLAS MIRROR 0 0 0 0 0 0 0 0 0 0\r\n");
+    } else if (!zemax_put_medium(writer, &surface->medium, error)) {
+        return false;
+    }
+    if (moved) {
+        growing_string(&writer->out, "  DISZ 0\r\n");
+        put_break(writer, surface->moved, true);
+    }
+    writer->places[index] = writer->number - 1;
+    writer->own_places[index] = writer->number - (moved ? 2 : 1);
+    put_thickness(writer, surface, last);
+    return true;
+}

@@ -1,0 +1,44 @@
+/* file/zemax_writer.h - the parts of writing a .zmx file. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_ZEMAX_WRITER_H
+#define LENSCALC_FILE_ZEMAX_WRITER_H
+
+#include "file/foreign.h"
+#include "file/growing.h"
+
+enum { ZEMAX_MOST_CATALOGS = 32 };
+
+/* A file being written. */
+struct zemax_writer {
+    struct growing out;
+    struct foreign_job *job;
+    const struct lens *lens;
+    struct number_scale unit;
+    struct text catalogs[ZEMAX_MOST_CATALOGS];
+    size_t catalog_count;
+    size_t number;      /* of the surface to write next */
+    size_t *places;     /* the file's surface with the thickness of each surface of the lens */
+    size_t *own_places; /* and with its diameter */
+};
+
+/* Record that the file cannot hold something of the lens. */
+#define zemax_lose(writer, error, ...)                                                             \
+    foreign_loss((writer)->job, NULL, (struct text){NULL, 0}, (error), __VA_ARGS__)
+
+/* Keep the catalogue of a medium for the list of them. */
+void zemax_note_catalog(struct zemax_writer *writer, const struct medium *medium);
+
+/* GLAS; nothing for air. */
+bool zemax_put_medium(struct zemax_writer *writer, const struct medium *medium,
+                      struct error *error);
+
+/* "SURF n" and its type. */
+void zemax_put_surf(struct zemax_writer *writer, const char *type);
+
+/* Half of a diameter. */
+void zemax_put_half(struct zemax_writer *writer, const struct figure *figure);
+
+/* A surface of the lens, with the breaks of the axis around it. */
+bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *error);
+
+#endif

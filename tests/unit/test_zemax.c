@@ -1,0 +1,308 @@
+/* tests/unit/test_zemax.c - .zmx files: what they say, and what is lost. */
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+#include "file/foreign.h"
+#include "file/lens_change.h"
+#include "file/zemax.h"
+#include "optics/first_order.h"
+
+#include <stdlib.h>
+
+#define HEAD     "MODE SEQ\nUNIT MM X W X CM MR CPMM\n"
+#define OBJECT   "SURF 0\n  TYPE STANDARD\n  CURV 0\n  DISZ INFINITY\n"
+#define IMAGE(n) "SURF " n "\n  TYPE STANDARD\n  CURV 0\n  DISZ 0\n"
+#define SINGLET                                                                                    \
+    OBJECT "SURF 1\n  STOP\n  TYPE STANDARD\n  CURV 0.02\n  DISZ 4\n"                              \
+           "  GLAS ___BLANK 1 0 1.5 0\n  DIAM 10 1 0 0 1 \"\"\n"                                   \
+           "SURF 2\n  TYPE STANDARD\n  CURV -0.02\n  DISZ 50\n" IMAGE("3")
+
+/* A file in memory, read with or without losses. */
+struct reading {
+    struct arena arena;
+    struct lens lens;
+    struct foreign_job job;
+    struct error error;
+    bool done;
+};
+
+static struct reading *read_text(const char *text, bool lossy)
+{
+    struct reading *reading = calloc(1, sizeof *reading);
+    reading->job =
+        (struct foreign_job){.source = "test.zmx", .arena = &reading->arena, .lossy = lossy};
+    reading->done = foreign_read(&reading->job, text_of(text), &reading->lens, &reading->error);
+    return reading;
+}
+
+static void forget(struct reading *reading)
+{
+    arena_free(&reading->arena);
+    free(reading);
+}
+
+/* Each with the line, the column and a part of the message. */
+static void check_errors(void)
+{
+    static const struct {
+        const char *text;
+        long line;
+        int column;
+        const char *message;
+    } cases[] = {
+        {"MODE NSC\nSURF 0\n", 1, 6, "non-sequential"},
+        {HEAD OBJECT IMAGE("1"), 0, 0, "no surface between"},
+        {HEAD "SURF 0\nSURF 2\n", 4, 1, "SURF 1 is expected"},
+        {HEAD "WXYZ 1\n" SINGLET, 3, 1, "unknown word 'WXYZ'"},
+        {HEAD "ENPD x\n" SINGLET, 3, 6, "wants a number"},
+        {HEAD "ENPD 0\n" SINGLET, 3, 6, "above 0"},
+        {HEAD "WAVM 1 5500 1\n" SINGLET, 3, 8, "0.001 to 1000 um"},
+        {HEAD "VCYN 0 0.1\n" SINGLET, 3, 8, "no vignetting factors"},
+        {HEAD "ENVD 40 1 1\n" SINGLET, 3, 1, "20 C and 1 atmosphere"},
+        {HEAD "FTYP 3 0 1 1\nYFLN 5\n" SINGLET, 3, 1, "real image heights"},
+        {HEAD "XFLN 0 2\nYFLN 5 0\n" SINGLET, 3, 8, "beside the y-z plane"},
+        {HEAD OBJECT "SURF 1\n  TYPE NONSEQCO\n" IMAGE("2"), 8, 8, "non-sequential group"},
+        {HEAD OBJECT "SURF 1\n  TYPE PARAXIAL\n  PARM 1 50\n" IMAGE("2"), 8, 8, "type PARAXIAL"},
+        {HEAD OBJECT "SURF 1\n  SQAP 1 2 0\n" IMAGE("2"), 8, 3, "round and centred"},
+        {HEAD OBJECT "SURF 1\n  CLAP 1 2 0\n" IMAGE("2"), 8, 3, "a hole"},
+        {HEAD OBJECT "SURF 1\n  DISZ INFINITY\n" IMAGE("2"), 8, 8, "infinite distance"},
+        {HEAD OBJECT "SURF 1\n  STOP\nSURF 2\n  STOP\n" IMAGE("3"), 9, 1, "second stop"},
+        {HEAD "SURF 0\n  DISZ -5\nSURF 1\n" IMAGE("2"), 4, 8, "behind the first surface"},
+        {HEAD OBJECT "SURF 1\n  TYPE TOROIDAL\n  CURV 0.1\n  PARM 1 30\n" IMAGE("2"), 8, 3,
+         "a toroid"},
+        {HEAD "FLOA\n" OBJECT "SURF 1\n  DISZ 1\n" IMAGE("2"), 3, 1, "which has no diameter"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct reading *reading = read_text(cases[i].text, false);
+        const struct error *error = &reading->error;
+        CHECK(!reading->done && error->code == ERROR_DATA);
+        bool same = strstr(error->message, cases[i].message) != NULL &&
+                    error->line == cases[i].line && error->column == cases[i].column;
+        if (!same) {
+            printf("%s -> %ld:%d: %s\n", cases[i].text, error->line, error->column, error->message);
+        }
+        CHECK(same);
+        forget(reading);
+    }
+}
+
+/* What was refused above is listed with its line, and the rest is read. */
+static void check_lossy(void)
+{
+    struct reading *reading =
+        read_text(HEAD "WXYZ 1\nXFLN 0 2\nYFLN 5 0\n" SINGLET "THEF 1 2 3\nMNUM 1 1\n", true);
+    CHECK(reading->done && reading->job.loss_count == 2);
+    CHECK(reading->job.losses[0].line == 3 && reading->job.losses[1].line == 4);
+    CHECK(strstr(reading->job.losses[1].what, "field 2") != NULL);
+    CHECK(reading->lens.field_count == 1 && reading->lens.surface_count == 2);
+    forget(reading);
+}
+
+static struct first_order first_order_at(struct reading *reading, size_t position)
+{
+    struct first_order first = {.efl = NAN};
+    CHECK(first_order_of_lens(lens_at_position(&reading->lens, position, &reading->arena),
+                              lens_primary_wavelength(&reading->lens), SECTION_Y, &reading->arena,
+                              &first, &reading->error));
+    return first;
+}
+
+/* R = 50, -50, t = 4, n = 1.5: P = 2 0.01 - 4/1.5 0.01^2 = 0.0197333.., by hand. */
+static void check_singlet(void)
+{
+    static const char *const forms[] = {
+        HEAD "FNUM 4\nFTYP 0 0 2 1\nYFLN 0 5 0\nWAVM 1 0.55 1\nPWAV 1\n" SINGLET,
+        "UNIT IN\r\nSURF 0\r\n  DISZ INFINITY\r\nSURF 1\r\n  CURV 0.508\r\n"
+        "  DISZ 0.15748031496062992125984251968504\r\n  GLAS ___BLANK 1 0 1.5 0\r\nSURF 2\r\n"
+        "  CURV -0.508\r\n  DISZ 2\r\n  MAZH 0 0\r\nSURF 3\r\n",
+    };
+    for (size_t i = 0; i < 2; i++) {
+        struct reading *reading = read_text(forms[i], false);
+        CHECK(reading->done);
+        if (reading->done) {
+            struct first_order first = first_order_at(reading, 0);
+            CHECK_RELATIVE(first.efl, 1 / 0.01973333333333333333, 1e-15, "efl");
+            CHECK(reading->lens.focus == (i == 0 ? FOCUS_TABLE : FOCUS_PARAXIAL));
+            struct pair c = surface_curvature(&reading->lens.surfaces[0], SECTION_Y);
+            CHECK_RELATIVE(c.hi, 0.02, 1e-16, "curvature");
+            CHECK(i == 1 || text_equal(reading->lens.surfaces[0].radius.typed, "50"));
+        }
+        forget(reading);
+    }
+}
+
+/* The same file in all encodings is the same lens. */
+static void check_encodings(void)
+{
+    const char *plain = HEAD "NAME 5 \xc2\xb5m\n" SINGLET;
+    size_t length = strlen(plain);
+    for (int big = 0; big < 2; big++) {
+        for (int mark = 0; mark < 2; mark++) {
+            struct arena arena = {0};
+            struct lens lens;
+            struct error error = {0};
+            char *wide = calloc(length + 4, 2);
+            size_t used = 0;
+            if (mark) {
+                memcpy(wide, big ? "\xfe\xff" : "\xff\xfe", 2);
+                used = 2;
+            }
+            for (size_t i = 0; i < length; i++) {
+                unsigned char c = (unsigned char)plain[i];
+                c = c == 0xc2 ? (unsigned char)plain[++i] : c;
+                wide[used + (big ? 1 : 0)] = (char)c;
+                wide[used + (big ? 0 : 1)] = 0;
+                used += 2;
+            }
+            struct foreign_job job = {.source = "wide.zmx", .arena = &arena};
+            CHECK(foreign_read(&job, (struct text){wide, used}, &lens, &error));
+            CHECK(lens.title != NULL && strcmp(lens.title, "5 \xc2\xb5m") == 0);
+            CHECK(lens.surface_count == 2);
+            arena_free(&arena);
+            free(wide);
+        }
+    }
+}
+
+/* Pick-ups and sums by hand; the marginal ray of the singlet above meets the axis at its bfl. */
+static void check_solves(void)
+{
+    struct reading *reading = read_text(
+        HEAD "ENPD 10\n" OBJECT "SURF 1\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\n"
+             "SURF 2\n  CURV -0.02\n  DISZ 1\n  MAZH 0 0\n"
+             "SURF 3\n  DISZ 9\n  PZUP 1 2.5 0.25\n"
+             "SURF 4\n  DISZ 0\n  TCOM 3 20\n"
+             "SURF 5\n  DISZ 0\n  TOLE 3 30.5\n"
+             "SURF 6\n  TYPE COORDBRK\n  PARM 3 15\n  DISZ 0\n"
+             "SURF 7\n  TYPE COORDBRK\n  PARM 3 0\n  PPAR 3 6 -1 0 0\n  DISZ 1\n" IMAGE("8"),
+        false);
+    const struct surface *s = reading->lens.surfaces;
+    CHECK(reading->done);
+    if (reading->done) {
+        /* bfl = f (1 - d (n-1)/(n R1)) */
+        double f = 1 / (0.02 - 4 / 1.5 * 0.0001), bfl = f * (1 - 4 * 0.5 / (1.5 * 50));
+        CHECK_RELATIVE(s[1].thickness.value.hi, bfl, 1e-15, "MAZH");
+        CHECK(s[2].thickness.value.hi == 10.25 && s[3].thickness.value.hi == 9.75);
+        CHECK(s[4].thickness.value.hi == 10.5);
+        CHECK(reading->lens.surface_count == 7 && s[5].bend != NULL && s[6].bend != NULL);
+        CHECK_NEAR(s[5].bend->tilt[0].value.hi, 0.26179938779914943654, 1e-16, "15 deg");
+        CHECK_NEAR(s[6].bend->tilt[0].value.hi, -0.26179938779914943654, 1e-16, "-15 deg");
+    }
+    forget(reading);
+}
+
+static void check_configurations(void)
+{
+    struct reading *reading = read_text(
+        HEAD "FNUM 4\n" SINGLET "MNUM 2 1\nTHIC 0 1 1e10 0\nTHIC 0 2 200 0\n"
+             "THIC 2 1 50 0\nTHIC 2 2 70 0\nAPER 0 1 4\nAPER 0 2 5.6\nSDIA 1 1 10\nSDIA 1 2 8\n"
+             "YFIE 1 1 0\nYFIE 1 2 0\n",
+        false);
+    const struct lens *lens = &reading->lens;
+    CHECK(reading->done && lens->position_count == 2 && lens->variable_count == 2);
+    if (reading->done) {
+        CHECK(lens->objects != NULL && isinf(lens->objects[0].value.hi) &&
+              lens->objects[1].value.hi == 200);
+        CHECK(lens->apertures != NULL && lens->apertures[1].value.hi == 5.6);
+        const struct lens *second = lens_at_position(lens, 1, &reading->arena);
+        CHECK(second->surfaces[1].thickness.value.hi == 70);
+        CHECK(second->surfaces[0].diameter.value.hi == 16);
+    }
+    forget(reading);
+}
+
+static const char rich[] =
+    HEAD "ENPD 8.4\nGCAT SCHOTT\nFTYP 1 0 2 2\nYFLN 0 -3.5 0\nWAVM 1 0.55 1\nWAVM 2 0.65 0.5\n"
+         "PWAV 2\nSURF 0\n  DISZ 123.4\n"
+         "SURF 1\n  TYPE EVENASPH\n  CURV 0.016963528413910092\n  CONI -0.7\n  PARM 1 1e-5\n"
+         "  PARM 2 -3.3E-07\n  DISZ 4.1\n  GLAS ___BLANK 1 0 1.5168 64.17 0 0\n  DIAM 5.05 1\n"
+         "SURF 2\n  TYPE COORDBRK\n  PARM 1 0.5\n  PARM 2 -0.25\n  PARM 3 1.5\n  PARM 4 -2\n"
+         "  PARM 5 3\n  DISZ 0\n"
+         "SURF 3\n  STOP\n  CURV -0.031\n  DISZ 7\n  COMM back \"side\"\n"
+         "SURF 4\n  TYPE XASPHERE\n  CURV 0.001\n  XDAT 1 10 0\n  XDAT 2 1 0\n  XDAT 12 2e-20 0\n"
+         "  DISZ -6.25\n  GLAS MIRROR 0 0\n"
+         "SURF 5\n  TYPE TOROIDAL\n  CURV 0\n  PARM 1 40\n  DISZ -3\n  GLAS ___BLANK 1 0 1.6 0\n"
+         "SURF 6\n  DISZ -30\n" IMAGE("7");
+
+static bool same_figure(const struct figure *a, const struct figure *b)
+{
+    return a->value.hi == b->value.hi && a->value.lo == b->value.lo;
+}
+
+static void check_same(const struct lens *a, const struct lens *b)
+{
+    CHECK(a->surface_count == b->surface_count && a->stop == b->stop);
+    for (size_t i = 0; i < a->surface_count && a->surface_count == b->surface_count; i++) {
+        const struct surface *s = &a->surfaces[i], *t = &b->surfaces[i];
+        CHECK(s->kind == t->kind && s->curved == t->curved);
+        CHECK(surface_curvature(s, SECTION_Y).hi == surface_curvature(t, SECTION_Y).hi);
+        CHECK(surface_curvature(s, SECTION_X).hi == surface_curvature(t, SECTION_X).hi);
+        CHECK(s->is_plane != t->is_plane || same_figure(&s->radius, &t->radius));
+        CHECK(same_figure(&s->thickness, &t->thickness) && same_figure(&s->conic, &t->conic));
+        CHECK(same_figure(&s->diameter, &t->diameter) && s->coefficients == t->coefficients);
+        for (int k = 0; k < LENS_COEFFICIENTS; k++) {
+            CHECK(same_figure(&s->coefficient[k], &t->coefficient[k]));
+        }
+        CHECK((s->bend == NULL) == (t->bend == NULL));
+        for (int k = 0; s->bend != NULL && t->bend != NULL && k < 3; k++) {
+            CHECK(same_figure(&s->bend->tilt[k], &t->bend->tilt[k]));
+        }
+        CHECK(s->medium.index.hi == t->medium.index.hi && s->medium.kind == t->medium.kind);
+    }
+}
+
+/* What was read is written, and read as the same lens; in inches too. */
+static void check_roundtrip(void)
+{
+    struct reading *reading = read_text(rich, false);
+    CHECK(reading->done);
+    static const char *const units[] = {"mm", "in", "m"};
+    for (int i = 0; i < 3 && reading->done; i++) {
+        struct text text;
+        struct lens again;
+        struct arena *arena = &reading->arena;
+        const struct lens *lens = lens_in_unit(&reading->lens, units[i], arena);
+        CHECK(zemax_write(&reading->job, lens, &text, &reading->error));
+        CHECK(foreign_read(&reading->job, text, &again, &reading->error));
+        check_same(lens, &again);
+        CHECK(again.wavelengths[0].wavelength == 0.65 && again.wavelengths[1].weight == 1);
+    }
+    forget(reading);
+}
+
+/* Turned twice, a lens is itself but for the planes that carry bends; scaled and back, itself. */
+static void check_changes(void)
+{
+    struct reading *reading = read_text(rich, false);
+    struct arena *arena = &reading->arena;
+    const struct lens *lens = &reading->lens;
+    CHECK(reading->done);
+    if (reading->done) {
+        struct pair k = {0.125, 0}, inverse = {8, 0};
+        check_same(lens, lens_scaled(lens_scaled(lens, k, false, arena), inverse, false, arena));
+        const struct lens *once = lens_reversed(lens, arena, &reading->error);
+        const struct lens *twice = lens_reversed(once, arena, &reading->error);
+        struct first_order there = first_order_at(reading, 0), back, again;
+        CHECK(first_order_of_lens(once, 0.65, SECTION_Y, arena, &back, &reading->error) &&
+              first_order_of_lens(twice, 0.65, SECTION_Y, arena, &again, &reading->error));
+        CHECK_RELATIVE(fabs(back.efl), fabs(there.efl), 1e-15, "turned");
+        CHECK_RELATIVE(fabs(back.bfl), fabs(there.ffl), 1e-14, "bfl of the turned lens");
+        CHECK_RELATIVE(again.efl, there.efl, 1e-15, "turned twice");
+        CHECK_RELATIVE(again.bfl, there.bfl, 1e-15, "bfl of the lens turned twice");
+        CHECK(again.exit_pupil - there.exit_pupil == 0 ||
+              fabs(again.exit_pupil / there.exit_pupil - 1) < 1e-14);
+    }
+    forget(reading);
+}
+
+int main(void)
+{
+    check_errors();
+    check_lossy();
+    check_singlet();
+    check_encodings();
+    check_solves();
+    check_configurations();
+    check_roundtrip();
+    check_changes();
+    return check_report();
+}
