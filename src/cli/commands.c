@@ -10,7 +10,7 @@ extern const struct command command_tilt, command_panorama;
 extern const struct command command_refract, command_lensmaker;
 extern const struct command command_draw;
 extern const struct command command_lens, command_surfaces, command_matrix, command_conjugate;
-extern const struct command command_list, command_glass;
+extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_help, command_completion;
 
 const struct command *const commands[] = {
@@ -35,7 +35,8 @@ const struct command *const commands[] = {
     &command_conjugate,
     &command_draw, /* a lens */
     &command_list,
-    &command_glass, /* data */
+    &command_glass,
+    &command_convert, /* data */
     &command_help,
     &command_completion, /* tool */
     NULL,

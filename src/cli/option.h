@@ -20,10 +20,9 @@ struct option;
 /* What reading a value may need. */
 struct reader {
     struct lensdb *db;
-    struct arena *arena;       /* for what the value points to */
-    bool nominal;              /* labels of stop series stand for their exact values */
-    bool fallback;             /* the text is what the program assumes, not what the user typed */
-    struct lens_cache *lenses; /* null = every lens is read anew */
+    struct arena *arena; /* for what the value points to */
+    bool nominal;        /* labels of stop series stand for their exact values */
+    bool fallback;       /* the text is what the program assumes, not what the user typed */
 };
 
 /* A kind of value. `read` fills a member of the input struct. */
@@ -39,7 +38,7 @@ struct option_kind {
 
 extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
     kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass, kind_interval,
-    kind_lens, kind_wavelength;
+    kind_lens, kind_lens_text, kind_wavelength;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -75,6 +74,7 @@ struct coc_value {
         struct glass_value: &kind_glass,                                                           \
         struct interval_value: &kind_interval,  \
         struct lens_value: &kind_lens, \
+        struct lens_text_value: &kind_lens_text, \
         struct wavelength_value: &kind_wavelength)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)

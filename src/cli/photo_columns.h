@@ -33,8 +33,7 @@
 
 #define COLUMN_PUPIL(S, member)                                                                    \
     {                                                                                              \
-        COLUMN(S, member), .name = "pupil_magnification", .symbol = "P",                           \
-                           .depends = "pupil lens position section wavelength",                    \
+        COLUMN(S, member), .name = "pupil_magnification", .symbol = "P", .depends = "pupil",       \
                            .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                   \
                            .label = "pupil magnification",                                         \
                            .help = "diameter of the exit over the entrance pupil"                  \

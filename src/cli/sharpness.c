@@ -2,8 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/sharpness.h"
 
-bool sharpness_resolve_in(const struct sharpness *a, double wavelength, double fnumber, double *c,
-                          struct error *error)
+bool sharpness_resolve(const struct sharpness *a, double fnumber, double *c, struct error *error)
 {
     if (a->coc.coc.kind == COC_LENGTH) {
         *c = a->coc.coc.value;
@@ -18,12 +17,12 @@ bool sharpness_resolve_in(const struct sharpness *a, double wavelength, double f
     coc.print = a->print;
     coc.viewing = a->viewing;
     coc.acuity = a->acuity;
-    coc.wavelength = wavelength;
+    coc.wavelength = a->wavelength;
     coc.fnumber = fnumber;
     return coc_resolve(&coc, &sensor, c, error);
 }
 
-bool sharpness_resolve(const struct sharpness *a, double fnumber, double *c, struct error *error)
+double sharpness_wavelength(const struct sharpness *a)
 {
-    return sharpness_resolve_in(a, a->wavelength, fnumber, c, error);
+    return a->coc.coc.kind == COC_AIRY ? a->wavelength : NAN;
 }

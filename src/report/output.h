@@ -18,6 +18,7 @@ struct output {
     bool is_nameless; /* the file has no name before it is complete */
     char *buffer;
     size_t used, size;
+    const char *remarks; /* lines for standard error when all went well; null = none */
 };
 
 /*

@@ -1,0 +1,276 @@
+/* cli/cmd_convert.c - lenscalc convert: lens files of other programs, scaled and turned lenses. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/lens_options.h"
+#include "file/foreign.h"
+#include "file/growing.h"
+#include "file/lens_change.h"
+#include "file/lens_glass.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct input {
+    struct lens_text_value lens;
+    int to, unit;
+    bool lossy, reverse;
+    double scale, focal_length;
+    const char *position;
+};
+
+enum { TO_AUTO, TO_LENS };
+
+static const struct word formats[] = {
+    {"auto", "by the ending of the output file; .lens without one"},
+    {"lens", "lenscalc's own"},
+    {"zmx", "Zemax OpticStudio"},
+    {"seq", "CODE V"},
+    {"len", "OSLO"},
+    {"dat", "pbrt"},
+    {"json", "JSON, for other programs"},
+    {NULL, NULL},
+};
+
+static const struct word units[] = {
+    {"keep", "that of the lens"},
+    {"mm", "millimetre"},
+    {"cm", "centimetre"},
+    {"m", "metre"},
+    {"in", "inch"},
+    {NULL, NULL},
+};
+
+static const struct option options[] = {
+    {OPTION(struct input, lens), .name = "lens", .letter = 'l', .value = "LENS",
+     .flags = OPTION_OPERAND | OPTION_FILE,
+     .help = "a lens of lensdb, a file of lenscalc or of another program, or - for standard input"},
+    {OPTION(struct input, to), .name = "to", .words = formats, .fallback = "auto",
+     .value = "FORMAT", .help = "what to write"},
+    {OPTION(struct input, lossy), .name = "lossy",
+     .help = "leave out what cannot be kept, and list it on standard error"},
+    {OPTION(struct input, position), .name = "position", .value = "NAME",
+     .help = "only this zoom or focus position; without it all"},
+    {OPTION(struct input, reverse), .name = "reverse", .help = "turn the lens around"},
+    {OPTION(struct input, scale), .name = "scale", .dimension = &dimension_number, .lowest = 0,
+     .highest = 1e6, .flags = OPTION_ABOVE_LOWEST, .value = "FACTOR",
+     .help = "all lengths times a factor"},
+    {OPTION(struct input, focal_length), .name = "focal-length", .letter = 'f',
+     .dimension = &dimension_length, .unit = "mm", .lowest = 0, .highest = 1e9,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
+     .help = "scale to this focal length at the primary wavelength, in the first position"},
+    {OPTION(struct input, unit), .name = "unit", .words = units, .fallback = "keep",
+     .value = "UNIT", .help = "unit of the lengths in the file"},
+};
+
+/* What is done, step by step. */
+struct conversion {
+    const struct input *input;
+    struct arena arena;
+    struct lens_glasses place;
+    struct glass_source glasses;
+    struct foreign_job job;
+    const struct lens *lens;
+};
+
+static bool choose_position(struct conversion *conversion, struct error *error)
+{
+    const char *name = conversion->input->position;
+    const struct lens *lens = conversion->lens;
+    if (name == NULL || text_same(text_of(name), "all")) {
+        return true;
+    }
+    if (lens->position_count == 0) {
+        return fail(error, ERROR_USAGE, "--position '%s': the lens has only one position", name);
+    }
+    size_t position = lens_position_find(lens, text_of(name));
+    if (position == LENS_NONE) {
+        fail(error, ERROR_USAGE, "--position '%s': the lens has no such position", name);
+        return error_hint(error, "its first position is '%s'", lens->positions[0]);
+    }
+    conversion->lens = lens_one_position(lens, position, &conversion->arena);
+    return true;
+}
+
+/* The factor as the decimal that was typed. */
+static struct pair decimal_of(double value)
+{
+    char text[NUMBER_LENGTH];
+    struct pair pair = {value, 0};
+    pair_read(text, number_write_shortest(text, value), (struct number_scale){1, 0}, &pair);
+    return pair;
+}
+
+static bool scale(struct conversion *conversion, struct error *error)
+{
+    const struct input *input = conversion->input;
+    struct arena *arena = &conversion->arena;
+    const struct lens *lens = conversion->lens;
+    if (!isnan(input->scale)) {
+        conversion->lens = lens_scaled(lens, decimal_of(input->scale), false, arena);
+    }
+    if (isnan(input->focal_length)) {
+        return true;
+    }
+    struct first_order first;
+    if (!first_order_of_lens(lens_at_position(lens, 0, arena), lens_primary_wavelength(lens),
+                             SECTION_Y, arena, &first, error)) {
+        return false;
+    }
+    if (first.is_afocal) {
+        return fail(error, ERROR_DOMAIN, "--focal-length: the lens is afocal");
+    }
+    struct pair factor = pair_divide(pair_of(input->focal_length), pair_of(fabs(first.efl)));
+    conversion->lens = lens_scaled(lens, factor, true, arena);
+    return true;
+}
+
+static bool change(struct conversion *conversion, struct error *error)
+{
+    const struct input *input = conversion->input;
+    if (!isnan(input->scale) && !isnan(input->focal_length)) {
+        return fail(error, ERROR_USAGE, "--scale and --focal-length exclude each other");
+    }
+    if (!choose_position(conversion, error)) {
+        return false;
+    }
+    if (input->reverse) {
+        conversion->lens = lens_reversed(conversion->lens, &conversion->arena, error);
+        if (conversion->lens == NULL) {
+            return false;
+        }
+    }
+    if (!scale(conversion, error)) {
+        return false;
+    }
+    if (input->unit > 0) {
+        conversion->lens =
+            lens_in_unit(conversion->lens, units[input->unit].word, &conversion->arena);
+    }
+    return true;
+}
+
+/* The format to write; null = .lens. False: it is not known. */
+static bool choose_format(const struct input *input, const char *path,
+                          const struct foreign_format **format, struct error *error)
+{
+    *format = NULL;
+    if (input->to == TO_LENS) {
+        return true;
+    }
+    struct text name = text_of(path != NULL ? path : "");
+    bool own =
+        name.length > 5 && text_same((struct text){name.start + name.length - 5, 5}, ".lens");
+    if (input->to == TO_AUTO && path != NULL && !own) {
+        *format = foreign_by_ending(name);
+        if (*format == NULL) {
+            return fail(error, ERROR_USAGE,
+                        "--output '%s': its ending names no format; say which one with --to", path);
+        }
+    } else if (input->to > TO_LENS) {
+        *format = foreign_by_name(text_of(formats[input->to].word));
+    }
+    bool wanted = input->to > TO_LENS || *format != NULL;
+    return !wanted || (*format != NULL && (*format)->write != NULL) ||
+           fail(error, ERROR_USAGE, "lenscalc does not write files of the format '%s'",
+                *format != NULL ? (*format)->name : formats[input->to].word);
+}
+
+/* By lines, those that were written last; the order of the list where they are equal. */
+static int by_line(const void *a, const void *b)
+{
+    const struct foreign_loss *left = *(const struct foreign_loss *const *)a;
+    const struct foreign_loss *right = *(const struct foreign_loss *const *)b;
+    if (left->line != right->line) {
+        return left->line == 0 || (right->line != 0 && left->line > right->line) ? 1 : -1;
+    }
+    return (left > right) - (left < right);
+}
+
+/* One line for each loss; it lives as long as the value of the option. */
+static const char *losses_of(const struct conversion *conversion)
+{
+    const struct foreign_job *job = &conversion->job;
+    const struct lens_text_value *lens = &conversion->input->lens;
+    const struct foreign_loss **losses =
+        ARENA_ARRAY(lens->arena, job->loss_count, const struct foreign_loss *);
+    struct growing list = {.arena = lens->arena};
+    for (size_t i = 0; i < job->loss_count; i++) {
+        losses[i] = &job->losses[i];
+    }
+    qsort(losses, job->loss_count, sizeof losses[0], by_line);
+    for (size_t i = 0; i < job->loss_count; i++) {
+        growing_string(&list, lens->source);
+        if (losses[i]->line > 0) {
+            growing_format(&list, ":%ld", losses[i]->line);
+        }
+        growing_string(&list, ": lost: ");
+        growing_string(&list, losses[i]->what);
+        growing_string(&list, "\n");
+    }
+    growing_put(&list, "", 1);
+    return job->loss_count > 0 ? list.data : NULL;
+}
+
+static bool convert(struct conversion *conversion, struct output *output, struct error *error)
+{
+    const struct input *input = conversion->input;
+    const struct foreign_format *format;
+    struct arena *arena = &conversion->arena;
+    struct lens *lens = ARENA_NEW(arena, struct lens);
+    struct lens_warnings warnings;
+    struct text text;
+    if (!choose_format(input, output->path, &format, error) ||
+        !foreign_read(&conversion->job, input->lens.content, lens, error)) {
+        return false;
+    }
+    conversion->lens = lens;
+    if (!lens_check(lens, arena, &warnings, error)) {
+        return error_prefix(error, "%s: ", input->lens.source);
+    }
+    if (!change(conversion, error)) {
+        return false;
+    }
+    if (format == NULL) {
+        text = lens_write(conversion->lens, arena);
+    } else if (!format->write(&conversion->job, conversion->lens, &text, error)) {
+        return false;
+    }
+    output_text(output, text.start, text.length);
+    output->remarks = losses_of(conversion);
+    return true;
+}
+
+static bool print(const void *data, struct output *output, struct error *error)
+{
+    const struct input *input = data;
+    struct conversion conversion = {.input = input};
+    if (input->lens.source == NULL) {
+        return fail(error, ERROR_USAGE, "which lens? Give a name, a file or -");
+    }
+    conversion.place = (struct lens_glasses){input->lens.db, &conversion.arena};
+    conversion.glasses = lens_glass_source(&conversion.place);
+    conversion.job = (struct foreign_job){.source = input->lens.source,
+                                          .arena = &conversion.arena,
+                                          .glasses = &conversion.glasses,
+                                          .lossy = input->lossy};
+    bool done = convert(&conversion, output, error);
+    arena_free(&conversion.arena);
+    return done;
+}
+
+static const struct example examples[] = {
+    {"convert double-gauss --to zmx", "a lens for Zemax (to a file: -o FILE.zmx)"},
+    {"convert double-gauss --focal-length 50mm", "the same lens, half as long"},
+    {"convert double-gauss --scale 0.1 --unit cm", "scaled exactly, written in centimetres"},
+    {"convert double-gauss --reverse", "turned around"},
+    {"convert nikkor-z-14-24 --position tele", "one position of a zoom"},
+    {NULL, NULL},
+};
+
+const struct command command_convert = {
+    .name = "convert",
+    .group = "data",
+    .summary = "read and write lens files of other programs; scale and reverse a lens",
+    COMMAND_ASKS(struct input),
+    .print = print,
+};
