@@ -39,15 +39,18 @@ INLINE void set_cardinal_points(struct first_order *all, const struct paraxial_m
                                 struct pair n, struct pair n_image, bool fused)
 {
     struct pair r = fused_reciprocal(m->c, fused);
-    struct pair n_d = times(n, m->d, fused), n_a = times(n_image, m->a, fused);
+    struct pair n_d = times(n, m->d, fused), n_a = times(n_image, m->a, fused), one = pair_of(1);
+    /* d - 1 and 1 - a first: in weak lenses that is all there is */
+    struct pair H = times(n, quick_difference(m->d, one), fused);
+    struct pair H_rear = times(n_image, quick_difference(one, m->a), fused);
     all->power = -m->c.hi;
     all->efl = -r.hi;
     all->front_focal = times(n, r, fused).hi;
     all->rear_focal = -times(n_image, r, fused).hi;
     all->ffl = fused_quotient(n_d, r, fused);
     all->bfl = -fused_quotient(n_a, r, fused);
-    all->front_principal = fused_quotient(quick_difference(n_d, n), r, fused);
-    all->rear_principal = fused_quotient(quick_difference(n_image, n_a), r, fused);
+    all->front_principal = fused_quotient(H, r, fused);
+    all->rear_principal = fused_quotient(H_rear, r, fused);
     if (n.hi == n_image.hi && n.lo == n_image.lo) {
         all->front_nodal = all->front_principal;
         all->rear_nodal = all->rear_principal;
@@ -57,13 +60,17 @@ INLINE void set_cardinal_points(struct first_order *all, const struct paraxial_m
     all->rear_nodal = fused_quotient(quick_difference(n, n_a), r, fused);
 }
 
-INLINE void set_pupils(struct first_order *all, const struct paraxial_matrix *m,
-                       const struct paraxial_matrix *front, struct pair n, struct pair n_image,
-                       bool fused)
+/* What is telecentric is so exactly. */
+INLINE struct pair vanishing(struct pair a)
 {
-    struct pair a1 = front->a, b1 = front->b;
-    struct pair b2 = fused_cross(m->b, a1, m->a, b1, fused);
-    struct pair d2 = fused_cross(m->d, a1, m->c, b1, fused);
+    return fabs(a.hi) > PARAXIAL_NOTHING ? a : pair_of(0);
+}
+
+INLINE void set_pupils(struct first_order *all, const struct paraxial_trace *trace, struct pair n,
+                       struct pair n_image, bool fused)
+{
+    struct pair a1 = vanishing(trace->front.a), b1 = trace->front.b;
+    struct pair b2 = trace->rear.b, d2 = vanishing(trace->rear.d);
     struct pair by_a1 = fused_reciprocal(a1, fused), by_d2 = fused_reciprocal(d2, fused);
     all->entrance_pupil = fused_quotient(times(n, b1, fused), by_a1, fused);
     all->entrance_scale = by_a1.hi;
@@ -102,7 +109,7 @@ INLINE void compute(const struct paraxial_system *system, const struct paraxial_
         set_cardinal_points(all, &trace->whole, n, n_image, fused);
     }
     if (system->stop != LENS_NONE) {
-        set_pupils(all, &trace->whole, &trace->front, n, n_image, fused);
+        set_pupils(all, trace, n, n_image, fused);
     } else {
         all->entrance_pupil = all->exit_pupil = all->pupil_magnification = NAN;
         all->entrance_scale = all->exit_scale = NAN;

@@ -54,8 +54,8 @@ struct conjugate_object {
  *           object  the object point on the axis
  * Formula   [a b; c d] the whole, [a1 b1; ..] the part before the stop: power = -c,
  *           F = n d/c, F' = -n' a/c, H = n (d-1)/c, H' = n' (1-a)/c, N = (n d - n')/c,
- *           N' = (n - n' a)/c, entrance pupil n b1/a1, of radius 1/a1; exit pupil
- *           -n' b2/d2 of radius 1/d2 with b2 = b a1 - a b1, d2 = d a1 - c b1;
+ *           N' = (n - n' a)/c, entrance pupil n b1/a1, of radius 1/a1; with [a2 b2; c2 d2] the
+ *           part from the stop on: exit pupil -n' b2/d2 of radius 1/d2;
  *           image -n' (a L/n + b)/(c L/n + d), magnification 1/(c L/n + d)
  * Source    [Smith05]
  * Limits    every figure is correct to about 1 ulp of what the decimals of the lens say

@@ -37,16 +37,6 @@ INLINE struct pair fused_multiply(struct pair a, struct pair b, bool fused)
     return pair_fast_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
-/* a b - c d to about 1e-31 of the larger product. */
-INLINE struct pair fused_cross(struct pair a, struct pair b, struct pair c, struct pair d,
-                               bool fused)
-{
-    struct pair p = fused_product(a.hi, b.hi, fused), q = fused_product(c.hi, d.hi, fused);
-    double low = (p.lo - q.lo) + ((a.hi * b.lo + a.lo * b.hi) - (c.hi * d.lo + c.lo * d.hi));
-    struct pair high = pair_sum(p.hi, -q.hi);
-    return pair_sum(high.hi, high.lo + low);
-}
-
 /* a - b to about 1e-31 of the larger one, quicker than pair_subtract. */
 INLINE struct pair quick_difference(struct pair a, struct pair b)
 {

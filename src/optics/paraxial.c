@@ -59,30 +59,39 @@ bool paraxial_compile(const struct lens *lens, double wavelength, enum lens_sect
     return true;
 }
 
-/* Both rays at once: the first starts with y = 1, v = 0, the second with y = 0, v = 1. */
-typedef double lanes __attribute__((vector_size(16)));
+/*
+ * Two rays through two parts at once: before the stop and from it on, in each the ray of height 1
+ * and that of slope 1 (in n u).
+ */
+typedef double lanes __attribute__((vector_size(32)));
 
 /* y + ey, v + ev */
 struct rays {
     lanes y, ey, v, ev;
 };
 
-INLINE lanes both(double a)
+/* A number of one surface before the stop and of one behind. */
+struct factor {
+    lanes hi, lo;
+};
+
+INLINE struct factor factor_of(struct pair front, struct pair rear)
 {
-    return (lanes){a, a};
+    return (struct factor){{front.hi, front.hi, rear.hi, rear.hi},
+                           {front.lo, front.lo, rear.lo, rear.lo}};
 }
 
 /* a b = p + what is returned, by Dekker's split as in pair_product */
-INLINE lanes rest_of_product(lanes a, double b, lanes p, bool fused)
+INLINE lanes rest_of_product(lanes a, lanes b, lanes p, bool fused)
 {
     if (fused) {
-        return (lanes){__builtin_fma(a[0], b, -p[0]), __builtin_fma(a[1], b, -p[1])};
+        return (lanes){__builtin_fma(a[0], b[0], -p[0]), __builtin_fma(a[1], b[1], -p[1]),
+                       __builtin_fma(a[2], b[2], -p[2]), __builtin_fma(a[3], b[3], -p[3])};
     }
-    const double half = 134217729, b_big = half * b;
-    const double b_high = b_big - (b_big - b), b_low = b - b_high;
-    lanes a_big = both(half) * a, a_high = a_big - (a_big - a), a_low = a - a_high;
-    return ((a_high * both(b_high) - p) + a_high * both(b_low) + a_low * both(b_high)) +
-           a_low * both(b_low);
+    const lanes half = {134217729, 134217729, 134217729, 134217729};
+    lanes a_big = half * a, a_high = a_big - (a_big - a), a_low = a - a_high;
+    lanes b_big = half * b, b_high = b_big - (b_big - b), b_low = b - b_high;
+    return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low;
 }
 
 /* a + b = sum + what is returned: [Knuth97] 4.2.2, theorem B */
@@ -93,45 +102,72 @@ INLINE lanes rest_of_sum(lanes a, lanes b, lanes sum)
 }
 
 /* (x + ex) + (a + ea) (b + eb), x and ex in place */
-INLINE void add_product(lanes *x, lanes *ex, lanes a, lanes ea, struct pair b, bool fused)
+INLINE void add_product(lanes *x, lanes *ex, lanes a, lanes ea, struct factor b, bool fused)
 {
-    lanes p = a * both(b.hi), p_rest = rest_of_product(a, b.hi, p, fused);
+    lanes p = a * b.hi, p_rest = rest_of_product(a, b.hi, p, fused);
     lanes sum = *x + p, sum_rest = rest_of_sum(*x, p, sum);
     /* what comes last, ea, is the last to be known */
-    *ex = (*ex + (sum_rest + p_rest) + a * both(b.lo)) + ea * both(b.hi);
+    *ex = (*ex + (sum_rest + p_rest) + a * b.lo) + ea * b.hi;
     *x = sum;
 }
 
-INLINE struct paraxial_matrix matrix_of(const struct rays *rays)
+/* One surface of each part. */
+INLINE void step(const struct paraxial_surface *front, const struct paraxial_surface *rear,
+                 struct rays *rays, bool fused)
 {
-    lanes y = rays->y + rays->ey, y_rest = rest_of_sum(rays->y, rays->ey, y);
-    lanes v = rays->v + rays->ev, v_rest = rest_of_sum(rays->v, rays->ev, v);
-    return (struct paraxial_matrix){
-        {y[0], y_rest[0]}, {y[1], y_rest[1]}, {v[0], v_rest[0]}, {v[1], v_rest[1]}};
+    struct factor power = factor_of(front->power, rear->power);
+    power.hi = -power.hi;
+    power.lo = -power.lo;
+    /* v' = v - y P */
+    add_product(&rays->v, &rays->ev, rays->y, rays->ey, power, fused);
+    /* y' = y + (t/n) v */
+    add_product(&rays->y, &rays->ey, rays->v, rays->ev, factor_of(front->reduced, rear->reduced),
+                fused);
 }
 
-/* Through the surfaces from `first` to before `end`. */
-INLINE void pass(const struct paraxial_system *system, size_t first, size_t end, struct rays *rays,
-                 bool fused)
+INLINE struct paraxial_matrix matrix_of(lanes y, lanes y_rest, lanes v, lanes v_rest, size_t first)
 {
-    for (size_t i = first; i < end; i++) {
-        const struct paraxial_surface *surface = &system->surfaces[i];
-        /* v' = v - y P */
-        add_product(&rays->v, &rays->ev, rays->y, rays->ey, pair_negate(surface->power), fused);
-        /* y' = y + (t/n) v */
-        add_product(&rays->y, &rays->ey, rays->v, rays->ev, surface->reduced, fused);
-    }
+    return (struct paraxial_matrix){{y[first], y_rest[first]},
+                                    {y[first + 1], y_rest[first + 1]},
+                                    {v[first], v_rest[first]},
+                                    {v[first + 1], v_rest[first + 1]}};
+}
+
+/* a b + c d */
+INLINE struct pair combine(struct pair a, struct pair b, struct pair c, struct pair d, bool fused)
+{
+    struct pair p = fused_product(a.hi, b.hi, fused), q = fused_product(c.hi, d.hi, fused);
+    struct pair high = pair_sum(p.hi, q.hi);
+    double low = (p.lo + q.lo) + ((a.hi * b.lo + a.lo * b.hi) + (c.hi * d.lo + c.lo * d.hi));
+    return pair_sum(high.hi, high.lo + low);
 }
 
 INLINE void trace_with(const struct paraxial_system *system, struct paraxial_trace *trace,
                        bool fused)
 {
-    struct rays rays = {{1, 0}, {0, 0}, {0, 1}, {0, 0}};
-    size_t stop = system->stop == LENS_NONE ? 0 : system->stop;
-    pass(system, 0, stop, &rays, fused);
-    trace->front = matrix_of(&rays);
-    pass(system, stop, system->count, &rays, fused);
-    trace->whole = matrix_of(&rays);
+    static const struct paraxial_surface nothing = {{0, 0}, {0, 0}};
+    struct rays rays = {{1, 0, 1, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}};
+    size_t front = system->stop == LENS_NONE ? 0 : system->stop, rear = system->count - front;
+    const struct paraxial_surface *at = system->surfaces, *behind = at + front;
+    size_t common = front < rear ? front : rear;
+    for (size_t i = 0; i < common; i++) {
+        step(&at[i], &behind[i], &rays, fused);
+    }
+    for (size_t i = common; i < front; i++) {
+        step(&at[i], &nothing, &rays, fused);
+    }
+    for (size_t i = common; i < rear; i++) {
+        step(&nothing, &behind[i], &rays, fused);
+    }
+    lanes y = rays.y + rays.ey, y_rest = rest_of_sum(rays.y, rays.ey, y);
+    lanes v = rays.v + rays.ev, v_rest = rest_of_sum(rays.v, rays.ev, v);
+    struct paraxial_matrix f = matrix_of(y, y_rest, v, v_rest, 0);
+    struct paraxial_matrix r = matrix_of(y, y_rest, v, v_rest, 2);
+    trace->front = f;
+    trace->rear = r;
+    trace->whole = (struct paraxial_matrix){
+        combine(r.a, f.a, r.b, f.c, fused), combine(r.a, f.b, r.b, f.d, fused),
+        combine(r.c, f.a, r.d, f.c, fused), combine(r.c, f.b, r.d, f.d, fused)};
 }
 
 void paraxial_trace_portable(const struct paraxial_system *system, struct paraxial_trace *trace)
@@ -159,8 +195,7 @@ void paraxial_trace(const struct paraxial_system *system, struct paraxial_trace 
 
 bool paraxial_is_afocal(const struct paraxial_system *system, const struct paraxial_trace *trace)
 {
-    const double share = 2.5243548967072378e-29; /* 2^-95 */
-    return !(fabs(trace->whole.c.hi) > share * system->strongest);
+    return !(fabs(trace->whole.c.hi) > PARAXIAL_NOTHING * system->strongest);
 }
 
 void paraxial_follow(const struct paraxial_system *system, struct pair y, struct pair v,

@@ -28,14 +28,17 @@ struct paraxial_system {
     double length;    /* of the vertices, first to last, mm, signed */
 };
 
+/* Below this share of what made it a sum that should vanish is rounding of the decimals: 2^-95. */
+#define PARAXIAL_NOTHING 2.5243548967072378e-29
+
 /* [y'; v'] = [[a, b], [c, d]] [y; v] */
 struct paraxial_matrix {
     struct pair a, b, c, d;
 };
 
-/* The whole system, and what lies before its stop (identity where there is none). */
+/* The whole system, what lies before its stop (identity where there is none), and the rest. */
 struct paraxial_trace {
-    struct paraxial_matrix whole, front;
+    struct paraxial_matrix whole, front, rear;
 };
 
 /* A ray at one surface: the height there, and n u before and after. */

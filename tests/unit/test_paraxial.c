@@ -83,6 +83,35 @@ static void check_afocal(void)
     arena_free(&arena);
 }
 
+/*
+ * Where the whole system has lost what its parts still know. Expected values by exact fractions:
+ * the exit pupil through the two surfaces from the stop on; H' = n' (1 - a)/c with 1 - a about
+ * 1e-20; a stop in the front focus, whose exit pupil is at infinity.
+ */
+static void check_extremes(void)
+{
+    struct arena arena = {0};
+    struct lens lens;
+    struct paraxial_trace trace, portable;
+    struct first_order first;
+    CHECK(solve("surface -34.140708 173.13453 2.1451 -\nsurface 218.38011 1.4982118e+08 2.08378 -\n"
+                "surface -0.0034158787 9.4319443e+09 1.34617 -\n"
+                "surface -20390.183 0.0026283691 2.00416 -\n"
+                "surface 2514.4814 1564.6291 2.00331 - stop\nsurface -1034.4811 - 1 -\n",
+                &arena, &lens, &trace, &portable, &first));
+    CHECK_RELATIVE(first.exit_pupil, -3220.551304877331, 4e-16, "exit pupil");
+    CHECK_RELATIVE(first.exit_scale, 4.1235092933998265, 4e-16, "its radius over that of the stop");
+    CHECK(
+        solve("surface - 1.5170048e-09 2.02933 -\nsurface - 415.93235 1.91846 -\n"
+              "surface -1.001043e+08 1.3702865e-09 1.92083 -\nsurface 3.6544631e+08 - 1.47813 -\n",
+              &arena, &lens, &trace, &portable, &first));
+    CHECK_RELATIVE(first.rear_principal, -2.021337587360998e-11, 4e-16, "H' of a flat lens");
+    CHECK(solve("stop - 17.1 air -\nsurface 17.1 0 2 -\nsurface - 0 air -\n", &arena, &lens, &trace,
+                &portable, &first));
+    CHECK(isinf(first.exit_pupil) && isinf(first.pupil_magnification));
+    arena_free(&arena);
+}
+
 /* The determinant is 1, and reversing a lens swaps the focal points. */
 static void check_properties(void)
 {
@@ -108,6 +137,7 @@ int main(void)
 {
     check_closed_forms();
     check_afocal();
+    check_extremes();
     check_properties();
     return check_report();
 }
