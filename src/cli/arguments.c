@@ -164,6 +164,22 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
     return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
 }
 
+/* Standard input has one reader: the batch or a lens. */
+static bool check_standard_input(const struct arguments *arguments, struct error *error)
+{
+    const struct argument *batch = arguments_find(arguments, text_of("batch"));
+    bool taken = batch != NULL && batch->is_given && text_equal(batch->text, "-");
+    for (size_t i = 0; i < arguments->count && taken; i++) {
+        const struct argument *argument = &arguments->all[i];
+        if (argument->option->kind == &kind_lens && argument->is_given &&
+            text_equal(text_trim(argument->text), "-")) {
+            return fail(error, ERROR_USAGE, "--%s - and --batch - cannot both read standard input",
+                        argument->option->name);
+        }
+    }
+    return true;
+}
+
 bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
                      char **all, struct arena *arena, struct error *error)
 {
@@ -192,5 +208,5 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
             return false;
         }
     }
-    return true;
+    return check_standard_input(arguments, error);
 }

@@ -1,6 +1,6 @@
 /* cli/cmd_diffraction.c - lenscalc diffraction: Airy disc, contrast, and where it matters. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
+#include "cli/photo_lens.h"
 #include "cli/sharpness.h"
 #include "photo/diffraction.h"
 
@@ -8,6 +8,7 @@
 
 struct input {
     double fnumber, magnification, pupil, focal;
+    struct photo_lens_question lens;
     struct sharpness sharp;
     double pixels, film; /* film in line pairs per mm */
     double defocus, frequency;
@@ -18,6 +19,7 @@ struct input {
 #define FINITE              OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
+    PHOTO_LENS_OPTIONS(struct input, lens),
     OPTION_APERTURE(struct input, fnumber, 0),
     {NUMBER(frequency), .name = "frequency", .column = "frequency",
      .dimension = &dimension_frequency, .unit = "per_mm", .lowest = 0, .highest = INFINITY,
@@ -26,8 +28,8 @@ static const struct option options[] = {
     {NUMBER(magnification), .name = "magnification", .letter = 'm', .column = "magnification",
      .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY,
      .fallback = "0", .value = "RATIO", .help = "magnification: 1:2 or 0.5"},
-    OPTION_PUPIL(struct input, pupil),
-    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
+    OPTION_PUPIL_OF_LENS(struct input, pupil),
+    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500"),
     {NUMBER(pixels), .name = "pixels", .dimension = &dimension_number, FINITE, .fallback = "2",
      .value = "NUMBER", .help = "how many pixels wide the Airy disc may be"},
     {NUMBER(film), .name = "film", .column = "film", .dimension = &dimension_frequency,
@@ -42,7 +44,7 @@ static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, 0),
     {NUMBER(near), .name = "near", .column = "near", .dimension = &dimension_length, .unit = "m",
      FINITE, .value = "LENGTH",
-     .help = "nearest point that shall be sharp, with -f: the best f-number"},
+     .help = "nearest point that shall be sharp, with -f or --lens: the best f-number"},
     {NUMBER(far), .name = "far", .column = "far", .dimension = &dimension_length, .unit = "m",
      OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST, .fallback = "inf", .value = "LENGTH",
      .help = "farthest point that shall be sharp"},
@@ -58,6 +60,7 @@ struct row {
     double focal, near, far, spread;
     double mtf50, mtf10;
     double fnumber_pixel, fnumber_coc, fnumber_film;
+    struct photo_real real;
     const char *sensor, *criterion;
 };
 
@@ -114,6 +117,7 @@ struct row {
     }
 
 static const struct column columns[] = {
+    PHOTO_LENS_COLUMNS(struct row, real),
     COLUMN_FNUMBER(struct row, setting.N, 0),
     {COLUMN(struct row, airy.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
      .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
@@ -137,9 +141,9 @@ static const struct column columns[] = {
     {COLUMN(struct row, fnumber_film), .name = "fnumber_film", .symbol = "Nf",
      .label = "f-number of the film", .help = "where the Rayleigh limit is that of --film"},
     COLUMNS_SPREAD(0),
-    {ANGLE(angles.rayleigh), .name = "rayleigh", .with = "focal-length", .symbol = "th",
+    {ANGLE(angles.rayleigh), .name = "rayleigh", .with = "focal-length lens", .symbol = "th",
      .label = "Rayleigh angle", .help = "smallest angle told apart at infinity"},
-    {ANGLE(angles.dawes), .name = "dawes", .with = "focal-length", .label = "Dawes' limit",
+    {ANGLE(angles.dawes), .name = "dawes", .with = "focal-length lens", .label = "Dawes' limit",
      .help = "two stars just told apart, an empirical rule"},
     {FREQUENCY(frequency), .name = "frequency", .flags = COLUMN_EXTRA | COLUMN_ECHO,
      .with = "frequency", .symbol = "nu", .label = "spatial frequency",
@@ -158,10 +162,12 @@ static const struct column columns[] = {
     {LENGTH(setting.blur, "um"), .name = "defocus", .flags = COLUMN_EXTRA | COLUMN_ECHO,
      .with = "defocus", .symbol = "b", .label = "defocus", .help = "diameter of the blur disc"},
     COLUMNS_ASSUMED,
+    PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
 /* With --frequency: contrast alone, a row a frequency. */
 static const struct column contrast_columns[] = {
+    PHOTO_LENS_COLUMNS(struct row, real),
     COLUMN_FNUMBER(struct row, setting.N, 0),
     {FREQUENCY(frequency), .name = "frequency", .flags = COLUMN_ECHO | COLUMN_BRIEF,
      .with = "frequency", .symbol = "nu", .label = "spatial frequency",
@@ -182,10 +188,12 @@ static const struct column contrast_columns[] = {
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .symbol = "b", .depends = "defocus",
      .label = "defocus", .help = "diameter of the blur disc"},
     COLUMNS_ASSUMED,
+    PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
 /* Without --aperture, with --near or --focus-spread: the best f-number. */
 static const struct column best_columns[] = {
+    PHOTO_LENS_COLUMNS(struct row, real),
     COLUMN_FOCAL(struct row, focal, COLUMN_EXTRA),
     {LENGTH(near, "m"), .name = "near", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "near",
      .symbol = "n", .label = "near point", .help = "nearest point that shall be sharp"},
@@ -193,6 +201,7 @@ static const struct column best_columns[] = {
      .with = "near", .symbol = "r", .label = "far point", .help = "farthest point"},
     COLUMNS_SPREAD(COLUMN_BRIEF),
     COLUMNS_ASSUMED,
+    PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
 static const struct sheet best = SHEET(best_columns, struct row);
@@ -250,15 +259,14 @@ static bool compute_limits(const struct input *input, struct row *row, struct er
 static bool compute_optimum(const struct input *input, struct row *row, struct error *error)
 {
     row->spread = input->focus_spread;
-    row->focal = input->focal;
     row->near = input->near;
     row->far = input->far;
     if (!isnan(input->near)) {
-        if (!isnan(input->focus_spread) || isnan(input->focal)) {
+        if (!isnan(input->focus_spread) || isnan(row->focal)) {
             return fail(error, ERROR_USAGE,
-                        "--near wants --focal-length, and no --focus-spread of its own");
+                        "--near wants --focal-length or --lens, and no --focus-spread of its own");
         }
-        if (!diffraction_focus_spread(input->focal, input->near, input->far, &row->spread, error)) {
+        if (!diffraction_focus_spread(row->focal, input->near, input->far, &row->spread, error)) {
             return false;
         }
     }
@@ -267,14 +275,14 @@ static bool compute_optimum(const struct input *input, struct row *row, struct e
                                &row->optimum, error);
 }
 
-static bool compute_airy(const struct input *input, struct row *row, struct error *error)
+static bool compute_airy(struct row *row, struct error *error)
 {
     if (!diffraction_compute(&row->setting, &row->airy, error)) {
         return false;
     }
     row->airy.nyquist = isnan(row->pitch) ? NAN : row->airy.nyquist;
-    return isnan(input->focal) || diffraction_resolve(input->focal / input->fnumber,
-                                                      row->setting.wavelength, &row->angles, error);
+    return isnan(row->focal) || diffraction_resolve(row->focal / row->setting.N,
+                                                    row->setting.wavelength, &row->angles, error);
 }
 
 static bool compute_contrast(const struct input *input, struct row *row, struct error *error)
@@ -286,17 +294,20 @@ static bool compute_contrast(const struct input *input, struct row *row, struct 
            diffraction_frequency(&row->setting, 0.1, &row->mtf10, error);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
+                   struct error *error)
 {
     const struct input *input = data;
     const struct sharpness *sharp = &input->sharp;
     struct row row = empty;
-    row.wavelength = sharp->wavelength;
+    row.real = *lens->real;
+    row.focal = lens->f;
+    row.wavelength = lens->wavelength;
     row.pitch = isnan(sharp->pitch) ? sharp->sensor.size.pitch : sharp->pitch;
-    row.setting = (struct diffraction_setting){.N = input->fnumber,
+    row.setting = (struct diffraction_setting){.N = lens->N,
                                                .m = input->magnification,
-                                               .P = input->pupil,
-                                               .wavelength = um_from_mm(sharp->wavelength),
+                                               .P = lens->P,
+                                               .wavelength = um_from_mm(lens->wavelength),
                                                .blur = input->defocus,
                                                .pitch = isnan(row.pitch) ? 0 : row.pitch};
     row.pixels = input->pixels;
@@ -304,20 +315,32 @@ static bool run(const void *data, struct run *run, struct error *error)
     row.frequency = input->frequency;
     row.sensor = sharp->sensor.name;
     row.criterion = sharp->coc.criterion;
-    if (isnan(input->fnumber) && !isnan(input->frequency)) {
+    if (isnan(lens->N) && !isnan(input->frequency)) {
         return fail(error, ERROR_USAGE, "--frequency wants --aperture");
     }
-    if (!sharpness_resolve(sharp, input->fnumber, &row.coc, error) ||
+    if (!sharpness_resolve_in(sharp, lens->wavelength, lens->N, &row.coc, error) ||
         !compute_limits(input, &row, error) || !compute_optimum(input, &row, error)) {
         return false;
     }
     /* without an f-number there is still what limits it */
-    if (!isnan(input->fnumber) &&
-        (!compute_airy(input, &row, error) || !compute_contrast(input, &row, error))) {
+    if (!isnan(lens->N) && (!compute_airy(&row, error) || !compute_contrast(input, &row, error))) {
         return false;
     }
     run_emit(run, &row);
     return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    const struct photo_given given = {
+        .f = input->focal,
+        .N = input->fnumber,
+        .P = input->pupil,
+        .wavelength = input->sharp.wavelength,
+        .solves_fnumber = !isnan(input->near) || !isnan(input->focus_spread),
+    };
+    return photo_lens_each(&input->lens, given, run, answer, input, error);
 }
 
 static const struct explanation explanations[] = {
@@ -351,6 +374,7 @@ static const struct example examples[] = {
     {"diffraction -N 2.8..32 --sensor \"Nikon D1\"", "stopping down a camera from the list"},
     {"diffraction -N 8 --frequency 10..100:10 --pitch 4um", "a table of contrast"},
     {"diffraction -N 16 -m 1:1", "life size: f/16 works as f/32"},
+    {"diffraction --lens cooke-triplet-50", "a real lens wide open, in its own light"},
     {"diffraction -f 150 --near 2m --far inf --sensor 4x5", "the best f-number for a landscape"},
     {NULL, NULL},
 };
@@ -362,6 +386,7 @@ const struct command command_diffraction = {
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
+    .lens = offsetof(struct input, lens),
     .plot = "mtf_total|airy_diameter_um|fnumber",
     .cell = "airy_diameter_um",
 };

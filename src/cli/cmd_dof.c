@@ -1,9 +1,8 @@
 /* cli/cmd_dof.c - lenscalc dof: depth of field. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
-#include "cli/command.h"
+#include "cli/photo_lens.h"
 #include "cli/sharpness.h"
-#include "photo/distance_from.h"
 #include "photo/dof.h"
 #include "photo/dof_plan.h"
 #include "report/barrel.h"
@@ -12,6 +11,7 @@
 
 struct input {
     double focal, fnumber, distance, pupil;
+    struct photo_lens_question lens;
     struct sharpness sharp;
     int model, from;
     struct dof_targets targets;
@@ -29,11 +29,12 @@ struct input {
 
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(struct input, lens),
     OPTION_APERTURE(struct input, fnumber, OPTION_SETTING),
     OPTION_DISTANCE(struct input, distance, OPTION_SETTING,
                     "distance of the subject; inf for stars"),
-    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
-    OPTION_PUPIL(struct input, pupil),
+    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500"),
+    OPTION_PUPIL_OF_LENS(struct input, pupil),
     OPTION_FROM(struct input, from, distances_from),
     {OPTION(struct input, model), .name = "model", .column = "model", .words = dof_models,
      .fallback = "exact", .value = "MODEL",
@@ -62,8 +63,10 @@ static const struct option options[] = {
 struct row {
     struct dof_setting setting;
     struct dof dof;
+    struct photo_real real;
     double distance;
-    double wavelength; /* NaN where it does not matter */
+    double sensor_distance, sensor_near, sensor_far; /* from the sensor */
+    double wavelength;                               /* NaN where it does not matter */
     const char *sensor, *criterion, *model, *from;
     long shot, shots;
     const char *other_sensor;
@@ -74,6 +77,7 @@ struct row {
     COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
 
 static const struct column columns[] = {
+    PHOTO_LENS_COLUMNS(struct row, real),
     {COLUMN(struct row, shot), .name = "shot", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "stack",
      .label = "shot", .help = "number of the shot in a focus stack, nearest first"},
     {COLUMN(struct row, shots), .name = "shots", .flags = COLUMN_EXTRA, .label = "shots",
@@ -104,6 +108,17 @@ static const struct column columns[] = {
      .condition = offsetof(struct row, dof.far_condition)},
     {COLUMN_LENGTH(dof.total, "m"), .name = "dof", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "T", .label = "depth of field", .help = "front and behind together",
+     .condition = offsetof(struct row, dof.far_condition)},
+    {COLUMN_LENGTH(sensor_distance, "m"), .name = "distance_sensor",
+     .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens", .symbol = "Ds",
+     .label = "distance from the sensor", .help = "distance of the subject from the sensor"},
+    {COLUMN_LENGTH(sensor_near, "m"), .name = "near_sensor",
+     .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens",
+     .label = "near limit from the sensor", .help = "nearest sharp distance, from the sensor",
+     .condition = offsetof(struct row, dof.near_condition)},
+    {COLUMN_LENGTH(sensor_far, "m"), .name = "far_sensor",
+     .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens",
+     .label = "far limit from the sensor", .help = "farthest sharp distance, from the sensor",
      .condition = offsetof(struct row, dof.far_condition)},
     COLUMN_MAGNIFICATION(struct row, dof.magnification, 0),
     {COLUMN_LENGTH(dof.depth_of_focus, "mm"), .name = "depth_of_focus", .symbol = "t",
@@ -142,18 +157,25 @@ static const struct column columns[] = {
     {COLUMN(struct row, model), .name = "model", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "model", .label = "model", .help = "the formulas that were used"},
     COLUMN_FROM(struct row, from),
+    PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
     {COLUMN_LENGTH(setting.s, "m"), .name = "principal_distance",
      .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "s",
      .label = "distance from the principal plane",
      .help = "distance of the subject from the front principal plane"},
+    PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
 /* Complete a row that has its setting and what follows from it. */
-static void fill_row(const struct input *input, struct row *row)
+static void fill_row(const struct input *input, const struct photo_lens *lens, struct row *row)
 {
+    double to_sensor = row->dof.image + lens->measuring.hiatus;
+    row->real = *lens->real;
     row->distance = row->setting.s;
+    row->sensor_distance = row->distance + to_sensor;
+    row->sensor_near = row->dof.near + to_sensor;
+    row->sensor_far = row->dof.far + to_sensor;
     if (input->from != FROM_PRINCIPAL) {
-        double offset = distance_offset(&row->setting, (enum distance_from)input->from);
+        double offset = distance_offset(&row->setting, &lens->measuring);
         row->distance += offset;
         row->dof.near += offset;
         row->dof.far += offset;
@@ -162,7 +184,7 @@ static void fill_row(const struct input *input, struct row *row)
     }
     row->sensor = input->sharp.sensor.name;
     row->criterion = input->sharp.coc.criterion;
-    row->wavelength = sharpness_wavelength(&input->sharp);
+    row->wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp));
     row->model = dof_models[input->model].word;
     row->from = distances_from[input->from].word;
 }
@@ -186,12 +208,12 @@ static bool fill_other(const struct input *input, struct row *row, struct error 
     return true;
 }
 
-static bool run_stack(const struct input *input, const struct dof_setting *setting, struct run *run,
-                      struct error *error)
+/* Near and far of a stack, from wherever they are measured. */
+static bool stack_limits(const struct input *input, const struct photo_lens *lens, double *near,
+                         double *far, struct error *error)
 {
-    struct dof_plan plan;
-    struct row row;
-    if (isnan(input->targets.near) || isnan(input->targets.far) || !isnan(input->distance)) {
+    const struct dof_targets *t = &input->targets;
+    if (isnan(t->near) || isnan(t->far) || !isnan(input->distance)) {
         return fail(error, ERROR_USAGE,
                     "--stack wants --near and --far, and no --distance of its own");
     }
@@ -200,15 +222,25 @@ static bool run_stack(const struct input *input, const struct dof_setting *setti
                     "--stack goes with exact formulas and distances from the "
                     "principal plane");
     }
-    if (!dof_plan_make(setting, input->targets.near, input->targets.far, input->overlap, &plan,
-                       error)) {
+    return distance_to_principal(lens->f, lens->P, t->near, &lens->measuring, near, error) &&
+           distance_to_principal(lens->f, lens->P, t->far, &lens->measuring, far, error);
+}
+
+static bool run_stack(const struct input *input, const struct photo_lens *lens,
+                      const struct dof_setting *setting, struct run *run, struct error *error)
+{
+    struct dof_plan plan;
+    struct row row;
+    double near, far;
+    if (!stack_limits(input, lens, &near, &far, error) ||
+        !dof_plan_make(setting, near, far, input->overlap, &plan, error)) {
         return false;
     }
     for (long i = 0; i < plan.count; i++) {
         if (!dof_plan_shot(&plan, i, &row.setting, &row.dof, error)) {
             return false;
         }
-        fill_row(input, &row);
+        fill_row(input, lens, &row);
         row.shot = i + 1;
         row.shots = plan.count;
         if (!fill_other(input, &row, error) || !run_emit(run, &row)) {
@@ -222,43 +254,84 @@ static bool run_stack(const struct input *input, const struct dof_setting *setti
  * With all the rest given, a wish can only be met by the circle of confusion: unless the user
  * insists on one, that is what is asked for.
  */
-static bool wants_coc(const struct input *input)
+static bool wants_coc(const struct input *input, const struct dof_setting *setting)
 {
+    if (!input->sharp.coc.is_fallback) {
+        return false; /* as in most batches */
+    }
     const struct dof_targets *t = &input->targets;
-    bool complete = !isnan(input->focal) && !isnan(input->fnumber) && !isnan(input->distance);
+    bool complete = !isnan(setting->f) && !isnan(setting->N) && !isnan(setting->s);
     bool wish = !isnan(t->near) || !isnan(t->far) || !isnan(t->total) || !isnan(t->hyperfocal);
-    return input->sharp.coc.is_fallback && complete && wish;
+    return complete && wish;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+/* Is the f-number what the wishes are for? Otherwise that of a real lens counts. */
+static bool solves_fnumber(const struct input *input)
+{
+    const struct dof_targets *t = &input->targets;
+    int wishes = !isnan(t->near) + !isnan(t->far) + !isnan(t->total) + !isnan(t->hyperfocal) +
+                 !isnan(t->magnification);
+    return !input->stack && wishes > isnan(input->distance);
+}
+
+static inline struct photo_given given_of(const struct input *input)
+{
+    return (struct photo_given){.f = input->focal,
+                                .N = input->fnumber,
+                                .P = input->pupil,
+                                .wavelength = input->sharp.wavelength,
+                                .from = input->from,
+                                .solves_fnumber =
+                                    input->lens.lens.lens != NULL && solves_fnumber(input)};
+}
+
+static bool set_up(const struct input *input, const struct photo_lens *lens,
+                   struct dof_setting *setting, struct error *error)
+{
+    setting->f = lens->f;
+    setting->N = lens->N;
+    setting->s = input->distance;
+    setting->P = lens->P;
+    return sharpness_resolve_in(&input->sharp, lens->wavelength, lens->N, &setting->c, error);
+}
+
+static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
+                   struct error *error)
 {
     const struct input *input = data;
     struct row row;
     struct dof_setting *setting = &row.setting;
-    setting->f = input->focal;
-    setting->N = input->fnumber;
-    setting->s = input->distance;
-    setting->P = input->pupil;
-    if (!sharpness_resolve(&input->sharp, setting->N, &setting->c, error)) {
+    if (!set_up(input, lens, setting, error)) {
         return false;
     }
     if (input->stack) {
-        return run_stack(input, setting, run, error);
+        return run_stack(input, lens, setting, run, error);
     }
-    bool solves_coc = wants_coc(input);
+    bool solves_coc = wants_coc(input, setting);
     if (solves_coc) {
         setting->c = NAN;
     }
-    if (!distance_solve(setting, &input->targets, (enum distance_from)input->from, error) ||
+    if (!distance_solve(setting, &input->targets, &lens->measuring, error) ||
         !dof_compute(setting, (enum dof_model)input->model, &row.dof, error)) {
         return false;
     }
-    fill_row(input, &row);
+    fill_row(input, lens, &row);
     if (solves_coc) {
         row.criterion = "solved";
     }
     row.shot = row.shots = NO_INTEGER;
     return fill_other(input, &row, error) && (run_emit(run, &row), true);
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    if (photo_lens_is_thin(&input->lens)) {
+        /* as photo_lens_each does, without a detour through memory: most batches come here */
+        const struct photo_lens thin = photo_lens_thin(given_of(input));
+        return answer(input, &thin, run, error);
+    }
+    return photo_lens_each(&input->lens, given_of(input), run, answer, input, error);
 }
 
 static bool makes_many(const void *data)
@@ -296,15 +369,18 @@ static size_t barrel_fnumbers(double chosen, double *fnumbers, size_t *at)
 static bool draw_scale(const void *data, struct svg *svg, struct error *error)
 {
     const struct input *input = data;
-    struct dof_setting setting = {input->focal, input->fnumber, 0, input->distance, input->pupil};
+    const struct photo_given given = given_of(input);
+    struct photo_lens lens;
+    struct dof_setting setting;
     struct barrel_mark marks[16];
     struct barrel barrel = {.marks = marks};
     double fnumbers[16];
     if (input->stack) {
         return fail(error, ERROR_USAGE, "--scale draws one answer, not a stack");
     }
-    if (!sharpness_resolve(&input->sharp, setting.N, &setting.c, error) ||
-        !distance_solve(&setting, &input->targets, (enum distance_from)input->from, error)) {
+    if (!photo_lens_single(&input->lens, &given, svg->arena, &lens, error) ||
+        !set_up(input, &lens, &setting, error) ||
+        !distance_solve(&setting, &input->targets, &lens.measuring, error)) {
         return false;
     }
     barrel.mark_count = barrel_fnumbers(setting.N, fnumbers, &barrel.chosen);
@@ -314,7 +390,9 @@ static bool draw_scale(const void *data, struct svg *svg, struct error *error)
         marks[i] = (struct barrel_mark){fnumbers[i], 1000 * near, 1000 * far};
     }
     barrel.focus_diopter = 1000 / setting.s;
-    barrel.title = arena_printf(svg->arena, "Depth of field of a %.4g mm lens", setting.f);
+    barrel.title = lens.real->title != NULL
+                       ? arena_printf(svg->arena, "Depth of field of %s", lens.real->title)
+                       : arena_printf(svg->arena, "Depth of field of a %.4g mm lens", setting.f);
     barrel.subtitle =
         arena_printf(svg->arena,
                      "focused at %.4g m, f/%.4g, circle of confusion %.4g mm, distances from the "
@@ -338,6 +416,9 @@ static const struct explanation explanations[] = {
      "front = X e/(1 + e), behind = X e/(1 - e), X = f (1/m + 1/P), "
      "e = N c/(m f)",
      NULL},
+    {"distance_sensor", "Ds = {s} + {v} + {HH'}",
+     "[Gauss41] HH' from the front to the rear principal plane",
+     "near and far limit likewise: the sensor stays where it is"},
     {"depth_of_focus", "t = 2 {N} {c} (1 + {m}/{P})", "[Ray02]", NULL},
     {"blur_at_infinity", "b = {f} {m}/{N}", "similar triangles at the exit pupil", NULL},
     {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Ray02]", NULL},
@@ -354,6 +435,7 @@ static const struct example examples[] = {
     {"dof -f 85 -N 1.8 -s 2m --sensor \"Nikon D1\"", "on a camera from the list"},
     {"dof -f 50 -N 2.8..16 -s 1,2,5,10 --table s,N", "a table to print"},
     {"dof -f 35mm --near 2m --far 10m", "which distance and f-number make 2 m to 10 m sharp"},
+    {"dof --lens double-gauss -N 4 -s 2m", "a real lens, with distances from the sensor too"},
     {"dof -f 100mm -N 8 --near 30cm --far 33cm --stack", "a focus stack"},
     {NULL, NULL},
 };
@@ -366,6 +448,7 @@ const struct command command_dof = {
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
     .drawings = drawings,
+    .lens = offsetof(struct input, lens),
     .plot = "near_m,far_m",
     .cell = "near_m+far_m",
 };

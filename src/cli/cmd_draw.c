@@ -184,8 +184,7 @@ static bool draw_case(const struct lens_case *one, struct run *run, const void *
 
 static bool refuse(const struct input *input, struct error *error)
 {
-    const char *position = input->question.position;
-    if (position != NULL && text_same(text_of(position), "all")) {
+    if (lens_positions_several(input->question.lens.lens, input->question.position)) {
         return fail(error, ERROR_USAGE, "a drawing shows one position: --position NAME");
     }
     if (input->construction && (input->planes || input->no_rays)) {

@@ -1,6 +1,6 @@
 /* cli/cmd_equivalent.c - lenscalc equivalent: the same picture on another format. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
+#include "cli/photo_lens.h"
 #include "cli/sharpness.h"
 #include "photo/conjugate.h"
 #include "photo/equivalent.h"
@@ -9,6 +9,7 @@
 
 struct input {
     double focal, fnumber, iso, distance, magnification, pupil;
+    struct photo_lens_question lens;
     struct sharpness sharp;
     struct sensor_value to;
     int by, keep;
@@ -32,6 +33,7 @@ static const struct word kept[] = {
 
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, 0),
+    PHOTO_LENS_OPTIONS(struct input, lens),
     OPTION_APERTURE(struct input, fnumber, 0),
     {OPTION(struct input, iso), .name = "iso", .column = "iso", .dimension = &dimension_iso,
      OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "100",
@@ -41,8 +43,8 @@ static const struct option options[] = {
      .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "RATIO",
      .help = "magnification in place of the distance: 1:2 or 0.5"},
-    OPTION_PUPIL(struct input, pupil),
-    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
+    OPTION_PUPIL_OF_LENS(struct input, pupil),
+    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500"),
     {OPTION(struct input, to), .name = "to", .column = "equal_sensor", .fallback = "35mm",
      .value = "NAME|WxH", .help = "the other format or camera; a list for several at once"},
     {OPTION(struct input, by), .name = "by", .column = "measure", .words = measures,
@@ -55,7 +57,8 @@ struct row {
     const char *sensor, *other, *criterion, *measure, *keep;
     struct equivalent_setting setting;
     struct equivalent equal;
-    double crop;
+    double crop, wavelength;
+    struct photo_real real;
 };
 
 #define LENGTH(member_name, in_unit)                                                               \
@@ -63,20 +66,21 @@ struct row {
 #define NUMBER(member_name) COLUMN(struct row, member_name)
 
 static const struct column columns[] = {
+    PHOTO_LENS_COLUMNS(struct row, real),
     COLUMN_FOCAL(struct row, setting.f, 0),
     COLUMN_FNUMBER(struct row, setting.N, 0),
     {NUMBER(setting.iso), .name = "iso", .flags = COLUMN_ECHO | COLUMN_ASSUMED | COLUMN_EXTRA,
      .symbol = "S", .depends = "iso", .label = "ISO speed", .help = "ISO speed"},
     {NUMBER(setting.m), .name = "magnification", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
-     .symbol = "m", .depends = "magnification distance focal-length", .label = "magnification",
-     .help = "size on the sensor over size of the subject"},
+     .symbol = "m", .depends = "magnification distance focal-length lens position section",
+     .label = "magnification", .help = "size on the sensor over size of the subject"},
     {NUMBER(other), .name = "equal_sensor", .flags = COLUMN_BRIEF, .label = "other format",
      .help = "the format of the equal picture"},
     {NUMBER(equal.k), .name = "ratio", .flags = COLUMN_BRIEF, .symbol = "k",
      .label = "size of the other format", .help = "size of the other format over this one"},
     {LENGTH(equal.f, "mm"), .name = "equal_focal", .flags = COLUMN_BRIEF, .symbol = "f'",
      .label = "focal length there", .help = "focal length with the same framing there"},
-    {NUMBER(equal.N), .name = "equal_fnumber", .flags = COLUMN_BRIEF, .with = "aperture",
+    {NUMBER(equal.N), .name = "equal_fnumber", .flags = COLUMN_BRIEF, .with = "aperture lens",
      .symbol = "N'", .label = "f-number there", .help = "f-number there"},
     {NUMBER(equal.iso), .name = "equal_iso", .flags = COLUMN_BRIEF, .symbol = "S'",
      .label = "ISO speed there", .help = "ISO speed with the same time there"},
@@ -104,22 +108,23 @@ static const struct column columns[] = {
      .label = "compared by", .help = "how formats are compared"},
     {NUMBER(keep), .name = "keep", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "keep",
      .label = "keeping", .help = "what stays the same besides framing"},
+    PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
 /* Magnification from distance or as given; 0 where neither is. */
-static bool find_magnification(const struct input *input, double *m, struct error *error)
+static bool find_magnification(const struct input *input, double f, double *m, struct error *error)
 {
     struct conjugates c;
     bool at_infinity = isnan(input->distance) && isnan(input->magnification);
     struct conjugates_given given = {
-        .f = input->focal,
+        .f = f,
         .s = input->distance,
         .v = NAN,
         .m = at_infinity ? 0 : input->magnification,
         .T = NAN,
     };
-    if (isnan(input->focal)) {
-        return fail(error, ERROR_USAGE, "--focal-length is missing");
+    if (isnan(f)) {
+        return fail(error, ERROR_USAGE, "give --focal-length, or --lens");
     }
     if (!isnan(input->distance) && !isnan(input->magnification)) {
         return fail(error, ERROR_USAGE, "give one of --distance and --magnification");
@@ -143,12 +148,13 @@ static void forget_fnumber(struct row *row)
     row->equal.pupil_diameter = row->equal.working_fnumber = NAN;
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
+                   struct error *error)
 {
     const struct input *input = data;
     const struct equivalent_format from = format_of(&input->sharp.sensor);
     const struct equivalent_format to = format_of(&input->to);
-    bool has_fnumber = !isnan(input->fnumber);
+    bool has_fnumber = !isnan(lens->N);
     double k;
     struct row row = {
         .sensor = input->sharp.sensor.name,
@@ -156,14 +162,13 @@ static bool run(const void *data, struct run *run, struct error *error)
         .criterion = input->sharp.coc.criterion,
         .measure = measures[input->by].word,
         .keep = kept[input->keep].word,
-        .setting = {.f = input->focal,
-                    .N = has_fnumber ? input->fnumber : 1,
-                    .P = input->pupil,
-                    .iso = input->iso},
+        .setting = {.f = lens->f, .N = has_fnumber ? lens->N : 1, .P = lens->P, .iso = input->iso},
+        .real = *lens->real,
+        .wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp)),
         .crop = sensor_crop(&input->sharp.sensor.size),
     };
-    if (!find_magnification(input, &row.setting.m, error) ||
-        !sharpness_resolve(&input->sharp, input->fnumber, &row.setting.c, error) ||
+    if (!find_magnification(input, lens->f, &row.setting.m, error) ||
+        !sharpness_resolve_in(&input->sharp, lens->wavelength, lens->N, &row.setting.c, error) ||
         !equivalent_ratio(&from, &to, (enum equivalent_measure)input->by, &k, error) ||
         !equivalent_compute(&row.setting, k, (enum equivalent_keep)input->keep, &row.equal,
                             error)) {
@@ -174,6 +179,16 @@ static bool run(const void *data, struct run *run, struct error *error)
     }
     run_emit(run, &row);
     return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    const struct photo_given given = {.f = input->focal,
+                                      .N = input->fnumber,
+                                      .P = input->pupil,
+                                      .wavelength = input->sharp.wavelength};
+    return photo_lens_each(&input->lens, given, run, answer, input, error);
 }
 
 static const struct explanation explanations[] = {
@@ -195,6 +210,7 @@ static const struct example examples[] = {
     {"equivalent -f 50 -N 1.8 --sensor 4/3", "what a lens on Four Thirds does on 35 mm film"},
     {"equivalent -f 80 -N 2.8 --sensor 6x6 --to 35mm,aps-c,4/3", "several formats at once"},
     {"equivalent -f 23 -N 2 --sensor aps-c --keep exposure", "with the exposure kept"},
+    {"equivalent --lens canon-nfd-70-210 --position all --to aps-c", "a real zoom lens"},
     {"equivalent -f 100 -N 8 -m 1:1 --to aps-c", "close up the plain crop factor is wrong"},
     {NULL, NULL},
 };
@@ -205,6 +221,7 @@ const struct command command_equivalent = {
     .summary = "focal length, f-number and ISO of the same picture on another format",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
+    .lens = offsetof(struct input, lens),
     .plot = "equal_focal_mm",
     .cell = "equal_focal_mm",
 };

@@ -1,12 +1,13 @@
 /* cli/cmd_exposure.c - lenscalc exposure: aperture, time, speed and light. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
 #include "cli/exposure_answer.h"
 #include "cli/light_options.h"
 
 #define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
+    PHOTO_LENS_OPTIONS(struct exposure_input, lens),
+    OPTION_WAVELENGTH_OF_LENS(struct exposure_input, wavelength),
     OPTION_APERTURE(struct exposure_input, given.N, 0),
     OPTION_TIME(struct exposure_input, given.t, 0),
     OPTION_ISO(struct exposure_input, given.S,
@@ -37,7 +38,7 @@ static const struct option options[] = {
      .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "RATIO",
      .help = "of a close-up, whose extension takes light: 1:2 or 0.5"},
-    OPTION_PUPIL(struct exposure_input, pupil),
+    OPTION_PUPIL_OF_LENS(struct exposure_input, pupil),
     {OPTION(struct exposure_input, shutter_angle), .name = "shutter-angle",
      .column = "shutter_angle", .dimension = &dimension_angle, .unit = "deg", .lowest = 0,
      .highest = 6.283185307179586, .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE",
@@ -77,6 +78,8 @@ static const struct option options[] = {
 #define BRIEF_WITH(option) .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = option
 
 static const struct column columns[] = {
+    PHOTO_LENS_COLUMNS(struct exposure_row, real),
+    PHOTO_LENS_WAVELENGTH_COLUMN(struct exposure_row, real),
     {NUMBER(x.N), .name = "fnumber", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "N",
      .label = "f-number", .help = "f-number"},
     COLUMN_NOMINAL_FNUMBER(struct exposure_row, nominal_fnumber),
@@ -140,6 +143,10 @@ static const struct column columns[] = {
     {NUMBER(x.Tv), .name = "tv", .flags = COLUMN_EXTRA, .label = "Tv", .help = "APEX time"},
     {NUMBER(x.Sv), .name = "sv", .flags = COLUMN_EXTRA, .label = "Sv", .help = "APEX speed"},
     {NUMBER(x.Bv), .name = "bv", .flags = COLUMN_EXTRA, .label = "Bv", .help = "APEX brightness"},
+    {NUMBER(pupil), .name = "pupil_magnification",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED | COLUMN_ECHO, .with = "lens",
+     .symbol = "P", .depends = "pupil lens position section wavelength",
+     .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
     {NUMBER(speed), .name = "speed", ASSUMED, .depends = "iso", .label = "speed",
      .help = "what was taken where no ISO is given"},
     {NUMBER(scene), .name = "scene", ASSUMED, .depends = "scene", .label = "scene",
@@ -156,15 +163,22 @@ static const struct column columns[] = {
      .label = "meter constants K", .help = "of the reflected-light meter"},
     {NUMBER(C), .name = "meter_c", ASSUMED | COLUMN_ECHO, .symbol = "C", .depends = "meter-c",
      .label = "C", .help = "of the incident-light meter"},
+    PHOTO_LENS_WARNING_COLUMN(struct exposure_row, real),
 };
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
+                   struct error *error)
 {
-    const struct exposure_input *input = data;
+    struct exposure_input own = *(const struct exposure_input *)data;
+    const struct exposure_input *input = &own;
     struct exposure_row row;
+    own.given.N = lens->N;
+    own.pupil = lens->P;
     if (!exposure_answer(input, &row, error)) {
         return false;
     }
+    row.real = *lens->real;
+    row.pupil = lens->P;
     if (!input->equivalent) {
         run_emit(run, &row);
         return true;
@@ -181,6 +195,30 @@ static bool run(const void *data, struct run *run, struct error *error)
     }
     return lines > 0 || fail(error, ERROR_DOMAIN, "no f-number and time of the series make EV %.4g",
                              row.x.ev_set);
+}
+
+/* The f-number is found where all the rest is given; else that of a real lens counts. */
+static bool solves_fnumber(const struct exposure_input *input)
+{
+    const struct exposure_given *g = &input->given;
+    bool time = !isnan(g->t) || !isnan(input->shutter_angle) || !isnan(input->corrected_time);
+    bool light = !isnan(g->ev100) || !isnan(g->ev) || !isnan(g->L) || !isnan(g->E) ||
+                 input->scene.name != NULL;
+    return time && light && !isnan(g->S);
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct exposure_input *input = data;
+    const struct photo_given given = {
+        .f = NAN,
+        .N = input->given.N,
+        .P = input->pupil,
+        .wavelength = input->wavelength,
+        .solves_fnumber = solves_fnumber(input),
+        .without_pupils = isnan(input->magnification),
+    };
+    return photo_lens_each(&input->lens, given, run, answer, input, error);
 }
 
 static bool makes_many(const void *data)
@@ -215,6 +253,7 @@ static const struct example examples[] = {
     {"exposure --scene sunny-16 -N 8 --iso 200", "the time in bright sun"},
     {"exposure -N 16 -t 1/8 --equivalent --series full", "equal exposures, and how equal they are"},
     {"exposure -N 5.6 --ev 12 --filter ND3.0+polarizer", "through two filters"},
+    {"exposure --lens cooke-triplet-50 --ev 12 -m 1:2", "a real lens wide open, close up"},
     {"exposure -N 22 --ev 5 --film \"HP5 Plus\"", "a long time that the film needs longer"},
     {"exposure -N 8 -t 1/125 --iso 400 --ev 12", "how far off these settings are"},
     {"exposure -N 1.4..16 -t 1/500..1/15 --table N,t:ev100", "a table of exposure values"},
@@ -231,6 +270,7 @@ const struct command command_exposure = {
     COMMAND_ASKS(struct exposure_input),
     COMMAND_ANSWERS(struct exposure_row),
     .makes_many = makes_many,
+    .lens = offsetof(struct exposure_input, lens),
     .plot = "time_s|ev100|iso",
     .cell = "ev100",
 };

@@ -1,18 +1,17 @@
 /* cli/cmd_focus.c - lenscalc focus: conjugate points, close-up attachments, exposure factor. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
-#include "cli/photo_columns.h"
-#include "cli/photo_options.h"
+#include "cli/photo_lens.h"
 #include "photo/attach.h"
 #include "photo/conjugate.h"
-#include "photo/distance_from.h"
 
 #include <math.h>
 
 struct input {
     double focal, distance, image, magnification, sensor_distance; /* two of these */
+    struct photo_lens_question lens;
     bool enlarged;
-    double fnumber, pupil, hiatus, front;
+    double fnumber, pupil, wavelength;
+    double hiatus, front; /* NaN = those of the lens, else none */
     int from;
     bool reversed;
     double close_up, stacked, stacked_aperture, gap;
@@ -35,6 +34,8 @@ static const struct word orders[] = {
 
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(struct input, lens),
+    OPTION_WAVELENGTH_OF_LENS(struct input, wavelength),
     OPTION_DISTANCE(struct input, distance, OPTION_SETTING,
                     "distance of the subject; inf for infinity"),
     {MILLIMETRES(image), .name = "image", .column = "image", OPTION_POSITIVE,
@@ -51,10 +52,10 @@ static const struct option options[] = {
     {OPTION(struct input, enlarged), .name = "enlarged",
      .help = "of the two focusings with one --sensor-distance that with m above 1"},
     OPTION_APERTURE(struct input, fnumber, 0),
-    OPTION_PUPIL(struct input, pupil),
+    OPTION_PUPIL_OF_LENS(struct input, pupil),
     OPTION_FROM(struct input, from, distances_from),
-    {MILLIMETRES(hiatus), .name = "hiatus", .flags = OPTION_NO_INFINITY, .fallback = "0",
-     .help = "distance between the principal planes"},
+    {MILLIMETRES(hiatus), .name = "hiatus", .flags = OPTION_NO_INFINITY,
+     .help = "distance between the principal planes; without it that of --lens, else 0"},
     {MILLIMETRES(front), .name = "front", .flags = OPTION_NO_INFINITY,
      .help = "front principal plane seen from the lens's front, + towards the sensor; brings the "
              "working distance"},
@@ -83,6 +84,7 @@ static const struct option options[] = {
 };
 
 struct row {
+    struct photo_real real;
     const char *lens_focus, *order, *from;
     struct conjugates c; /* of lens and attachments together */
     double focal, distance, fnumber, pupil, tube, converter, close_up, stacked;
@@ -101,6 +103,8 @@ static const struct column columns[] = {
      .label = "lens itself focused", .help = "at infinity, or as given"},
     {LENGTH(c.f, "mm"), .name = "combined_focal", .symbol = "f", .label = "focal length together",
      .help = "focal length of lens and attachments"},
+    PHOTO_LENS_COLUMNS(struct row, real),
+    PHOTO_LENS_WAVELENGTH_COLUMN(struct row, real),
     COLUMN_FOCAL(struct row, focal, 0),
     COLUMN_FNUMBER(struct row, fnumber, 0),
     {COLUMN(struct row, close_up), .name = "close_up", .dimension = &dimension_vergence,
@@ -135,15 +139,18 @@ static const struct column columns[] = {
     {COLUMN(struct row, stops), .name = "exposure", .dimension = &dimension_stops, .unit = "stops",
      .flags = COLUMN_BRIEF, .label = "exposure factor, stops", .help = "the same in stops"},
     {LENGTH(working_distance, "m"), .name = "working_distance", .flags = COLUMN_INFINITE,
-     .with = "front", .label = "working distance", .help = "from the subject to the lens's front"},
+     .with = "front lens", .label = "working distance",
+     .help = "from the subject to the lens's front"},
     {LENGTH(pupil_distance, "m"), .name = "pupil_distance",
      .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .symbol = "X", .label = "subject to entrance pupil",
      .help = "distance of the subject from the centre of perspective"},
+    PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
     COLUMN_PUPIL(struct row, pupil),
     COLUMN_FROM(struct row, from),
     {LENGTH(c.s, "m"), .name = "principal_distance", .flags = COLUMN_EXTRA | COLUMN_INFINITE,
      .symbol = "s", .label = "distance from the principal plane",
      .help = "distance of the subject from the front principal plane"},
+    PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
 static const struct sheet plain = {columns + ATTACHED_COLUMNS,
@@ -168,8 +175,8 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
 }
 
 /* --distance from wherever it is measured, as one of the conjugates. */
-static bool place_subject(const struct input *input, struct conjugates_given *given,
-                          struct error *error)
+static bool place_subject(const struct input *input, const struct photo_lens *lens,
+                          struct conjugates_given *given, struct error *error)
 {
     if (input->from == FROM_PRINCIPAL || isnan(input->distance)) {
         given->s = input->distance;
@@ -183,29 +190,29 @@ static bool place_subject(const struct input *input, struct conjugates_given *gi
         given->T = input->distance;
         return true;
     }
-    if (isnan(input->focal)) {
+    if (isnan(lens->f) && input->from == FROM_ENTRANCE) {
         return fail(error, ERROR_USAGE,
                     "--from entrance wants --focal-length: the pupil's place "
                     "follows from it");
     }
-    return distance_to_principal(input->focal, input->pupil, input->distance,
-                                 (enum distance_from)input->from, &given->s, error);
+    return distance_to_principal(lens->f, lens->P, input->distance, &lens->measuring, &given->s,
+                                 error);
 }
 
 /* The bare lens. With attachments a focal length alone means a lens that stays at infinity. */
-static bool solve(const struct input *input, bool attaches, struct conjugates *c,
-                  struct error *error)
+static bool solve(const struct input *input, const struct photo_lens *lens, bool attaches,
+                  struct conjugates *c, struct error *error)
 {
     struct conjugates_given given = {
-        .f = input->focal,
+        .f = lens->f,
         .s = NAN,
         .v = input->image,
         .m = input->magnification,
         .T = input->sensor_distance,
-        .hiatus = input->hiatus,
+        .hiatus = lens->measuring.hiatus,
         .choice = input->enlarged ? CONJUGATES_ENLARGED : CONJUGATES_REDUCED,
     };
-    if (!place_subject(input, &given, error)) {
+    if (!place_subject(input, lens, &given, error)) {
         return false;
     }
     if (attaches && isnan(given.s) && isnan(given.v) && isnan(given.m) && isnan(given.T)) {
@@ -215,53 +222,59 @@ static bool solve(const struct input *input, bool attaches, struct conjugates *c
 }
 
 /* What is the same for lenses with and without attachments. */
-static void fill_row(const struct input *input, double P, struct row *row)
+static void fill_row(const struct input *input, const struct photo_lens *lens, double P,
+                     struct row *row)
 {
+    row->real = *lens->real;
     row->pupil_distance = conjugates_pupil_distance(row->c.f, row->c.m, P);
     row->distance = input->from == FROM_SENSOR     ? row->c.T
                     : input->from == FROM_ENTRANCE ? row->pupil_distance
+                    : input->from == FROM_FRONT    ? row->working_distance
                                                    : row->c.s;
-    row->fnumber = input->fnumber;
+    row->fnumber = lens->N;
     row->order = orders[input->order].word;
     row->tube = input->tube;
     row->converter = input->converter;
     row->close_up = input->close_up;
     row->stacked = input->stacked;
-    row->pupil = input->pupil;
+    row->pupil = lens->P;
     row->from = distances_from[input->from].word;
 }
 
-static bool run_plain(const struct input *input, struct run *run, struct error *error)
+static bool run_plain(const struct input *input, const struct photo_lens *lens, struct run *run,
+                      struct error *error)
 {
     struct row row = {.working_distance = NAN};
     struct conjugates_exposure exposure;
-    if (!solve(input, false, &row.c, error) ||
-        !conjugates_exposure(1, row.c.m, input->pupil, &exposure, error)) {
+    double front = lens->measuring.front;
+    if (!solve(input, lens, false, &row.c, error) ||
+        !conjugates_exposure(1, row.c.m, lens->P, &exposure, error)) {
         return false;
     }
-    if (!isnan(input->front) &&
-        !conjugates_working_distance(row.c.s, input->front, &row.working_distance, error)) {
+    if (!isnan(front) &&
+        !conjugates_working_distance(row.c.s, front, &row.working_distance, error)) {
         return false;
     }
     row.focal = row.c.f;
-    row.working_fnumber = input->fnumber * exposure.working_fnumber;
+    row.working_fnumber = lens->N * exposure.working_fnumber;
     row.factor = exposure.factor;
     row.stops = exposure.stops;
-    fill_row(input, input->pupil, &row);
+    fill_row(input, lens, lens->P, &row);
     run_emit(run, &row);
     return true;
 }
 
 /* What is attached, in the order in which it is put on: see --order and the manual. */
-static size_t list_steps(const struct input *input, const struct conjugates *bare,
-                         struct attach_step *steps)
+static size_t list_steps(const struct input *input, const struct photo_lens *lens,
+                         const struct conjugates *bare, struct attach_step *steps)
 {
     const struct attach_step tube = {ATTACH_TUBE, input->tube, 0, 0};
     const struct attach_step converter = {ATTACH_CONVERTER, input->converter,
                                           input->converter_length, 0};
     bool tube_first = input->order == 0;
     const struct attach_step all[] = {
-        {ATTACH_REVERSED, input->reversed ? bare->v : NAN, input->hiatus, 0},
+        {ATTACH_REVERSED, input->reversed ? bare->v : NAN, lens->measuring.hiatus,
+         -lens->real->rear},
         {ATTACH_CLOSE_UP, 1000 * input->close_up, input->gap, 0},
         {ATTACH_STACKED, input->stacked, input->gap,
          isnan(input->stacked_aperture) ? 0 : input->stacked_aperture},
@@ -277,14 +290,15 @@ static size_t list_steps(const struct input *input, const struct conjugates *bar
     return count;
 }
 
-static bool emit_focus(const struct input *input, double bare_focal, const struct attach_lens *lens,
-                       bool near, struct run *run, struct error *error)
+static bool emit_focus(const struct input *input, const struct photo_lens *bare, double bare_focal,
+                       const struct attach_lens *lens, bool near, struct run *run,
+                       struct error *error)
 {
     struct attach_focus focus;
     if (!attach_focused(lens, near, &focus, error)) {
         return false;
     }
-    double ratio = focus.working_fnumber / (isnan(input->fnumber) ? 1 : input->fnumber);
+    double ratio = focus.working_fnumber / (isnan(bare->N) ? 1 : bare->N);
     struct row row = {
         .lens_focus = near ? "as given" : "infinity",
         .c = {.f = lens->f,
@@ -295,49 +309,71 @@ static bool emit_focus(const struct input *input, double bare_focal, const struc
               .extension = lens->f * focus.m,
               .twin_magnification = NAN},
         .focal = bare_focal,
-        .working_fnumber = isnan(input->fnumber) ? NAN : focus.working_fnumber,
+        .working_fnumber = isnan(bare->N) ? NAN : focus.working_fnumber,
         .factor = ratio * ratio,
         .stops = 2 * log2(ratio),
-        .working_distance = isnan(input->front) ? NAN : focus.working_distance,
+        .working_distance = isnan(bare->measuring.front) ? NAN : focus.working_distance,
     };
-    fill_row(input, lens->P, &row);
+    fill_row(input, bare, lens->P, &row);
     run_emit(run, &row);
     return true;
 }
 
 /* A row for the lens at infinity and one for its own focusing as given, where these differ. */
-static bool run_attached(const struct input *input, struct run *run, struct error *error)
+static bool run_attached(const struct input *input, const struct photo_lens *real, struct run *run,
+                         struct error *error)
 {
     struct conjugates bare;
     struct attach_lens lens;
     struct attach_step steps[5];
-    double front = isnan(input->front) ? 0 : input->front;
-    if (!isnan(input->stacked_aperture) && isnan(input->fnumber)) {
+    double front = isnan(real->measuring.front) ? 0 : real->measuring.front;
+    if (!isnan(input->stacked_aperture) && isnan(real->N)) {
         return fail(error, ERROR_USAGE, "--stacked-aperture wants --aperture: the narrower counts");
     }
-    if (!solve(input, true, &bare, error) ||
-        !attach_bare(bare.f, isnan(input->fnumber) ? 1 : input->fnumber, input->pupil, bare.m,
-                     front, input->hiatus, &lens, error) ||
-        !attach_apply(&lens, steps, list_steps(input, &bare, steps), error)) {
+    if (!solve(input, real, true, &bare, error) ||
+        !attach_bare(bare.f, isnan(real->N) ? 1 : real->N, real->P, bare.m, front,
+                     real->measuring.hiatus, &lens, error) ||
+        !attach_apply(&lens, steps, list_steps(input, real, &bare, steps), error)) {
         return false;
     }
     bool moves = lens.m_near > lens.m_far;
     bool at_infinity = !input->reversed && (moves || !(bare.m > 0));
-    return (!at_infinity || emit_focus(input, bare.f, &lens, false, run, error)) &&
-           ((at_infinity && !moves) || emit_focus(input, bare.f, &lens, true, run, error));
+    return (!at_infinity || emit_focus(input, real, bare.f, &lens, false, run, error)) &&
+           ((at_infinity && !moves) || emit_focus(input, real, bare.f, &lens, true, run, error));
+}
+
+static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
+                   struct error *error)
+{
+    const struct input *input = data;
+    struct photo_lens own = *lens;
+    /* what is given overrides the lens */
+    own.measuring.hiatus = isnan(input->hiatus) ? own.measuring.hiatus : input->hiatus;
+    own.measuring.front = isnan(input->front) ? own.measuring.front : input->front;
+    struct photo_real said = *lens->real;
+    said.hiatus = own.measuring.hiatus;
+    own.real = &said;
+    return has_attachments(input) ? run_attached(input, &own, run, error)
+                                  : run_plain(input, &own, run, error);
 }
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    return has_attachments(input) ? run_attached(input, run, error) : run_plain(input, run, error);
+    const struct photo_given given = {.f = input->focal,
+                                      .N = input->fnumber,
+                                      .P = input->pupil,
+                                      .wavelength = input->wavelength,
+                                      .from = input->from};
+    return photo_lens_each(&input->lens, given, run, answer, input, error);
 }
 
 static const struct explanation explanations[] = {
     {"image", "v = {f} (1 + {m})", "[Gauss41] thin lens 1/f = 1/s + 1/v",
      "paraxial; a lens with internal focusing changes f on the way"},
     {"magnification", "m = {f}/({s} - {f})", "[Gauss41] m = v/s", NULL},
-    {"sensor_distance", "T = {s} + {v} + hiatus", "at least 4 f + hiatus, at 1:1", NULL},
+    {"sensor_distance", "T = {s} + {v} + {HH'}", "[Gauss41] at least 4 f + HH', at 1:1",
+     "HH': from the front to the rear principal plane"},
     {"extension", "x = {f} {m}", "[Gauss41] Newton's form", NULL},
     {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Kingslake92]; of the lens without attachments",
      "with attachments f', N', m' and P' of the combination: see lenscalc-focus(1)"},
@@ -353,6 +389,7 @@ static const struct example examples[] = {
     {"focus -m 1:4 --sensor-distance 0.45m", "the focal length a macro lens has at its nearest"},
     {"focus -f 50 -s 45cm --from sensor --tube 12,20,36", "extension tubes"},
     {"focus -f 100 -m 1:2 -N 4 --converter 2x --close-up 3", "converter and close-up lens"},
+    {"focus --lens double-gauss -m 1:4", "a real lens: working distance from its first surface"},
     {"focus -f 35,50,85,135 -m 1:10,1:5,1:2,1:1 --table f,m:distance", "a table to print"},
     {NULL, NULL},
 };
@@ -368,6 +405,7 @@ const struct command command_focus = {
     .makes_many = has_attachments,
     .run = run,
     .explanations = explanations,
+    .lens = offsetof(struct input, lens),
     .plot = "magnification|image_mm",
     .cell = "magnification",
 };

@@ -1,14 +1,13 @@
 /* cli/cmd_fov.c - lenscalc fov: field of view. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
-#include "cli/photo_columns.h"
-#include "cli/photo_options.h"
+#include "cli/photo_lens.h"
 #include "photo/fov.h"
 
 #include <math.h>
 
 struct input {
-    double focal, distance, pupil, squeeze;
+    double focal, distance, pupil, squeeze, wavelength;
+    struct photo_lens_question lens;
     struct sensor_value sensor;
     int projection;
     double horizontal, vertical, diagonal;            /* wanted angles, rad */
@@ -27,6 +26,8 @@ struct input {
 
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(struct input, lens),
+    OPTION_WAVELENGTH_OF_LENS(struct input, wavelength),
     OPTION_SENSOR(struct input, sensor),
     {OPTION(struct input, distance), .name = "distance", .letter = 's', .column = "distance",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
@@ -35,7 +36,7 @@ static const struct option options[] = {
     {OPTION(struct input, projection), .name = "projection", .column = "projection",
      .words = projections, .fallback = "rectilinear", .value = "KIND",
      .help = "how the lens maps angles"},
-    OPTION_PUPIL(struct input, pupil),
+    OPTION_PUPIL_OF_LENS(struct input, pupil),
     {OPTION(struct input, squeeze), .name = "squeeze", .column = "squeeze",
      .dimension = &dimension_ratio, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1", .value = "FACTOR",
@@ -54,7 +55,8 @@ static const struct option options[] = {
 struct row {
     struct fov_setting setting;
     struct fov fov;
-    double magnification, width, height, crop;
+    double magnification, width, height, crop, image, sensor_distance;
+    struct photo_real real;
     const char *sensor, *projection;
 };
 
@@ -64,6 +66,8 @@ struct row {
     COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg"
 
 static const struct column columns[] = {
+    PHOTO_LENS_COLUMNS(struct row, real),
+    PHOTO_LENS_WAVELENGTH_COLUMN(struct row, real),
     COLUMN_FOCAL(struct row, setting.f, COLUMN_BRIEF),
     {LENGTH(setting.s, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
      .with = "distance", .symbol = "s", .label = "focused at",
@@ -90,6 +94,13 @@ static const struct column columns[] = {
      .label = "sensor height", .help = "height of the sensor"},
     {COLUMN(struct row, crop), .name = "crop_factor", .label = "crop factor",
      .help = "43.27 mm over the sensor's diagonal"},
+    {LENGTH(sensor_distance, "m"), .name = "distance_sensor",
+     .flags = COLUMN_EXTRA | COLUMN_INFINITE, .with = "lens", .symbol = "Ds",
+     .label = "distance from the sensor",
+     .help = "distance the lens is focused at, from the sensor"},
+    {LENGTH(image, "mm"), .name = "image", .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "v",
+     .label = "image distance", .help = "sensor from the rear principal plane"},
+    PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
     COLUMN_SENSOR(struct row, sensor),
     {COLUMN(struct row, projection), .name = "projection", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "projection", .label = "projection", .help = "how the lens maps angles"},
@@ -97,37 +108,49 @@ static const struct column columns[] = {
     {COLUMN(struct row, setting.squeeze), .name = "squeeze", .symbol = "q",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "squeeze", .label = "squeeze",
      .help = "anamorphic squeeze"},
+    PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
 /* The focal length from the one goal that is given. */
-static bool solve(const struct input *input, double *f, struct error *error)
+static bool solve(const struct input *input, const struct fov_setting *setting, double *f,
+                  struct error *error)
 {
     const struct fov_goals goals = {input->horizontal,  input->vertical,     input->diagonal,
                                     input->field_width, input->field_height, input->field_diagonal};
-    const struct fov_setting setting = {(enum projection)input->projection, input->focal,
-                                        input->distance, input->pupil, input->squeeze};
-    return fov_solve(&setting, &input->sensor.size, &goals, f, error);
+    return fov_solve(setting, &input->sensor.size, &goals, f, error);
 }
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
+                   struct error *error)
 {
     const struct input *input = data;
     struct row row = {
-        .setting = {(enum projection)input->projection, input->focal, input->distance, input->pupil,
+        .setting = {(enum projection)input->projection, lens->f, input->distance, lens->P,
                     input->squeeze},
         .width = input->sensor.size.width,
         .height = input->sensor.size.height,
         .sensor = input->sensor.name,
         .projection = projections[input->projection].word,
+        .real = *lens->real,
     };
-    if (!solve(input, &row.setting.f, error) ||
+    if (!solve(input, &row.setting, &row.setting.f, error) ||
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return false;
     }
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);
     row.crop = sensor_crop(&input->sensor.size);
+    row.image = distance_image(row.setting.f, row.setting.s);
+    row.sensor_distance = row.setting.s + row.image + lens->measuring.hiatus;
     run_emit(run, &row);
     return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    const struct photo_given given = {
+        .f = input->focal, .N = NAN, .P = input->pupil, .wavelength = input->wavelength};
+    return photo_lens_each(&input->lens, given, run, answer, input, error);
 }
 
 static const struct explanation explanations[] = {
@@ -136,6 +159,8 @@ static const struct explanation explanations[] = {
      "the other projections: f t, 2 f sin(t/2), 2 f tan(t/2), f sin t in place of f tan t"},
     {"vertical", "vfov = 2 atan({h}/(2 {f} (1 + {m}/{P})))", "[Ray02]; rectilinear", NULL},
     {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
+    {"distance_sensor", "Ds = {s} + {v} + {HH'}",
+     "[Gauss41] HH' from the front to the rear principal plane", NULL},
     {"field_width", "W = {q} {w}/{m}", "similar triangles", "rectilinear only"},
     {NULL, NULL, NULL, NULL},
 };
@@ -146,6 +171,7 @@ static const struct example examples[] = {
     {"fov -f 100mm -s 40cm", "how much is in the picture close up"},
     {"fov --horizontal 90deg", "the focal length for an angle"},
     {"fov -f 8mm --projection equisolid --sensor mft", "a fisheye"},
+    {"fov --lens double-gauss -s 0.5m", "a real lens, close up"},
     {"fov -f 50mm --squeeze 2 --sensor scope", "anamorphic cinema"},
     {NULL, NULL},
 };
@@ -156,6 +182,7 @@ const struct command command_fov = {
     .summary = "field of view, and the focal length for a wanted one",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
+    .lens = offsetof(struct input, lens),
     .plot = "horizontal_deg,vertical_deg,diagonal_deg",
     .cell = "horizontal_deg",
 };

@@ -1,6 +1,6 @@
 /* cli/cmd_hyperfocal.c - lenscalc hyperfocal: the focus that keeps infinity sharp. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/command.h"
+#include "cli/photo_lens.h"
 #include "cli/sharpness.h"
 #include "photo/dof.h"
 #include "photo/dof_solve.h"
@@ -9,14 +9,16 @@
 
 struct input {
     double focal, fnumber, pupil, hyperfocal;
+    struct photo_lens_question lens;
     struct sharpness sharp;
 };
 
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(struct input, lens),
     OPTION_APERTURE(struct input, fnumber, OPTION_SETTING),
-    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
-    OPTION_PUPIL(struct input, pupil),
+    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500"),
+    OPTION_PUPIL_OF_LENS(struct input, pupil),
     {OPTION(struct input, hyperfocal), .name = "hyperfocal", .column = "hyperfocal",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL, .value = "LENGTH",
@@ -24,7 +26,9 @@ static const struct option options[] = {
 };
 
 struct row {
-    double focal, fnumber, coc, pupil, wavelength, hyperfocal, near;
+    double focal, fnumber, coc, pupil, wavelength, hyperfocal, near, image;
+    double sensor_hyperfocal, sensor_near; /* from the sensor */
+    struct photo_real real;
     const char *sensor, *criterion;
 };
 
@@ -32,6 +36,7 @@ struct row {
     COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
 
 static const struct column columns[] = {
+    PHOTO_LENS_COLUMNS(struct row, real),
     COLUMN_FOCAL(struct row, focal, COLUMN_BRIEF),
     COLUMN_FNUMBER(struct row, fnumber, COLUMN_BRIEF),
     COLUMN_SENSOR(struct row, sensor),
@@ -43,20 +48,32 @@ static const struct column columns[] = {
      .help = "nearest focus that keeps infinity sharp, from the front principal plane"},
     {LENGTH(near, "m"), .name = "near", .flags = COLUMN_INFINITE | COLUMN_BRIEF, .symbol = "n",
      .label = "near limit there", .help = "near limit when focused at the hyperfocal distance"},
+    {LENGTH(sensor_hyperfocal, "m"), .name = "hyperfocal_sensor",
+     .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens", .symbol = "Hs",
+     .label = "hyperfocal distance from the sensor",
+     .help = "hyperfocal distance as a distance scale has it, from the sensor"},
+    {LENGTH(sensor_near, "m"), .name = "near_sensor",
+     .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens",
+     .label = "near limit from the sensor", .help = "near limit, from the sensor"},
+    {LENGTH(image, "mm"), .name = "image", .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "v",
+     .label = "image distance", .help = "sensor from the rear principal plane"},
+    PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
     COLUMN_PUPIL(struct row, pupil),
+    PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
-static bool run(const void *data, struct run *run, struct error *error)
+static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
+                   struct error *error)
 {
     const struct input *input = data;
     const struct dof_targets targets = {NAN, NAN, NAN, input->hyperfocal, NAN};
-    struct dof_setting setting = {input->focal, input->fnumber, 0, INFINITY, input->pupil};
-    if (isnan(input->focal) + isnan(input->fnumber) + isnan(input->hyperfocal) != 1) {
+    struct dof_setting setting = {lens->f, lens->N, 0, INFINITY, lens->P};
+    if (isnan(lens->f) + isnan(lens->N) + isnan(input->hyperfocal) != 1) {
         return fail(error, ERROR_USAGE,
                     "give two of --focal-length, --aperture and --hyperfocal, and the third is "
                     "found");
     }
-    if (!sharpness_resolve(&input->sharp, setting.N, &setting.c, error) ||
+    if (!sharpness_resolve_in(&input->sharp, lens->wavelength, setting.N, &setting.c, error) ||
         !dof_solve(&setting, &targets, error) || !dof_check(&setting, error)) {
         return false;
     }
@@ -65,14 +82,32 @@ static bool run(const void *data, struct run *run, struct error *error)
         .fnumber = setting.N,
         .coc = setting.c,
         .pupil = setting.P,
-        .wavelength = sharpness_wavelength(&input->sharp),
+        .wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp)),
         .hyperfocal = dof_hyperfocal(setting.f, setting.N, setting.c),
         .near = dof_near_at_hyperfocal(setting.f, setting.N, setting.c, setting.P),
+        .real = *lens->real,
         .sensor = input->sharp.sensor.name,
         .criterion = input->sharp.coc.criterion,
     };
+    row.image = distance_image(setting.f, row.hyperfocal);
+    double to_sensor = row.image + lens->measuring.hiatus;
+    row.sensor_hyperfocal = row.hyperfocal + to_sensor;
+    row.sensor_near = row.near + to_sensor;
     run_emit(run, &row);
     return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    const struct photo_given given = {
+        .f = input->focal,
+        .N = input->fnumber,
+        .P = input->pupil,
+        .wavelength = input->sharp.wavelength,
+        .solves_fnumber = !isnan(input->hyperfocal),
+    };
+    return photo_lens_each(&input->lens, given, run, answer, input, error);
 }
 
 static const struct explanation explanations[] = {
@@ -80,6 +115,8 @@ static const struct explanation explanations[] = {
      "what counts as sharp is a convention"},
     {"hyperfocal", "H = {f}^2/({N} {c}) + {f}", "[Ray02]; thin lens, exact",
      "without + f it is low by exactly f"},
+    {"hyperfocal_sensor", "Hs = {H} + {v} + {HH'}",
+     "[Gauss41] HH' from the front to the rear principal plane", NULL},
     {"near", "n = {f} (1 - 1/{P}) + ({f} + {f}/{P} {N} {c}/{f})/(2 {N} {c}/{f})",
      "[Ray02]; near limit at m = N c/f", "H/2 exactly where P is 1"},
     {NULL, NULL, NULL, NULL},
@@ -89,6 +126,7 @@ static const struct example examples[] = {
     {"hyperfocal -f 28mm -N 8", "one lens, one f-number"},
     {"hyperfocal -f 24,35,50,85 -N 2.8..22 --table N,f", "a table to print"},
     {"hyperfocal -f 35mm --hyperfocal 5m", "the f-number for a hyperfocal distance of 5 m"},
+    {"hyperfocal --lens wide-35 -N 8", "a real lens: what to set on its distance scale"},
     {NULL, NULL},
 };
 
@@ -98,6 +136,7 @@ const struct command command_hyperfocal = {
     .summary = "hyperfocal distance and the near limit beside it",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
+    .lens = offsetof(struct input, lens),
     .plot = "hyperfocal_m,near_m",
     .cell = "hyperfocal_m+near_m",
 };

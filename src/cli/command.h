@@ -72,6 +72,7 @@ struct command {
     bool (*print)(const void *input, struct output *output, struct error *error);
     const struct explanation *explanations; /* ends with a null column */
     const struct drawing *drawings;         /* ends with a null option */
+    size_t lens;      /* offset of a struct photo_lens_question in the input; 0 = no --lens */
     const char *plot; /* columns to plot, separated by commas; further choices by '|' */
     const char *cell; /* columns in the cells of --table */
 };

@@ -5,6 +5,7 @@
 #include "cli/batch.h"
 #include "cli/collect.h"
 #include "cli/help.h"
+#include "cli/photo_lens.h"
 #include "report/explain.h"
 
 #include <stdio.h>
@@ -21,6 +22,7 @@ struct driver {
     struct arena row_arena; /* until the next input */
     struct lensdb db;
     struct reader reader;
+    struct lens_cache lenses;
     struct arguments arguments;
     struct common common;
     struct sweep sweep;
@@ -112,10 +114,18 @@ static bool asked_given(const void *asked, const char *option)
            (driver->is_batch && batch_has(&driver->batch, option));
 }
 
+/* Does a photographic question go through several positions of a lens? */
+static bool has_positions(const struct driver *driver)
+{
+    const void *question = (const char *)driver->input + driver->command->lens;
+    return driver->command->lens != 0 && photo_lens_makes_many(question);
+}
+
 static bool asked_varied(const void *asked, const char *option)
 {
     const struct driver *driver = asked;
     return sweep_axis(&driver->sweep, option) != NULL ||
+           (strcmp(option, "position") == 0 && has_positions(driver)) ||
            (driver->is_batch && batch_has(&driver->batch, option));
 }
 
@@ -443,7 +453,9 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
 {
     const struct command *command = driver->command;
     driver->db.arena = &driver->arena;
-    driver->reader = (struct reader){&driver->db, &driver->arena, false, false};
+    driver->lenses.arena = &driver->arena;
+    driver->reader =
+        (struct reader){.db = &driver->db, .arena = &driver->arena, .lenses = &driver->lenses};
     driver->run = (struct run){&driver->row_arena, &driver->db, emit, driver};
     if (!arguments_parse(&driver->arguments, command, count, words, &driver->arena, error) ||
         !read_common(driver, error)) {
@@ -482,7 +494,8 @@ static bool ask(struct driver *driver, struct error *error)
                      driver->input, error)) {
         return false;
     }
-    driver->report.many = command->makes_many != NULL && command->makes_many(driver->input);
+    driver->report.many = (command->makes_many != NULL && command->makes_many(driver->input)) ||
+                          has_positions(driver);
     driver->is_batch = common->batch != NULL;
     if (driver->is_batch && !open_batch(driver, error)) {
         return false;

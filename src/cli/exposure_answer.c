@@ -32,6 +32,8 @@ static void begin_row(const struct exposure_input *input, struct exposure_row *r
         .film_source = input->film.source,
         .scene = input->scene.name,
         .scene_source = input->scene.source,
+        .real = photo_real_none,
+        .pupil = NAN,
     };
 }
 

@@ -5,11 +5,12 @@
 
 #include "base/error.h"
 #include "cli/option_light.h"
+#include "cli/photo_lens.h"
 #include "photo/exposure.h"
 
 #include <stdbool.h>
 
-/* What is given; NaN = not given. Options of the command, in their order. */
+/* What is given; NaN = not given. Options of the command. */
 struct exposure_input {
     struct exposure_given given;
     struct scene_value scene;
@@ -22,6 +23,8 @@ struct exposure_input {
     double vignetting, off_axis;
     struct series_value series;
     bool equivalent;
+    struct photo_lens_question lens;
+    double wavelength; /* mm, of the light in the lens */
 };
 
 /* Everything about one exposure; NaN and null = absent. */
@@ -34,6 +37,8 @@ struct exposure_row {
     double shutter_angle, frame_rate;
     double q, focal_plane, off_axis, vignetting;
     double K, C;
+    struct photo_real real;
+    double pupil; /* of a real lens */
     const char *speed, *filter, *film, *film_source, *scene, *scene_source;
 };
 

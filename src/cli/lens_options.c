@@ -4,22 +4,30 @@
 
 #include "optics/wavelength.h"
 
+#include <string.h>
+
 const struct word section_words[] = {
     {"y", "the y-z section"},
     {"x", "the x-z section"},
     {NULL, NULL},
 };
 
-static bool wants_all(const struct lens_question *question)
+static bool wants_all(const char *names)
 {
-    return question->position != NULL && text_same(text_of(question->position), "all");
+    return names != NULL && text_same(text_of(names), "all");
+}
+
+bool lens_positions_several(const struct lens *lens, const char *names)
+{
+    return lens != NULL && names != NULL && lens->position_count > 1 &&
+           (wants_all(names) || strchr(names, ',') != NULL);
 }
 
 bool lens_makes_many(const struct lens_question *question)
 {
     const struct lens *lens = question->lens.lens;
     return lens != NULL && ((question->wavelength.name == NULL && lens->wavelength_count > 1) ||
-                            (wants_all(question) && lens->position_count > 1));
+                            lens_positions_several(lens, question->position));
 }
 
 double lens_wavelength_own(double wavelength)
@@ -134,6 +142,52 @@ static bool visit_position(const struct lens_question *question, size_t position
     return true;
 }
 
+static bool find_position(const struct lens *lens, struct text name, size_t *position,
+                          struct error *error)
+{
+    *position = lens_position_find(lens, name);
+    if (*position != LENS_NONE) {
+        return true;
+    }
+    struct nearest nearest = {.typed = name};
+    for (size_t i = 0; i < lens->position_count; i++) {
+        nearest_offer(&nearest, text_of(lens->positions[i]));
+    }
+    fail(error, ERROR_USAGE, "the lens has no position '%.*s'%s%s", text_shown(name), name.start,
+         lens->position_count > 0 ? ": its first is " : "",
+         lens->position_count > 0 ? lens->positions[0] : "");
+    return nearest.best.start != NULL &&
+           error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+}
+
+bool lens_positions(const struct lens *lens, const char *names, struct arena *arena,
+                    const size_t **positions, size_t *count, struct error *error)
+{
+    bool all = wants_all(names) && lens->position_count > 0;
+    size_t most = all ? lens->position_count : 1;
+    for (const char *at = names; at != NULL && *at != '\0'; at++) {
+        most += *at == ',';
+    }
+    size_t *found = ARENA_ARRAY(arena, most, size_t);
+    *positions = found;
+    *count = all ? most : 0;
+    for (size_t i = 0; i < *count; i++) {
+        found[i] = i;
+    }
+    struct text rest = text_of(names != NULL ? names : "");
+    if (names == NULL || wants_all(names)) {
+        *count = most; /* the first, if there is nothing else */
+        return true;
+    }
+    while (rest.start != NULL) {
+        if (!find_position(lens, text_trim(text_cut(&rest, ',')), &found[*count], error)) {
+            return false;
+        }
+        ++*count;
+    }
+    return true;
+}
+
 bool lens_each(const struct lens_question *question, struct run *run,
                bool (*visit)(const struct lens_case *one, struct run *run, const void *context,
                              struct error *error),
@@ -144,26 +198,13 @@ bool lens_each(const struct lens_question *question, struct run *run,
         fail(error, ERROR_USAGE, "no lens is given");
         return error_hint(error, "a name of 'lenscalc list lenses', or a .lens file");
     }
-    size_t first = 0, last = 0;
-    if (wants_all(question)) {
-        last = lens->position_count > 0 ? lens->position_count - 1 : 0;
-    } else if (question->position != NULL) {
-        first = last = lens_position_find(lens, text_of(question->position));
-        if (first == LENS_NONE) {
-            struct nearest nearest = {.typed = text_of(question->position)};
-            for (size_t i = 0; i < lens->position_count; i++) {
-                nearest_offer(&nearest, text_of(lens->positions[i]));
-            }
-            fail(error, ERROR_USAGE, "the lens has no position '%s'%s%s", question->position,
-                 lens->position_count > 0 ? ": its first is " : "",
-                 lens->position_count > 0 ? lens->positions[0] : "");
-            return nearest.best.start != NULL &&
-                   error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length,
-                              nearest.best.start);
-        }
+    const size_t *positions;
+    size_t count;
+    if (!lens_positions(lens, question->position, run->arena, &positions, &count, error)) {
+        return false;
     }
-    for (size_t i = first; i <= last; i++) {
-        if (!visit_position(question, i, run, visit, context, error)) {
+    for (size_t i = 0; i < count; i++) {
+        if (!visit_position(question, positions[i], run, visit, context, error)) {
             return false;
         }
     }

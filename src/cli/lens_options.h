@@ -67,8 +67,9 @@ extern const struct word section_words[];
 
 #define LENS_POSITION_OPTION(S, member)                                                            \
     {                                                                                              \
-        OPTION(S, member.position), .name = "position", .value = "NAME",                           \
-                                    .help = "zoom or focus position, or all; default the first"    \
+        OPTION(S, member.position),                                                                \
+            .name = "position", .value = "NAME",                                                   \
+            .help = "zoom or focus position, a list, or all; default the first"                    \
     }
 
 #define LENS_SECTION_OPTION(S, member)                                                             \
@@ -109,6 +110,19 @@ double lens_wavelength_own(double wavelength);
 
 /* Will the question have several answers? */
 bool lens_makes_many(const struct lens_question *question);
+
+/*
+ * The positions that --position names.
+ *
+ * Given     names      null = the first; "all"; or a list with commas
+ *           positions  receives an array in the arena, of `count`
+ * Errors    ERROR_USAGE with a suggestion: no such position
+ */
+bool lens_positions(const struct lens *lens, const char *names, struct arena *arena,
+                    const size_t **positions, size_t *count, struct error *error);
+
+/* Does --position name several? */
+bool lens_positions_several(const struct lens *lens, const char *names);
 
 /*
  * Answer a question, case by case: positions, and within each the wavelengths, primary first.

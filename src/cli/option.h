@@ -20,9 +20,10 @@ struct option;
 /* What reading a value may need. */
 struct reader {
     struct lensdb *db;
-    struct arena *arena; /* for what the value points to */
-    bool nominal;        /* labels of stop series stand for their exact values */
-    bool fallback;       /* the text is what the program assumes, not what the user typed */
+    struct arena *arena;       /* for what the value points to */
+    bool nominal;              /* labels of stop series stand for their exact values */
+    bool fallback;             /* the text is what the program assumes, not what the user typed */
+    struct lens_cache *lenses; /* null = every lens is read anew */
 };
 
 /* A kind of value. `read` fills a member of the input struct. */

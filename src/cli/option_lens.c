@@ -7,27 +7,83 @@
 #include "file/lines.h"
 #include "optics/wavelength.h"
 
+static bool find_lens(struct lensdb *db, struct text name, struct arena *arena,
+                      struct lens_value *value, struct error *error)
+{
+    struct lens *lens = ARENA_NEW(arena, struct lens);
+    struct lens_warnings warnings;
+    const char *warning = NULL;
+    if (!lens_db_find(db, name, arena, lens, error)) {
+        return false;
+    }
+    if (!lens_check(lens, arena, &warnings, error)) {
+        return error_prefix(error, "%.*s: ", text_shown(name), name.start);
+    }
+    for (size_t i = 0; i < warnings.count; i++) {
+        warning =
+            i == 0 ? warnings.texts[i] : arena_printf(arena, "%s; %s", warning, warnings.texts[i]);
+    }
+    size_t positions = lens->position_count > 0 ? lens->position_count : 1;
+    *value = (struct lens_value){
+        .lens = lens,
+        .name =
+            text_equal(name, "-") ? "standard input" : arena_string(arena, name.start, name.length),
+        .warning = warning,
+        .arena = arena,
+        .memo = ARENA_ARRAY(arena, positions, struct lens_memo),
+    };
+    return true;
+}
+
+static const struct lens_value *known_lens(const struct lens_cache *cache, struct text name)
+{
+    for (size_t i = 0; i < cache->count; i++) {
+        if (text_equal(name, cache->lenses[i].name)) {
+            return &cache->lenses[i];
+        }
+    }
+    return NULL;
+}
+
+/* The first lenses of a batch are kept; of more, each row reads its own. */
+static bool read_lens_of_row(struct lensdb *db, struct lens_cache *cache, struct text name,
+                             struct arena *arena, struct lens_value *value, struct error *error)
+{
+    enum { MOST = 64 };
+    const struct lens_value *known = known_lens(cache, name);
+    if (known != NULL) {
+        *value = *known;
+        return true;
+    }
+    if (text_equal(name, "-")) {
+        return fail(error, ERROR_USAGE, "a row cannot read its lens from standard input");
+    }
+    if (!find_lens(db, name, arena, value, error)) {
+        return false;
+    }
+    if (cache->count == MOST) {
+        return true;
+    }
+    /* once more, now that it is good, to stay */
+    if (cache->lenses == NULL) {
+        cache->lenses = ARENA_ARRAY(cache->arena, MOST, struct lens_value);
+    }
+    if (!find_lens(db, name, cache->arena, value, error)) {
+        return false;
+    }
+    cache->lenses[cache->count++] = *value;
+    return true;
+}
+
 static bool read_lens(const struct reader *reader, const struct option *option, struct text text,
                       void *member, struct error *error)
 {
-    struct lens *lens = ARENA_NEW(reader->arena, struct lens);
-    struct lens_warnings warnings;
     struct text name = text_trim(text);
+    struct lens_cache *cache = reader->lenses;
     (void)option;
-    if (!lens_db_find(reader->db, name, reader->arena, lens, error)) {
-        return false;
-    }
-    if (!lens_check(lens, reader->arena, &warnings, error)) {
-        return error_prefix(error, "%.*s: ", text_shown(name), name.start);
-    }
-    const char *warning = NULL;
-    for (size_t i = 0; i < warnings.count; i++) {
-        warning = i == 0 ? warnings.texts[i]
-                         : arena_printf(reader->arena, "%s; %s", warning, warnings.texts[i]);
-    }
-    *(struct lens_value *)member =
-        (struct lens_value){lens, arena_string(reader->arena, name.start, name.length), warning};
-    return true;
+    return cache != NULL && cache->arena != reader->arena
+               ? read_lens_of_row(reader->db, cache, name, reader->arena, member, error)
+               : find_lens(reader->db, name, reader->arena, member, error);
 }
 
 static bool read_lens_text(const struct reader *reader, const struct option *option,
@@ -55,8 +111,7 @@ static const char *lens_name(const struct option *option, const void *member)
     return ((const struct lens_value *)member)->name;
 }
 
-/* mm to um by way of the digits: 0.55um and 550 are the same, and print so. */
-static double micrometres(double millimetres)
+double wavelength_micrometres(double millimetres)
 {
     char text[NUMBER_LENGTH];
     double wavelength;
@@ -83,7 +138,7 @@ static bool read_wavelength(const struct reader *reader, const struct option *op
         return error_hint(error, "a wavelength is 550, 550nm, 0.55um, or a line: d F C e g ...");
     }
     if (!is_line) {
-        value.wavelength = micrometres(millimetres);
+        value.wavelength = wavelength_micrometres(millimetres);
     }
     if (!(value.wavelength >= WAVELENGTH_SHORTEST && value.wavelength <= WAVELENGTH_LONGEST)) {
         return fail(error, ERROR_DOMAIN, "--%s %s is out of range: it must be 1 nm to 1 mm",

@@ -5,13 +5,32 @@
 
 #include "base/text.h"
 #include "file/lensdb.h"
+#include "optics/first_order.h"
 #include "optics/lens.h"
+
+/* What was found of a lens in one position, for the rows that ask again. */
+struct lens_memo {
+    bool is_known;
+    double wavelength; /* um, that it was found for */
+    int section;
+    struct first_order first;
+    const char *warning; /* null = all is well */
+};
 
 /* A lens as the user named it. */
 struct lens_value {
     const struct lens *lens; /* null = not given */
     const char *name;        /* as typed */
     const char *warning;     /* what lens_check doubts; null = nothing */
+    struct arena *arena;     /* where it lives */
+    struct lens_memo *memo;  /* one a position */
+};
+
+/* The first lenses of a run, which the rows of a batch name again and again. */
+struct lens_cache {
+    struct arena *arena;       /* lives as long as the run */
+    struct lens_value *lenses; /* null = none yet */
+    size_t count;
 };
 
 /* A lens that is still text: it is read by the command. */
@@ -27,5 +46,8 @@ struct wavelength_value {
     double wavelength; /* um; 0 = not given */
     const char *name;  /* as typed */
 };
+
+/* mm to um by way of the digits: 0.55um and 550 are the same, and print so. */
+double wavelength_micrometres(double millimetres);
 
 #endif

@@ -33,7 +33,8 @@
 
 #define COLUMN_PUPIL(S, member)                                                                    \
     {                                                                                              \
-        COLUMN(S, member), .name = "pupil_magnification", .symbol = "P", .depends = "pupil",       \
+        COLUMN(S, member), .name = "pupil_magnification", .symbol = "P",                           \
+                           .depends = "pupil lens position section wavelength",                    \
                            .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                   \
                            .label = "pupil magnification",                                         \
                            .help = "diameter of the exit over the entrance pupil"                  \

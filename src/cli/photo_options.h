@@ -61,6 +61,16 @@
                            .help = "pupil magnification, exit over entrance pupil"                 \
     }
 
+/* The same where a real lens may have its own: absent means 1 only without --lens. */
+#define OPTION_PUPIL_OF_LENS(S, member)                                                            \
+    {                                                                                              \
+        OPTION(S, member), .name = "pupil", .letter = 'P', .column = "pupil_magnification",        \
+                           .dimension = &dimension_number, OPTION_POSITIVE,                        \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "NUMBER",   \
+                           .help = "pupil magnification, exit over entrance pupil; default that "  \
+                                   "of --lens, else 1"                                             \
+    }
+
 #define OPTION_PITCH(S, member)                                                                    \
     {                                                                                              \
         OPTION(S, member), .name = "pitch", .dimension = &dimension_length, .unit = "um",          \
@@ -100,6 +110,16 @@
                            .dimension = &dimension_length, .unit = "nm", OPTION_POSITIVE,          \
                            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "550",   \
                            .value = "LENGTH", .help = "wavelength of the light"                    \
+    }
+
+/* The same where a real lens may have its own: absent means 550 nm only without --lens. */
+#define OPTION_WAVELENGTH_OF_LENS(S, member)                                                       \
+    {                                                                                              \
+        OPTION(S, member), .name = "wavelength", .letter = 'w', .column = "wavelength",            \
+                           .dimension = &dimension_wavelength, .unit = "nm", OPTION_POSITIVE,      \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",   \
+                           .help = "wavelength of the light, or a line as 'd'; default the "       \
+                                   "primary one of --lens, else 550"                               \
     }
 
 #define OPTION_FROM(S, member, words_of)                                                           \

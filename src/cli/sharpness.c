@@ -2,7 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/sharpness.h"
 
-bool sharpness_resolve(const struct sharpness *a, double fnumber, double *c, struct error *error)
+bool sharpness_resolve_in(const struct sharpness *a, double wavelength, double fnumber, double *c,
+                          struct error *error)
 {
     if (a->coc.coc.kind == COC_LENGTH) {
         *c = a->coc.coc.value;
@@ -17,12 +18,12 @@ bool sharpness_resolve(const struct sharpness *a, double fnumber, double *c, str
     coc.print = a->print;
     coc.viewing = a->viewing;
     coc.acuity = a->acuity;
-    coc.wavelength = a->wavelength;
+    coc.wavelength = wavelength;
     coc.fnumber = fnumber;
     return coc_resolve(&coc, &sensor, c, error);
 }
 
-double sharpness_wavelength(const struct sharpness *a)
+bool sharpness_resolve(const struct sharpness *a, double fnumber, double *c, struct error *error)
 {
-    return a->coc.coc.kind == COC_AIRY ? a->wavelength : NAN;
+    return sharpness_resolve_in(a, a->wavelength, fnumber, c, error);
 }

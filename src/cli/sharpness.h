@@ -13,15 +13,23 @@ struct sharpness {
     double pitch;          /* mm; NaN = that of the sensor */
     double print, viewing; /* mm */
     double acuity;         /* line pairs per mm at 25 cm */
-    double wavelength;     /* mm */
+    double wavelength;     /* mm; NaN = not given, where a lens may have its own */
 };
 
 /* Initialisers of the options for a member of that type in a command's input. */
 #define SHARPNESS_OPTIONS(S, member, more, coc_fallback)                                           \
+    SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback), OPTION_WAVELENGTH(S, member.wavelength)
+
+/* The same for a command with --lens. */
+#define SHARPNESS_OPTIONS_OF_LENS(S, member, more, coc_fallback)                                   \
+    SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback),                                         \
+        OPTION_WAVELENGTH_OF_LENS(S, member.wavelength)
+
+/* What both have: all but the light. */
+#define SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback)                                      \
     OPTION_COC(S, member.coc, more, coc_fallback), OPTION_SENSOR(S, member.sensor),                \
         OPTION_PITCH(S, member.pitch), OPTION_PRINT(S, member.print),                              \
-        OPTION_VIEWING(S, member.viewing), OPTION_ACUITY(S, member.acuity),                        \
-        OPTION_WAVELENGTH(S, member.wavelength)
+        OPTION_VIEWING(S, member.viewing), OPTION_ACUITY(S, member.acuity)
 
 /* With one of these wishes the circle of confusion may be the unknown of every row. */
 #define SHARPNESS_WISHES " +near +far +dof +hyperfocal"
@@ -47,8 +55,8 @@ struct sharpness {
     {                                                                                              \
         COLUMN(S, member), .name = "wavelength", .dimension = &dimension_length, .unit = "nm",     \
                            .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .symbol = "w",    \
-                           .depends = "wavelength", .label = "wavelength",                         \
-                           .help = "of the light that makes the Airy disc"                         \
+                           .depends = "wavelength lens", .label = "wavelength",                    \
+                           .help = "of the light in a real lens and in the Airy disc"              \
     }
 
 /*
@@ -61,7 +69,14 @@ struct sharpness {
 bool sharpness_resolve(const struct sharpness *sharpness, double fnumber, double *c,
                        struct error *error);
 
-/* The wavelength, mm, where the criterion follows from it; else NaN. */
-double sharpness_wavelength(const struct sharpness *sharpness);
+/* The same in light of this wavelength, mm. */
+bool sharpness_resolve_in(const struct sharpness *sharpness, double wavelength, double fnumber,
+                          double *c, struct error *error);
+
+/* Does the criterion follow from the wavelength? */
+static inline bool sharpness_is_airy(const struct sharpness *sharpness)
+{
+    return sharpness->coc.coc.kind == COC_AIRY;
+}
 
 #endif

@@ -366,7 +366,7 @@ static bool set_option(struct sweep *sweep, const struct argument *argument,
                        const struct reader *reader, bool force, void *member, struct error *error)
 {
     const struct option *option = argument->option;
-    struct reader plain = {reader->db, reader->arena, false, true};
+    struct reader plain = {.db = reader->db, .arena = reader->arena, .fallback = true};
     struct values values = {.reader = reader, .option = option, .force = force};
     option_clear(option, member);
     if (argument->is_given && option->kind == &kind_flag) {

@@ -84,8 +84,8 @@ static bool add_reversed(struct attach_lens *lens, const struct attach_step *ste
     lens->N /= lens->P;
     lens->P = 1 / lens->P;
     lens->m_far = lens->m_near = (v - lens->f) / lens->f;
-    lens->front = 0;
-    lens->length_far = lens->length_near = step->gap + v;
+    lens->front = step->extra;
+    lens->length_far = lens->length_near = step->extra + step->gap + v;
     return true;
 }
 
@@ -94,10 +94,10 @@ static bool add_stacked(struct attach_lens *lens, const struct attach_step *step
 {
     double F = step->value;
     if (!check_positive("--stacked", " mm", F, error) ||
-        !check_not_negative("--stacked-aperture", "", step->fnumber, error)) {
+        !check_not_negative("--stacked-aperture", "", step->extra, error)) {
         return false;
     }
-    lens->N = fmax(lens->N, lens->f * step->fnumber / F); /* the narrower beam */
+    lens->N = fmax(lens->N, lens->f * step->extra / F); /* the narrower beam */
     return put_before(lens, F, step->gap, error);
 }
 

@@ -28,15 +28,17 @@ enum attach_kind {
     ATTACH_TUBE,      /* value = length in mm, >= 0 */
     ATTACH_CLOSE_UP,  /* value = power in dioptres, > 0; gap = to the front it is put before, mm */
     ATTACH_CONVERTER, /* value = factor, > 0 (below 1: reducer); gap = its length, mm */
-    ATTACH_REVERSED,  /* value = image distance in mm, >= f; gap = hiatus of the lens, mm */
+    ATTACH_REVERSED,  /* value = image distance in mm, >= f; gap = hiatus of the lens, mm; extra =
+                         H' seen from the last vertex, which is the front then, mm, + towards the
+                         sensor; 0 for want of data: the front is H' */
     ATTACH_STACKED    /* value = focal length of the reversed front lens, mm; gap as close-up */
 };
 
 struct attach_step {
     enum attach_kind kind;
     double value;
-    double gap;     /* mm, see the kinds */
-    double fnumber; /* ATTACH_STACKED: the front lens's f-number; 0 = it does not limit the beam */
+    double gap;   /* mm, see the kinds */
+    double extra; /* ATTACH_STACKED: the front lens's f-number; 0 = it does not limit the beam */
 };
 
 /* One focusing of the whole; lengths in mm. */
@@ -75,9 +77,9 @@ bool attach_bare(double f, double N, double P, double m_near, double front, doub
  *           converter k: f' = k f, N' = k N, P' = k P, m' = k m, front' = front + (k - 1) f: the
  *                        subject stays where it was
  *           reversed:    P' = 1/P, N' = N/P (the old exit pupil is the new entrance pupil),
- *                        m' = v/f - 1; front is measured from the new H (0) for want of data
+ *                        m' = v/f - 1; the last vertex is the new front
  *           stacked:     a close-up lens of focal length F; m = f/F at infinity; the beam between
- *                        the lenses is the narrower of f/N and F/fnumber
+ *                        the lenses is the narrower of f/N and F over its f-number
  * Source    1/f' and m': thin lenses in contact and apart, any textbook (Kingslake, Optics in
  *           Photography). Front and pupils derived here: test_attach.c pins them with
  *           2x2 matrices and with N' (1 + m'/P') = N (1 + m/P), a supplementary lens leaving the

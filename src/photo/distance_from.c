@@ -8,32 +8,68 @@ const struct word distances_from[DISTANCES_FROM + 1] = {
     [FROM_PRINCIPAL] = {"principal", "the front principal plane, as the formulas have it"},
     [FROM_SENSOR] = {"sensor", "the sensor, as distance scales on lenses have it"},
     [FROM_ENTRANCE] = {"entrance", "the entrance pupil, the centre of perspective"},
+    [FROM_FRONT] = {"front", "the front of the lens, its first vertex; with --lens"},
 };
 
-double distance_offset(const struct dof_setting *a, enum distance_from from)
+double distance_image(double f, double s)
 {
-    if (from == FROM_SENSOR) {
-        return isinf(a->s) ? a->f : a->f / (1 - a->f / a->s);
-    }
-    return from == FROM_ENTRANCE ? -a->f * (1 - 1 / a->P) : 0;
+    return f + f * (f / (s - f));
 }
 
-bool distance_to_principal(double f, double P, double distance, enum distance_from from, double *s,
-                           struct error *error)
+double distance_offset(const struct dof_setting *a, const struct measuring *measuring)
 {
-    *s = distance;
-    if (from == FROM_ENTRANCE) {
-        *s = distance + f * (1 - 1 / P);
-    } else if (from == FROM_SENSOR && !isinf(distance)) {
-        if (!(distance >= 4 * f)) {
-            return fail(error, ERROR_DOMAIN,
-                        "distance %.15g mm from the sensor is less than 4 x focal length = %.15g "
-                        "mm: no real image",
-                        distance, 4 * f);
-        }
-        *s = (distance + sqrt(distance) * sqrt(distance - 4 * f)) / 2;
+    switch (measuring->from) {
+    case FROM_SENSOR:
+        return distance_image(a->f, a->s) + measuring->hiatus;
+    case FROM_ENTRANCE:
+        return -a->f * (1 - 1 / a->P);
+    case FROM_FRONT:
+        return -measuring->front;
+    default:
+        return 0;
+    }
+}
+
+static bool needs_front(const struct measuring *measuring, struct error *error)
+{
+    if (measuring->from == FROM_FRONT && isnan(measuring->front)) {
+        return fail(error, ERROR_USAGE, "--from front wants --lens: a thin lens has no front");
     }
     return true;
+}
+
+static bool from_sensor(double f, double distance, double hiatus, double *s, struct error *error)
+{
+    double D = distance - hiatus;
+    if (!(D >= 4 * f) && hiatus == 0) {
+        return fail(error, ERROR_DOMAIN,
+                    "distance %.15g mm from the sensor is less than 4 x focal length = %.15g mm: "
+                    "no real image",
+                    distance, 4 * f);
+    }
+    if (!(D >= 4 * f)) {
+        return fail(error, ERROR_DOMAIN,
+                    "distance %.15g mm from the sensor is less than 4 x focal length and what lies "
+                    "between the principal planes, %.15g mm: no real image",
+                    distance, 4 * f + hiatus);
+    }
+    *s = (D + sqrt(D) * sqrt(D - 4 * f)) / 2;
+    return true;
+}
+
+bool distance_to_principal(double f, double P, double distance, const struct measuring *measuring,
+                           double *s, struct error *error)
+{
+    if (measuring->from == FROM_SENSOR && !isinf(distance)) {
+        return from_sensor(f, distance, measuring->hiatus, s, error);
+    }
+    *s = distance;
+    if (measuring->from == FROM_ENTRANCE) {
+        *s = distance + f * (1 - 1 / P);
+    } else if (measuring->from == FROM_FRONT) {
+        *s = distance + measuring->front;
+    }
+    return needs_front(measuring, error);
 }
 
 /* One turn: the targets moved by the offset of the last answer. */
@@ -52,21 +88,26 @@ static bool has_goals(const struct dof_targets *a)
              isnan(a->magnification));
 }
 
+/* None is negative, so that no two infinities make a NaN. */
 static bool is_complete(const struct dof_setting *a)
 {
-    return !isnan(a->f) && !isnan(a->N) && !isnan(a->c) && !isnan(a->s);
+    return !isnan(a->f + a->N + a->c + a->s);
 }
 
 bool distance_solve(struct dof_setting *setting, const struct dof_targets *targets,
-                    enum distance_from from, struct error *error)
+                    const struct measuring *measuring, struct error *error)
 {
     enum { MOST_TURNS = 200 };
+    enum distance_from from = measuring->from;
     bool measured = from != FROM_PRINCIPAL;
     if (!measured && is_complete(setting) && !has_goals(targets)) {
         return true; /* nothing to solve, as in most batches */
     }
     bool has_s = !isnan(setting->s), has_f = !isnan(setting->f);
     bool has_limits = !isnan(targets->near) || !isnan(targets->far);
+    if (!needs_front(measuring, error)) {
+        return false;
+    }
     if (!measured || (!has_s && !has_limits)) {
         return dof_solve(setting, targets, error);
     }
@@ -78,20 +119,23 @@ bool distance_solve(struct dof_setting *setting, const struct dof_targets *targe
     }
     struct dof_setting answer = *setting;
     if (has_s) {
-        if (!distance_to_principal(setting->f, setting->P, setting->s, from, &answer.s, error)) {
+        if (!distance_to_principal(setting->f, setting->P, setting->s, measuring, &answer.s,
+                                   error)) {
             return false;
         }
         *setting = answer;
-        return solve_with_offset(setting, targets, distance_offset(setting, from), error);
+        return solve_with_offset(setting, targets, distance_offset(setting, measuring), error);
     }
-    double offset = from == FROM_SENSOR ? setting->f : distance_offset(setting, from);
+    /* the subject far away, to begin with */
+    answer.s = INFINITY;
+    double offset = distance_offset(&answer, measuring);
     for (int turn = 0; turn < MOST_TURNS; turn++) {
         answer = *setting;
         if (!solve_with_offset(&answer, targets, offset, error)) {
             return false;
         }
-        double next = distance_offset(&answer, from);
-        if (fabs(next - offset) <= 4e-16 * next || from == FROM_ENTRANCE) {
+        double next = distance_offset(&answer, measuring);
+        if (fabs(next - offset) <= 4e-16 * fabs(next) || from != FROM_SENSOR) {
             *setting = answer;
             return true;
         }

@@ -211,15 +211,40 @@ static bool depends_on_varied(const struct column *column, const struct selectio
     return false;
 }
 
+/* Is any of the options given that bring this column? */
+static bool is_brought(const struct column *column, const struct selection *selection)
+{
+    struct text rest = text_of(column->with != NULL ? column->with : "");
+    while (rest.length > 0) {
+        struct text word = text_cut(&rest, ' ');
+        char name[40] = {0};
+        memcpy(name, word.start, word.length < sizeof name ? word.length : sizeof name - 1);
+        if (selection->given(selection->asked, name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Does the question have this assumption at all? */
+static bool is_assumed(const struct column *column, const struct selection *selection)
+{
+    return (column->flags & COLUMN_ASSUMED) != 0 &&
+           ((column->flags & COLUMN_TIED) == 0 || is_brought(column, selection));
+}
+
 static bool belongs(const struct column *column, const struct selection *selection, bool varies)
 {
-    if ((column->flags & COLUMN_ASSUMED) != 0 && varies) {
+    if (varies && is_assumed(column, selection)) {
         return true;
+    }
+    if ((column->flags & COLUMN_TIED) != 0) {
+        return false;
     }
     bool hidden =
         (column->flags & (COLUMN_HIDDEN | COLUMN_NOTE)) != 0 && selection->layout != SELECT_ALL;
     if ((column->flags & COLUMN_EXTRA) != 0) {
-        return !hidden && column->with != NULL && selection->given(selection->asked, column->with);
+        return !hidden && is_brought(column, selection);
     }
     if (selection->layout == SELECT_ALL) {
         return true;
@@ -229,7 +254,7 @@ static bool belongs(const struct column *column, const struct selection *selecti
     }
     bool echo = (column->flags & COLUMN_ECHO) != 0;
     if (column->with != NULL && !echo) {
-        return selection->given(selection->asked, column->with);
+        return is_brought(column, selection);
     }
     return selection->layout == SELECT_LIST || (column->flags & COLUMN_BRIEF) != 0 ||
            (echo && column->with != NULL && selection->varied(selection->asked, column->with));
@@ -252,7 +277,7 @@ static void select_assumed(struct report *report, const struct selection *select
     report->assumed = ARENA_ARRAY(report->arena, report->sheet->column_count, struct shown);
     for (size_t i = 0; i < report->sheet->column_count; i++) {
         const struct column *column = &report->sheet->columns[i];
-        if ((column->flags & COLUMN_ASSUMED) != 0 && !depends_on_varied(column, selection)) {
+        if (is_assumed(column, selection) && !depends_on_varied(column, selection)) {
             report->assumed[report->assumed_count++] = show_usual(column, report->arena);
         }
     }

@@ -221,6 +221,12 @@ static void test_reversed(void)
     CHECK_NEAR(focus.m, 2, 1e-14, "84 mm behind a 28 mm lens is 2:1");
     CHECK_RELATIVE(focus.working_fnumber, 4 / 1.6 * (1 + 1.6 * 2), 1e-14, "apug 1057535");
     CHECK(!attach_apply(&lens, &(struct attach_step){ATTACH_REVERSED, 20, 0, 0}, 1, &error));
+    /* a known back: H' 5 mm behind it is the new H, the old H 12 mm from there the new H' */
+    CHECK(attach_bare(28, 4, 1.6, 0, 9, 12, &lens, &error));
+    CHECK(attach_apply(&lens, &(struct attach_step){ATTACH_REVERSED, 84, 12, 5}, 1, &error));
+    CHECK(attach_focused(&lens, false, &focus, &error));
+    CHECK_NEAR(focus.working_distance, 42 - 5, 1e-13, "s = f (1 + 1/m) = 42 mm from H");
+    CHECK_NEAR(focus.sensor_distance, 42 + 12 + 84, 1e-13, "T = s + hiatus + v");
     struct attach_step late[] = {{ATTACH_TUBE, 10, 0, 0}, {ATTACH_REVERSED, 84, 0, 0}};
     CHECK(!attach_apply(&lens, late, 2, &error) && error.code == ERROR_USAGE);
 }

@@ -1,0 +1,206 @@
+/* cli/photo_lens.c - a real lens as photographic commands see it. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/photo_lens.h"
+
+#include <string.h>
+
+const struct photo_real photo_real_none = {.focal = NAN, .hiatus = 0, .wavelength = NAN, .rear = 0};
+
+bool photo_lens_makes_many(const struct photo_lens_question *question)
+{
+    return lens_positions_several(question->lens.lens, question->position);
+}
+
+bool photo_lens_varies(const struct photo_lens_question *question, const char *option)
+{
+    return photo_lens_makes_many(question) && strcmp(option, "position") == 0;
+}
+
+static bool keep(const struct lens_case *one, struct run *run, const void *context,
+                 struct error *error)
+{
+    struct lens_memo *memo = *(struct lens_memo *const *)context;
+    (void)run;
+    (void)error;
+    memo->first = one->first;
+    memo->warning = one->warning;
+    return true;
+}
+
+/* What the lens is in a position, worked out once as long as nothing changes. */
+static bool find(const struct photo_lens_question *question, size_t position, double wavelength,
+                 struct arena *arena, const struct lens_memo **found, struct error *error)
+{
+    const struct lens_value *value = &question->lens;
+    struct lens_memo *memo = &value->memo[position];
+    *found = memo;
+    if (memo->is_known && memo->wavelength == wavelength && memo->section == question->section) {
+        return true;
+    }
+    bool several = value->lens->position_count > 0;
+    const struct lens_question asked = {
+        .lens = *value,
+        .wavelength = {wavelength, "of the lens"},
+        .fnumber = NAN,
+        .field = NAN,
+        .position = several ? value->lens->positions[position] : NULL,
+        .section = question->section,
+    };
+    struct run run = {.arena = arena};
+    memo->is_known = false;
+    if (!lens_each(&asked, &run, keep, &memo, error)) {
+        return false;
+    }
+    if (memo->warning != NULL) {
+        struct text warning = text_of(memo->warning);
+        memo->warning = arena_string(value->arena, warning.start, warning.length);
+    }
+    memo->wavelength = wavelength;
+    memo->section = question->section;
+    memo->is_known = true;
+    return true;
+}
+
+/* Can the formulas of photography take it? */
+static bool check_power(const struct first_order *first, struct error *error)
+{
+    if (first->index_image < 0) {
+        return fail(error, ERROR_DOMAIN,
+                    "its image lies on the subject's side, after an odd number of mirrors");
+    }
+    if (!(fabs(first->index_image - first->index_object) <= 1e-12 * first->index_object)) {
+        return fail(error, ERROR_DOMAIN,
+                    "it stands between media of index %.6g and %.6g: the formulas of photography "
+                    "want the same on both sides",
+                    first->index_object, first->index_image);
+    }
+    if (first->is_afocal) {
+        return fail(error, ERROR_DOMAIN, "it is afocal: it makes no real image");
+    }
+    if (!(first->rear_focal > 0)) {
+        return fail(error, ERROR_DOMAIN, "its focal length is %.6g mm: it makes no real image",
+                    first->rear_focal);
+    }
+    return true;
+}
+
+/* Its own pupil magnification, unless another is given. */
+static bool take_pupil(const struct first_order *first, const struct photo_given *given,
+                       struct photo_lens *lens, struct error *error)
+{
+    lens->P = isnan(given->P) ? first->pupil_magnification : given->P;
+    if (isnan(lens->P) && given->without_pupils) {
+        return true;
+    }
+    if (isnan(lens->P)) {
+        fail(error, ERROR_USAGE, "it has no stop, so that its pupils are not known");
+        return error_hint(error,
+                          "--pupil says how large the exit pupil is over the entrance pupil");
+    }
+    if (!(lens->P > 0 && lens->P < INFINITY)) {
+        fail(error, ERROR_DOMAIN, "its pupil magnification is %.6g: it must be above 0 and finite",
+             lens->P);
+        return error_hint(error, "--pupil takes another one in its place");
+    }
+    return true;
+}
+
+static bool work_out(const struct photo_lens_question *question, size_t position,
+                     const struct photo_given *given, struct arena *arena, struct photo_lens *lens,
+                     struct error *error)
+{
+    const struct lens *real = question->lens.lens;
+    const struct lens_memo *found;
+    double wavelength = isnan(given->wavelength) ? lens_primary_wavelength(real)
+                                                 : wavelength_micrometres(given->wavelength);
+    if (!find(question, position, wavelength, arena, &found, error)) {
+        return false;
+    }
+    const struct first_order *first = &found->first;
+    *lens = (struct photo_lens){
+        .f = first->rear_focal,
+        .N = isnan(given->N) && !given->solves_fnumber ? first->fnumber : given->N,
+        .wavelength =
+            isnan(given->wavelength) ? lens_wavelength_own(wavelength) : given->wavelength,
+        .measuring = {(enum distance_from)given->from,
+                      first->length + first->rear_principal - first->front_principal,
+                      first->front_principal},
+    };
+    struct photo_real *said = ARENA_NEW(arena, struct photo_real);
+    *said = (struct photo_real){
+        .title = real->title != NULL ? real->title : question->lens.name,
+        .position = real->position_count > 0 ? real->positions[position] : NULL,
+        .warning = found->warning,
+        .focal = lens->f,
+        .hiatus = lens->measuring.hiatus,
+        .wavelength = lens->wavelength,
+        .rear = first->rear_principal,
+    };
+    lens->real = said;
+    return check_power(first, error) && take_pupil(first, given, lens, error);
+}
+
+/* The lens in one position; what is wrong with it, with its name before. */
+static bool take_lens(const struct photo_lens_question *question, size_t position,
+                      const struct photo_given *given, struct arena *arena, struct photo_lens *lens,
+                      struct error *error)
+{
+    return work_out(question, position, given, arena, lens, error) ||
+           error_prefix(error, "%.60s: ", question->lens.name);
+}
+
+static bool check_question(const struct photo_lens_question *question,
+                           const struct photo_given *given, struct error *error)
+{
+    if (question->lens.lens == NULL) {
+        return fail(error, ERROR_USAGE, "--%s wants --lens",
+                    question->position != NULL ? "position" : "section");
+    }
+    if (!isnan(given->f)) {
+        return fail(error, ERROR_USAGE,
+                    "--lens and --focal-length exclude each other: the lens has its own");
+    }
+    return true;
+}
+
+bool photo_lens_single(const struct photo_lens_question *question, const struct photo_given *given,
+                       struct arena *arena, struct photo_lens *lens, struct error *error)
+{
+    const size_t *positions;
+    size_t count;
+    if (photo_lens_is_thin(question)) {
+        *lens = photo_lens_thin(*given);
+        return true;
+    }
+    if (!check_question(question, given, error) ||
+        !lens_positions(question->lens.lens, question->position, arena, &positions, &count,
+                        error)) {
+        return false;
+    }
+    if (count > 1) {
+        return fail(error, ERROR_USAGE, "one drawing shows one position, not '%s'",
+                    question->position);
+    }
+    return take_lens(question, positions[0], given, arena, lens, error);
+}
+
+bool photo_lens_visit(const struct photo_lens_question *question, const struct photo_given *given,
+                      struct run *run, photo_lens_answer *answer, const void *input,
+                      struct error *error)
+{
+    const size_t *positions;
+    size_t count;
+    struct photo_lens lens;
+    if (!check_question(question, given, error) ||
+        !lens_positions(question->lens.lens, question->position, run->arena, &positions, &count,
+                        error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!take_lens(question, positions[i], given, run->arena, &lens, error) ||
+            !answer(input, &lens, run, error)) {
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,176 @@
+/* cli/photo_lens.h - the lens of a photographic command: thin by -f, or a real one by --lens. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_PHOTO_LENS_H
+#define LENSCALC_CLI_PHOTO_LENS_H
+
+#include "cli/command.h"
+#include "cli/lens_options.h"
+#include "cli/photo_columns.h"
+#include "cli/photo_options.h"
+#include "photo/distance_from.h"
+
+#include <math.h>
+
+/* Which real lens is asked for, and how it is set. */
+struct photo_lens_question {
+    struct lens_value lens; /* lens.lens is null: a thin one */
+    const char *position;
+    int section;
+};
+
+#define PHOTO_LENS_OPTIONS(S, member)                                                              \
+    {OPTION(S, member.lens),                                                                       \
+     .name = "lens",                                                                               \
+     .letter = 'l',                                                                                \
+     .value = "LENS",                                                                              \
+     .flags = OPTION_FILE,                                                                         \
+     .help = "a real lens in place of -f: a name (list lenses), a .lens file, or - for standard "  \
+             "input"},                                                                             \
+        LENS_POSITION_OPTION(S, member), LENS_SECTION_OPTION(S, member)
+
+/* What the other options say of the lens; NaN = not given. */
+struct photo_given {
+    double f, N, P;
+    double wavelength;   /* mm */
+    int from;            /* enum distance_from */
+    bool solves_fnumber; /* N is asked for: the lens's own aperture does not count */
+    bool without_pupils; /* the answer needs no pupils */
+};
+
+/* What a row says of a real lens; of a thin one nothing. Lengths in mm. */
+struct photo_real {
+    const char *title, *position, *warning;
+    double focal, hiatus, wavelength;
+    double rear; /* H' seen from the last vertex, + to the right */
+};
+
+/* The lens of one answer; lengths in mm, N is NaN where it is not known. */
+struct photo_lens {
+    double f, N, P;
+    double wavelength;
+    struct measuring measuring;
+    const struct photo_real *real;
+};
+
+/* Of a thin lens. */
+extern const struct photo_real photo_real_none;
+
+#define PHOTO_LENS_ASSUMED .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED, .with = "lens"
+
+/* What is said of a real lens among the assumptions; `member` is a struct photo_real. */
+#define PHOTO_LENS_COLUMNS(S, member)                                                              \
+    {COLUMN(S, member.title), .name = "lens",  PHOTO_LENS_ASSUMED,                                 \
+     .depends = "lens",       .label = "lens", .help = "title of the real lens"},                  \
+        {COLUMN(S, member.position),                                                               \
+         .name = "position",                                                                       \
+         PHOTO_LENS_ASSUMED,                                                                       \
+         .depends = "position lens",                                                               \
+         .label = "position",                                                                      \
+         .help = "zoom or focus position; absent where there is only one"},                        \
+    {                                                                                              \
+        COLUMN(S, member.focal),                                                                   \
+            .dimension = &dimension_length, .unit = "mm", .name = "lens_focal",                    \
+            PHOTO_LENS_ASSUMED, .depends = "position lens section wavelength",                     \
+            .label = "its focal length", .help = "focal length of the real lens at its wavelength" \
+    }
+
+/* What is doubtful about it. */
+#define PHOTO_LENS_WARNING_COLUMN(S, member)                                                       \
+    {                                                                                              \
+        COLUMN(S, member.warning), .name = "warning", .flags = COLUMN_EXTRA | COLUMN_NOTE,         \
+                                   .with = "lens", .label = "warning",                             \
+                                   .help = "what is doubtful about the lens"                       \
+    }
+
+/* For a command that has no wavelength of its own. */
+#define PHOTO_LENS_WAVELENGTH_COLUMN(S, member)                                                    \
+    {                                                                                              \
+        COLUMN(S, member.wavelength),                                                              \
+            .dimension = &dimension_length, .unit = "nm", .name = "wavelength",                    \
+            .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED | COLUMN_ECHO, .with = "lens",    \
+            .depends = "wavelength lens", .label = "wavelength",                                   \
+            .help = "of the light in the lens"                                                     \
+    }
+
+/* Between the principal planes of a real lens. */
+#define PHOTO_LENS_HIATUS_COLUMN(S, member)                                                        \
+    {                                                                                              \
+        COLUMN(S, member), .dimension = &dimension_length, .unit = "mm", .name = "hiatus",         \
+                           .flags = COLUMN_EXTRA | COLUMN_HIDDEN, .with = "lens", .symbol = "HH'", \
+                           .label = "between the principal planes",                                \
+                           .help = "from the front to the rear principal plane"                    \
+    }
+
+/* Green, where no lens says what its light is, mm. */
+#define PHOTO_WAVELENGTH 0.00055
+
+/* The thin lens of these options. */
+static inline struct photo_lens photo_lens_thin(struct photo_given given)
+{
+    return (struct photo_lens){
+        .f = given.f,
+        .N = given.N,
+        .P = isnan(given.P) ? 1 : given.P,
+        .wavelength = isnan(given.wavelength) ? PHOTO_WAVELENGTH : given.wavelength,
+        .measuring = {(enum distance_from)given.from, 0, NAN},
+        .real = &photo_real_none,
+    };
+}
+
+/* Is a thin lens meant, without anything that only a real one has? */
+static inline bool photo_lens_is_thin(const struct photo_lens_question *question)
+{
+    return question->lens.lens == NULL && question->position == NULL && question->section == 0;
+}
+
+/*
+ * The lens of the only position that is asked for, as a drawing has it: thin, or a real one with
+ * its focal length, own f-number, pupil magnification and the places of its principal planes, at
+ * the wavelength given, else its primary one. What is given of N and P overrides the lens.
+ *
+ * Given     arena  for working
+ * Formula   f = n'/power, hiatus = length + H' - H, front = H: with the same medium on both sides
+ *           all thin-lens formulas hold for distances from H and H'
+ * Source    [Gauss41]
+ * Errors    ERROR_USAGE: no lens, also a focal length, no stop and no P, several positions;
+ *           ERROR_DOMAIN: afocal, f < 0, different media, an image on the subject's side, P < 0;
+ *           as lens_each
+ */
+bool photo_lens_single(const struct photo_lens_question *question, const struct photo_given *given,
+                       struct arena *arena, struct photo_lens *lens, struct error *error);
+
+/* One answer with a lens. */
+typedef bool photo_lens_answer(const void *input, const struct photo_lens *lens, struct run *run,
+                               struct error *error);
+
+/* As photo_lens_each, of a real lens. Errors as photo_lens_single, but for several positions. */
+bool photo_lens_visit(const struct photo_lens_question *question, const struct photo_given *given,
+                      struct run *run, photo_lens_answer *answer, const void *input,
+                      struct error *error);
+
+/* Answer with the thin lens, or with the real one in each position that is asked for. */
+static inline bool photo_lens_each(const struct photo_lens_question *question,
+                                   struct photo_given given, struct run *run,
+                                   photo_lens_answer *answer, const void *input,
+                                   struct error *error)
+{
+    if (photo_lens_is_thin(question)) {
+        const struct photo_lens thin = photo_lens_thin(given);
+        return answer(input, &thin, run, error);
+    }
+    return photo_lens_visit(question, &given, run, answer, input, error);
+}
+
+/* Does one question have several answers, as --position all? */
+bool photo_lens_makes_many(const struct photo_lens_question *question);
+
+/* Do they differ in this option? */
+bool photo_lens_varies(const struct photo_lens_question *question, const char *option);
+
+/* The wavelength to print: that of a real lens, or of a thin one where it matters; else NaN. */
+static inline double photo_lens_light(const struct photo_lens *lens, bool matters)
+{
+    return matters ? lens->wavelength : lens->real->wavelength;
+}
+
+#endif
