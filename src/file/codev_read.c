@@ -130,11 +130,6 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
     return true;
 }
 
-static bool needs_surface(const char *key)
-{
-    return strcmp(key, "PIM") != 0 && strcmp(key, "TIT") != 0;
-}
-
 static bool read_pim(struct codev *codev, int what, struct error *error)
 {
     (void)what;
@@ -185,94 +180,95 @@ static const struct {
     char key[4];
     codev_command *run;
     int what;
+    bool of_surface;
 } keywords[] = {
-    {"RDM", codev_radius_mode, 0},
-    {"LEN", read_nothing, 0},
-    {"TIT", codev_title, 0},
-    {"DIM", read_nothing, 0}, /* read before all others */
-    {"WL", codev_waves, 'L'},
-    {"WTW", codev_waves, 'W'},
-    {"REF", codev_reference, 0},
-    {"EPD", codev_aperture_of_lens, 'E'},
-    {"FNO", codev_aperture_of_lens, 'F'},
-    {"NAO", codev_aperture_of_lens, 'O'},
-    {"NA", codev_aperture_of_lens, 'N'},
-    {"XAN", codev_fields, 'A'},
-    {"YAN", codev_fields, 'a'},
-    {"XOB", codev_fields, 'O'},
-    {"YOB", codev_fields, 'o'},
-    {"XIM", codev_fields, 'I'},
-    {"YIM", codev_fields, 'i'},
-    {"XRI", codev_fields, 'R'},
-    {"YRI", codev_fields, 'r'},
-    {"RDY", codev_curve, 'R'},
-    {"CUY", codev_curve, 'C'},
-    {"RDX", codev_curve, 'r'},
-    {"CUX", codev_curve, 'c'},
-    {"THI", codev_thickness, 0},
-    {"GLA", codev_glass, 0},
-    {"RMD", codev_glass, 0},
-    {"CYL", codev_shape, 0},
-    {"SPH", read_nothing, 0},
-    {"CON", read_nothing, 0},
-    {"ASP", read_nothing, 0},
-    {"K", codev_constant, 0},
-    {"A", codev_constant, 4},
-    {"B", codev_constant, 6},
-    {"C", codev_constant, 8},
-    {"D", codev_constant, 10},
-    {"E", codev_constant, 12},
-    {"F", codev_constant, 14},
-    {"G", codev_constant, 16},
-    {"H", codev_constant, 18},
-    {"J", codev_constant, 20},
-    {"STO", codev_stop, 0},
-    {"SLB", codev_label, 0},
-    {"CIR", codev_aperture, 0},
-    {"XDE", codev_shift, 'X'},
-    {"YDE", codev_shift, 'Y'},
-    {"ZDE", codev_shift, 'Z'},
-    {"ADE", codev_shift, 'A'},
-    {"BDE", codev_shift, 'B'},
-    {"CDE", codev_shift, 'C'},
-    {"DAR", codev_move, SEQUENCE_BACK},
-    {"BEN", codev_move, SEQUENCE_BEND},
-    {"PIM", read_pim, 0},
-    {"PIK", codev_pickup, 0},
-    {"ZOO", codev_zoom, 0},
-    {"PRV", codev_catalog, 'P'},
-    {"PWL", codev_catalog, 'W'},
-    {"END", codev_catalog, 'P'},
-    {"VUX", lose_unless_zero, 0},
-    {"VLX", lose_unless_zero, 0},
-    {"VUY", lose_unless_zero, 0},
-    {"VLY", lose_unless_zero, 0},
-    {"ADX", lose_unless_zero, 1},
-    {"ADY", lose_unless_zero, 1},
-    {"ARO", lose_unless_zero, 1},
-    {"CUF", lose_unless_zero, 2},
-    {"XOD", lose_unless_zero, 3},
-    {"YOD", lose_unless_zero, 3},
-    {"ZOD", lose_unless_zero, 3},
-    {"REX", lose, 0},
-    {"REY", lose, 0},
-    {"ELX", lose, 0},
-    {"ELY", lose, 0},
-    {"XTO", lose, 1},
-    {"YTO", lose, 1},
-    {"AAS", lose, 1},
-    {"SPS", lose, 1},
-    {"DIF", lose, 2},
-    {"HOR", lose, 2},
-    {"HWL", lose, 2},
-    {"HCT", lose, 2},
-    {"HCO", lose, 2},
-    {"REV", lose, 3},
-    {"RET", lose, 3},
-    {"GLB", lose, 3},
-    {"TEM", lose, 4},
-    {"PRE", lose, 4},
-    {"INC", lose, 5},
+    {"RDM", codev_radius_mode, 0, false},
+    {"LEN", read_nothing, 0, false},
+    {"TIT", codev_title, 0, false},
+    {"DIM", read_nothing, 0, false}, /* read before all others */
+    {"WL", codev_waves, 'L', false},
+    {"WTW", codev_waves, 'W', false},
+    {"REF", codev_reference, 0, false},
+    {"EPD", codev_aperture_of_lens, 'E', false},
+    {"FNO", codev_aperture_of_lens, 'F', false},
+    {"NAO", codev_aperture_of_lens, 'O', false},
+    {"NA", codev_aperture_of_lens, 'N', false},
+    {"XAN", codev_fields, 'A', false},
+    {"YAN", codev_fields, 'a', false},
+    {"XOB", codev_fields, 'O', false},
+    {"YOB", codev_fields, 'o', false},
+    {"XIM", codev_fields, 'I', false},
+    {"YIM", codev_fields, 'i', false},
+    {"XRI", codev_fields, 'R', false},
+    {"YRI", codev_fields, 'r', false},
+    {"RDY", codev_curve, 'R', true},
+    {"CUY", codev_curve, 'C', true},
+    {"RDX", codev_curve, 'r', true},
+    {"CUX", codev_curve, 'c', true},
+    {"THI", codev_thickness, 0, true},
+    {"GLA", codev_glass, 0, true},
+    {"RMD", codev_glass, 0, true},
+    {"CYL", codev_shape, 0, true},
+    {"SPH", read_nothing, 0, false},
+    {"CON", read_nothing, 0, false},
+    {"ASP", read_nothing, 0, false},
+    {"K", codev_constant, 0, true},
+    {"A", codev_constant, 4, true},
+    {"B", codev_constant, 6, true},
+    {"C", codev_constant, 8, true},
+    {"D", codev_constant, 10, true},
+    {"E", codev_constant, 12, true},
+    {"F", codev_constant, 14, true},
+    {"G", codev_constant, 16, true},
+    {"H", codev_constant, 18, true},
+    {"J", codev_constant, 20, true},
+    {"STO", codev_stop, 0, true},
+    {"SLB", codev_label, 0, true},
+    {"CIR", codev_aperture, 0, true},
+    {"XDE", codev_shift, 'X', true},
+    {"YDE", codev_shift, 'Y', true},
+    {"ZDE", codev_shift, 'Z', true},
+    {"ADE", codev_shift, 'A', true},
+    {"BDE", codev_shift, 'B', true},
+    {"CDE", codev_shift, 'C', true},
+    {"DAR", codev_move, SEQUENCE_BACK, true},
+    {"BEN", codev_move, SEQUENCE_BEND, true},
+    {"PIM", read_pim, 0, false},
+    {"PIK", codev_pickup, 0, true},
+    {"ZOO", codev_zoom, 0, false},
+    {"PRV", codev_catalog, 'P', false},
+    {"PWL", codev_catalog, 'W', false},
+    {"END", codev_catalog, 'P', false},
+    {"VUX", lose_unless_zero, 0, false},
+    {"VLX", lose_unless_zero, 0, false},
+    {"VUY", lose_unless_zero, 0, false},
+    {"VLY", lose_unless_zero, 0, false},
+    {"ADX", lose_unless_zero, 1, false},
+    {"ADY", lose_unless_zero, 1, false},
+    {"ARO", lose_unless_zero, 1, false},
+    {"CUF", lose_unless_zero, 2, false},
+    {"XOD", lose_unless_zero, 3, false},
+    {"YOD", lose_unless_zero, 3, false},
+    {"ZOD", lose_unless_zero, 3, false},
+    {"REX", lose, 0, false},
+    {"REY", lose, 0, false},
+    {"ELX", lose, 0, false},
+    {"ELY", lose, 0, false},
+    {"XTO", lose, 1, false},
+    {"YTO", lose, 1, false},
+    {"AAS", lose, 1, false},
+    {"SPS", lose, 1, false},
+    {"DIF", lose, 2, false},
+    {"HOR", lose, 2, false},
+    {"HWL", lose, 2, false},
+    {"HCT", lose, 2, false},
+    {"HCO", lose, 2, false},
+    {"REV", lose, 3, false},
+    {"RET", lose, 3, false},
+    {"GLB", lose, 3, false},
+    {"TEM", lose, 4, false},
+    {"PRE", lose, 4, false},
+    {"INC", lose, 5, false},
 };
 
 /* Displays, tolerances, variables of the optimiser, bookkeeping. */
@@ -331,10 +327,7 @@ static bool run_command(struct codev *codev, struct error *error)
         if (strcmp(keywords[i].key, key.letters) != 0) {
             continue;
         }
-        bool of_surface = i >= 19 && needs_surface(keywords[i].key) && keywords[i].what != 'P' &&
-                          keywords[i].what != 'W';
-        if (of_surface && codev->sequence.count == 0 && keywords[i].run != lose_unless_zero &&
-            keywords[i].run != lose && keywords[i].run != codev_zoom) {
+        if (keywords[i].of_surface && codev->sequence.count == 0) {
             return commands_fail(&codev->commands, word, error, "'%s' before the first surface",
                                  keywords[i].key);
         }
@@ -399,8 +392,8 @@ static bool finish(struct codev *codev, struct error *error)
         struct sequence_solve *solve = &sequence->surfaces[sequence->count - 2].thickness_solve;
         *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
-    return codev_finish_system(codev, error) && check_mode(codev, error) &&
-           sequence_finish(sequence, error);
+    return codev_finish_system(codev, error) && sequence_check_fnumber(sequence, error) &&
+           check_mode(codev, error) && sequence_finish(sequence, error);
 }
 
 /* What lenscalc itself has written as a comment. */

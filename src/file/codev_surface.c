@@ -57,6 +57,9 @@ static bool check_place(struct codev *codev, struct error *error)
     if (codev->has_image) {
         return commands_fail(commands, word, error, "a surface behind the image SI");
     }
+    if (next == SEQUENCE_MOST) {
+        return commands_fail(commands, word, error, "more than %d surfaces", SEQUENCE_MOST);
+    }
     if (is_object != (next == 0)) {
         return commands_fail(commands, word, error,
                              is_object ? "the object SO is not the first surface"

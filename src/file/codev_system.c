@@ -23,7 +23,7 @@ bool codev_title(struct codev *codev, int what, struct error *error)
     if (title.length > 1 && title.start[0] == '"' && title.start[title.length - 1] == '"') {
         title = (struct text){title.start + 1, title.length - 2};
     }
-    if (qualifiers.zoom == 0) {
+    if (qualifiers.zoom == 0 || (qualifiers.zoom == 1 && lens->position_count == 0)) {
         lens->title = title.length > 0 ? arena_string(codev->job->arena, title.start, title.length)
                                        : lens->title;
         return true;
@@ -348,6 +348,10 @@ bool codev_zoom(struct codev *codev, int what, struct error *error)
     }
     if (!codev_qualifiers(codev, 2, &qualifiers, error)) {
         return false;
+    }
+    if (codev->sequence.count == 0) {
+        return commands_fail(&codev->commands, &codev->commands.words[0], error,
+                             "positions of a surface before the first surface");
     }
     bool is_list = qualifiers.next < codev->commands.count;
     struct sequence_surface *surface = &codev->sequence.surfaces[qualifiers.surface];

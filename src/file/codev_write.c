@@ -246,6 +246,12 @@ static bool put_aperture(struct output *output, struct error *error)
     if (kind == APERTURE_NONE) {
         return true;
     }
+    if (kind == APERTURE_FNUMBER && !lens->object_is_infinite &&
+        !lose(output, error,
+              "the f-number of a lens with a near object: CODE V takes it as the "
+              "working one")) {
+        return false;
+    }
     const struct figure figure = lens->apertures != NULL ? lens->apertures[0] : lens->aperture;
     put_command(output, aperture_words[kind],
                 writing_length(&output->writing, &figure, kind == APERTURE_EPD));

@@ -85,10 +85,13 @@ static bool read_note(struct oslo *oslo, int what, struct error *error)
 
 static bool next_surface(struct oslo *oslo, int what, struct error *error)
 {
-    (void)what, (void)error;
-    struct command_word none = oslo->commands.words[0];
+    (void)what;
+    const struct command_word at = oslo->commands.words[0];
+    if (oslo->sequence.count == SEQUENCE_MOST) {
+        return commands_fail(&oslo->commands, &at, error, "more than %d surfaces", SEQUENCE_MOST);
+    }
     oslo->surface = oslo->sequence.count;
-    sequence_add(&oslo->sequence, none);
+    sequence_add(&oslo->sequence, at);
     return true;
 }
 
@@ -508,7 +511,9 @@ static bool oslo_read(struct foreign_job *job, struct text content, struct lens 
     oslo->commands.scale = scale;
     oslo->sequence =
         (struct sequence){.job = job, .commands = &oslo->commands, .build = &oslo->build};
-    sequence_add(&oslo->sequence, (struct command_word){{"", 0}, {"", 0}, 1, false});
+    struct command_word start = {{content.start, 0}, {content.start, 0}, 1, false};
+    struct sequence_surface *object = sequence_add(&oslo->sequence, start);
+    object->thickness = figure_computed(pair_of(1e20), scale, job->arena); /* if none is given */
     while (commands_next(&oslo->commands, error)) {
         if (!run_command(oslo, error)) {
             return false;
@@ -520,8 +525,8 @@ static bool oslo_read(struct foreign_job *job, struct text content, struct lens 
     if (!oslo->has_stop && oslo->sequence.count > 2) { /* OSLO's stop, where none is named */
         oslo->sequence.surfaces[1].is_stop = true;
     }
-    return oslo_finish_system(oslo, error) && read_remarks(oslo, content, error) &&
-           sequence_finish(&oslo->sequence, error);
+    return oslo_finish_system(oslo, error) && sequence_check_fnumber(&oslo->sequence, error) &&
+           read_remarks(oslo, content, error) && sequence_finish(&oslo->sequence, error);
 }
 
 /* Some line begins with LEN NEW. */

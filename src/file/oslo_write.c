@@ -64,7 +64,10 @@ static bool put_aperture(struct output *output, struct error *error)
     }
     if (lens->aperture_kind == APERTURE_FNUMBER) {
         put_command(output, "FNO", writing_length(&output->writing, &figure, 0));
-        return true;
+        return lens->object_is_infinite ||
+               lose(output, error,
+                    "the f-number of a lens with a near object: OSLO takes it as "
+                    "the working one");
     }
     if (!lens->object_is_infinite) {
         return lose(output, error,

@@ -364,15 +364,30 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     return true;
 }
 
+bool sequence_is_infinite(const struct sequence *sequence, const struct figure *distance)
+{
+    const struct commands *commands = sequence->commands;
+    struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
+    return fabs(pair_multiply(distance->value, per_unit).hi) >= commands->grammar->infinity;
+}
+
+bool sequence_check_fnumber(const struct sequence *sequence, struct error *error)
+{
+    const struct sequence_surface *object = &sequence->surfaces[0];
+    const struct lens_words place = commands_place(sequence->commands, &object->at);
+    if (sequence->count == 0 || sequence->build->lens->aperture_kind != APERTURE_FNUMBER ||
+        sequence_is_infinite(sequence, &object->thickness)) {
+        return true;
+    }
+    return foreign_loss(sequence->job, &place, object->at.text, error,
+                        "the working f-number of a near object is taken as that of the lens");
+}
+
 static bool put_object(const struct sequence *sequence, struct error *error)
 {
     struct lens *lens = sequence->build->lens;
     struct sequence_surface *object = &sequence->surfaces[0];
     const struct lens_words place = commands_place(sequence->commands, &object->at);
-    double far = sequence->commands->grammar->infinity;
-    struct pair one = {1, 0};
-    struct pair in_units = pair_multiply(object->thickness.value,
-                                         lens_words_per_length(one, sequence->commands->scale, 1));
     if ((sequence_is_some(&object->curve) || is_moved(object)) &&
         !foreign_loss(sequence->job, &place, object->at.text, error,
                       "a curved or tilted object is taken as a plane")) {
@@ -380,13 +395,13 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     }
     lens->object_medium = object->medium;
     const struct figure infinite = {{INFINITY, 0}, text_of("inf"), LENS_NONE};
-    lens->object_is_infinite = fabs(in_units.hi) >= far;
+    lens->object_is_infinite = sequence_is_infinite(sequence, &object->thickness);
     lens->object = lens->object_is_infinite
                        ? infinite
                        : cell(sequence, "", &object->thickness, NULL, object->extra);
     if (!lens->object_is_infinite && !(lens->object.value.hi > 0)) {
         return commands_fail(sequence->commands, &object->at, error,
-                             "the object's distance %.6g is not above 0", in_units.hi);
+                             "the object's distance %.6g mm is not above 0", lens->object.value.hi);
     }
     size_t count = lens->position_count;
     if (object->thicknesses == NULL || count == 0) {
@@ -394,9 +409,7 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     }
     struct figure *objects = ARENA_ARRAY(sequence->job->arena, count, struct figure);
     for (size_t i = 0; i < count; i++) {
-        in_units = pair_multiply(object->thicknesses[i].value,
-                                 lens_words_per_length(one, sequence->commands->scale, 1));
-        objects[i] = fabs(in_units.hi) >= far
+        objects[i] = sequence_is_infinite(sequence, &object->thicknesses[i])
                          ? infinite
                          : cell(sequence, "", &object->thicknesses[i], NULL, object->extra);
     }

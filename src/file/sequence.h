@@ -13,6 +13,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+enum { SEQUENCE_MOST = 1000 }; /* surfaces */
+
 /* How a shifted and turned surface moves what comes after it. */
 enum sequence_move {
     SEQUENCE_ALONG, /* the axis goes on in the turned system */
@@ -106,6 +108,12 @@ struct figure sequence_diameter(const struct figure *radius, struct arena *arena
 /* A medium from what a .lens file would have for it. */
 bool sequence_medium(const struct commands *commands, const struct command_word *at,
                      const char *written, struct medium *medium, struct error *error);
+
+/* Is the object so far away that its program takes it as infinitely far? */
+bool sequence_is_infinite(const struct sequence *sequence, const struct figure *distance);
+
+/* An f-number is that of an object at infinity; of a near one it means something else. */
+bool sequence_check_fnumber(const struct sequence *sequence, struct error *error);
 
 /*
  * Make the lens: pick-ups, surfaces, solves; the header of the lens is there already.

@@ -5,7 +5,7 @@
 #include <math.h>
 
 /* With an f-number the rays depend on what is solved: then it is solved again. */
-enum { MOST_PASSES = 40 };
+enum { MOST_PASSES = 20 };
 static const double same_enough = 4e-16;
 
 /* One solve being applied. */
@@ -23,8 +23,11 @@ static bool solve_one(const struct solving *solving, size_t position, struct pai
     struct arena *arena = solving->sequence->job->arena;
     const struct lens *lens = solving->sequence->build->lens;
     struct solve_state state;
-    if (!solve_follow(lens_at_position(lens, position, arena), solving->surface,
-                      solving->solve->ray, arena, &state, error)) {
+    const struct arena_mark mark = arena_mark(arena);
+    bool followed = solve_follow(lens_at_position(lens, position, arena), solving->surface,
+                                 solving->solve->ray, arena, &state, error);
+    arena_reset(arena, mark);
+    if (!followed) {
         return false;
     }
     const struct pair target = solving->solve->target.value;
