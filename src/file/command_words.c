@@ -140,7 +140,8 @@ bool commands_next(struct commands *commands, struct error *error)
     commands->count = 0;
     bool goes_on = false;
     for (;;) {
-        const char *end = commands->line.start + commands->line.length;
+        const char *end =
+            commands->at != NULL ? commands->line.start + commands->line.length : NULL;
         if (commands->at == NULL || commands->at >= end) {
             if ((commands->count > 0 && !goes_on) || !next_line(commands)) {
                 return commands->count > 0;

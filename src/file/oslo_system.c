@@ -136,6 +136,14 @@ static const char *table_of(const struct oslo *oslo, size_t first, size_t count)
                 : arena_printf(arena, "%s}", table);
 }
 
+/* Is it Vd rather than a second index? */
+static bool is_abbe(struct text text)
+{
+    double value = 0;
+    number_read(text.start, text.start + text.length, plain, &value);
+    return value >= 10;
+}
+
 /* The indices at the wavelengths in force; a number before them is the glass's name. */
 static bool read_indices(struct oslo *oslo, size_t first, bool is_model, struct error *error)
 {
@@ -156,7 +164,7 @@ static bool read_indices(struct oslo *oslo, size_t first, bool is_model, struct 
     }
     if (count == 1) {
         written = arena_string(oslo->job->arena, word->text.start, word->text.length);
-    } else if (is_model && count == 2 && waves != 2) {
+    } else if (is_model && count == 2 && waves != 2 && is_abbe(word[1].text)) {
         written = arena_printf(oslo->job->arena, "%.*s/%.*s", (int)word->text.length,
                                word->text.start, (int)word[1].text.length, word[1].text.start);
     } else if (count != waves) {

@@ -85,7 +85,7 @@ struct text writing_degrees(const struct writing *writing, const struct figure *
 struct text writing_wave(const struct writing *writing, double micrometres, struct text typed,
                          int power)
 {
-    const char *unit = typed.start + typed.length - 2;
+    const char *unit = typed.length > 2 ? typed.start + typed.length - 2 : "";
     bool has_unit = typed.length > 2 && unit[1] == 'm' && (unit[0] == 'n' || unit[0] == 'u') &&
                     (typed.start[0] == '.' || (typed.start[0] >= '0' && typed.start[0] <= '9'));
     if (has_unit) {
