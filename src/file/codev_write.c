@@ -215,10 +215,10 @@ static bool put_pupil(struct output *output, struct error *error)
 {
     struct figure pupil = {.variable = LENS_NONE};
     put_string(output, CODEV_STOP_RULES "\n");
-    if (!writing_pupil(&output->writing, 0, &pupil.value.hi)) {
+    if (!writing_pupil(&output->writing, 0, &pupil)) {
         return lose(output, error, "an aperture that is ruled by a stop without a pupil");
     }
-    put_command(output, "EPD", writing_length(&output->writing, &pupil, 1));
+    put_command(output, "EPD", pupil.typed);
     return true;
 }
 
@@ -229,7 +229,7 @@ static void put_pupils(struct output *output)
     struct figure *pupils = ARENA_ARRAY(output->job->arena, lens->position_count, struct figure);
     for (size_t i = 0; i < lens->position_count; i++) {
         pupils[i].variable = LENS_NONE;
-        if (!writing_pupil(&output->writing, i, &pupils[i].value.hi)) {
+        if (!writing_pupil(&output->writing, i, &pupils[i])) {
             return;
         }
     }

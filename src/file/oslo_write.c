@@ -77,7 +77,7 @@ static bool put_aperture(struct output *output, struct error *error)
     if (lens->aperture_kind == APERTURE_STOP) {
         put_string(output, OSLO_STOP_RULES "\n");
         figure = (struct figure){.variable = LENS_NONE};
-        if (!writing_pupil(&output->writing, 0, &figure.value.hi)) {
+        if (!writing_pupil(&output->writing, 0, &figure)) {
             return lose(output, error, "an aperture that is ruled by a stop without a pupil");
         }
     }

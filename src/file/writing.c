@@ -110,7 +110,7 @@ struct text writing_quotable(const struct writing *writing, const char *string, 
     return text_of(copy);
 }
 
-bool writing_pupil(const struct writing *writing, size_t position, double *diameter)
+bool writing_pupil(const struct writing *writing, size_t position, struct figure *pupil)
 {
     const struct lens *lens = lens_at_position(writing->lens, position, writing->arena);
     struct aperture_setting aperture = lens_aperture(lens);
@@ -123,7 +123,9 @@ bool writing_pupil(const struct writing *writing, size_t position, double *diame
     if (!known || !(first.entrance_diameter > 0) || !isfinite(first.entrance_diameter)) {
         return false;
     }
-    *diameter = first.entrance_diameter;
+    double per_unit = lens_words_per_length(pair_of(1), writing->scale, 1).hi;
+    *pupil = figure_of(first.entrance_diameter * per_unit, writing->arena);
+    pupil->value = pair_of(first.entrance_diameter);
     return true;
 }
 

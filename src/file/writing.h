@@ -51,11 +51,11 @@ struct text writing_quotable(const struct writing *writing, const char *string, 
                              bool *has_lost);
 
 /*
- * The diameter of the entrance pupil in one position, mm, of whatever aperture the lens has.
+ * The diameter of the entrance pupil in one position, with digits in the file's unit.
  *
- * Result    false where it has none, or an infinite one: then *diameter is unchanged
+ * Result    false where it has none, or an infinite one: then *pupil is unchanged
  */
-bool writing_pupil(const struct writing *writing, size_t position, double *diameter);
+bool writing_pupil(const struct writing *writing, size_t position, struct figure *pupil);
 
 /*
  * The name of a glass in the file's own spelling, and its catalogue (empty if it is not known).
