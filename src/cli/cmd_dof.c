@@ -312,6 +312,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         setting->c = NAN;
     }
     if (!distance_solve(setting, &input->targets, &lens->measuring, error) ||
+        !photo_lens_check_subject(lens, setting->s, error) ||
         !dof_compute(setting, (enum dof_model)input->model, &row.dof, error)) {
         return false;
     }

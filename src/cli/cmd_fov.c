@@ -4,6 +4,7 @@
 #include "photo/fov.h"
 
 #include <math.h>
+#include <string.h>
 
 struct input {
     double focal, distance, pupil, squeeze, wavelength;
@@ -120,6 +121,20 @@ static bool solve(const struct input *input, const struct fov_setting *setting, 
     return fov_solve(setting, &input->sensor.size, &goals, f, error);
 }
 
+/* A fisheye maps angles in another way than most lenses. */
+static const char *warn(const struct input *input, const struct photo_lens *lens,
+                        struct arena *arena)
+{
+    const struct photo_real *real = lens->real;
+    if (input->projection != RECTILINEAR || real->kind == NULL ||
+        strstr(real->kind, "fisheye") == NULL) {
+        return real->warning;
+    }
+    return arena_printf(arena, "%s%sthe lens is a fisheye: give its --projection",
+                        real->warning != NULL ? real->warning : "",
+                        real->warning != NULL ? "; " : "");
+}
+
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
                    struct error *error)
 {
@@ -133,10 +148,12 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         .projection = projections[input->projection].word,
         .real = *lens->real,
     };
-    if (!solve(input, &row.setting, &row.setting.f, error) ||
+    if (!photo_lens_check_subject(lens, input->distance, error) ||
+        !solve(input, &row.setting, &row.setting.f, error) ||
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return false;
     }
+    row.real.warning = warn(input, lens, run->arena);
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);
     row.crop = sensor_crop(&input->sensor.size);
     row.image = distance_image(row.setting.f, row.setting.s);

@@ -129,6 +129,7 @@ static bool work_out(const struct photo_lens_question *question, size_t position
     struct photo_real *said = ARENA_NEW(arena, struct photo_real);
     *said = (struct photo_real){
         .title = real->title != NULL ? real->title : question->lens.name,
+        .kind = real->kind,
         .position = real->position_count > 0 ? real->positions[position] : NULL,
         .warning = found->warning,
         .focal = lens->f,

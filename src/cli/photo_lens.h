@@ -7,6 +7,7 @@
 #include "cli/lens_options.h"
 #include "cli/photo_columns.h"
 #include "cli/photo_options.h"
+#include "photo/conjugate.h"
 #include "photo/distance_from.h"
 
 #include <math.h>
@@ -39,7 +40,7 @@ struct photo_given {
 
 /* What a row says of a real lens; of a thin one nothing. Lengths in mm. */
 struct photo_real {
-    const char *title, *position, *warning;
+    const char *title, *kind, *position, *warning;
     double focal, hiatus, wavelength;
     double rear; /* H' seen from the last vertex, + to the right */
 };
@@ -166,6 +167,15 @@ bool photo_lens_makes_many(const struct photo_lens_question *question);
 
 /* Do they differ in this option? */
 bool photo_lens_varies(const struct photo_lens_question *question, const char *option);
+
+/* Refuse a subject at s from the front principal plane, mm, that would lie inside a real lens. */
+static inline bool photo_lens_check_subject(const struct photo_lens *lens, double s,
+                                            struct error *error)
+{
+    double distance;
+    return isnan(lens->measuring.front) ||
+           conjugates_working_distance(s, lens->measuring.front, &distance, error);
+}
 
 /* The wavelength to print: that of a real lens, or of a thin one where it matters; else NaN. */
 static inline double photo_lens_light(const struct photo_lens *lens, bool matters)

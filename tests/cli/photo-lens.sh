@@ -11,6 +11,8 @@ lenscalc dof --lens asahi-takumar18-bad -s 1m --columns near,far
 lenscalc hyperfocal --lens wide-35 -N 8 --explain
 lenscalc fov --lens double-gauss -s 0.5m --explain
 lenscalc fov --lens nikkor-z-14-24 --position all
+lenscalc fov --lens fisheye-16 --columns diagonal
+lenscalc fov --lens fisheye-16 --columns diagonal --projection equidistant
 lenscalc focus --lens double-gauss -m 1:4 --explain
 lenscalc focus --lens double-gauss -s 1m --from front --tube 30 --columns distance,working_distance
 lenscalc exposure --lens cooke-triplet-50 --ev 12 -m 1:2
@@ -29,6 +31,8 @@ lenscalc dof --lens canon-nfd-70-210 --position wide,tela -s 3m
 lenscalc dof --lens canon-nfd-70-210 --position all -s 3m --scale all.svg
 lenscalc dof -f 50 -N 4 -s 3m --from front
 lenscalc dof --lens schmidt-flat -s 30m
+lenscalc dof --lens canon-retrofocus-14 -s 30mm
+lenscalc equivalent --lens canon-retrofocus-14 -s 30mm
 lenscalc dof --lens micro60x-na09 -s 3m -N 4
 printf 'surface 50 5 1.5 -\nsurface -50 0 air -\n' > own.lens
 lenscalc dof --lens own.lens -s 3m -N 4
