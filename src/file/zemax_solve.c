@@ -341,7 +341,7 @@ static bool check_settings(struct zemax_file *file, const size_t *places, struct
 /* Solves that follow a ray through many surfaces take their time. */
 static bool check_work(struct zemax_file *file, struct error *error)
 {
-    const double most = 5e7;
+    const double most = 1e6; /* about a second */
     double work = 0;
     for (size_t i = 0; i < file->surface_count; i++) {
         work += file->surfaces[i].solve != NULL;
