@@ -171,3 +171,26 @@ void nearest_offer(struct nearest *nearest, struct text candidate)
         nearest->distance = distance;
     }
 }
+
+size_t text_utf8_length(const char *start, size_t room)
+{
+    const unsigned char *at = (const unsigned char *)start;
+    size_t length = at[0] < 0x80   ? 1
+                    : at[0] < 0xc2 ? 0
+                    : at[0] < 0xe0 ? 2
+                    : at[0] < 0xf0 ? 3
+                    : at[0] < 0xf5 ? 4
+                                   : 0;
+    if (length == 0 || length > room) {
+        return 0;
+    }
+    for (size_t i = 1; i < length; i++) {
+        if ((at[i] & 0xc0) != 0x80) {
+            return 0;
+        }
+    }
+    bool overlong = (at[0] == 0xe0 && at[1] < 0xa0) || (at[0] == 0xf0 && at[1] < 0x90);
+    bool surrogate = at[0] == 0xed && at[1] > 0x9f;
+    bool beyond = at[0] == 0xf4 && at[1] > 0x8f;
+    return length > 2 && (overlong || surrogate || beyond) ? 0 : length;
+}

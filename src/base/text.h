@@ -56,6 +56,9 @@ struct text text_cut(struct text *rest, char separator);
  */
 int text_distance(struct text a, struct text b, int limit);
 
+/* Length of the UTF-8 sequence that begins here, 0 if it is none (RFC 3629). */
+size_t text_utf8_length(const char *start, size_t room);
+
 /* The nearest word found so far; start with { .typed = ... } and offer all candidates. */
 struct nearest {
     struct text typed;

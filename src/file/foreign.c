@@ -5,7 +5,9 @@
 #include "file/codev.h"
 #include "file/encoding.h"
 #include "file/lens_glass.h"
+#include "file/lens_json.h"
 #include "file/oslo.h"
+#include "file/pbrt.h"
 #include "file/zemax.h"
 
 #include <stdarg.h>
@@ -13,10 +15,7 @@
 #include <string.h>
 
 const struct foreign_format *const foreign_formats[] = {
-    &zemax_format,
-    &codev_format,
-    &oslo_format,
-    NULL,
+    &zemax_format, &codev_format, &oslo_format, &pbrt_format, &lens_json_format, NULL,
 };
 
 const struct foreign_format *foreign_by_name(struct text name)

@@ -105,6 +105,17 @@ static struct text after_um(struct zemax_file *file, struct text number)
     return text_of(arena_printf(file->job->arena, "%.*sum", (int)number.length, number.start));
 }
 
+/* Points at PWAV where the file has it. */
+static bool fail_waves(const struct zemax_file *file, struct error *error, const char *message)
+{
+    if (file->primary_line != NULL) {
+        return lens_words_fail(&file->primary_line->words, file->primary_line->keyword, error, "%s",
+                               message);
+    }
+    fail(error, ERROR_DATA, "%s", message);
+    return error_locate(error, file->job->source, 0, 0);
+}
+
 /* The primary one first. Without a count, the repeated default at the end is passed over. */
 static bool set_waves(struct zemax_file *file, struct error *error)
 {
@@ -117,16 +128,19 @@ static bool set_waves(struct zemax_file *file, struct error *error)
         count--;
     }
     if (count > 0 && file->primary >= count) {
-        return lens_words_fail(&file->primary_line->words, file->primary_line->keyword, error,
-                               "the primary wavelength is number %zu of %zu", file->primary + 1,
-                               count);
+        return fail_waves(file, error,
+                          arena_printf(file->job->arena,
+                                       "the primary wavelength is number %zu of %zu",
+                                       file->primary + 1, count));
     }
     for (size_t i = 0; i < count; i++) {
         size_t at = i == 0 ? file->primary : i <= file->primary ? i - 1 : i;
         double wavelength = file->waves[at].value.hi, weight = file->weights[at].value.hi;
         if (!(wavelength > 0) || !(weight >= 0)) {
-            return lens_words_fail(&file->primary_line->words, file->primary_line->keyword, error,
-                                   "wavelength %zu is missing, or its weight is below 0", at + 1);
+            return fail_waves(file, error,
+                              arena_printf(file->job->arena,
+                                           "wavelength %zu is missing, or its weight is below 0",
+                                           at + 1));
         }
         struct lens_wavelength *one = lens_build_wavelength(&file->build, wavelength, weight);
         bool is_line = one->typed.start[one->typed.length - 1] != 'm';

@@ -15,7 +15,9 @@ struct aperture_setting lens_aperture(const struct lens *lens)
 {
     struct aperture_setting setting = {lens->aperture_kind, lens->aperture.value.hi};
     if (setting.kind == APERTURE_STOP) {
-        setting.value = lens->surfaces[lens->stop].diameter.value.hi;
+        /* lens_check refuses a lens without the stop; readers ask before it */
+        setting.value =
+            lens->stop != LENS_NONE ? lens->surfaces[lens->stop].diameter.value.hi : NAN;
     }
     return setting;
 }

@@ -6,35 +6,12 @@
 #include <math.h>
 #include <string.h>
 
-/* Length of the UTF-8 sequence at `at`, 0 if it is none (RFC 3629). */
-static size_t utf8_length(const unsigned char *at, size_t room)
-{
-    size_t length = at[0] < 0x80   ? 1
-                    : at[0] < 0xc2 ? 0
-                    : at[0] < 0xe0 ? 2
-                    : at[0] < 0xf0 ? 3
-                    : at[0] < 0xf5 ? 4
-                                   : 0;
-    if (length == 0 || length > room) {
-        return 0;
-    }
-    for (size_t i = 1; i < length; i++) {
-        if ((at[i] & 0xc0) != 0x80) {
-            return 0;
-        }
-    }
-    bool overlong = (at[0] == 0xe0 && at[1] < 0xa0) || (at[0] == 0xf0 && at[1] < 0x90);
-    bool surrogate = at[0] == 0xed && at[1] > 0x9f;
-    bool beyond = at[0] == 0xf4 && at[1] > 0x8f;
-    return length > 2 && (overlong || surrogate || beyond) ? 0 : length;
-}
-
 static void write_string(struct output *output, const char *start, size_t length)
 {
     output_character(output, '"');
     for (size_t i = 0; i < length;) {
         unsigned char c = (unsigned char)start[i];
-        size_t sequence = utf8_length((const unsigned char *)start + i, length - i);
+        size_t sequence = text_utf8_length(start + i, length - i);
         if (sequence == 0) {
             output_string(output, "\xef\xbf\xbd"); /* replacement character */
             i++;

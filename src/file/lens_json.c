@@ -1,0 +1,360 @@
+/* file/lens_json.c - a lens as JSON, for other programs and scripts. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_json.h"
+
+#include "base/number.h"
+#include "file/writing.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double degree = 3.14159265358979323846 / 180;
+
+struct writer {
+    struct writing out;
+    const struct lens *lens;
+    size_t positions;
+};
+
+static void put(struct writer *writer, const char *string)
+{
+    writing_put(&writer->out, text_of(string));
+}
+
+static void put_text(struct writer *writer, struct text text)
+{
+    put(writer, "\"");
+    for (size_t i = 0; i < text.length;) {
+        const unsigned char *at = (const unsigned char *)text.start + i;
+        size_t length = text_utf8_length(text.start + i, text.length - i);
+        if (length == 0) {
+            put(writer, "\xef\xbf\xbd"); /* the replacement character */
+        } else if (*at == '"' || *at == '\\') {
+            writing_printf(&writer->out, "\\%c", *at);
+        } else if (*at < 0x20) {
+            writing_printf(&writer->out, "\\u%04x", *at);
+        } else {
+            writing_put(&writer->out, (struct text){text.start + i, length});
+        }
+        i += length > 0 ? length : 1;
+    }
+    put(writer, "\"");
+}
+
+static void put_string(struct writer *writer, const char *string)
+{
+    if (string == NULL) {
+        put(writer, "null");
+    } else {
+        put_text(writer, text_of(string));
+    }
+}
+
+static void put_number(struct writer *writer, double value)
+{
+    if (isfinite(value)) {
+        char text[NUMBER_LENGTH];
+        writing_put(&writer->out, text_between(text, number_write_shortest(text, value)));
+    } else {
+        put(writer, "null");
+    }
+}
+
+/* One number a position as an array; a number alone where they are all the same figure. */
+static void put_values(struct writer *writer, const struct figure *values, size_t count,
+                       double unit)
+{
+    put(writer, "[");
+    for (size_t i = 0; i < count; i++) {
+        put(writer, i > 0 ? "," : "");
+        put_number(writer, values[i].value.hi / unit);
+    }
+    put(writer, "]");
+}
+
+static void put_figure(struct writer *writer, const struct figure *figure, double unit)
+{
+    if (figure->variable == LENS_NONE || writer->positions == 0) {
+        put_number(writer, figure->value.hi / unit);
+    } else {
+        put_values(writer, writer->lens->variables[figure->variable].values, writer->positions,
+                   unit);
+    }
+}
+
+/* ,"key": */
+static void put_key(struct writer *writer, const char *key)
+{
+    writing_printf(&writer->out, ",\"%s\":", key);
+}
+
+static void put_optional(struct writer *writer, const char *key, bool given,
+                         const struct figure *figure)
+{
+    put_key(writer, key);
+    if (given) {
+        put_figure(writer, figure, 1);
+    } else {
+        put(writer, "null");
+    }
+}
+
+/* Shifts the decimal point of the shortest digits, so that 0.5875618 um is 587.5618 nm. */
+static double nanometres(double micrometres)
+{
+    char text[NUMBER_LENGTH];
+    double value = 1000 * micrometres;
+    number_read(text, number_write_shortest(text, micrometres), (struct number_scale){1, 3},
+                &value);
+    return value;
+}
+
+static void put_waves(struct writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    put_key(writer, "wavelengths");
+    put(writer, "[");
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        const struct lens_wavelength *one = &lens->wavelengths[i];
+        put(writer, i > 0 ? ",{\"name\":" : "{\"name\":");
+        put_text(writer, one->typed);
+        put(writer, ",\"wavelength_nm\":");
+        put_number(writer, nanometres(one->wavelength));
+        put(writer, ",\"weight\":");
+        put_number(writer, one->weight);
+        put(writer, "}");
+    }
+    put(writer, "]");
+}
+
+static void put_object(struct writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    put_key(writer, "object_mm");
+    if (lens->objects != NULL) {
+        put_values(writer, lens->objects, writer->positions, 1);
+    } else {
+        put_number(writer, lens->object_is_infinite ? INFINITY : lens->object.value.hi);
+    }
+    put_key(writer, "object_is_infinite");
+    if (lens->objects != NULL) {
+        for (size_t i = 0; i < writer->positions; i++) {
+            put(writer, i == 0 ? "[" : ",");
+            put(writer, isinf(lens->objects[i].value.hi) ? "true" : "false");
+        }
+        put(writer, "]");
+    } else {
+        put(writer, lens->object_is_infinite ? "true" : "false");
+    }
+    put_key(writer, "object_medium");
+    put_text(writer, lens->object_medium.written);
+}
+
+static void put_use(struct writer *writer)
+{
+    static const char *const fields[] = {"null", "\"angle_deg\"", "\"height_mm\"", "\"image_mm\""};
+    static const char *const apertures[] = {"null", "\"stop\"", "\"fnumber\"", "\"epd_mm\"",
+                                            "\"na\""};
+    static const char *const focuses[] = {"\"paraxial\"", "\"table\"", "\"best\""};
+    const struct lens *lens = writer->lens;
+    put_key(writer, "field_kind");
+    put(writer, fields[lens->field_kind]);
+    put_key(writer, "fields");
+    put_values(writer, lens->fields, lens->field_count,
+               lens->field_kind == FIELD_ANGLE ? degree : 1);
+    put_key(writer, "aperture_kind");
+    put(writer, apertures[lens->aperture_kind]);
+    put_key(writer, "aperture");
+    if (lens->aperture_kind <= APERTURE_STOP) {
+        put(writer, "null");
+    } else if (lens->apertures != NULL) {
+        put_values(writer, lens->apertures, writer->positions, 1);
+    } else {
+        put_number(writer, lens->aperture.value.hi);
+    }
+    put_key(writer, "focus");
+    put(writer, focuses[lens->focus]);
+}
+
+static void put_stated(struct writer *writer)
+{
+    static const char *const keys[] = {"stated_efl_mm", "stated_bfl_mm", "stated_fnumber"};
+    const struct lens *lens = writer->lens;
+    for (int i = 0; i < STATED_COUNT; i++) {
+        put_key(writer, keys[i]);
+        put_values(writer, lens->stated[i], lens->stated_count[i], 1);
+    }
+}
+
+static void put_displacement(struct writer *writer, const char *key,
+                             const struct displacement *moved)
+{
+    if (moved != NULL) {
+        put_key(writer, key);
+        put(writer, "{\"decenter_mm\":");
+        put_values(writer, moved->decenter, 2, 1);
+        put(writer, ",\"tilt_deg\":");
+        put_values(writer, moved->tilt, 3, degree);
+        put(writer, "}");
+    }
+}
+
+static void put_coefficients(struct writer *writer, const struct surface *surface)
+{
+    const char *before = "{";
+    if (surface->coefficients == 0) {
+        return;
+    }
+    put_key(writer, "coefficients_mm");
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        if ((surface->coefficients >> i & 1) != 0) {
+            writing_printf(&writer->out, "%s\"A%d\":", before, 2 * (i + 1));
+            put_figure(writer, &surface->coefficient[i], 1);
+            before = ",";
+        }
+    }
+    put(writer, "}");
+}
+
+static bool put_medium(struct writer *writer, const struct surface *surface, struct error *error)
+{
+    const struct lens *lens = writer->lens;
+    size_t waves = lens->wavelength_count > 0 ? lens->wavelength_count : 1;
+    put_key(writer, "medium");
+    if (surface->kind == SURFACE_REFLECT) {
+        put(writer, "\"mirror\"");
+        return true;
+    }
+    put_text(writer, surface->medium.written);
+    put_key(writer, "index");
+    for (size_t i = 0; i < waves; i++) {
+        struct pair index;
+        double wavelength = lens->wavelength_count > 0 ? lens->wavelengths[i].wavelength
+                                                       : lens_primary_wavelength(lens);
+        if (!medium_index(&surface->medium, wavelength, &index, error)) {
+            return false;
+        }
+        put(writer, i == 0 ? "[" : ",");
+        put_number(writer, index.hi);
+    }
+    put(writer, "]");
+    return true;
+}
+
+static bool put_surface(struct writer *writer, size_t i, struct error *error)
+{
+    static const char *const kinds[] = {"refract", "reflect", "stop"};
+    static const char *const curved[] = {"", "x", "y"};
+    const struct surface *surface = &writer->lens->surfaces[i];
+    bool is_plane = surface->is_plane && !surface->has_curvature;
+    writing_printf(&writer->out, "%s\n{\"surface\":%zu,\"kind\":\"%s\",\"is_stop\":%s",
+                   i > 0 ? "," : "", i + 1, kinds[surface->kind],
+                   surface->is_stop ? "true" : "false");
+    put_key(writer, "name");
+    put_string(writer, surface->name);
+    put_optional(writer, "radius_mm", !is_plane && !surface->has_curvature, &surface->radius);
+    put_key(writer, "radius_is_infinite");
+    put(writer, is_plane ? "true" : "false");
+    if (surface->has_curvature) {
+        put_optional(writer, "curvature_per_mm", true, &surface->curvature);
+    }
+    put_optional(writer, "thickness_mm", surface->has_thickness, &surface->thickness);
+    if (!put_medium(writer, surface, error)) {
+        return false;
+    }
+    put_optional(writer, "diameter_mm", surface->has_diameter, &surface->diameter);
+    put_optional(writer, "conic", true, &surface->conic);
+    put_coefficients(writer, surface);
+    if (surface->curved != CURVED_BOTH) {
+        put_key(writer, "cylinder");
+        put_string(writer, curved[surface->curved]);
+    }
+    put_displacement(writer, "moved", surface->moved);
+    put_displacement(writer, "bend_before", surface->bend);
+    put(writer, "}");
+    return true;
+}
+
+static void put_strings(struct writer *writer, const char *key, const char *const *strings,
+                        size_t count)
+{
+    put_key(writer, key);
+    put(writer, "[");
+    for (size_t i = 0; i < count; i++) {
+        put(writer, i > 0 ? "," : "");
+        put_string(writer, strings[i]);
+    }
+    put(writer, "]");
+}
+
+static void put_header(struct writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    put(writer, "{\"lens\":");
+    put_string(writer, lens->title);
+    put_key(writer, "source");
+    put_string(writer, lens->source);
+    put_key(writer, "kind");
+    put_string(writer, lens->kind);
+    put_strings(writer, "notes", lens->notes, lens->note_count);
+    put_strings(writer, "positions", lens->positions, lens->position_count);
+    put(writer, "\n");
+    put_waves(writer);
+    put_object(writer);
+    put_use(writer);
+    put_key(writer, "stop_surface");
+    if (lens->stop == LENS_NONE) {
+        put(writer, "null");
+    } else {
+        writing_printf(&writer->out, "%zu", lens->stop + 1);
+    }
+    put_stated(writer);
+}
+
+static bool write_json(struct foreign_job *job, const struct lens *lens, struct text *text,
+                       struct error *error)
+{
+    struct writer writer = {.lens = lens, .positions = lens->position_count};
+    writing_begin(&writer.out, lens, true, job->arena);
+    put_header(&writer);
+    put(&writer, "\n,\"surfaces\":[");
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (!put_surface(&writer, i, error)) {
+            return error_prefix(error, "surface %zu: ", i + 1);
+        }
+    }
+    put(&writer, "\n]}\n");
+    *text = (struct text){writer.out.data, writer.out.length};
+    return true;
+}
+
+static bool is_like(struct text content)
+{
+    size_t i = 0;
+    while (i < content.length && strchr(" \t\r\n", content.start[i]) != NULL &&
+           content.start[i] != '\0') {
+        i++;
+    }
+    return i < content.length && content.start[i] == '{';
+}
+
+static bool refuse(struct foreign_job *job, struct text content, struct lens *lens,
+                   struct error *error)
+{
+    (void)content;
+    (void)lens;
+    fail(error, ERROR_DATA,
+         "JSON is written for other programs, but not read (nor is that of "
+         "ray-optics)");
+    error_locate(error, job->source, 1, 0);
+    return error_hint(error, "a lens is read from .lens, .zmx, .seq, .len and .dat files");
+}
+
+const struct foreign_format lens_json_format = {
+    .name = "json",
+    .ending = ".json",
+    .help = "JSON, for other programs",
+    .is_like = is_like,
+    .read = refuse,
+    .write = write_json,
+};

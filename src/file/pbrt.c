@@ -1,0 +1,188 @@
+/* file/pbrt.c - read lens tables of the realistic camera of pbrt. */
+/* SPDX-License-Identifier: MIT */
+#include "file/pbrt.h"
+
+#include "base/number.h"
+#include "file/lens_build.h"
+
+#include <math.h>
+#include <string.h>
+
+enum cell { RADIUS, THICKNESS, INDEX, DIAMETER, CELLS };
+
+static const char *const names[CELLS] = {"radius", "thickness", "index", "diameter"};
+
+/* The next line without its comment; false at the end. */
+static bool next_line(struct text *rest, struct text *line, struct text *comment)
+{
+    if (rest->start == NULL || rest->length == 0) {
+        return false;
+    }
+    struct text after = text_cut(rest, '\n');
+    *line = text_cut(&after, '#');
+    *comment = after.start != NULL ? text_trim(after) : (struct text){"", 0};
+    return true;
+}
+
+/* Numbers in fours and comments, and nothing else. */
+static bool is_like(struct text content)
+{
+    struct text rest = content, line, comment;
+    size_t numbers = 0;
+    while (next_line(&rest, &line, &comment)) {
+        const char *at = line.start, *end = line.start + line.length;
+        while (at < end) {
+            double value;
+            if (*at == ' ' || *at == '\t') {
+                at++;
+                continue;
+            }
+            at = number_read(at, end, NUMBER_UNSCALED, &value);
+            if (at == NULL || (at < end && *at != ' ' && *at != '\t')) {
+                return false;
+            }
+            numbers++;
+        }
+    }
+    return numbers > 0 && numbers % CELLS == 0;
+}
+
+/* The title, from the first comment, and notes from the others. */
+static void read_comments(struct lens_build *build, struct text content)
+{
+    struct text rest = content, line, comment;
+    while (next_line(&rest, &line, &comment)) {
+        if (comment.length > 0 && build->lens->title == NULL) {
+            build->lens->title = arena_string(build->arena, comment.start, comment.length);
+        } else if (comment.length > 0) {
+            lens_build_note(build, comment);
+        }
+    }
+}
+
+/* A surface being read: its numbers, and the word that says each. */
+struct row {
+    struct figure figures[CELLS];
+    struct text words[CELLS];
+};
+
+static bool check_row(const struct lens_words *words, const struct row *row, struct error *error)
+{
+    for (int i = INDEX; i < CELLS; i++) {
+        if (!(row->figures[i].value.hi >= 0)) {
+            return lens_words_fail(words, row->words[i], error, "a negative %s", names[i]);
+        }
+    }
+    return row->figures[DIAMETER].value.hi > 0 ||
+           lens_words_fail(words, row->words[DIAMETER], error, "a surface without diameter");
+}
+
+static struct medium medium_of(const struct figure *index)
+{
+    if (!(index->value.hi > 0) ||
+        (!(fabs(index->value.hi - 1) > 0) && !(fabs(index->value.lo) > 0))) {
+        return medium_air;
+    }
+    return (struct medium){.kind = MEDIUM_CONSTANT, .written = index->typed, .index = index->value};
+}
+
+static bool is_same_index(const struct medium *a, const struct medium *b)
+{
+    return !(fabs(a->index.hi - b->index.hi) > 0) && !(fabs(a->index.lo - b->index.lo) > 0);
+}
+
+/* Radius 0: a stop, unless it is between two media. */
+static bool read_stop(struct lens_build *build, const struct lens_words *words,
+                      const struct row *row, struct surface *surface, struct error *error)
+{
+    size_t at = build->lens->surface_count - 1;
+    const struct medium *before = at > 0 ? &surface[-1].medium : &medium_air;
+    surface->is_plane = true;
+    if (!(row->figures[INDEX].value.hi > 0)) {
+        surface->medium = *before;
+    } else if (!is_same_index(before, &surface->medium)) {
+        lens_words_fail(words, row->words[RADIUS], error,
+                        "radius 0 is the stop, which does not refract, but the index changes here");
+        return error_hint(error, "write a plane as a very long radius");
+    }
+    if (build->lens->stop != LENS_NONE) {
+        return lens_words_fail(words, row->words[RADIUS], error,
+                               "a second stop: surface %zu is one already", build->lens->stop + 1);
+    }
+    lens_build_stop(build, at);
+    build->lens->aperture_kind = APERTURE_STOP;
+    return true;
+}
+
+static bool add_surface(struct lens_build *build, const struct lens_words *words,
+                        const struct row *row, struct error *error)
+{
+    if (!check_row(words, row, error)) {
+        return false;
+    }
+    struct surface *surface = lens_build_surface(build);
+    surface->thickness = row->figures[THICKNESS];
+    surface->has_thickness = true;
+    surface->diameter = row->figures[DIAMETER];
+    surface->has_diameter = true;
+    surface->medium = medium_of(&row->figures[INDEX]);
+    if (fabs(row->figures[RADIUS].value.hi) > 0) {
+        surface->is_plane = false;
+        surface->radius = row->figures[RADIUS];
+        return true;
+    }
+    return read_stop(build, words, row, surface, error);
+}
+
+static bool read_words(struct lens_build *build, struct lens_words *words, struct error *error)
+{
+    struct row row;
+    int cell = RADIUS;
+    struct text last = {words->rest.start, 0};
+    while (lens_words_line(words)) {
+        for (struct text word = lens_words_next(words); word.length > 0;
+             word = lens_words_next(words)) {
+            row.words[cell] = last = word;
+            if (!lens_words_figure(words, word, NUMBER_UNSCALED, names[cell], &row.figures[cell],
+                                   error)) {
+                return false;
+            }
+            if (++cell == CELLS) {
+                cell = RADIUS;
+                if (!add_surface(build, words, &row, error)) {
+                    return false;
+                }
+            }
+        }
+        /* a surface may go over several lines: then messages point at the last */
+        for (int i = 0; i < cell; i++) {
+            row.words[i] = (struct text){words->line.start, 0};
+        }
+    }
+    if (cell != RADIUS) {
+        return lens_words_fail(words, last, error, "the last surface has no %s", names[cell]);
+    }
+    return build->lens->surface_count > 0 ||
+           (fail(error, ERROR_DATA, "no surface: a line is radius, thickness, index, diameter") ||
+            error_locate(error, words->source, 0, 0));
+}
+
+static bool read(struct foreign_job *job, struct text content, struct lens *lens,
+                 struct error *error)
+{
+    struct lens_words words;
+    struct lens_build build;
+    lens_build_begin(&build, lens, job->arena);
+    read_comments(&build, content);
+    return lens_words_open(&words, job->source, content, job->arena, error) &&
+           read_words(&build, &words, error);
+}
+
+const struct foreign_format pbrt_format = {
+    .name = "dat",
+    .ending = ".dat",
+    .help = "lens table of pbrt's realistic camera",
+    .is_like = is_like,
+    .read = read,
+    .write = pbrt_write,
+};

@@ -1,0 +1,26 @@
+/* file/pbrt.h - lens tables of the realistic camera of pbrt. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_PBRT_H
+#define LENSCALC_FILE_PBRT_H
+
+#include "file/foreign.h"
+
+/*
+ * The .dat tables of pbrt-v3 and pbrt-v4: numbers in fours, from the front to the film: radius,
+ * distance to the next, index behind (0 is air), clear diameter; in mm; # comments. Radius 0 is the
+ * stop, a plane that does not refract. The first comment is the title, the others are notes.
+ *
+ * Refused   reading: radius 0 between two media, a second stop, numbers that are not in fours, a
+ *           diameter or index below 0.
+ *           writing: mirrors, cylinders, a surface without diameter, a medium before the lens
+ * Lost      writing: what is not of those four numbers. Dispersion: the index at the primary
+ *           wavelength is written. A plane that refracts becomes a radius of 100 m: pbrt's floats
+ *           have no place for a longer one
+ * Source    pbrt-v4, lens description files and the comments of RealisticCamera
+ */
+extern const struct foreign_format pbrt_format;
+
+bool pbrt_write(struct foreign_job *job, const struct lens *lens, struct text *text,
+                struct error *error);
+
+#endif

@@ -1,0 +1,205 @@
+/* file/pbrt_write.c - write lens tables of the realistic camera of pbrt. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_build.h"
+#include "file/pbrt.h"
+#include "file/writing.h"
+#include "optics/wavelength.h"
+
+#include <math.h>
+#include <string.h>
+
+/* What stands for a plane that refracts, mm; see pbrt.h. */
+static const char LONG_RADIUS[] = "100000";
+
+struct writer {
+    struct writing out;
+    struct foreign_job *job;
+    const struct lens *lens; /* in one position */
+    struct error *error;
+};
+
+#define NOWHERE           ((struct text){NULL, 0})
+#define LOSE(writer, ...) foreign_loss((writer)->job, NULL, NOWHERE, (writer)->error, __VA_ARGS__)
+
+static void put(struct writer *writer, const char *string)
+{
+    writing_put(&writer->out, text_of(string));
+}
+
+/* As typed, or with the digits that read back to its pair. */
+static void put_figure(struct writer *writer, const struct figure *figure)
+{
+    struct text digits = figure->typed;
+    if (digits.start == NULL) {
+        digits = figure_computed(figure->value, NUMBER_UNSCALED, writer->job->arena).typed;
+    }
+    writing_put(&writer->out, digits);
+}
+
+static bool refuse(const struct writer *writer, size_t number, const char *what)
+{
+    fail(writer->error, ERROR_DATA, "surface %zu %s: a .dat file cannot hold it", number, what);
+    return error_locate(writer->error, writer->job->source, 0, 0);
+}
+
+static bool lose_header(struct writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    bool only_d = lens->wavelength_count == 0 ||
+                  (lens->wavelength_count == 1 &&
+                   !(fabs(lens->wavelengths[0].wavelength - WAVELENGTH_D) > 0));
+    if (!medium_is_air(&lens->object_medium)) {
+        fail(writer->error, ERROR_DATA, "a .dat file has air before the lens");
+        return error_locate(writer->error, writer->job->source, 0, 0);
+    }
+    return (only_d || LOSE(writer, "a .dat file has no wavelengths: %.10g nm counts",
+                           1000 * lens_primary_wavelength(lens))) &&
+           (lens->object_is_infinite || LOSE(writer, "a .dat file has no object distance")) &&
+           (lens->field_count == 0 || LOSE(writer, "a .dat file has no fields")) &&
+           (lens->aperture_kind == APERTURE_NONE || lens->aperture_kind == APERTURE_STOP ||
+            LOSE(writer, "a .dat file has no aperture but the stop's diameter")) &&
+           (lens->focus == FOCUS_PARAXIAL || LOSE(writer, "a .dat file has no choice of focus"));
+}
+
+static bool lose_shape(struct writer *writer, const struct surface *surface, size_t number)
+{
+    if (surface->kind == SURFACE_REFLECT) {
+        return refuse(writer, number, "is a mirror");
+    }
+    if (surface->curved != CURVED_BOTH) {
+        return refuse(writer, number, "is a cylinder");
+    }
+    if (!surface->has_diameter) {
+        return refuse(writer, number, "has no diameter");
+    }
+    bool bent = surface->moved != NULL || surface->bend != NULL;
+    bool aspheric = fabs(surface->conic.value.hi) > 0 || surface->coefficients != 0;
+    return (!bent || LOSE(writer, "surface %zu: its decentre or tilt is left out", number)) &&
+           (!aspheric || LOSE(writer, "surface %zu: a sphere stands for the asphere", number)) &&
+           (surface->vary_count == 0 ||
+            LOSE(writer, "surface %zu: its marks for the designer are left out", number)) &&
+           (surface->name == NULL || LOSE(writer, "surface %zu: its name is left out", number));
+}
+
+/* Digits of a length in mm. */
+static void put_length(struct writer *writer, const struct figure *figure)
+{
+    struct figure in_mm = *figure;
+    if (strcmp(writer->lens->unit, "mm") != 0) {
+        in_mm.typed = (struct text){NULL, 0};
+    }
+    put_figure(writer, &in_mm);
+}
+
+static bool put_radius(struct writer *writer, const struct surface *surface, size_t number)
+{
+    if (surface->kind == SURFACE_STOP) {
+        if (!surface->is_stop && !LOSE(writer, "surface %zu: pbrt takes it for a stop", number)) {
+            return false;
+        }
+        put(writer, "0");
+        return true;
+    }
+    if (surface->is_stop &&
+        !LOSE(writer, "surface %zu: a .dat file has no stop on a surface", number)) {
+        return false;
+    }
+    if (surface->has_curvature && fabs(surface->curvature.value.hi) > 0) {
+        struct figure radius = {.value = pair_divide(pair_of(1), surface->curvature.value),
+                                .variable = LENS_NONE};
+        put_length(writer, &radius);
+        return true;
+    }
+    if (!surface->is_plane) {
+        put_length(writer, &surface->radius);
+        return true;
+    }
+    put(writer, LONG_RADIUS);
+    return LOSE(writer, "surface %zu: a radius of %s mm stands for the plane, pbrt's stop", number,
+                LONG_RADIUS);
+}
+
+/* The index behind a surface, at the primary wavelength. */
+static bool put_index(struct writer *writer, const struct surface *surface, size_t number)
+{
+    const struct medium *medium = &surface->medium;
+    struct figure index = {.variable = LENS_NONE};
+    if (medium_is_air(medium)) {
+        put(writer, surface->kind == SURFACE_STOP ? "0" : "1");
+        return true;
+    }
+    double wavelength = lens_primary_wavelength(writer->lens);
+    if (!medium_index(medium, wavelength, &index.value, writer->error)) {
+        return error_prefix(writer->error, "surface %zu: ", number);
+    }
+    if (medium->kind == MEDIUM_CONSTANT) {
+        index.typed = medium->written;
+    } else if (!LOSE(writer, "surface %zu: of %.*s the index at %.10g nm is kept, no dispersion",
+                     number, (int)(medium->written.length < 60 ? medium->written.length : 60),
+                     medium->written.start, 1000 * wavelength)) {
+        return false;
+    }
+    put_figure(writer, &index);
+    return true;
+}
+
+static bool put_surface(struct writer *writer, size_t i)
+{
+    const struct surface *surface = &writer->lens->surfaces[i];
+    if (!lose_shape(writer, surface, i + 1) || !put_radius(writer, surface, i + 1)) {
+        return false;
+    }
+    put(writer, "\t");
+    if (surface->has_thickness) {
+        put_length(writer, &surface->thickness);
+    } else {
+        put(writer, "0");
+    }
+    put(writer, "\t");
+    if (!put_index(writer, surface, i + 1)) {
+        return false;
+    }
+    put(writer, "\t");
+    put_length(writer, &surface->diameter);
+    put(writer, "\n");
+    return true;
+}
+
+static void put_comment(struct writer *writer, const char *word, const char *text)
+{
+    if (text != NULL) {
+        put(writer, "# ");
+        put(writer, word);
+        put(writer, text);
+        put(writer, "\n");
+    }
+}
+
+bool pbrt_write(struct foreign_job *job, const struct lens *lens, struct text *text,
+                struct error *error)
+{
+    struct writer writer = {
+        .job = job, .lens = lens_at_position(lens, 0, job->arena), .error = error};
+    writing_begin(&writer.out, writer.lens, false, job->arena);
+    if (lens->position_count > 1 &&
+        !LOSE(&writer, "a .dat file has one position: the first, '%s'", lens->positions[0])) {
+        return false;
+    }
+    if (!lose_header(&writer)) {
+        return false;
+    }
+    put_comment(&writer, "", lens->title != NULL ? lens->title : "lens");
+    put_comment(&writer, "source ", lens->source);
+    put_comment(&writer, "kind ", lens->kind);
+    for (size_t i = 0; i < lens->note_count; i++) {
+        put_comment(&writer, "", lens->notes[i]);
+    }
+    put(&writer, "# radius\tthickness\tindex\tdiameter\n");
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (!put_surface(&writer, i)) {
+            return false;
+        }
+    }
+    *text = (struct text){writer.out.data, writer.out.length};
+    return true;
+}
