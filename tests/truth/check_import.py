@@ -56,6 +56,10 @@ def compute(row, glasses):
             break
         back += surfaces[i - 1].t * unit
         backs.append(back)
+    if hasattr(surfaces[-1], "image_t"):  # a displaced image may be kept as a last plane
+        back = bfl - surfaces[-1].t * unit
+        shift = surfaces[-1].image_t * unit
+        backs += [back, back - shift, -shift]  # with PIM the distance before it is the bfl
     return efl, backs
 
 
@@ -130,7 +134,7 @@ def lossy_trip(program, name, path, kind):
     """What is kept of a lens that the format refuses: its power, at its primary wavelength."""
     out = program.run("convert", name, "--to", kind, "--lossy", "-o", path)
     listed = (out.stdout + out.stderr).decode()
-    if out.returncode != 0 or re.search("asphere|plane", listed):
+    if out.returncode != 0 or re.search("asphere|plane|A2", listed):
         return None if listed else "lossy: no word"
     before = rows_of(program, name)[0]
     after = rows_of(program, path, "-w", f"{before['wavelength_nm']}nm")

@@ -86,6 +86,7 @@ def seq(text):
             target.c = one.c * scale
         else:
             target.t = one.t * scale
+    all_surfaces[-2].image_t = all_surfaces[-1].t
     return all_surfaces[0].t, all_surfaces[1:-1], waves[reference - 1] / 1000, unit
 
 
