@@ -161,6 +161,11 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
         }
     }
     fail(error, ERROR_USAGE, "'%.*s' belongs to no option", text_shown(word), word.start);
+    const struct example *example = arguments->command->examples;
+    if (word.length > 0 && strchr("+.0123456789", word.start[0]) != NULL && example != NULL) {
+        return error_hint(error, "numbers stand behind their option, as in 'lenscalc %s'",
+                          example->arguments);
+    }
     return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
 }
 

@@ -248,7 +248,7 @@ static bool run_plain(const struct input *input, const struct photo_lens *lens, 
     struct conjugates_exposure exposure;
     double front = lens->measuring.front;
     if (!solve(input, lens, false, &row.c, error) ||
-        !conjugates_exposure(1, row.c.m, lens->P, &exposure, error)) {
+        !conjugates_exposure(isnan(lens->N) ? 1 : lens->N, row.c.m, lens->P, &exposure, error)) {
         return false;
     }
     if (!isnan(front) &&
@@ -256,7 +256,7 @@ static bool run_plain(const struct input *input, const struct photo_lens *lens, 
         return false;
     }
     row.focal = row.c.f;
-    row.working_fnumber = lens->N * exposure.working_fnumber;
+    row.working_fnumber = isnan(lens->N) ? NAN : exposure.working_fnumber;
     row.factor = exposure.factor;
     row.stops = exposure.stops;
     fill_row(input, lens, lens->P, &row);

@@ -150,9 +150,18 @@ static struct text first_filter(const struct reader *reader, struct text sum)
 static bool read_loss(const struct reader *reader, const struct option *option, struct text text,
                       void *member, struct error *error)
 {
+    enum { MOST_FILTERS = 16 };
     struct text rest = text_trim(text);
     double sum = 0;
     bool more = true;
+    size_t joined = 0;
+    for (size_t i = 0; i < rest.length; i++) {
+        joined += rest.start[i] == '+';
+    }
+    if (joined >= MOST_FILTERS) {
+        return fail(error, ERROR_DOMAIN, "--%s '%.*s...' joins more than %d filters", option->name,
+                    text_shown(text), text.start, (int)MOST_FILTERS);
+    }
     while (more) {
         struct text piece = first_filter(reader, rest);
         double stops;

@@ -237,6 +237,17 @@ bool conjugates_exposure(double N, double m, double P, struct conjugates_exposur
         return fail(error, ERROR_DOMAIN, "--pupil %g is out of range (above 0, finite)", P);
     }
     double ratio = 1 + m / P;
+    if (!(ratio <= 1e150)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the magnification %g is out of range: at most 1e150 times the pupil "
+                    "magnification, %g",
+                    m, P);
+    }
+    if (!(N * ratio < 1e300)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--aperture %g is out of range: with the magnification %g below %g", N, m,
+                    1e300 / ratio);
+    }
     *result = (struct conjugates_exposure){
         .working_fnumber = N * ratio, .factor = ratio * ratio, .stops = 2 * log1p(m / P) / log(2)};
     return true;

@@ -167,6 +167,54 @@ static bool is_shown(const struct report *report, const char *name)
     return false;
 }
 
+/* The option that a column repeats, if it repeats one; empty else. */
+static struct text repeated_option(const struct column *column)
+{
+    const struct text none = {"", 0};
+    bool echo = (column->flags & COLUMN_ECHO) != 0;
+    struct text depends = text_of(column->depends != NULL ? column->depends : "");
+    struct text first = text_cut(&depends, ' ');
+    if (echo && column->with != NULL) {
+        return text_of(column->with);
+    }
+    return echo || text_equal(first, column->name) ? first : none;
+}
+
+/* Is it a column that --columns names, in whatever unit? */
+static bool is_named(const struct report *report, const struct column *column)
+{
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (report->shown[i].column == column) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* People see what makes one row differ from the next, before what --columns names. */
+static void add_varied(struct report *report, const struct selection *selection)
+{
+    size_t named = report->shown_count, count = 0;
+    struct shown *all =
+        ARENA_ARRAY(report->arena, named + report->sheet->column_count, struct shown);
+    struct text before = {"", 0};
+    for (size_t i = 0; i < report->sheet->column_count; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        struct text option = repeated_option(column);
+        const char *name = arena_string(report->arena, option.start, option.length);
+        if (option.length > 0 && !text_equal(before, name) && !is_named(report, column) &&
+            selection->varied(selection->asked, name)) {
+            all[count++] = show_usual(column, report->arena);
+            before = option;
+        }
+    }
+    for (size_t i = 0; i < named; i++) {
+        all[count++] = report->shown[i];
+    }
+    report->shown = all;
+    report->shown_count = count;
+}
+
 /* The columns that --columns names, in its order. */
 static bool select_named(struct report *report, const struct selection *selection,
                          struct error *error)
@@ -191,6 +239,9 @@ static bool select_named(struct report *report, const struct selection *selectio
             return fail(error, ERROR_USAGE, "--columns names '%s' twice", shown.name);
         }
         report->shown[report->shown_count++] = shown;
+    }
+    if (selection->layout == SELECT_TABLE) {
+        add_varied(report, selection);
     }
     return true;
 }

@@ -7,3 +7,9 @@ lenscalc dof -f 50mm -N 2.8 -s 3m --csv --columns neer_m
 echo "status $?"
 lenscalc dof -f 50mm -N 2.8 -s 3m --csv --columns near_kg
 echo "status $?"
+# people see what was swept before what they name; machines get what they name
+lenscalc dof -f 50mm -N 2.8,4 -s 2m,3m --columns near_m,far_m
+lenscalc dof -f 50mm -N 2.8,4 -s 3m --columns near_m,fnumber
+lenscalc dof -f 50mm -N 4 -s 3m -c 0.01,0.02 --columns far_ft
+lenscalc dof -f 50mm -N 4 -s 3m --sensor 35mm,aps-c --columns near_m
+lenscalc dof -f 50mm -N 2.8,4 -s 3m --columns near_m --csv

@@ -20,3 +20,5 @@ for words in '-f 50' '-f 50 -s 3 -m 1:2' '-f 50 -s 40mm' '-f 50 --sensor-distanc
     lenscalc focus $words
     echo "status $?"
 done
+lenscalc focus -f 50 -m 1e300
+echo "status $?"

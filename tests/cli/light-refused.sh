@@ -48,3 +48,4 @@ refuse stars -f 50 --declination 91deg
 refuse stars
 refuse stars -f 50 -t 0
 refuse stars -f 50 --trail 1px
+refuse exposure -N 8 -t 1/125 --filter "nd2+nd2+nd2+nd2+nd2+nd2+nd2+nd2+nd2+nd2+nd2+nd2+nd2+nd2+nd2+nd2+nd2"

@@ -9,3 +9,6 @@ echo "status $?"
 lenscalc 2> short
 echo "status $?"
 head -n 1 short
+# a number without its option
+lenscalc dof 50
+echo "status $?"
