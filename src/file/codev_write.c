@@ -26,7 +26,7 @@ static bool lose(const struct output *output, struct error *error, const char *w
 
 static void put(struct output *output, struct text text)
 {
-    writing_put(&output->writing, text);
+    growing_text(&output->writing.text, text);
 }
 
 static void put_string(struct output *output, const char *string)
@@ -119,7 +119,7 @@ static bool put_medium(struct output *output, const struct medium *medium, struc
     }
     for (size_t i = 0; i < output->own_count; i++) {
         if (is_same_medium(output->own[i], medium)) {
-            writing_printf(&output->writing, "'N%zu'", i + 1);
+            growing_format(&output->writing.text, "'N%zu'", i + 1);
             return true;
         }
     }
@@ -155,7 +155,7 @@ static void put_own(struct output *output, size_t index)
     if (count == 0) {
         put_string(output, " 587.5618");
     }
-    writing_printf(writing, "\n  'N%zu'", index + 1);
+    growing_format(&writing->text, "\n  'N%zu'", index + 1);
     column = 8;
     for (size_t i = 0; i < count || i == 0; i++) {
         const struct figure figure = {.value = is_table ? medium->points[i].index : medium->index,
@@ -315,7 +315,7 @@ static bool put_header(struct output *output, struct error *error)
     if (!put_aperture(output, error)) {
         return false;
     }
-    writing_printf(&output->writing, "DIM %c\n", unit);
+    growing_format(&output->writing.text, "DIM %c\n", unit);
     put_waves(output);
     put_fields(output);
     put_catalog(output);
@@ -440,7 +440,7 @@ static bool put_positions(struct output *output, struct error *error)
     if (lens->position_count == 0) {
         return true;
     }
-    writing_printf(&output->writing, "ZOO %zu\nZOO TIT\n", lens->position_count);
+    growing_format(&output->writing.text, "ZOO %zu\nZOO TIT\n", lens->position_count);
     for (size_t i = 0; i < lens->position_count; i++) {
         if (!put_text(output, arena_printf(arena, "TIT Z%zu", i + 1), lens->positions[i], error)) {
             return false;
@@ -498,6 +498,6 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
         return false;
     }
     put_string(&output, "GO\n");
-    *text = (struct text){output.writing.data, output.writing.length};
+    *text = growing_done(&output.writing.text);
     return true;
 }

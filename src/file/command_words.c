@@ -64,15 +64,8 @@ static bool next_line(struct commands *commands)
 static bool add_word(struct commands *commands, struct text text, bool is_quoted,
                      struct error *error)
 {
-    if (commands->count == commands->room) {
-        size_t room = commands->room > 0 ? 2 * commands->room : 64;
-        struct command_word *more = ARENA_ARRAY(commands->arena, room, struct command_word);
-        if (commands->count > 0) {
-            memcpy(more, commands->words, commands->count * sizeof *more);
-        }
-        commands->words = more;
-        commands->room = room;
-    }
+    commands->words = arena_grow(commands->arena, commands->words, commands->count, &commands->room,
+                                 sizeof commands->words[0]);
     struct command_word *word = &commands->words[commands->count];
     *word = (struct command_word){text, commands->line, commands->number, is_quoted};
     if (commands->count == COMMAND_MOST_WORDS) {

@@ -60,15 +60,8 @@ const struct foreign_format *foreign_of(struct text source, struct text content)
 
 static void add_loss(struct foreign_job *job, long line, const char *what)
 {
-    if (job->loss_count == job->loss_room) {
-        size_t room = job->loss_room > 0 ? 2 * job->loss_room : 16;
-        struct foreign_loss *more = ARENA_ARRAY(job->arena, room, struct foreign_loss);
-        if (job->loss_count > 0) {
-            memcpy(more, job->losses, job->loss_count * sizeof *more);
-        }
-        job->losses = more;
-        job->loss_room = room;
-    }
+    job->losses = arena_grow(job->arena, job->losses, job->loss_count, &job->loss_room,
+                             sizeof job->losses[0]);
     job->losses[job->loss_count++] = (struct foreign_loss){line, what};
 }
 

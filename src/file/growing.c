@@ -6,11 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-void growing_put(struct growing *growing, const char *start, size_t length)
+/* The end, with room for so many characters more. */
+static char *make_room(struct growing *growing, size_t length)
 {
-    if (length == 0) {
-        return;
-    }
     if (growing->length + length > growing->room) {
         size_t room = 2 * (growing->room + length) + 1024;
         char *more = arena_array(growing->arena, room, 1);
@@ -20,8 +18,15 @@ void growing_put(struct growing *growing, const char *start, size_t length)
         growing->data = more;
         growing->room = room;
     }
-    memcpy(growing->data + growing->length, start, length);
-    growing->length += length;
+    return growing->data + growing->length;
+}
+
+void growing_put(struct growing *growing, const char *start, size_t length)
+{
+    if (length > 0) {
+        memcpy(make_room(growing, length), start, length);
+        growing->length += length;
+    }
 }
 
 void growing_text(struct growing *growing, struct text text)
@@ -36,15 +41,17 @@ void growing_string(struct growing *growing, const char *string)
 
 void growing_format(struct growing *growing, const char *format, ...)
 {
-    char line[512];
-    va_list arguments;
+    va_list arguments, again;
     va_start(arguments, format);
-    int length = vsnprintf(line, sizeof line, format, arguments);
+    va_copy(again, arguments);
+    int length = vsnprintf(NULL, 0, format, arguments);
     va_end(arguments);
-    growing_put(growing, line,
-                length < 0                     ? 0
-                : (size_t)length < sizeof line ? (size_t)length
-                                               : sizeof line - 1);
+    if (length > 0) {
+        char *end = make_room(growing, (size_t)length + 1); /* and its null */
+        vsnprintf(end, (size_t)length + 1, format, again);
+        growing->length += (size_t)length;
+    }
+    va_end(again);
 }
 
 void growing_number(struct growing *growing, double value)

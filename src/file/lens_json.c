@@ -18,7 +18,7 @@ struct writer {
 
 static void put(struct writer *writer, const char *string)
 {
-    writing_put(&writer->out, text_of(string));
+    growing_text(&writer->out.text, text_of(string));
 }
 
 static void put_text(struct writer *writer, struct text text)
@@ -30,11 +30,11 @@ static void put_text(struct writer *writer, struct text text)
         if (length == 0) {
             put(writer, "\xef\xbf\xbd"); /* the replacement character */
         } else if (*at == '"' || *at == '\\') {
-            writing_printf(&writer->out, "\\%c", *at);
+            growing_format(&writer->out.text, "\\%c", *at);
         } else if (*at < 0x20) {
-            writing_printf(&writer->out, "\\u%04x", *at);
+            growing_format(&writer->out.text, "\\u%04x", *at);
         } else {
-            writing_put(&writer->out, (struct text){text.start + i, length});
+            growing_text(&writer->out.text, (struct text){text.start + i, length});
         }
         i += length > 0 ? length : 1;
     }
@@ -54,7 +54,7 @@ static void put_number(struct writer *writer, double value)
 {
     if (isfinite(value)) {
         char text[NUMBER_LENGTH];
-        writing_put(&writer->out, text_between(text, number_write_shortest(text, value)));
+        growing_text(&writer->out.text, text_between(text, number_write_shortest(text, value)));
     } else {
         put(writer, "null");
     }
@@ -85,7 +85,7 @@ static void put_figure(struct writer *writer, const struct figure *figure, doubl
 /* ,"key": */
 static void put_key(struct writer *writer, const char *key)
 {
-    writing_printf(&writer->out, ",\"%s\":", key);
+    growing_format(&writer->out.text, ",\"%s\":", key);
 }
 
 static void put_optional(struct writer *writer, const char *key, bool given,
@@ -208,7 +208,7 @@ static void put_coefficients(struct writer *writer, const struct surface *surfac
     put_key(writer, "coefficients_mm");
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         if ((surface->coefficients >> i & 1) != 0) {
-            writing_printf(&writer->out, "%s\"A%d\":", before, 2 * (i + 1));
+            growing_format(&writer->out.text, "%s\"A%d\":", before, 2 * (i + 1));
             put_figure(writer, &surface->coefficient[i], 1);
             before = ",";
         }
@@ -247,7 +247,7 @@ static bool put_surface(struct writer *writer, size_t i, struct error *error)
     static const char *const curved[] = {"", "x", "y"};
     const struct surface *surface = &writer->lens->surfaces[i];
     bool is_plane = surface->is_plane && !surface->has_curvature;
-    writing_printf(&writer->out, "%s\n{\"surface\":%zu,\"kind\":\"%s\",\"is_stop\":%s",
+    growing_format(&writer->out.text, "%s\n{\"surface\":%zu,\"kind\":\"%s\",\"is_stop\":%s",
                    i > 0 ? "," : "", i + 1, kinds[surface->kind],
                    surface->is_stop ? "true" : "false");
     put_key(writer, "name");
@@ -306,7 +306,7 @@ static void put_header(struct writer *writer)
     if (lens->stop == LENS_NONE) {
         put(writer, "null");
     } else {
-        writing_printf(&writer->out, "%zu", lens->stop + 1);
+        growing_format(&writer->out.text, "%zu", lens->stop + 1);
     }
     put_stated(writer);
 }
@@ -324,7 +324,7 @@ static bool write_json(struct foreign_job *job, const struct lens *lens, struct 
         }
     }
     put(&writer, "\n]}\n");
-    *text = (struct text){writer.out.data, writer.out.length};
+    *text = growing_done(&writer.out.text);
     return true;
 }
 

@@ -1,34 +1,21 @@
 /* file/lens_write.c - a lens as a .lens file. */
 /* SPDX-License-Identifier: MIT */
+#include "file/growing.h"
 #include "file/lens_file.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
-/* Text that grows in the arena. */
 struct writer {
     struct arena *arena;
     const struct lens *lens;
-    char *data;
-    size_t length, room;
+    struct growing text;
     double unit; /* mm */
 };
 
 static void put(struct writer *writer, const char *start, size_t length)
 {
-    if (writer->length + length > writer->room) {
-        size_t room = 2 * (writer->room + length) + 1024;
-        char *more = arena_array(writer->arena, room, 1);
-        if (writer->length > 0) {
-            memcpy(more, writer->data, writer->length);
-        }
-        writer->data = more;
-        writer->room = room;
-    }
-    memcpy(writer->data + writer->length, start, length);
-    writer->length += length;
+    growing_put(&writer->text, start, length);
 }
 
 static void put_string(struct writer *writer, const char *string)
@@ -41,7 +28,7 @@ static void put_tab(struct writer *writer, size_t line_start, size_t column)
 {
     do {
         put(writer, " ", 1);
-    } while (writer->length - line_start < column);
+    } while (writer->text.length - line_start < column);
 }
 
 /* As typed; a computed value with the shortest digits. */
@@ -132,7 +119,7 @@ static void put_surface(struct writer *writer, const struct surface *surface)
         put_displacement(writer, surface->bend, 3);
         put(writer, "\n", 1);
     }
-    size_t start = writer->length;
+    size_t start = writer->text.length;
     put_string(writer, surface->kind == SURFACE_STOP ? "stop" : "surface");
     put_tab(writer, start, 12);
     put_cell(writer, !surface->is_plane, &surface->radius);
@@ -277,12 +264,13 @@ static double unit_of(const char *name)
 
 struct text lens_write(const struct lens *lens, struct arena *arena)
 {
-    struct writer writer = {.arena = arena, .lens = lens, .unit = unit_of(lens->unit)};
+    struct writer writer = {
+        .arena = arena, .lens = lens, .text = {.arena = arena}, .unit = unit_of(lens->unit)};
     put_header(&writer);
     put_positions(&writer);
     put_string(&writer, "#           radius        thickness   medium              diameter\n");
     for (size_t i = 0; i < lens->surface_count; i++) {
         put_surface(&writer, &lens->surfaces[i]);
     }
-    return (struct text){writer.data, writer.length};
+    return growing_done(&writer.text);
 }

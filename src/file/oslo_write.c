@@ -22,14 +22,14 @@ static bool lose(const struct output *output, struct error *error, const char *w
 
 static void put_string(struct output *output, const char *string)
 {
-    writing_put(&output->writing, text_of(string));
+    growing_text(&output->writing.text, text_of(string));
 }
 
 static void put_command(struct output *output, const char *name, struct text value)
 {
     put_string(output, name);
     put_string(output, " ");
-    writing_put(&output->writing, value);
+    growing_text(&output->writing.text, value);
     put_string(output, "\n");
 }
 
@@ -45,7 +45,7 @@ static bool put_text(struct output *output, const char *name, const char *string
     const struct text text = writing_quotable(&output->writing, string, "\"", &has_lost);
     put_string(output, name);
     put_string(output, " \"");
-    writing_put(&output->writing, text);
+    growing_text(&output->writing.text, text);
     put_string(output, "\"");
     return !has_lost || lose(output, error, "double quotes inside of a text are left out");
 }
@@ -114,7 +114,7 @@ static void put_field(struct output *output)
     put_string(output, OSLO_FIELDS);
     for (size_t i = 0; i < lens->field_count; i++) {
         put_string(output, " ");
-        writing_put(&output->writing, field_text(output, &lens->fields[i]));
+        growing_text(&output->writing.text, field_text(output, &lens->fields[i]));
     }
     put_string(output, "\n");
 }
@@ -132,10 +132,10 @@ static void put_points(struct output *output)
     for (size_t i = 0; i < lens->field_count; i++) {
         double field = lens->fields[i].value.hi, whole = edge->value.hi;
         double fraction = angle ? tan(field) / tan(whole) : field / whole;
-        writing_printf(&output->writing, "F %zu %.12g 0.0 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 1.0\n",
+        growing_format(&output->writing.text, "F %zu %.12g 0.0 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 1.0\n",
                        i + 1, fraction);
     }
-    writing_printf(&output->writing, "END %zu\n", lens->field_count);
+    growing_format(&output->writing.text, "END %zu\n", lens->field_count);
 }
 
 static bool put_header(struct output *output, struct error *error)
@@ -150,7 +150,7 @@ static bool put_header(struct output *output, struct error *error)
     if (!put_text(output, "LEN NEW", lens->title != NULL ? lens->title : "", error)) {
         return false;
     }
-    writing_printf(&output->writing, " 100 %zu\n", lens->surface_count + 1);
+    growing_format(&output->writing.text, " 100 %zu\n", lens->surface_count + 1);
     if (!put_aperture(output, error)) {
         return false;
     }
@@ -178,14 +178,14 @@ static void put_indices(struct output *output, const struct medium *medium)
     put_string(output, "WV");
     for (size_t i = 0; i < medium->point_count; i++) {
         put_string(output, " ");
-        writing_put(writing,
+        growing_text(&writing->text,
                     writing_wave(writing, medium->points[i].wavelength, (struct text){"", 0}, 0));
     }
-    writing_printf(writing, "\nGLA MOD MODEL%zu", ++output->models);
+    growing_format(&writing->text, "\nGLA MOD MODEL%zu", ++output->models);
     for (size_t i = 0; i < medium->point_count; i++) {
         const struct figure figure = {.value = medium->points[i].index, .variable = LENS_NONE};
         put_string(output, " ");
-        writing_put(writing, writing_length(writing, &figure, 0));
+        growing_text(&writing->text, writing_length(writing, &figure, 0));
     }
     put_string(output, "\n");
 }
@@ -203,7 +203,7 @@ static void put_medium(struct output *output, const struct medium *medium)
     } else if (medium->kind == MEDIUM_MODEL) {
         struct text abbe = medium->written, index = text_cut(&abbe, '/');
         put_string(output, "WV 0.58756 0.48613 0.65627\nGLA MOD ");
-        writing_put(writing, index);
+        growing_text(&writing->text, index);
         put_command(output, "", abbe);
     } else if (medium->kind == MEDIUM_CONSTANT) {
         put_command(output, "GLA", medium->written);
@@ -223,7 +223,7 @@ static void put_coefficients(struct output *output, const struct surface *surfac
     static const char *const words[] = {NULL, "AD", "AE", "AF", "AG"};
     bool general = (surface->coefficients & ~0x1eu) != 0;
     if (general) {
-        writing_printf(&output->writing, "ASP ASR %d\n", LENS_COEFFICIENTS);
+        growing_format(&output->writing.text, "ASP ASR %d\n", LENS_COEFFICIENTS);
     }
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         if ((surface->coefficients >> i & 1) != 0) {
@@ -308,15 +308,15 @@ static void put_waves(struct output *output)
     put_string(output, "WV");
     for (size_t i = 0; i < lens->wavelength_count; i++) {
         put_string(output, " ");
-        writing_put(writing, writing_wave(writing, lens->wavelengths[i].wavelength,
-                                          lens->wavelengths[i].typed, 0));
+        growing_text(&writing->text, writing_wave(writing, lens->wavelengths[i].wavelength,
+                                                  lens->wavelengths[i].typed, 0));
     }
     put_string(output, lens->wavelength_count == 0 ? " 0.5875618\nWW" : "\nWW");
     for (size_t i = 0; i < lens->wavelength_count || i == 0; i++) {
         const struct text weight =
             i < lens->wavelength_count ? lens->wavelengths[i].weight_typed : (struct text){NULL, 0};
         put_string(output, " ");
-        writing_put(writing, weight.start != NULL ? weight : text_of("1.0"));
+        growing_text(&writing->text, weight.start != NULL ? weight : text_of("1.0"));
     }
     put_string(output, "\n");
 }
@@ -351,8 +351,8 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
     }
     put_string(&output, "NXT\nAIR\n");
     put_waves(&output);
-    writing_printf(&output.writing, "END %zu\n", lens->surface_count + 1);
+    growing_format(&output.writing.text, "END %zu\n", lens->surface_count + 1);
     put_points(&output);
-    *text = (struct text){output.writing.data, output.writing.length};
+    *text = growing_done(&output.writing.text);
     return true;
 }

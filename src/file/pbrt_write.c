@@ -23,7 +23,7 @@ struct writer {
 
 static void put(struct writer *writer, const char *string)
 {
-    writing_put(&writer->out, text_of(string));
+    growing_text(&writer->out.text, text_of(string));
 }
 
 /* As typed, or with the digits that read back to its pair. */
@@ -33,7 +33,7 @@ static void put_figure(struct writer *writer, const struct figure *figure)
     if (digits.start == NULL) {
         digits = figure_computed(figure->value, NUMBER_UNSCALED, writer->job->arena).typed;
     }
-    writing_put(&writer->out, digits);
+    growing_text(&writer->out.text, digits);
 }
 
 static bool refuse(const struct writer *writer, size_t number, const char *what)
@@ -200,6 +200,6 @@ bool pbrt_write(struct foreign_job *job, const struct lens *lens, struct text *t
             return false;
         }
     }
-    *text = (struct text){writer.out.data, writer.out.length};
+    *text = growing_done(&writer.out.text);
     return true;
 }

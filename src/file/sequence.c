@@ -9,25 +9,10 @@
 
 const struct figure sequence_nothing = {{0, 0}, {NULL, 0}, LENS_NONE};
 
-/* Room for one more. */
-static void *grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size)
-{
-    if (count < *room) {
-        return array;
-    }
-    size_t more = *room > 0 ? 2 * *room : 16;
-    void *larger = arena_array(arena, more, size);
-    if (count > 0) {
-        memcpy(larger, array, count * size);
-    }
-    *room = more;
-    return larger;
-}
-
 struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at)
 {
-    sequence->surfaces = grow(sequence->job->arena, sequence->surfaces, sequence->count,
-                              &sequence->room, sizeof sequence->surfaces[0]);
+    sequence->surfaces = arena_grow(sequence->job->arena, sequence->surfaces, sequence->count,
+                                    &sequence->room, sizeof sequence->surfaces[0]);
     struct sequence_surface *surface = &sequence->surfaces[sequence->count++];
     *surface = (struct sequence_surface){.at = at,
                                          .curve = sequence_nothing,
@@ -47,8 +32,8 @@ struct sequence_surface *sequence_add(struct sequence *sequence, struct command_
 
 void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup)
 {
-    sequence->pickups = grow(sequence->job->arena, sequence->pickups, sequence->pickup_count,
-                             &sequence->pickup_room, sizeof sequence->pickups[0]);
+    sequence->pickups = arena_grow(sequence->job->arena, sequence->pickups, sequence->pickup_count,
+                                   &sequence->pickup_room, sizeof sequence->pickups[0]);
     sequence->pickups[sequence->pickup_count++] = pickup;
 }
 

@@ -1,4 +1,4 @@
-/* file/writing.c - text of a lens file that grows while it is written. */
+/* file/writing.c - the digits and names of a lens as CODE V and OSLO files have them. */
 /* SPDX-License-Identifier: MIT */
 #include "file/writing.h"
 
@@ -8,8 +8,6 @@
 #include "optics/first_order.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 static const double radians = 0.017453292519943295;
@@ -18,36 +16,9 @@ void writing_begin(struct writing *writing, const struct lens *lens, bool has_me
                    struct arena *arena)
 {
     bool is_metre = strcmp(lens->unit, "m") == 0 && !has_metres;
-    *writing = (struct writing){.arena = arena, .lens = lens, .shift = is_metre ? 3 : 0};
+    *writing = (struct writing){
+        .arena = arena, .lens = lens, .text = {.arena = arena}, .shift = is_metre ? 3 : 0};
     writing->scale = is_metre ? (struct number_scale){1, 0} : lens_unit_scale(lens->unit);
-}
-
-void writing_put(struct writing *writing, struct text text)
-{
-    if (writing->length + text.length > writing->room) {
-        size_t room = 2 * (writing->room + text.length) + 1024;
-        char *more = arena_array(writing->arena, room, 1);
-        if (writing->length > 0) {
-            memcpy(more, writing->data, writing->length);
-        }
-        writing->data = more;
-        writing->room = room;
-    }
-    if (text.length > 0) {
-        memcpy(writing->data + writing->length, text.start, text.length);
-    }
-    writing->length += text.length;
-}
-
-void writing_printf(struct writing *writing, const char *format, ...)
-{
-    char line[512];
-    va_list arguments;
-    va_start(arguments, format);
-    int length = vsnprintf(line, sizeof line, format, arguments);
-    va_end(arguments);
-    size_t most = sizeof line - 1;
-    writing_put(writing, (struct text){line, (size_t)length < most ? (size_t)length : most});
 }
 
 struct figure writing_first(const struct writing *writing, const struct figure *figure)

@@ -1,4 +1,4 @@
-/* file/writing.h - text of a lens file that grows while it is written. */
+/* file/writing.h - the digits and names of a lens as CODE V and OSLO files have them. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_FILE_WRITING_H
 #define LENSCALC_FILE_WRITING_H
@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/text.h"
 #include "file/foreign.h"
+#include "file/growing.h"
 #include "optics/lens.h"
 
 #include <stdbool.h>
@@ -17,17 +18,12 @@ struct writing {
     const struct lens *lens;
     struct number_scale scale; /* of the file's unit of length, in mm */
     int shift; /* power of ten that takes a length from the lens's unit to the file's */
-    char *data;
-    size_t length, room;
+    struct growing text;
 };
 
 /* Begin; a lens in metres is written in millimetres where the program has no metres. */
 void writing_begin(struct writing *writing, const struct lens *lens, bool has_metres,
                    struct arena *arena);
-
-void writing_put(struct writing *writing, struct text text);
-void writing_printf(struct writing *writing, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
 
 /* The figure in the first position, where a variable stands for it. */
 struct figure writing_first(const struct writing *writing, const struct figure *figure);
