@@ -94,6 +94,14 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t';
 }
 
+struct text text_behind(struct text text, const char *begin)
+{
+    size_t length = strlen(begin);
+    bool begins = text.length > length && memcmp(text.start, begin, length) == 0;
+    return begins ? (struct text){text.start + length, text.length - length}
+                  : (struct text){NULL, 0};
+}
+
 struct text text_trim(struct text text)
 {
     while (text.length > 0 && is_blank(text.start[0])) {

@@ -37,6 +37,9 @@ bool text_same_name(struct text a, struct text b);
 /* Does `part` occur in `whole`, by the rules of text_same_name? */
 bool text_contains_name(struct text whole, struct text part);
 
+/* What follows `begin`; its start is null where the text begins otherwise or ends there. */
+struct text text_behind(struct text text, const char *begin);
+
 /* Without blanks and tabs at both ends. */
 struct text text_trim(struct text text);
 

@@ -3,6 +3,7 @@
 #include "file/codev.h"
 
 #include "file/codev_system.h"
+#include "file/remarks.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -396,17 +397,26 @@ static bool finish(struct codev *codev, struct error *error)
            check_mode(codev, error) && sequence_finish(sequence, error);
 }
 
-/* What lenscalc itself has written as a comment. */
-static void read_remark(struct codev *codev, struct text content)
+/* What lenscalc itself has written as comments. */
+static void read_remarks(struct codev *codev, struct text content)
 {
     struct lens *lens = codev->build.lens;
+    struct remarks remarks = {0};
     for (struct text rest = content; rest.start != NULL;) {
-        if (text_equal(text_trim(text_cut(&rest, '\n')), CODEV_STOP_RULES)) {
+        const struct text line = text_trim(text_cut(&rest, '\n'));
+        const struct text remark = text_behind(line, CODEV_REMARK);
+        const struct text note = text_behind(remark, CODEV_NOTE);
+        if (text_equal(remark, CODEV_STOP_RULES)) {
             lens->aperture_kind = APERTURE_STOP;
             lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
             lens->apertures = NULL;
+        } else if (note.start != NULL) {
+            lens_build_note(&codev->build, note);
+        } else if (remark.start != NULL) {
+            remarks_take(&remarks, remark);
         }
     }
+    remarks_apply(&remarks, &codev->build);
 }
 
 static bool codev_read(struct foreign_job *job, struct text content, struct lens *lens,
@@ -428,7 +438,7 @@ static bool codev_read(struct foreign_job *job, struct text content, struct lens
             return false;
         }
     }
-    read_remark(codev, content);
+    read_remarks(codev, content);
     return error->code == ERROR_NONE && finish(codev, error);
 }
 

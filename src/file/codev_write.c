@@ -3,6 +3,7 @@
 #include "file/codev.h"
 
 #include "file/decimal.h"
+#include "file/remarks.h"
 #include "file/writing.h"
 
 #include <math.h>
@@ -214,7 +215,7 @@ static void put_values(struct output *output, const char *name, const struct fig
 static bool put_pupil(struct output *output, struct error *error)
 {
     struct figure pupil = {.variable = LENS_NONE};
-    put_string(output, CODEV_STOP_RULES "\n");
+    put_string(output, CODEV_REMARK CODEV_STOP_RULES "\n");
     if (!writing_pupil(&output->writing, 0, &pupil)) {
         return lose(output, error, "an aperture that is ruled by a stop without a pupil");
     }
@@ -309,8 +310,11 @@ static bool put_header(struct output *output, struct error *error)
     if (lens->title != NULL && !put_text(output, "TITLE", lens->title, error)) {
         return false;
     }
-    if (lens->source != NULL) {
-        put_command(output, "! source", text_of(lens->source));
+    remarks_write(&output->writing.text, lens, output->writing.scale, CODEV_REMARK, "\n");
+    for (size_t i = 0; i < lens->note_count; i++) {
+        put_string(output, CODEV_REMARK CODEV_NOTE);
+        put_string(output, lens->notes[i]);
+        put_string(output, "\n");
     }
     if (!put_aperture(output, error)) {
         return false;

@@ -15,11 +15,14 @@
  */
 extern const struct foreign_format oslo_format;
 
-/* A comment that lenscalc writes beside the EBR of a lens whose stop rules the aperture. */
-#define OSLO_STOP_RULES "// lenscalc: the stop's diameter rules, not EBR"
-
-/* And the fields as a .lens file has them, which OSLO keeps as fractions of the largest. */
-#define OSLO_FIELDS "// lenscalc: fields"
+/* Begins the comments in which lenscalc keeps what OSLO has no words for. */
+#define OSLO_REMARK "// lenscalc: "
+/* Beside the EBR of a lens whose stop rules the aperture. */
+#define OSLO_STOP_RULES "the stop's diameter rules, not EBR"
+/* The fields as a .lens file has them, which OSLO keeps as fractions of the largest. */
+#define OSLO_FIELDS "fields "
+/* The name of a surface: its number, and the name */
+#define OSLO_NAME "name "
 
 bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                 struct error *error);

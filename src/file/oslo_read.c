@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/oslo.h"
 #include "file/oslo_words.h"
+#include "file/remarks.h"
 #include "file/sequence.h"
 
 #include <stdarg.h>
@@ -477,23 +478,44 @@ static bool read_unit(struct oslo *oslo, struct text content, struct error *erro
     return error->code == ERROR_NONE;
 }
 
-/* What lenscalc itself has written as a comment. */
+/* 3 front: the name of surface 3 */
+static void name_surface(struct oslo *oslo, struct text rest)
+{
+    size_t number = 0;
+    for (struct text digits = text_cut(&rest, ' '); digits.length > 0; digits.length--) {
+        bool is_digit = digits.start[0] >= '0' && digits.start[0] <= '9';
+        number = is_digit && number < SEQUENCE_MOST ? 10 * number + (size_t)(digits.start[0] - '0')
+                                                    : SEQUENCE_MOST;
+        digits.start++;
+    }
+    if (number < oslo->sequence.count && rest.length > 0) {
+        oslo->sequence.surfaces[number].name = lens_build_string(&oslo->build, rest);
+    }
+}
+
+/* What lenscalc itself has written as comments. */
 static bool read_remarks(struct oslo *oslo, struct text content, struct error *error)
 {
     struct lens *lens = oslo->build.lens;
-    const size_t length = sizeof OSLO_FIELDS - 1;
+    struct remarks remarks = {0};
     for (struct text rest = content; rest.start != NULL;) {
         const struct text line = text_trim(text_cut(&rest, '\n'));
-        if (line.length > length && memcmp(line.start, OSLO_FIELDS, length) == 0 &&
-            !oslo_fields(oslo, text_between(line.start + length, line.start + line.length),
-                         error)) {
+        const struct text remark = text_behind(line, OSLO_REMARK);
+        const struct text fields = text_behind(remark, OSLO_FIELDS);
+        const struct text name = text_behind(remark, OSLO_NAME);
+        if (fields.start != NULL && !oslo_fields(oslo, fields, error)) {
             return false;
         }
-        if (text_equal(line, OSLO_STOP_RULES)) {
+        if (text_equal(remark, OSLO_STOP_RULES)) {
             lens->aperture_kind = APERTURE_STOP;
             lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
+        } else if (name.start != NULL) {
+            name_surface(oslo, name);
+        } else if (remark.start != NULL) {
+            remarks_take(&remarks, remark);
         }
     }
+    remarks_apply(&remarks, &oslo->build);
     return true;
 }
 

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/decimal.h"
 #include "file/oslo.h"
+#include "file/remarks.h"
 #include "file/writing.h"
 
 #include <math.h>
@@ -13,6 +14,7 @@ struct output {
     struct foreign_job *job;
     const struct lens *lens;
     size_t models; /* glasses that were named so far */
+    size_t number; /* of the present surface; the object is 0 */
 };
 
 static bool lose(const struct output *output, struct error *error, const char *what)
@@ -75,7 +77,7 @@ static bool put_aperture(struct output *output, struct error *error)
                     "NA, write 'aperture na'");
     }
     if (lens->aperture_kind == APERTURE_STOP) {
-        put_string(output, OSLO_STOP_RULES "\n");
+        put_string(output, OSLO_REMARK OSLO_STOP_RULES "\n");
         figure = (struct figure){.variable = LENS_NONE};
         if (!writing_pupil(&output->writing, 0, &figure)) {
             return lose(output, error, "an aperture that is ruled by a stop without a pupil");
@@ -111,9 +113,9 @@ static void put_field(struct output *output)
         return;
     }
     put_command(output, words[lens->field_kind], field_text(output, edge));
-    put_string(output, OSLO_FIELDS);
+    put_string(output, OSLO_REMARK OSLO_FIELDS);
     for (size_t i = 0; i < lens->field_count; i++) {
-        put_string(output, " ");
+        put_string(output, i > 0 ? " " : "");
         growing_text(&output->writing.text, field_text(output, &lens->fields[i]));
     }
     put_string(output, "\n");
@@ -144,9 +146,7 @@ static bool put_header(struct output *output, struct error *error)
     static const char *const units[][2] = {
         {"mm", "1.0"}, {"cm", "10.0"}, {"in", "25.4"}, {"m", "1000.0"}};
     put_string(output, "// OSLO 6.6 0 0 0\n");
-    if (lens->source != NULL) {
-        put_command(output, "// source:", text_of(lens->source));
-    }
+    remarks_write(&output->writing.text, lens, output->writing.scale, OSLO_REMARK, "\n");
     if (!put_text(output, "LEN NEW", lens->title != NULL ? lens->title : "", error)) {
         return false;
     }
@@ -179,7 +179,7 @@ static void put_indices(struct output *output, const struct medium *medium)
     for (size_t i = 0; i < medium->point_count; i++) {
         put_string(output, " ");
         growing_text(&writing->text,
-                    writing_wave(writing, medium->points[i].wavelength, (struct text){"", 0}, 0));
+                     writing_wave(writing, medium->points[i].wavelength, (struct text){"", 0}, 0));
     }
     growing_format(&writing->text, "\nGLA MOD MODEL%zu", ++output->models);
     for (size_t i = 0; i < medium->point_count; i++) {
@@ -263,6 +263,12 @@ static bool put_shape(struct output *output, const struct surface *surface, stru
            lose(output, error, "a cylinder is written as curved in both sections");
 }
 
+static void put_next(struct output *output)
+{
+    put_string(output, "NXT\n");
+    output->number++;
+}
+
 static bool put_surface(struct output *output, size_t index, struct error *error)
 {
     const struct lens *lens = output->lens;
@@ -270,11 +276,16 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     const struct medium *before = index > 0 ? &surface[-1].medium : &lens->object_medium;
     bool is_last = index + 1 == lens->surface_count;
     bool solved = is_last && lens->focus == FOCUS_PARAXIAL;
-    put_string(output, "NXT\n");
+    put_next(output);
+    if (surface->name != NULL) {
+        growing_format(&output->writing.text, OSLO_REMARK OSLO_NAME "%zu %s\n",
+                       output->number + (surface->moved != NULL && surface->bend != NULL),
+                       surface->name);
+    }
     if (surface->moved != NULL && surface->bend != NULL) { /* the bend on a plane of its own */
         put_medium(output, before);
         put_displacement(output, surface->bend, false);
-        put_string(output, "NXT\n");
+        put_next(output);
     }
     if (surface->kind == SURFACE_REFLECT) {
         put_string(output, "RFL\n");

@@ -92,11 +92,6 @@ static bool read_name(struct zemax_file *file, struct text keyword, struct error
     return true;
 }
 
-/* What lenscalc's own files say in notes, by enum zemax_own. */
-static const char *const own_notes[ZEMAX_OWN] = {
-    "lenscalc source ",     "lenscalc kind ",       "lenscalc positions ",
-    "lenscalc stated efl ", "lenscalc stated bfl ", "lenscalc stated fnumber "};
-
 /* NOTE 0 has the text; other numbers are breaks of its lines. */
 static bool read_note(struct zemax_file *file, struct text keyword, struct error *error)
 {
@@ -106,12 +101,14 @@ static bool read_note(struct zemax_file *file, struct text keyword, struct error
     if (!text_equal(number, "0") || rest.length == 0) {
         return true;
     }
-    for (size_t i = 0; i < sizeof own_notes / sizeof own_notes[0]; i++) {
-        size_t length = strlen(own_notes[i]);
-        if (rest.length > length && memcmp(rest.start, own_notes[i], length) == 0) {
-            file->own[i] = (struct text){rest.start + length, rest.length - length};
-            return true;
-        }
+    struct text remark = text_behind(rest, ZEMAX_REMARK),
+                names = text_behind(remark, ZEMAX_POSITIONS);
+    if (names.start != NULL) {
+        file->position_names = names;
+        return true;
+    }
+    if (remark.start != NULL && remarks_take(&file->remarks, remark)) {
+        return true;
     }
     lens_build_note(&file->build, rest);
     return true;

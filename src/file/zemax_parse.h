@@ -5,6 +5,7 @@
 
 #include "file/foreign.h"
 #include "file/lens_build.h"
+#include "file/remarks.h"
 
 enum {
     ZEMAX_PARAMETERS = 13, /* PARM 1 .. 12 */
@@ -46,8 +47,9 @@ struct zemax_setting {
     struct zemax_setting *next;
 };
 
-/* Notes in which lenscalc keeps what a .zmx file has no words for. */
-enum zemax_own { OWN_SOURCE, OWN_KIND, OWN_POSITIONS, OWN_STATED, ZEMAX_OWN = OWN_STATED + 3 };
+/* Begins the notes in which lenscalc keeps what a .zmx file has no words for. */
+#define ZEMAX_REMARK    "lenscalc "
+#define ZEMAX_POSITIONS "positions " /* their names follow */
 
 struct zemax_file {
     struct foreign_job *job;
@@ -64,7 +66,8 @@ struct zemax_file {
     const struct zemax_line *primary_line;
     size_t configurations;
     struct zemax_setting *settings, *last_setting;
-    struct text own[ZEMAX_OWN];
+    struct remarks remarks;
+    struct text position_names;
     const struct displacement *bend; /* of the next surface */
 };
 

@@ -177,38 +177,6 @@ static bool set_object(struct zemax_file *file, struct error *error)
            zemax_medium(file, object, &medium_air, &lens->object_medium, error);
 }
 
-/* What the source states, if lenscalc wrote one number or as many as there are positions. */
-static void set_stated(struct zemax_file *file, int what)
-{
-    struct lens *lens = file->build.lens;
-    struct text rest = file->own[OWN_STATED + what];
-    struct number_scale unit =
-        what == STATED_FNUMBER ? NUMBER_UNSCALED : lens_unit_scale(lens->unit);
-    size_t most = lens->position_count > 0 ? lens->position_count : 1, count = 0;
-    struct figure *figures = ARENA_ARRAY(file->job->arena, most, struct figure);
-    while (rest.start != NULL && rest.length > 0 && count < most) {
-        struct text word = text_cut(&rest, ' ');
-        figures[count] = (struct figure){.typed = word, .variable = LENS_NONE};
-        if (pair_read(word.start, word.start + word.length, unit, &figures[count].value) !=
-                word.start + word.length ||
-            !(fabs(figures[count].value.hi) < 1e100)) {
-            return;
-        }
-        count++;
-    }
-    if (rest.start == NULL && (count == 1 || (count > 0 && count == most))) {
-        lens->stated[what] = figures;
-        lens->stated_count[what] = count;
-    }
-}
-
-static void set_all_stated(struct zemax_file *file)
-{
-    for (int i = 0; i < STATED_COUNT; i++) {
-        set_stated(file, i);
-    }
-}
-
 /* A word of a .lens file that is no word of another meaning. */
 static bool is_position_name(struct text name)
 {
@@ -226,7 +194,7 @@ static bool is_position_name(struct text name)
 static void name_positions(struct zemax_file *file)
 {
     struct lens *lens = file->build.lens;
-    struct text rest = file->own[OWN_POSITIONS];
+    struct text rest = file->position_names;
     size_t count = 1;
     for (size_t i = 0; i < rest.length; i++) {
         count += rest.start[i] == ' ';
@@ -247,11 +215,8 @@ static void name_positions(struct zemax_file *file)
 static void set_positions(struct zemax_file *file)
 {
     struct lens *lens = file->build.lens;
-    const struct text source = file->own[OWN_SOURCE], kind = file->own[OWN_KIND];
-    lens->source = source.length > 0 ? lens_build_string(&file->build, source) : NULL;
-    lens->kind = kind.length > 0 ? lens_build_string(&file->build, kind) : NULL;
     if (file->configurations < 2) {
-        set_all_stated(file);
+        remarks_apply(&file->remarks, &file->build);
         return;
     }
     lens->positions = ARENA_ARRAY(file->job->arena, file->configurations, const char *);
@@ -260,7 +225,7 @@ static void set_positions(struct zemax_file *file)
         lens->positions[i] = arena_printf(file->job->arena, "%zu", i + 1);
     }
     name_positions(file);
-    set_all_stated(file);
+    remarks_apply(&file->remarks, &file->build);
 }
 
 /* The image is a plane on the axis; what the file says of it beyond that is lost. */

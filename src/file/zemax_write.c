@@ -1,7 +1,9 @@
 /* file/zemax_write.c - a lens as a .zmx file. */
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_build.h"
+#include "file/remarks.h"
 #include "file/zemax.h"
+#include "file/zemax_parse.h"
 #include "file/zemax_writer.h"
 #include "optics/wavelength.h"
 
@@ -12,39 +14,20 @@ enum { MOST_FIELDS = 12, MOST_WAVES = 24 };
 
 static void put_notes(struct zemax_writer *writer)
 {
-    static const char *const stated[] = {"efl", "bfl", "fnumber"};
     const struct lens *lens = writer->lens;
     for (size_t i = 0; i < lens->note_count; i++) {
         growing_string(&writer->out, "NOTE 0 ");
         growing_string(&writer->out, lens->notes[i]);
         growing_string(&writer->out, "\r\n");
     }
-    const char *const texts[2] = {lens->source, lens->kind};
-    for (int i = 0; i < 2; i++) {
-        if (texts[i] != NULL) {
-            growing_string(&writer->out,
-                           i == 0 ? "NOTE 0 lenscalc source " : "NOTE 0 lenscalc kind ");
-            growing_string(&writer->out, texts[i]);
-            growing_string(&writer->out, "\r\n");
-        }
-    }
+    remarks_write(&writer->out, lens, writer->unit, "NOTE 0 " ZEMAX_REMARK, "\r\n");
     if (lens->position_count > 0) {
-        growing_string(&writer->out, "NOTE 0 lenscalc positions");
+        growing_string(&writer->out, "NOTE 0 " ZEMAX_REMARK ZEMAX_POSITIONS);
         for (size_t i = 0; i < lens->position_count; i++) {
-            growing_string(&writer->out, " ");
+            growing_string(&writer->out, i > 0 ? " " : "");
             growing_string(&writer->out, lens->positions[i]);
         }
         growing_string(&writer->out, "\r\n");
-    }
-    for (int i = 0; i < STATED_COUNT; i++) {
-        for (size_t k = 0; k < lens->stated_count[i]; k++) {
-            growing_string(&writer->out, k == 0 ? "NOTE 0 lenscalc stated " : " ");
-            growing_string(&writer->out, k == 0 ? stated[i] : "");
-            growing_string(&writer->out, k == 0 ? " " : "");
-            growing_figure(&writer->out, &lens->stated[i][k],
-                           i == STATED_FNUMBER ? NUMBER_UNSCALED : writer->unit);
-        }
-        growing_string(&writer->out, lens->stated_count[i] > 0 ? "\r\n" : "");
     }
 }
 

@@ -1,0 +1,92 @@
+/* file/remarks.c - what lenscalc keeps in comments of other programs' files. */
+/* SPDX-License-Identifier: MIT */
+#include "file/remarks.h"
+
+#include <math.h>
+
+static const char *const names[REMARKS] = {
+    [REMARK_SOURCE] = "source ",
+    [REMARK_KIND] = "kind ",
+    [REMARK_STATED + STATED_EFL] = "stated efl ",
+    [REMARK_STATED + STATED_BFL] = "stated bfl ",
+    [REMARK_STATED + STATED_FNUMBER] = "stated fnumber ",
+};
+
+static struct number_scale scale_of(int stated, struct number_scale unit)
+{
+    return stated == STATED_FNUMBER ? NUMBER_UNSCALED : unit;
+}
+
+static void put_line(struct growing *out, const char *begin, enum remark remark, const char *text,
+                     const char *end)
+{
+    if (text != NULL) {
+        growing_string(out, begin);
+        growing_string(out, names[remark]);
+        growing_string(out, text);
+        growing_string(out, end);
+    }
+}
+
+void remarks_write(struct growing *out, const struct lens *lens, struct number_scale unit,
+                   const char *begin, const char *end)
+{
+    put_line(out, begin, REMARK_SOURCE, lens->source, end);
+    put_line(out, begin, REMARK_KIND, lens->kind, end);
+    for (int i = 0; i < STATED_COUNT; i++) {
+        for (size_t k = 0; k < lens->stated_count[i]; k++) {
+            growing_string(out, k == 0 ? begin : " ");
+            growing_string(out, k == 0 ? names[REMARK_STATED + i] : "");
+            growing_figure(out, &lens->stated[i][k], scale_of(i, unit));
+        }
+        growing_string(out, lens->stated_count[i] > 0 ? end : "");
+    }
+}
+
+bool remarks_take(struct remarks *remarks, struct text text)
+{
+    for (int i = 0; i < REMARKS; i++) {
+        const struct text rest = text_behind(text, names[i]);
+        if (rest.start != NULL) {
+            remarks->texts[i] = rest;
+            return true;
+        }
+    }
+    return false;
+}
+
+static void set_stated(struct text rest, struct lens_build *build, int what)
+{
+    struct lens *lens = build->lens;
+    struct number_scale unit = scale_of(what, lens_unit_scale(lens->unit));
+    size_t most = lens->position_count > 0 ? lens->position_count : 1, count = 0;
+    struct figure *figures = ARENA_ARRAY(build->arena, most, struct figure);
+    while (rest.start != NULL && rest.length > 0 && count < most) {
+        struct text word = text_cut(&rest, ' ');
+        figures[count] = (struct figure){.typed = word, .variable = LENS_NONE};
+        if (pair_read(word.start, word.start + word.length, unit, &figures[count].value) !=
+                word.start + word.length ||
+            !(fabs(figures[count].value.hi) < 1e100)) {
+            return;
+        }
+        count++;
+    }
+    if (rest.start == NULL && (count == 1 || (count > 0 && count == most))) {
+        lens->stated[what] = figures;
+        lens->stated_count[what] = count;
+    }
+}
+
+static const char *string_of(struct lens_build *build, struct text text)
+{
+    return text.length > 0 ? lens_build_string(build, text) : NULL;
+}
+
+void remarks_apply(const struct remarks *remarks, struct lens_build *build)
+{
+    build->lens->source = string_of(build, remarks->texts[REMARK_SOURCE]);
+    build->lens->kind = string_of(build, remarks->texts[REMARK_KIND]);
+    for (int i = 0; i < STATED_COUNT; i++) {
+        set_stated(remarks->texts[REMARK_STATED + i], build, i);
+    }
+}
