@@ -43,7 +43,8 @@ static const struct word units[] = {
 static const struct option options[] = {
     {OPTION(struct input, lens), .name = "lens", .letter = 'l', .value = "LENS",
      .flags = OPTION_OPERAND | OPTION_FILE,
-     .help = "a lens of lensdb, a file of lenscalc or of another program, or - for standard input"},
+     .help = "a lens of lensdb (list lenses), a file (.lens .zmx .seq .len .dat), or - for "
+             "standard input"},
     {OPTION(struct input, to), .name = "to", .words = formats, .fallback = "auto",
      .value = "FORMAT", .help = "what to write"},
     {OPTION(struct input, lossy), .name = "lossy",

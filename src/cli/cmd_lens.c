@@ -14,7 +14,7 @@ static const struct option options[] = {
 
 struct row {
     double wavelength; /* mm */
-    const char *position, *warning, *lens;
+    const char *position, *warning, *lens, *places;
     double track;
     struct first_order first;
 };
@@ -74,11 +74,16 @@ static const struct column columns[] = {
      .label = "magnification", .help = "n u/(n' u'); 0 for an object at infinity"},
     {PLACE(first.lagrange, 0), .name = "lagrange", .label = "Lagrange invariant",
      .help = "n (y ubar - ybar u) at the largest field"},
+    {NUMBER(first.angular_magnification, COLUMN_SPARSE), .name = "angular_magnification",
+     .label = "angular magnification",
+     .help = "u'/u of an afocal system, a telescope; absent for others"},
     {PLACE(first.petzval_radius, COLUMN_INFINITE), .name = "petzval_radius",
      .label = "Petzval radius", .help = "radius of the Petzval surface at the image"},
     {PLACE(track, COLUMN_INFINITE), .name = "track", .label = "track",
      .help = "first vertex to the image plane"},
     LENS_TITLE_COLUMN(struct row, lens),
+    {COLUMN(struct row, places), .name = "places_from", .flags = COLUMN_EXTRA | COLUMN_ASSUMED,
+     .label = "places from", .help = "where places on the axis are measured from"},
     LENS_WARNING_COLUMN(struct row, warning),
 };
 
@@ -94,6 +99,7 @@ static bool emit_row(const struct lens_case *one, struct run *run, const void *c
         .wavelength = lens_wavelength_own(one->wavelength),
         .position = one->position,
         .lens = one->lens->title,
+        .places = "the first vertex (F, H, N, entrance pupil) or the last (F', H', N', exit pupil)",
         .warning = one->warning,
         .first = one->first,
         .track = one->first.length + (table ? end->thickness.value.hi : one->first.image),

@@ -34,8 +34,8 @@ extern const struct word section_words[];
     {                                                                                              \
         OPTION(S, member.lens), .name = "lens", .letter = 'l', .value = "LENS",                    \
                                 .flags = OPTION_OPERAND | OPTION_FILE | OPTION_MANY,               \
-                                .help = "a lens of lensdb (list lenses), a .lens file, or - for "  \
-                                        "standard input"                                           \
+                                .help = "a lens of lensdb (list lenses), a file (.lens .zmx "      \
+                                        ".seq .len .dat), or - for standard input"                 \
     }
 
 #define LENS_WAVELENGTH_OPTION(S, member)                                                          \
@@ -58,11 +58,11 @@ extern const struct word section_words[];
 
 #define LENS_FIELD_OPTION(S, member)                                                               \
     {                                                                                              \
-        OPTION(S, member.field), .name = "field", .column = "field",                               \
-                                 .dimension = &dimension_angle, .unit = "deg", .lowest = -1.5707,  \
-                                 .highest = 1.5707, .value = "ANGLE",                              \
-                                 .help = "field angle in object space in place of the lens's "     \
-                                         "largest"                                                 \
+        OPTION(S, member.field),                                                                   \
+            .name = "field", .column = "field", .dimension = &dimension_angle, .unit = "deg",      \
+            .lowest = -1.5706217938696971, .highest = 1.5706217938696971, .value = "ANGLE",        \
+            .help = "field angle in object space in place of the lens's "                          \
+                    "largest"                                                                      \
     }
 
 #define LENS_POSITION_OPTION(S, member)                                                            \

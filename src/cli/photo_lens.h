@@ -25,8 +25,8 @@ struct photo_lens_question {
      .letter = 'l',                                                                                \
      .value = "LENS",                                                                              \
      .flags = OPTION_FILE,                                                                         \
-     .help = "a real lens in place of -f: a name (list lenses), a .lens file, or - for standard "  \
-             "input"},                                                                             \
+     .help = "a real lens in place of -f: a name (list lenses), a file (.lens .zmx .seq .len "     \
+             ".dat), or - for standard input"},                                                    \
         LENS_POSITION_OPTION(S, member), LENS_SECTION_OPTION(S, member)
 
 /* What the other options say of the lens; NaN = not given. */

@@ -83,7 +83,11 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
         fail(error, ERROR_DATA, "%s", message);
         error_locate(error, job->source, 0, 0);
     }
-    return error_hint(error, "'lenscalc convert --lossy' leaves it out and lists what is lost");
+    if (words == NULL) { /* written */
+        return error_hint(error, "--lossy leaves it out and lists what is lost");
+    }
+    return error_hint(
+        error, "'lenscalc convert FILE --lossy -o NEW.lens' reads the rest and lists what is lost");
 }
 
 /* A word of a .lens file has no blanks; names of glasses are the same without them. */

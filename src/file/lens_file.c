@@ -523,9 +523,11 @@ static bool finish(struct parser *parser, struct error *error)
     for (size_t i = 0; i < lens->variable_count; i++) {
         struct text name = lens->variables[i].name;
         if (lens->variables[i].values == NULL) {
-            return lens_words_fail(&parser->variable_lines[i], name, error,
-                                   "'%.*s' gets no numbers by a line with 'let'",
-                                   (int)(name.length < 40 ? name.length : 40), name.start);
+            lens_words_fail(&parser->variable_lines[i], name, error,
+                            "'%.*s' is no number, and no line with 'let' gives it any",
+                            text_shown(name), name.start);
+            return error_hint(error, "a zoom has 'position wide tele' and 'let %.*s 2.4 8.3'",
+                              text_shown(name), name.start);
         }
     }
     if (lens->aperture_kind == APERTURE_STOP && lens->stop == LENS_NONE) {

@@ -58,7 +58,10 @@ static bool read_cell(struct lens_words *words, const char *what, lens_variable_
         figure->variable = variable(context, word);
         return true;
     }
-    return lens_words_figure(words, word, words->scale, what, figure, error);
+    return lens_words_figure(words, word, words->scale, what, figure, error) ||
+           (word.length == 0 &&
+            error_hint(error, "a surface is: radius thickness medium diameter; '-' where there is "
+                              "none"));
 }
 
 /* A curvature or a coefficient was read as a plain number. */

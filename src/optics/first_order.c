@@ -105,8 +105,10 @@ INLINE void compute(const struct paraxial_system *system, const struct paraxial_
     all->index_object = n.hi;
     all->index_image = n_image.hi;
     all->is_afocal = paraxial_is_afocal(system, trace);
+    all->angular_magnification = NAN;
     if (all->is_afocal) {
         set_afocal(all);
+        all->angular_magnification = pair_divide(pair_multiply(n, trace->whole.d), n_image).hi;
     } else {
         set_cardinal_points(all, &trace->whole, n, n_image, fused);
     }

@@ -26,6 +26,7 @@ struct first_order {
     double pupil_magnification;             /* exit over entrance pupil, signed */
     double image;                           /* paraxial image, from the last vertex */
     double magnification;                   /* n u/(n' u'); 0 for an object at infinity */
+    double angular_magnification;           /* u'/u of an afocal system, else NaN */
     double petzval_sum, petzval_radius;     /* 1/mm; -1/(n' sum) */
     double index_object, index_image;       /* signed */
     double length;                          /* first to last vertex */
@@ -56,7 +57,7 @@ struct conjugate_object {
  *           F = n d/c, F' = -n' a/c, H = n (d-1)/c, H' = n' (1-a)/c, N = (n d - n')/c,
  *           N' = (n - n' a)/c, entrance pupil n b1/a1, of radius 1/a1; with [a2 b2; c2 d2] the
  *           part from the stop on: exit pupil -n' b2/d2 of radius 1/d2;
- *           image -n' (a L/n + b)/(c L/n + d), magnification 1/(c L/n + d)
+ *           image -n' (a L/n + b)/(c L/n + d), magnification 1/(c L/n + d), angular n d/n' if c = 0
  * Source    [Smith05]
  * Limits    every figure is correct to about 1 ulp of what the decimals of the lens say
  */

@@ -32,7 +32,7 @@ static void check_errors(void)
         {"surface 5 2 air 4 kk=1\n", 1, 19, "unknown word"},
         {"surface 5 2 air 4 A3=1\n", 1, 19, "unknown word"},
         {"surface 5 2 air 4 A22=1\n", 1, 19, "unknown word"},
-        {"surface 5 d1 air 4\n", 1, 11, "'d1' gets no numbers"},
+        {"surface 5 d1 air 4\n", 1, 11, "'d1' is no number, and no line"},
         {"position a b\nlet d1 1\nsurface 5 d1 air 4\n", 2, 5, "1 numbers for 2"},
         {"object -5\n", 1, 8, "to the left"},
         {"aperture f/0\n", 1, 12, "above 0"},

@@ -76,9 +76,11 @@ static void check_afocal(void)
     const char *moved = arena_printf(&arena, "%s100.0000001%s", before, behind);
     CHECK(solve(exact, &arena, &lens, &trace, &portable, &first));
     CHECK(first.is_afocal && isinf(first.efl) && first.power == 0);
+    CHECK_RELATIVE(first.angular_magnification, 3.0, 1e-15, "150/50");
     CHECK(fabs(trace.whole.c.hi) < 1e-31);
     CHECK(solve(moved, &arena, &lens, &trace, &portable, &first));
     CHECK_RELATIVE(first.power, 1e-7 / 7500, 4e-16, "power, 1/mm");
+    CHECK(isnan(first.angular_magnification)); /* it depends on the object's distance */
     CHECK(memcmp(&trace, &portable, sizeof trace) == 0);
     arena_free(&arena);
 }
