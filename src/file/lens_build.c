@@ -204,6 +204,19 @@ struct figure figure_per_length(struct figure figure, const char *unit, int powe
     return figure;
 }
 
+double figure_rounding(const struct figure *figure)
+{
+    double typed = 0, power = 0.5;
+    bool behind = false;
+    const char *at = figure->typed.start, *end = at + figure->typed.length;
+    for (; at < end && (*at | 32) != 'e'; at++) {
+        power /= behind && *at >= '0' && *at <= '9' ? 10 : 1;
+        behind = behind || *at == '.';
+    }
+    number_read(figure->typed.start, at, NUMBER_UNSCALED, &typed);
+    return typed != 0 ? fabs(power * (figure->value.hi / typed)) : 0;
+}
+
 /* Significant digits of a typed number. */
 static int count_digits(struct text typed)
 {

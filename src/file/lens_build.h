@@ -58,6 +58,9 @@ struct figure figure_computed(struct pair value, struct number_scale unit, struc
 /* The same rounded to a double of the unit: the shortest digits; for what rays decide. */
 struct figure figure_rounded(struct pair value, struct number_scale unit, struct arena *arena);
 
+/* Half a unit of the last digit typed, in the value's unit; 0 of a computed figure. */
+double figure_rounding(const struct figure *figure);
+
 /* "0" */
 struct figure figure_zero(void);
 

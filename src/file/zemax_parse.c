@@ -1,8 +1,10 @@
 /* file/zemax_parse.c - a .zmx file as it stands, line by line, before it is a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "file/zemax_parse.h"
+#include "file/zemax_keyword.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 double zemax_number(const struct zemax_line *line, size_t at)
@@ -10,9 +12,18 @@ double zemax_number(const struct zemax_line *line, size_t at)
     return line != NULL && at < line->count ? line->numbers[at].value.hi : 0;
 }
 
-/* The present line with its numbers, in the unit `scale`. */
-static struct zemax_line *line_of(struct zemax_file *file, struct text keyword,
-                                  struct number_scale scale)
+void zemax_remark(struct zemax_file *file, const char *format, ...)
+{
+    char text[200];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    lens_build_note(&file->build, text_of(text));
+}
+
+struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
+                                 struct number_scale scale)
 {
     struct zemax_line *line = ARENA_NEW(file->job->arena, struct zemax_line);
     struct lens_words words = file->words;
@@ -36,7 +47,7 @@ static struct zemax_line *line_of(struct zemax_file *file, struct text keyword,
     return line;
 }
 
-static bool has_number(const struct zemax_line *line, struct error *error)
+bool zemax_has_number(const struct zemax_line *line, struct error *error)
 {
     if (line->count > 0) {
         return true;
@@ -51,231 +62,9 @@ static struct zemax_surface *surface_of(struct zemax_file *file)
     return &file->surfaces[file->surface_count - 1];
 }
 
-/* Each keyword has a function; `keyword` is the word itself. */
-typedef bool read_function(struct zemax_file *file, struct text keyword, struct error *error);
-
-static bool read_unit(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    static const struct {
-        const char *word, *unit;
-    } units[] = {{"MM", "mm"}, {"CM", "cm"}, {"IN", "in"}, {"METER", "m"}, {"M", "m"}};
-    struct text word = lens_words_next(&file->words);
-    (void)keyword;
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (text_same(word, units[i].word)) {
-            file->build.lens->unit = units[i].unit;
-            file->words.scale = lens_unit_scale(units[i].unit);
-            return true;
-        }
-    }
-    return lens_words_fail(&file->words, word, error, "the unit is one of MM, CM, IN, METER");
-}
-
-static bool read_mode(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    struct text word = lens_words_next(&file->words);
-    (void)keyword;
-    return text_same(word, "SEQ") ||
-           lens_words_fail(&file->words, word, error,
-                           "a non-sequential system: lenscalc has lenses whose surfaces follow "
-                           "each other");
-}
-
-static bool read_name(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    struct text rest = lens_words_rest(&file->words);
-    (void)keyword;
-    (void)error;
-    if (rest.length > 0) {
-        file->build.lens->title = lens_build_string(&file->build, rest);
-    }
-    return true;
-}
-
-/* NOTE 0 has the text; other numbers are breaks of its lines. */
-static bool read_note(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    struct text number = lens_words_next(&file->words), rest = lens_words_rest(&file->words);
-    (void)keyword;
-    (void)error;
-    if (!text_equal(number, "0") || rest.length == 0) {
-        return true;
-    }
-    struct text remark = text_behind(rest, ZEMAX_REMARK),
-                names = text_behind(remark, ZEMAX_POSITIONS);
-    if (names.start != NULL) {
-        file->position_names = names;
-        return true;
-    }
-    if (remark.start != NULL && remarks_take(&file->remarks, remark)) {
-        return true;
-    }
-    lens_build_note(&file->build, rest);
-    return true;
-}
-
-static bool read_catalogs(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    (void)keyword;
-    (void)error;
-    for (struct text word = lens_words_next(&file->words);
-         word.length > 0 && file->catalog_count < ZEMAX_CATALOGS;
-         word = lens_words_next(&file->words)) {
-        file->catalogs[file->catalog_count++] = word;
-    }
-    return true;
-}
-
-static bool read_aperture(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    bool length = text_same(keyword, "ENPD"), none = text_same(keyword, "FLOA");
-    file->aperture = line_of(file, keyword, length ? file->words.scale : NUMBER_UNSCALED);
-    return none || has_number(file->aperture, error);
-}
-
-static bool read_fields(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    file->fields = line_of(file, keyword, NUMBER_UNSCALED);
-    return has_number(file->fields, error);
-}
-
-static bool read_x(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    (void)error;
-    file->x = line_of(file, keyword, NUMBER_UNSCALED);
-    return true;
-}
-
-static bool read_y(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    (void)error;
-    file->y = line_of(file, keyword, NUMBER_UNSCALED);
-    return true;
-}
-
-/* WAVM number wavelength weight */
-static bool read_wave(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    const struct zemax_line *line = line_of(file, keyword, NUMBER_UNSCALED);
-    double number = zemax_number(line, 0), wavelength = zemax_number(line, 1);
-    if (!(number >= 1 && number < ZEMAX_WAVES) || line->count < 2) {
-        return lens_words_fail(&line->words, line->keyword, error,
-                               "WAVM wants the number, the wavelength and its weight");
-    }
-    if (!(wavelength >= 0.001 && wavelength <= 1000)) {
-        return lens_words_fail(&line->words, line->numbers[1].typed, error,
-                               "the wavelength is not within 0.001 to 1000 um");
-    }
-    size_t at = (size_t)number - 1;
-    const struct figure one = {.value = {1, 0}, .variable = LENS_NONE};
-    file->waves[at] = line->numbers[1];
-    file->weights[at] = line->count > 2 ? line->numbers[2] : one;
-    file->wave_count = file->wave_count > at + 1 ? file->wave_count : at + 1;
-    return true;
-}
-
-/* WAVL and WAVN have all wavelengths in a row, WWGT and WWGN their weights. */
-static bool read_waves(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    const struct zemax_line *line = line_of(file, keyword, NUMBER_UNSCALED);
-    bool weights = text_same(keyword, "WWGT") || text_same(keyword, "WWGN");
-    for (size_t i = 0; i < line->count; i++) {
-        double value = line->numbers[i].value.hi;
-        if (!weights && !(value >= 0.001 && value <= 1000)) {
-            return lens_words_fail(&line->words, line->numbers[i].typed, error,
-                                   "the wavelength is not within 0.001 to 1000 um");
-        }
-        *(weights ? &file->weights[i] : &file->waves[i]) = line->numbers[i];
-        if (!weights && file->weights[i].typed.start == NULL) {
-            file->weights[i].value = pair_of(1);
-        }
-    }
-    file->wave_count = !weights && line->count > file->wave_count ? line->count : file->wave_count;
-    return true;
-}
-
-static bool read_primary(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    file->primary_line = line_of(file, keyword, NUMBER_UNSCALED);
-    double number = zemax_number(file->primary_line, 0);
-    if (!(number >= 1 && number < ZEMAX_WAVES)) {
-        return lens_words_fail(&file->words, keyword, error, "PWAV wants a wavelength's number");
-    }
-    file->primary = (size_t)number - 1;
-    return true;
-}
-
-/* Numbers that change nothing where they are 0. */
-static bool read_zeros(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    const struct zemax_line *line = line_of(file, keyword, NUMBER_UNSCALED);
-    for (size_t i = 0; i < line->count; i++) {
-        if (line->numbers[i].value.hi != 0) {
-            return foreign_loss(file->job, &line->words, line->numbers[i].typed, error,
-                                "%.4s: lenscalc has no vignetting factors and no apodised pupil",
-                                keyword.start);
-        }
-    }
-    return true;
-}
-
-/* ENVD temperature pressure adjust */
-static bool read_environment(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    const struct zemax_line *line = line_of(file, keyword, NUMBER_UNSCALED);
-    bool usual = zemax_number(line, 0) == 20 && zemax_number(line, 1) == 1;
-    return zemax_number(line, 2) == 0 || usual ||
-           zemax_loss(file, line, error,
-                      "indices at %.6g C and %.6g atmospheres: those of 20 C and 1 atmosphere "
-                      "stand for them",
-                      zemax_number(line, 0), zemax_number(line, 1));
-}
-
-static bool read_configurations(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    const struct zemax_line *line = line_of(file, keyword, NUMBER_UNSCALED);
-    double count = zemax_number(line, 0);
-    if (!(count >= 1 && count <= ZEMAX_CONFIGURATIONS)) {
-        return lens_words_fail(&file->words, keyword, error,
-                               "MNUM wants the number of configurations, 1 to %d",
-                               ZEMAX_CONFIGURATIONS);
-    }
-    file->configurations = (size_t)count;
-    file->in_tail = true;
-    return true;
-}
-
-static bool read_setting(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    struct number_scale unit = text_same(keyword, "THIC") || text_same(keyword, "SDIA")
-                                   ? file->words.scale
-                                   : NUMBER_UNSCALED;
-    const struct zemax_line *line = line_of(file, keyword, NUMBER_UNSCALED);
-    if (file->configurations < 2) {
-        return true; /* the only configuration has these values already */
-    }
-    double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
-    if (line->count < 2 || !(surface >= 0 && surface <= ZEMAX_SURFACES) ||
-        !(configuration >= 1 && configuration <= (double)file->configurations)) {
-        return lens_words_fail(&file->words, keyword, error,
-                               "%.4s wants a surface, a configuration and its value",
-                               keyword.start);
-    }
-    struct zemax_line *own = line_of(file, keyword, unit);
-    struct zemax_setting *setting = ARENA_NEW(file->job->arena, struct zemax_setting);
-    *setting = (struct zemax_setting){own, (long)surface, (long)configuration, NULL};
-    if (file->last_setting != NULL) {
-        file->last_setting->next = setting;
-    } else {
-        file->settings = setting;
-    }
-    file->last_setting = setting;
-    return true;
-}
-
 static bool read_surf(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    const struct zemax_line *line = line_of(file, keyword, NUMBER_UNSCALED);
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     if (zemax_number(line, 0) != (double)file->surface_count || line->count == 0) {
         return lens_words_fail(&line->words, keyword, error, "SURF %zu is expected here",
                                file->surface_count);
@@ -300,40 +89,40 @@ static bool read_surf(struct zemax_file *file, struct text keyword, struct error
 static bool read_type(struct zemax_file *file, struct text keyword, struct error *error)
 {
     (void)error;
-    surface_of(file)->type = line_of(file, keyword, NUMBER_UNSCALED);
+    surface_of(file)->type = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     return true;
 }
 
 static bool read_curvature(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    surface_of(file)->curvature = line_of(file, keyword, NUMBER_UNSCALED);
-    return has_number(surface_of(file)->curvature, error);
+    surface_of(file)->curvature = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    return zemax_has_number(surface_of(file)->curvature, error);
 }
 
 static bool read_thickness(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    const struct zemax_line *line = line_of(file, keyword, file->words.scale);
+    const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
     surface_of(file)->thickness = line;
-    return line->infinite || has_number(line, error);
+    return line->infinite || zemax_has_number(line, error);
 }
 
 static bool read_conic(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    surface_of(file)->conic = line_of(file, keyword, NUMBER_UNSCALED);
-    return has_number(surface_of(file)->conic, error);
+    surface_of(file)->conic = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    return zemax_has_number(surface_of(file)->conic, error);
 }
 
 static bool read_diameter(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    surface_of(file)->diameter = line_of(file, keyword, file->words.scale);
-    return has_number(surface_of(file)->diameter, error);
+    surface_of(file)->diameter = zemax_line_of(file, keyword, file->words.scale);
+    return zemax_has_number(surface_of(file)->diameter, error);
 }
 
 static bool read_clear(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    const struct zemax_line *line = line_of(file, keyword, file->words.scale);
+    const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
     if (line->count < 2) {
-        return has_number(line, error);
+        return zemax_has_number(line, error);
     }
     if (text_same(keyword, "CLAP")) {
         surface_of(file)->clear = line;
@@ -344,7 +133,7 @@ static bool read_clear(struct zemax_file *file, struct text keyword, struct erro
 
 static bool read_other_aperture(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    const struct zemax_line *line = line_of(file, keyword, NUMBER_UNSCALED);
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     bool decentre = text_same(keyword, "OBDC");
     if (decentre && zemax_number(line, 0) == 0 && zemax_number(line, 1) == 0) {
         return true;
@@ -362,7 +151,7 @@ static bool read_glass(struct zemax_file *file, struct text keyword, struct erro
     if (name.length == 0) {
         return lens_words_fail(&file->words, name, error, "the glass is missing");
     }
-    struct zemax_line *line = line_of(file, name, NUMBER_UNSCALED);
+    struct zemax_line *line = zemax_line_of(file, name, NUMBER_UNSCALED);
     line->words = words;
     (void)keyword;
     surface_of(file)->glass = line;
@@ -416,7 +205,7 @@ static bool read_numbered(struct zemax_file *file, struct text keyword, struct e
 {
     struct zemax_surface *surface = surface_of(file);
     bool extra = text_same(keyword, "XDAT"), pickup = text_same(keyword, "PPAR");
-    const struct zemax_line *line = line_of(file, keyword, NUMBER_UNSCALED);
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     const struct zemax_line **place = place_of(file, line,
                                                extra    ? surface->extras
                                                : pickup ? surface->pickups
@@ -436,92 +225,40 @@ static bool read_numbered(struct zemax_file *file, struct text keyword, struct e
 static bool read_solve(struct zemax_file *file, struct text keyword, struct error *error)
 {
     (void)error;
-    surface_of(file)->solve = line_of(file, keyword, NUMBER_UNSCALED);
+    surface_of(file)->solve = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     return true;
 }
 
-enum place { SYSTEM = 1, SURFACE = 2, TAIL = 4 };
-
-static const struct {
-    const char *word;
-    enum place place;
-    read_function *read;
-} keywords[] = {
-    {"MODE", SYSTEM, read_mode},
-    {"UNIT", SYSTEM, read_unit},
-    {"NAME", SYSTEM, read_name},
-    {"NOTE", SYSTEM, read_note},
-    {"GCAT", SYSTEM, read_catalogs},
-    {"ENPD", SYSTEM, read_aperture},
-    {"FNUM", SYSTEM, read_aperture},
-    {"OBNA", SYSTEM, read_aperture},
-    {"FLOA", SYSTEM, read_aperture},
-    {"FTYP", SYSTEM, read_fields},
-    {"XFLN", SYSTEM, read_x},
-    {"XFLD", SYSTEM, read_x},
-    {"YFLN", SYSTEM, read_y},
-    {"YFLD", SYSTEM, read_y},
-    {"WAVM", SYSTEM, read_wave},
-    {"WAVL", SYSTEM, read_waves},
-    {"WAVN", SYSTEM, read_waves},
-    {"WWGT", SYSTEM, read_waves},
-    {"WWGN", SYSTEM, read_waves},
-    {"PWAV", SYSTEM, read_primary},
-    {"VDXN", SYSTEM, read_zeros},
-    {"VDYN", SYSTEM, read_zeros},
-    {"VCXN", SYSTEM, read_zeros},
-    {"VCYN", SYSTEM, read_zeros},
-    {"VANN", SYSTEM, read_zeros},
-    {"GFAC", SYSTEM, read_zeros},
-    {"ENVD", SYSTEM, read_environment},
-    {"SURF", SYSTEM, read_surf},
-    {"TYPE", SURFACE, read_type},
-    {"CURV", SURFACE, read_curvature},
-    {"DISZ", SURFACE, read_thickness},
-    {"CONI", SURFACE, read_conic},
-    {"DIAM", SURFACE, read_diameter},
-    {"GLAS", SURFACE, read_glass},
-    {"STOP", SURFACE, read_stop},
-    {"COMM", SURFACE, read_comment},
-    {"COAT", SURFACE, read_coating},
-    {"PARM", SURFACE, read_numbered},
-    {"XDAT", SURFACE, read_numbered},
-    {"PPAR", SURFACE, read_numbered},
-    {"MAZH", SURFACE, read_solve},
-    {"PZUP", SURFACE, read_solve},
-    {"TCOM", SURFACE, read_solve},
-    {"TOLE", SURFACE, read_solve},
-    {"EDGE", SURFACE, read_solve},
-    {"CLAP", SURFACE, read_clear},
-    {"FLAP", SURFACE, read_clear},
-    {"SQAP", SURFACE, read_other_aperture},
-    {"ELAP", SURFACE, read_other_aperture},
-    {"OBSC", SURFACE, read_other_aperture},
-    {"SQOB", SURFACE, read_other_aperture},
-    {"ELOB", SURFACE, read_other_aperture},
-    {"SPID", SURFACE, read_other_aperture},
-    {"USAP", SURFACE, read_other_aperture},
-    {"UDAD", SURFACE, read_other_aperture},
-    {"OBDC", SURFACE, read_other_aperture},
-    {"MNUM", TAIL, read_configurations},
-    {"THIC", TAIL, read_setting},
-    {"CRVT", TAIL, read_setting},
-    {"CONN", TAIL, read_setting},
-    {"GLSS", TAIL, read_setting},
-    {"APER", TAIL, read_setting},
-    {"SDIA", TAIL, read_setting},
-    {"WAVE", TAIL, read_setting},
-    {"YFIE", TAIL, read_setting},
-    {"XFIE", TAIL, read_setting},
-    {"PRAM", TAIL, read_setting},
-    {"PAR1", TAIL, read_setting},
-    {"PAR2", TAIL, read_setting},
-    {"PAR3", TAIL, read_setting},
-    {"PAR4", TAIL, read_setting},
-    {"PAR5", TAIL, read_setting},
-    {"PAR6", TAIL, read_setting},
-    {"IGNR", TAIL, read_setting},
-    {"STPS", TAIL, read_setting},
+static const struct zemax_keyword surface_keywords[] = {
+    {"TYPE", read_type},
+    {"CURV", read_curvature},
+    {"DISZ", read_thickness},
+    {"CONI", read_conic},
+    {"DIAM", read_diameter},
+    {"GLAS", read_glass},
+    {"STOP", read_stop},
+    {"COMM", read_comment},
+    {"COAT", read_coating},
+    {"PARM", read_numbered},
+    {"XDAT", read_numbered},
+    {"PPAR", read_numbered},
+    {"MAZH", read_solve},
+    {"PZUP", read_solve},
+    {"TCOM", read_solve},
+    {"TOLE", read_solve},
+    {"EDGE", read_solve},
+    {"CLAP", read_clear},
+    {"FLAP", read_clear},
+    {"SQAP", read_other_aperture},
+    {"ELAP", read_other_aperture},
+    {"OBSC", read_other_aperture},
+    {"SQOB", read_other_aperture},
+    {"ELOB", read_other_aperture},
+    {"SPID", read_other_aperture},
+    {"USAP", read_other_aperture},
+    {"UDAD", read_other_aperture},
+    {"OBDC", read_other_aperture},
+    {NULL, NULL},
 };
 
 /*
@@ -545,34 +282,80 @@ static bool is_no_lens(struct text word)
     return false;
 }
 
+static const struct zemax_keyword *find(const struct zemax_keyword *table, struct text word)
+{
+    for (; table->word != NULL; table++) {
+        if (text_same(word, table->word)) {
+            return table;
+        }
+    }
+    return NULL;
+}
+
 /* Lines of the system and those behind the surfaces begin the line, those of a surface do not. */
+static const struct zemax_keyword *find_keyword(const struct zemax_file *file, struct text word,
+                                                bool indented)
+{
+    const struct zemax_keyword *keyword = find(zemax_system_keywords, word);
+    if (keyword == NULL && file->surface_count > 0 && !indented) {
+        keyword = find(zemax_tail_keywords, word);
+    }
+    if (keyword == NULL && (!file->in_tail || indented)) {
+        keyword = find(surface_keywords, word);
+    }
+    return keyword;
+}
+
 static bool read_line(struct zemax_file *file, struct error *error)
 {
     struct text word = lens_words_next(&file->words);
     bool indented = word.start > file->words.line.start, in_surface = file->surface_count > 0;
-    for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
-        if (!text_same(word, keywords[i].word) ||
-            (file->in_tail && keywords[i].place == SURFACE && !indented) ||
-            (keywords[i].place == TAIL && (indented || !in_surface))) {
-            continue;
-        }
-        if (keywords[i].place == SURFACE && !in_surface) {
-            return lens_words_fail(&file->words, word, error, "'%s' stands before any surface",
-                                   keywords[i].word);
-        }
-        return keywords[i].read(file, word, error);
+    const struct zemax_keyword *keyword = find_keyword(file, word, indented);
+    if (text_same(word, "SURF")) {
+        return read_surf(file, word, error);
     }
-    if (is_no_lens(word)) {
-        file->in_tail = file->in_tail || (in_surface && !indented);
-        return true;
+    if (keyword != NULL && !in_surface && find(surface_keywords, word) != NULL) {
+        return lens_words_fail(&file->words, word, error, "'%s' stands before any surface",
+                               keyword->word);
     }
-    bool operand = in_surface && !indented && word.length == 4;
-    if (operand) { /* of the merit function */
-        file->in_tail = true;
+    if (keyword != NULL) {
+        return keyword->read(file, word, error);
+    }
+    bool behind = in_surface && !indented;
+    if (is_no_lens(word) || (behind && zemax_is_operand(word))) {
+        file->in_tail = file->in_tail || behind;
         return true;
     }
     return foreign_loss(file->job, &file->words, word, error, "unknown word '%.*s'",
                         (int)(word.length < 40 ? word.length : 40), word.start);
+}
+
+/* A picked-up glass is that of an earlier surface: GLAS name 2 surface .. */
+static bool pick_up_glasses(struct zemax_file *file, struct error *error)
+{
+    for (size_t i = 0; i < file->surface_count; i++) {
+        const struct zemax_line *line = file->surfaces[i].glass;
+        double from = zemax_number(line, 1);
+        if (zemax_number(line, 0) != 2) {
+            continue;
+        }
+        if (!(from >= 0 && from < (double)i)) {
+            if (!zemax_loss(file, line, error,
+                            "a glass that follows no earlier surface: the file's glass stands")) {
+                return false;
+            }
+            continue;
+        }
+        const struct zemax_line *source = file->surfaces[(size_t)from].glass;
+        struct text name = source != NULL ? source->keyword : text_of("air");
+        if (source == NULL || name.length != line->keyword.length ||
+            memcmp(name.start, line->keyword.start, name.length) != 0) {
+            zemax_remark(file, "the glass of surface %zu follows surface %.0f, the file had %.*s",
+                         i, from, text_shown(line->keyword), line->keyword.start);
+        }
+        file->surfaces[i].glass = source;
+    }
+    return true;
 }
 
 bool zemax_parse(struct zemax_file *file, struct text content, struct error *error)
@@ -592,5 +375,5 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
         fail(error, ERROR_DATA, "the file has no surface between object and image");
         return error_locate(error, file->job->source, 0, 0);
     }
-    return true;
+    return pick_up_glasses(file, error);
 }

@@ -38,6 +38,7 @@ struct zemax_surface {
     const struct zemax_line *extras[ZEMAX_EXTRAS];
     struct text comment;
     bool is_stop;
+    bool has_free_curvature; /* its solve is lost, the file's number stands */
 };
 
 /* An operand of the multiple configurations: THIC 4 2 1.5 */
@@ -76,6 +77,10 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
 
 /* A number of a line, 0 where it is absent. */
 double zemax_number(const struct zemax_line *line, size_t at);
+
+/* A note of the lens: what of the file has given way to something else in it. */
+void zemax_remark(struct zemax_file *file, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* Record a loss at a line. */
 #define zemax_loss(file, line, error, ...)                                                         \

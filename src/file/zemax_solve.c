@@ -1,19 +1,23 @@
-/* file/zemax_solve.c - thicknesses of a .zmx file: solves, pick-ups, configurations. */
+/* file/zemax_solve.c - what follows from rays or other surfaces in a .zmx file: the solves. */
 /* SPDX-License-Identifier: MIT */
+#include "file/zemax_solve.h"
+
 #include "file/lens_solve.h"
-#include "file/zemax_surface.h"
 
 #include <math.h>
-#include <string.h>
 
-/* The thicknesses in one position, by the file's surface numbers. */
-struct solving {
-    struct zemax_file *file;
-    const size_t *places;
-    struct lens lens; /* in this position */
-    struct figure *thickness;
-    size_t position;
-    struct number_scale unit;
+/* The codes of a curvature's solves, CURV c code a b column: [PyZDDE]. 0 fixed, 1 variable. */
+enum {
+    MARGINAL_ANGLE = 2,
+    CHIEF_ANGLE,
+    PICK_UP,
+    MARGINAL_NORMAL,
+    CHIEF_NORMAL,
+    APLANATIC,
+    ELEMENT_POWER,
+    CONCENTRIC_SURFACE,
+    CONCENTRIC_RADIUS,
+    F_NUMBER
 };
 
 /* A number that was read without a unit, as a length. */
@@ -33,11 +37,35 @@ static struct figure rounded(const struct solving *solving, struct pair value)
     return figure_rounded(value, solving->unit, solving->file->job->arena);
 }
 
-/* The number that stands in the file is kept, and the solve is lost. */
-static bool keep(const struct solving *solving, const struct zemax_line *line, const char *why,
+/* The number that stands in the file is kept, and the solve is lost, once. */
+static bool keep(struct solving *solving, size_t at, const struct zemax_line *line, const char *why,
                  struct error *error)
 {
+    struct zemax_surface *surface = &solving->file->surfaces[at];
+    if (line == surface->curvature) {
+        surface->has_free_curvature = true;
+    } else {
+        surface->solve = NULL;
+    }
     return zemax_loss(solving->file, line, error, "a solve that %s: the file's number stands", why);
+}
+
+/* The ray at a surface; false where the solve is kept, with an error if that is refused. */
+static bool follow(struct solving *solving, size_t at, const struct zemax_line *line,
+                   enum solve_ray ray, struct solve_state *state, bool *done, struct error *error)
+{
+    if (solve_follow(&solving->lens, solving->places[at], ray, solving->file->job->arena, state,
+                     error)) {
+        return true;
+    }
+    const struct error found = *error;
+    *done =
+        keep(solving, at, line,
+             arena_printf(solving->file->job->arena, "has no answer (%s)", found.message), error);
+    if (*done) {
+        error->code = ERROR_NONE;
+    }
+    return false;
 }
 
 static bool marginal(struct solving *solving, size_t at, const struct zemax_line *line,
@@ -45,17 +73,15 @@ static bool marginal(struct solving *solving, size_t at, const struct zemax_line
 {
     struct solve_state state;
     if (zemax_number(line, 1) != 0) {
-        return keep(solving, line, "follows a real ray", error);
+        return keep(solving, at, line, "follows a real ray", error);
     }
-    if (!solve_follow(&solving->lens, solving->places[at], SOLVE_MARGINAL,
-                      solving->file->job->arena, &state, error)) {
-        return foreign_loss(solving->file->job, &line->words, line->keyword, error,
-                            "the solve has no answer (%s): the file's number stands",
-                            error->message);
+    bool done = false;
+    if (!follow(solving, at, line, SOLVE_MARGINAL, &state, &done, error)) {
+        return done;
     }
     struct pair value = solve_thickness(&state, length_of(solving, line, 0));
     if (!(fabs(value.hi) < 1e12)) {
-        return keep(solving, line, "has its answer at infinity", error);
+        return keep(solving, at, line, "has its answer at infinity", error);
     }
     *figure = rounded(solving, value);
     return true;
@@ -67,7 +93,10 @@ static bool pick_up(struct solving *solving, size_t at, const struct zemax_line 
 {
     double from = zemax_number(line, 0);
     if (line->count < 2 || !(from >= 0 && from < (double)at)) {
-        return keep(solving, line, "follows no earlier surface", error);
+        return keep(solving, at, line, "follows no earlier surface", error);
+    }
+    if (zemax_number(line, 3) != 0) {
+        return keep(solving, at, line, "follows another column", error);
     }
     struct pair value =
         pair_multiply(solving->thickness[(size_t)from].value, line->numbers[1].value);
@@ -83,7 +112,7 @@ static bool compensate(struct solving *solving, size_t at, const struct zemax_li
     double from = zemax_number(line, 0);
     bool all = text_same(line->keyword, "TOLE");
     if (line->count < 2 || !(from >= 1 && from < (double)at)) {
-        return keep(solving, line, "follows no earlier surface", error);
+        return keep(solving, at, line, "follows no earlier surface", error);
     }
     struct pair value = length_of(solving, line, 1);
     for (size_t i = (size_t)from; i < (all ? at : (size_t)from + 1); i++) {
@@ -106,7 +135,7 @@ static bool edge(struct solving *solving, size_t at, const struct zemax_line *li
     bool last = place + 1 >= solving->lens.surface_count;
     double sags = surface_sag(surface, height) - (last ? 0 : surface_sag(surface + 1, height));
     if (!(height > 0) || !isfinite(sags)) {
-        return keep(solving, line, "has no rim", error);
+        return keep(solving, at, line, "has no rim", error);
     }
     *figure = rounded(solving, pair_add(length_of(solving, line, 0), pair_of(sags)));
     return true;
@@ -130,7 +159,7 @@ bool zemax_focuses(const struct zemax_file *file)
 }
 
 /* The last solve only says where the image is: the file's number stays beside it. */
-static bool solve_one(struct solving *solving, size_t at, struct error *error)
+static bool solve_thickness_of(struct solving *solving, size_t at, struct error *error)
 {
     const struct zemax_file *file = solving->file;
     bool focus = at + 2 == file->surface_count && zemax_focuses(file);
@@ -148,241 +177,157 @@ static bool solve_one(struct solving *solving, size_t at, struct error *error)
     return true;
 }
 
-/* What stands in the file, before the solves. */
-static bool read_thicknesses(struct zemax_file *file, struct figure *thickness, struct error *error)
+/* The distance from an earlier surface's vertex to that of this one. */
+static struct pair distance_from(const struct solving *solving, size_t from, size_t at)
 {
-    for (size_t i = 0; i < file->surface_count; i++) {
-        const struct zemax_line *line = file->surfaces[i].thickness;
-        bool inside = i > 0 && i + 1 < file->surface_count;
-        if (inside && line != NULL && line->infinite && file->surfaces[i].solve == NULL) {
-            return lens_words_fail(&line->words, line->first, error,
-                                   "an infinite distance behind surface %zu", i);
-        }
-        thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();
+    struct pair sum = {0, 0};
+    for (size_t i = from; i < at; i++) {
+        sum = pair_add(sum, solving->thickness[i].value);
     }
-    return true;
+    return sum;
 }
 
-/* The numbers of THIC in one configuration. */
-static void set_configuration(struct solving *solving)
+/* A curvature that follows from an earlier surface; false: there is none such. */
+static bool curvature_of_surface(const struct solving *solving, size_t at, int code,
+                                 struct pair *value)
 {
-    const struct zemax_file *file = solving->file;
-    for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
-        bool here = one->configuration == (long)solving->position + 1 &&
-                    one->surface < (long)file->surface_count;
-        if (here && text_same(one->line->keyword, "THIC") && one->line->count > 2) {
-            solving->thickness[one->surface] = one->line->numbers[2];
-        }
-    }
-}
-
-static bool solve_position(struct solving *solving, struct error *error)
-{
-    const struct zemax_file *file = solving->file;
-    struct surface *surfaces =
-        ARENA_ARRAY(file->job->arena, file->build.lens->surface_count, struct surface);
-    memcpy(surfaces, file->build.lens->surfaces,
-           file->build.lens->surface_count * sizeof surfaces[0]);
-    solving->lens = *file->build.lens;
-    solving->lens.surfaces = surfaces;
-    solving->lens.position_count = 0;
-    set_configuration(solving);
-    if (file->configurations > 1 && !solving->lens.object_is_infinite) {
-        solving->lens.object = solving->thickness[0];
-    }
-    for (size_t i = 1; i + 1 < file->surface_count; i++) {
-        if (solving->places[i] != LENS_NONE) {
-            surfaces[solving->places[i]].thickness = solving->thickness[i];
-        }
-    }
-    for (size_t i = 1; i + 1 < file->surface_count; i++) {
-        if (!solve_one(solving, i, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* The same digits in all positions are a number, else a variable. */
-static void set_thickness(struct zemax_file *file, struct surface *surface, size_t number,
-                          const struct figure *values)
-{
-    bool same = true;
-    for (size_t p = 1; p < file->configurations; p++) {
-        same = same && values[p].value.hi == values[0].value.hi &&
-               values[p].value.lo == values[0].value.lo;
-    }
-    if (same) {
-        surface->thickness = values[0];
-        return;
-    }
-    struct figure *copy = ARENA_ARRAY(file->job->arena, file->configurations, struct figure);
-    memcpy(copy, values, file->configurations * sizeof copy[0]);
-    const char *name = arena_printf(file->job->arena, "d%zu", number);
-    surface->thickness = (struct figure){.typed = text_of(name),
-                                         .variable = lens_build_variable(&file->build, name, copy)};
-}
-
-/* The object's distance in all positions. */
-static bool set_objects(struct zemax_file *file, struct figure *const *thickness,
-                        struct error *error)
-{
-    struct lens *lens = file->build.lens;
-    const double far = 1e10;
-    bool any = false;
-    struct figure *objects = ARENA_ARRAY(file->job->arena, file->configurations, struct figure);
-    for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
-        any = any || (one->surface == 0 && text_same(one->line->keyword, "THIC"));
-    }
-    for (size_t p = 0; p < file->configurations && any; p++) {
-        objects[p] = thickness[p][0];
-        double distance = objects[p].value.hi;
-        if (fabs(distance) >= far) {
-            objects[p] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
-        } else if (!(distance > 0)) {
-            fail(error, ERROR_DATA, "configuration %zu: the object is not before the lens", p + 1);
-            return error_locate(error, file->job->source, 0, 0);
-        }
-    }
-    if (any) {
-        lens->objects = objects;
-        lens->object = objects[0];
-        lens->object_is_infinite = isinf(objects[0].value.hi);
-    }
-    return true;
-}
-
-static bool set_aperture(struct zemax_file *file, const struct zemax_setting *setting,
-                         struct figure *apertures)
-{
-    struct lens *lens = file->build.lens;
-    struct number_scale unit =
-        lens->aperture_kind == APERTURE_EPD ? lens_unit_scale(lens->unit) : NUMBER_UNSCALED;
-    struct figure figure = setting->line->numbers[2];
-    pair_read(figure.typed.start, figure.typed.start + figure.typed.length, unit, &figure.value);
-    apertures[setting->configuration - 1] = figure;
-    lens->apertures = apertures;
-    return figure.value.hi > 0;
-}
-
-static bool is_same_operand(const struct zemax_setting *a, const struct zemax_setting *b)
-{
-    return a != NULL && b != NULL && a->surface == b->surface &&
-           memcmp(a->line->keyword.start, b->line->keyword.start, 4) == 0;
-}
-
-/* SDIA: the semi-diameters of one surface in all configurations, which stand together. */
-static bool set_diameters(struct zemax_file *file, const size_t *places,
-                          const struct zemax_setting *setting, struct error *error)
-{
-    struct lens *lens = file->build.lens;
-    size_t place =
-        setting->surface < (long)file->surface_count ? places[setting->surface] : LENS_NONE;
-    if (place == LENS_NONE || lens->surfaces[place].diameter.variable != LENS_NONE) {
-        return true;
-    }
-    struct figure *values = ARENA_ARRAY(file->job->arena, file->configurations, struct figure);
-    for (size_t p = 0; p < file->configurations; p++) {
-        bool next = setting != NULL && setting->configuration == (long)p + 1 &&
-                    zemax_number(setting->line, 2) > 0;
-        if (!next) {
-            return setting == NULL ||
-                   zemax_loss(file, setting->line, error,
-                              "semi-diameters that are not one for each configuration");
-        }
-        struct pair half = setting->line->numbers[2].value;
-        values[p] = figure_computed((struct pair){2 * half.hi, 2 * half.lo},
-                                    lens_unit_scale(lens->unit), file->job->arena);
-        setting = is_same_operand(setting, setting->next) ? setting->next : NULL;
-    }
-    const char *name = arena_printf(file->job->arena, "D%zu", place + 1);
-    lens->surfaces[place].has_diameter = true;
-    lens->surfaces[place].diameter = (struct figure){
-        .typed = text_of(name), .variable = lens_build_variable(&file->build, name, values)};
-    return true;
-}
-
-/* All operands but THIC: an aperture each, or the same value in all configurations. */
-static bool check_settings(struct zemax_file *file, const size_t *places, struct error *error)
-{
-    struct lens *lens = file->build.lens;
-    struct figure *apertures = ARENA_ARRAY(file->job->arena, file->configurations, struct figure);
-    const struct zemax_setting *before = NULL;
-    for (size_t p = 0; p < file->configurations; p++) {
-        apertures[p] = lens->aperture;
-    }
-    for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
-        const struct zemax_line *line = one->line;
-        bool aperture = text_same(line->keyword, "APER") && line->count > 2 &&
-                        lens->aperture_kind > APERTURE_STOP;
-        bool varies =
-            is_same_operand(before, one) && zemax_number(before->line, 2) != zemax_number(line, 2);
-        if (aperture && !set_aperture(file, one, apertures)) {
-            return lens_words_fail(&line->words, line->numbers[2].typed, error,
-                                   "the aperture must be above 0");
-        }
-        bool diameter = text_same(line->keyword, "SDIA");
-        if (diameter && !set_diameters(file, places, one, error)) {
-            return false;
-        }
-        if (varies && !aperture && !diameter && !text_same(line->keyword, "THIC") &&
-            !zemax_loss(file, line, error,
-                        "%.4s %ld changes between the configurations: the first one's value "
-                        "stands",
-                        line->keyword.start, one->surface)) {
-            return false;
-        }
-        before = one;
-    }
-    lens->aperture = lens->apertures != NULL ? apertures[0] : lens->aperture;
-    return true;
-}
-
-/* Solves that follow a ray through many surfaces take their time. */
-static bool check_work(struct zemax_file *file, struct error *error)
-{
-    const double most = 1e6; /* about a second */
-    double work = 0;
-    for (size_t i = 0; i < file->surface_count; i++) {
-        work += file->surfaces[i].solve != NULL;
-    }
-    work *= (double)file->surface_count * (double)file->configurations;
-    if (work > most) {
-        fail(error, ERROR_DATA, "too many solves");
-        return error_locate(error, file->job->source, 0, 0);
-    }
-    return true;
-}
-
-bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct error *error)
-{
-    struct lens *lens = file->build.lens;
-    struct arena *arena = file->job->arena;
-    size_t positions = file->configurations;
-    struct figure **thickness = ARENA_ARRAY(arena, positions, struct figure *);
-    struct figure *values = ARENA_ARRAY(arena, positions, struct figure);
-    if (!check_work(file, error)) {
+    const struct zemax_line *line = solving->file->surfaces[at].curvature;
+    double from = zemax_number(line, 2);
+    if (!(from >= 1 && from < (double)at) || solving->places[(size_t)from] == LENS_NONE ||
+        zemax_number(line, 4) != 0) {
         return false;
     }
-    for (size_t p = 0; p < positions; p++) {
-        struct solving solving = {.file = file, .places = places, .position = p};
-        thickness[p] = ARENA_ARRAY(arena, file->surface_count, struct figure);
-        solving.thickness = thickness[p];
-        solving.unit = lens_unit_scale(lens->unit);
-        if (!read_thicknesses(file, thickness[p], error) || !solve_position(&solving, error)) {
-            return false;
-        }
+    const struct surface *source = &solving->lens.surfaces[solving->places[(size_t)from]];
+    struct pair curvature = surface_curvature(source, SECTION_Y), radius = {0, 0};
+    if (code == PICK_UP) {
+        *value = pair_multiply(curvature, line->numbers[3].value);
+        return line->count > 3;
     }
+    if (code == CONCENTRIC_RADIUS && curvature.hi == 0) {
+        return false;
+    }
+    if (code == CONCENTRIC_RADIUS) {
+        radius = pair_divide(pair_of(1), curvature);
+    }
+    *value =
+        pair_divide(pair_of(1), pair_subtract(radius, distance_from(solving, (size_t)from, at)));
+    return true;
+}
+
+/*
+ * A curvature from the paraxial ray that meets the surface.
+ *
+ * Formula   angle: u' as given; f-number: u' = -1/(2 N), of light that goes to the left +1/(2 N);
+ *           normal: c = -u/y; aplanatic: the ray aims at s = R (n + n')/n, so
+ *           c = -(n + n') u/(n y)
+ * Source    [OpticStudio25], curvature solves; [Kingslake10] aplanatic points of a sphere
+ */
+static struct pair curvature_of_ray(const struct solving *solving, size_t at, int code,
+                                    const struct solve_state *state)
+{
+    const struct zemax_line *line = solving->file->surfaces[at].curvature;
+    struct pair target = line->count > 2 ? line->numbers[2].value : pair_of(0);
+    struct pair slope = pair_divide(state->before, state->index_before);
+    struct pair normal = pair_negate(pair_divide(slope, state->y));
+    switch (code) {
+    case F_NUMBER:
+        target = pair_divide(pair_of(state->index_after.hi < 0 ? 0.5 : -0.5), target);
+        return solve_curvature(state, target);
+    case MARGINAL_NORMAL:
+    case CHIEF_NORMAL:
+        return normal;
+    case APLANATIC:
+        return pair_multiply(normal, pair_divide(pair_add(state->index_before, state->index_after),
+                                                 state->index_before));
+    default:
+        return solve_curvature(state, target);
+    }
+}
+
+/* Digits of 1/mm in the file's unit: of what a ray decides those of a double. */
+static struct figure curvature_figure(const struct solving *solving, struct pair value, bool of_ray)
+{
+    const char *unit = solving->file->build.lens->unit;
+    const struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
+    struct arena *arena = solving->file->job->arena;
+    struct pair plain = pair_multiply(value, figure_per_length(one, unit, 1).value);
+    struct figure figure =
+        of_ray ? figure_of(plain.hi, arena) : figure_computed(plain, NUMBER_UNSCALED, arena);
+    return figure_per_length(figure, unit, -1);
+}
+
+static bool is_near(struct pair value, struct pair other, double relative, double more)
+{
+    return fabs(pair_subtract(value, other).hi) <= relative * fabs(value.hi) + more;
+}
+
+/* The curvature of a surface by its solve; the file's digits where they are the same number. */
+static bool solve_curve(struct solving *solving, size_t at, struct error *error)
+{
+    struct zemax_surface *from = &solving->file->surfaces[at];
+    const struct zemax_line *line = from->curvature;
+    int code = line != NULL && !from->has_free_curvature ? (int)zemax_number(line, 1) : 0;
+    struct pair value = {0, 0};
+    bool of_ray = code == MARGINAL_ANGLE || code == CHIEF_ANGLE || code == F_NUMBER ||
+                  (code >= MARGINAL_NORMAL && code <= APLANATIC);
+    if (code < MARGINAL_ANGLE || solving->places[at] == LENS_NONE) {
+        return true;
+    }
+    if (of_ray) {
+        struct solve_state state;
+        bool done = false, chief = code == CHIEF_ANGLE || code == CHIEF_NORMAL;
+        if (!follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state, &done,
+                    error)) {
+            return done;
+        }
+        value = curvature_of_ray(solving, at, code, &state);
+    } else if (code > F_NUMBER || code == ELEMENT_POWER) {
+        return keep(solving, at, line, "lenscalc does not know", error);
+    } else if (!curvature_of_surface(solving, at, code, &value)) {
+        return keep(solving, at, line, "follows no earlier surface", error);
+    }
+    if (!(fabs(value.hi) < 1e12)) {
+        return keep(solving, at, line, "has no answer", error);
+    }
+    struct figure figure = figure_per_length(line->numbers[0], solving->file->build.lens->unit, -1);
+    if (!is_near(value, figure.value, 4e-15, 0)) {
+        figure = curvature_figure(solving, value, of_ray);
+    }
+    solving->curvature[at] = figure;
+    zemax_set_curvature(solving->file, figure, &solving->lens.surfaces[solving->places[at]]);
+    return true;
+}
+
+bool zemax_solve_surface(struct solving *solving, size_t at, struct error *error)
+{
+    return solve_curve(solving, at, error) && solve_thickness_of(solving, at, error);
+}
+
+static void remark(struct zemax_file *file, const char *what, size_t at, const struct figure *is,
+                   const struct figure *was)
+{
+    /* doubles lose digits on the way to a solve */
+    if (!is_near(is->value, was->value, 1e-9, figure_rounding(was))) {
+        zemax_remark(file, "the %s of surface %zu is %.*s by its solve, the file had %.*s", what,
+                     at, text_shown(is->typed), is->typed.start, text_shown(was->typed),
+                     was->typed.start);
+    }
+}
+
+void zemax_remark_solves(const struct solving *solving)
+{
+    struct zemax_file *file = solving->file;
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
-        for (size_t p = 0; p < positions; p++) {
-            values[p] = thickness[p][i];
+        const struct zemax_surface *from = &file->surfaces[i];
+        bool focus = i + 2 == file->surface_count && zemax_focuses(file);
+        if (solving->curvature[i].typed.start != NULL) {
+            struct figure was =
+                figure_per_length(from->curvature->numbers[0], file->build.lens->unit, -1);
+            remark(file, "curvature", i, &solving->curvature[i], &was);
         }
-        if (places[i] != LENS_NONE) {
-            set_thickness(file, &lens->surfaces[places[i]], places[i] + 1, values);
+        if (from->solve != NULL && !focus && from->thickness != NULL &&
+            from->thickness->count > 0) {
+            remark(file, "thickness", i, &solving->thickness[i], &from->thickness->numbers[0]);
         }
     }
-    struct surface *last = &lens->surfaces[lens->surface_count - 1];
-    last->has_thickness = !zemax_focuses(file) || last->thickness.variable != LENS_NONE ||
-                          last->thickness.value.hi != 0;
-    return set_objects(file, thickness, error) && check_settings(file, places, error);
 }

@@ -158,7 +158,8 @@ static struct figure parameter(struct zemax_file *file, size_t at, size_t number
     const struct zemax_line *pickup = surface->pickups[number];
     const struct figure none = {.typed = text_of("0"), .variable = LENS_NONE};
     double from = zemax_number(pickup, 1);
-    if (pickup != NULL && pickup->count >= 3 && from >= 0 && from < (double)at) {
+    if (pickup != NULL && pickup->count >= 3 && from >= 0 && from < (double)at &&
+        zemax_number(pickup, 4) == 0) {
         struct pair value = parameter(file, (size_t)from, number).value;
         struct pair offset = pickup->count > 3 ? pickup->numbers[3].value : pair_of(0);
         value = pair_add(pair_multiply(value, pickup->numbers[2].value), offset);
@@ -173,20 +174,19 @@ static struct figure in_unit(struct zemax_file *file, struct figure figure, int 
     return figure_per_length(figure, file->build.lens->unit, power);
 }
 
-static bool set_curvature(struct zemax_file *file, const struct zemax_surface *from,
-                          struct surface *to)
+void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to)
 {
-    if (zemax_number(from->curvature, 0) == 0) {
-        return true;
+    const struct figure none = {.variable = LENS_NONE};
+    to->is_plane = true;
+    to->has_curvature = false;
+    to->radius = to->curvature = none;
+    if (curvature.value.hi == 0) {
+        return;
     }
-    to->curvature = in_unit(file, from->curvature->numbers[0], -1);
     to->is_plane =
-        !figure_radius_of(&to->curvature, file->build.lens->unit, file->job->arena, &to->radius);
+        !figure_radius_of(&curvature, file->build.lens->unit, file->job->arena, &to->radius);
     to->has_curvature = to->is_plane;
-    if (!to->is_plane) {
-        to->curvature = (struct figure){.variable = LENS_NONE};
-    }
-    return true;
+    to->curvature = to->is_plane ? curvature : none;
 }
 
 static void set_coefficient(struct zemax_file *file, struct surface *to, size_t index,
@@ -308,6 +308,44 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
                         (int)(type.length < 20 ? type.length : 20), type.start);
 }
 
+/*
+ * The numbers of other pick-ups stand as the program stored them; where that is not what the
+ * pick-up gives, it is lost. DIAM value code surface column scale; CONI has no place for one.
+ */
+static bool check_pickups(struct zemax_file *file, size_t at, struct error *error)
+{
+    const struct zemax_surface *from = &file->surfaces[at];
+    const struct zemax_line *line = from->diameter;
+    double source = zemax_number(line, 2);
+    bool sound = source >= 0 && source < (double)at && zemax_number(line, 3) == 0;
+    if (zemax_number(line, 1) == 2) {
+        const struct zemax_line *other = sound ? file->surfaces[(size_t)source].diameter : NULL;
+        double scale = line->count > 4 ? zemax_number(line, 4) : 1, is = zemax_number(line, 0);
+        if (!(fabs(scale * zemax_number(other, 0) - is) <= 1e-9 * is) &&
+            !zemax_loss(file, line, error,
+                        "a semi-diameter that follows another number: the file's number stands")) {
+            return false;
+        }
+    }
+    if (zemax_number(from->conic, 1) > 1 &&
+        !zemax_loss(file, from->conic, error,
+                    "a conic that follows another number: the file's number stands")) {
+        return false;
+    }
+    for (size_t i = 0; i < ZEMAX_PARAMETERS; i++) {
+        line = from->pickups[i];
+        source = zemax_number(line, 1);
+        sound = line == NULL || (line->count >= 3 && source >= 0 && source < (double)at &&
+                                 zemax_number(line, 4) == 0);
+        if (!sound && !zemax_loss(file, line, error,
+                                  "a parameter that follows no earlier surface: the file's number "
+                                  "stands")) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Twice the semi-diameter, or a circular aperture's radius. */
 static void set_diameter(struct zemax_file *file, const struct zemax_surface *from,
                          struct surface *to)
@@ -350,8 +388,11 @@ static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
     struct surface *to = lens_build_surface(&file->build);
     to->bend = file->bend;
     file->bend = NULL;
-    if (!zemax_medium(file, from, &before, &to->medium, error) || !set_curvature(file, from, to)) {
+    if (!zemax_medium(file, from, &before, &to->medium, error)) {
         return false;
+    }
+    if (zemax_number(from->curvature, 0) != 0) {
+        zemax_set_curvature(file, in_unit(file, from->curvature->numbers[0], -1), to);
     }
     if (is_mirror(from)) {
         to->kind = SURFACE_REFLECT;
@@ -434,6 +475,9 @@ bool zemax_surfaces(struct zemax_file *file, struct error *error)
     size_t *places = ARENA_ARRAY(file->job->arena, file->surface_count, size_t);
     places[0] = LENS_NONE;
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
+        if (!check_pickups(file, i, error)) {
+            return false;
+        }
         if (is_type(&file->surfaces[i], "COORDBRK")) {
             add_break(file, i);
             if (is_bare(file, i)) {

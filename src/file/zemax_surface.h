@@ -9,6 +9,9 @@
 bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
                   const struct medium *before, struct medium *medium, struct error *error);
 
+/* A curvature of a surface, 1/mm: as a radius where a short one has it as its reciprocal. */
+void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to);
+
 /* Is the image plane set by the solve that brings the marginal ray to height 0 there? */
 bool zemax_focuses(const struct zemax_file *file);
 

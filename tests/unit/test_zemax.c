@@ -90,7 +90,7 @@ static void check_errors(void)
 static void check_lossy(void)
 {
     struct reading *reading =
-        read_text(HEAD "WXYZ 1\nXFLN 0 2\nYFLN 5 0\n" SINGLET "THEF 1 2 3\nMNUM 1 1\n", true);
+        read_text(HEAD "WXYZ 1\nXFLN 0 2\nYFLN 5 0\n" SINGLET "EFFL 1 2 3\nMNUM 1 1\n", true);
     CHECK(reading->done && reading->job.loss_count == 2);
     CHECK(reading->job.losses[0].line == 3 && reading->job.losses[1].line == 4);
     CHECK(strstr(reading->job.losses[1].what, "field 2") != NULL);
@@ -188,6 +188,115 @@ static void check_solves(void)
         CHECK_NEAR(s[5].bend->tilt[0].value.hi, 0.26179938779914943654, 1e-16, "15 deg");
         CHECK_NEAR(s[6].bend->tilt[0].value.hi, -0.26179938779914943654, 1e-16, "-15 deg");
     }
+    forget(reading);
+}
+
+/*
+ * The second curvature of a lens of n = 1.5, c1 = 0.02, t = 4 with a pupil of 10, by hand: the
+ * marginal ray meets it at y = 5 - 4 u, u = 0.05/1.5; a chief ray of 10 degrees at 4 tan 10/1.5.
+ */
+static void check_curvatures(void)
+{
+    const double u = -0.05 / 1.5, y = 5 + 4 * u, v = -0.05, slope = 0.17632698070846497347;
+    const struct {
+        const char *solve;
+        double curvature;
+        size_t notes, losses;
+    } cases[] = {
+        {"-0.02 0 0 0 0", -0.02, 0, 0},
+        {"-0.02 1 0 0 0", -0.02, 0, 0},
+        {"0 2 -0.125 0 0", (v + 0.125) / (y * -0.5), 1, 0},
+        {"-0.0308219178082191780 2 -0.125 0 0", (v + 0.125) / (y * -0.5), 0, 0},
+        {"-0.031 2 -0.125 0 0", (v + 0.125) / (y * -0.5), 0, 0}, /* rounded in the file */
+        {"0 11 4 0 0", (v + 0.125) / (y * -0.5), 1, 0},
+        {"0 3 0.1 0 0", (slope - 0.1) / (4 * slope / 1.5 * -0.5), 1, 0},
+        {"-0.02 4 1 -1 0", -0.02, 0, 0},
+        {"0.5 4 1 1.5 0", 0.03, 1, 0},
+        {"0 5 0 0 0", -u / y, 1, 0},
+        {"0 6 0 0 0", -(slope / 1.5) / (4 * slope / 1.5), 1, 0},
+        {"0 7 0 0 0", -(1.5 + 1) * u / (1.5 * y), 1, 0},
+        {"0.1 8 0.02 0 0", 0.1, 0, 1},
+        {"0 9 1 0 0", -0.25, 1, 0},
+        {"0 10 1 0 0", 1. / 46, 1, 0},
+        {"0.1 12 0 0 0", 0.1, 0, 1},
+        {"0.1 4 2 1 0", 0.1, 0, 1},
+        {"0.1 4 1 1 3", 0.1, 0, 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 HEAD "ENPD 10\nFTYP 0 0 1 1\nYFLN 10\n" OBJECT
+                      "SURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\n"
+                      "SURF 2\n  CURV %s \"\"\n  DISZ 30\n" IMAGE("3"),
+                 cases[i].solve);
+        struct reading *reading = read_text(text, true), *strict = read_text(text, false);
+        CHECK(reading->done && strict->done == (cases[i].losses == 0));
+        CHECK(reading->lens.note_count == cases[i].notes);
+        CHECK(reading->job.loss_count == cases[i].losses);
+        if (reading->done) {
+            CHECK_RELATIVE(surface_curvature(&reading->lens.surfaces[1], SECTION_Y).hi,
+                           cases[i].curvature, 4e-15, cases[i].solve);
+        }
+        forget(reading);
+        forget(strict);
+    }
+}
+
+/* An f-number wants the focal length, which the solved curvature decides: the pupil follows. */
+static void check_settled(void)
+{
+    struct reading *reading = read_text(
+        HEAD "FNUM 4\n" OBJECT "SURF 1\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\n"
+             "SURF 2\n  CURV 0.01 5\n  DISZ 1\n  MAZH 1 0\n" IMAGE("3"),
+        false);
+    CHECK(reading->done);
+    if (reading->done) { /* u = u' at a normal surface: f = 1.5/0.01, and u' = -y1/f = -1/8 */
+        double y1 = 150. / 8, y2 = y1 * (1 - 4 * 0.01 / 1.5);
+        CHECK_RELATIVE(first_order_at(reading, 0).efl, 150., 1e-15, "efl");
+        CHECK_RELATIVE(reading->lens.surfaces[1].thickness.value.hi, (y2 - 1) * 8, 1e-15,
+                       "height 1");
+    }
+    forget(reading);
+}
+
+/* Glasses and semi-diameters that follow a surface; what follows none, or another column. */
+static void check_other_pickups(void)
+{
+    static const struct {
+        const char *text;
+        size_t notes, losses;
+    } cases[] = {
+        {"  GLAS ___BLANK 2 1 1.5 0\n  DIAM 10 2 1 0 1\n", 0, 0},
+        {"  GLAS OTHER 2 1 1.7 30\n  DIAM 5 2 1 0 0.5\n", 1, 0},
+        {"  GLAS ___BLANK 2 3 1.5 0\n", 0, 1},
+        {"  GLAS ___BLANK 1 0 1.5 0\n  DIAM 7 2 1 0 1\n", 0, 1},
+        {"  GLAS ___BLANK 1 0 1.5 0\n  CONI -1 2 1\n", 0, 1},
+        {"  GLAS ___BLANK 1 0 1.5 0\n  PARM 1 0\n  PPAR 1 2 1 0 0\n", 0, 1},
+        {"  GLAS ___BLANK 1 0 1.5 0\n  PZUP 1 1 0 4\n", 0, 1},
+        {"  GLAS ___BLANK 1 0 1.5 0\n  CHZH 0 0\n", 0, 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 HEAD OBJECT "SURF 1\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\n"
+                             "  DIAM 10 1\n"
+                             "SURF 2\n  TYPE EVENASPH\n  CURV 0\n  DISZ 30\n%s" IMAGE("3"),
+                 cases[i].text);
+        struct reading *reading = read_text(text, true);
+        CHECK(reading->done && reading->lens.note_count == cases[i].notes);
+        CHECK(reading->job.loss_count == cases[i].losses);
+        CHECK(i > 1 || reading->lens.surfaces[1].medium.index.hi == 1.5);
+        forget(reading);
+    }
+}
+
+/* Behind the surfaces operands of the merit function are passed over, other words are lost. */
+static void check_tail(void)
+{
+    struct reading *reading =
+        read_text(HEAD SINGLET "TOL COMP 0\nMNUM 1 1\nEFFL 1\nREAY 2 3\nQQQQ 4\n", true);
+    CHECK(reading->done && reading->job.loss_count == 1);
+    CHECK(reading->job.losses[0].line == 26);
     forget(reading);
 }
 
@@ -302,6 +411,10 @@ int main(void)
     check_singlet();
     check_encodings();
     check_solves();
+    check_curvatures();
+    check_settled();
+    check_other_pickups();
+    check_tail();
     check_configurations();
     check_roundtrip();
     check_changes();

@@ -1,0 +1,30 @@
+/* file/zemax_keyword.h - keywords of a .zmx file, each with the function that reads its line. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_ZEMAX_KEYWORD_H
+#define LENSCALC_FILE_ZEMAX_KEYWORD_H
+
+#include "file/zemax_parse.h"
+
+/* Reads the present line of the file; `keyword` is the word itself. */
+typedef bool zemax_read_function(struct zemax_file *file, struct text keyword, struct error *error);
+
+struct zemax_keyword {
+    const char *word; /* null ends a table */
+    zemax_read_function *read;
+};
+
+/* Lines before the surfaces, and those behind them, which begin the line. */
+extern const struct zemax_keyword zemax_system_keywords[];
+extern const struct zemax_keyword zemax_tail_keywords[];
+
+/* Does the word behind the surfaces begin an operand of the merit function? */
+bool zemax_is_operand(struct text word);
+
+/* The present line with its numbers, in the unit `scale`. */
+struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
+                                 struct number_scale scale);
+
+/* ERROR_DATA where a line has no number. */
+bool zemax_has_number(const struct zemax_line *line, struct error *error);
+
+#endif

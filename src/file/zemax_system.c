@@ -1,0 +1,199 @@
+/* file/zemax_system.c - the lines of a .zmx file before its surfaces: units, aperture, light. */
+/* SPDX-License-Identifier: MIT */
+#include "file/zemax_keyword.h"
+
+#include <math.h>
+
+static bool read_unit(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    static const struct {
+        const char *word, *unit;
+    } units[] = {{"MM", "mm"}, {"CM", "cm"}, {"IN", "in"}, {"METER", "m"}, {"M", "m"}};
+    struct text word = lens_words_next(&file->words);
+    (void)keyword;
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (text_same(word, units[i].word)) {
+            file->build.lens->unit = units[i].unit;
+            file->words.scale = lens_unit_scale(units[i].unit);
+            return true;
+        }
+    }
+    return lens_words_fail(&file->words, word, error, "the unit is one of MM, CM, IN, METER");
+}
+
+static bool read_mode(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    struct text word = lens_words_next(&file->words);
+    (void)keyword;
+    return text_same(word, "SEQ") ||
+           lens_words_fail(&file->words, word, error,
+                           "a non-sequential system: lenscalc has lenses whose surfaces follow "
+                           "each other");
+}
+
+static bool read_name(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    struct text rest = lens_words_rest(&file->words);
+    (void)keyword;
+    (void)error;
+    if (rest.length > 0) {
+        file->build.lens->title = lens_build_string(&file->build, rest);
+    }
+    return true;
+}
+
+/* NOTE 0 has the text; other numbers are breaks of its lines. */
+static bool read_note(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    struct text number = lens_words_next(&file->words), rest = lens_words_rest(&file->words);
+    (void)keyword;
+    (void)error;
+    if (!text_equal(number, "0") || rest.length == 0) {
+        return true;
+    }
+    struct text remark = text_behind(rest, ZEMAX_REMARK),
+                names = text_behind(remark, ZEMAX_POSITIONS);
+    if (names.start != NULL) {
+        file->position_names = names;
+        return true;
+    }
+    if (remark.start != NULL && remarks_take(&file->remarks, remark)) {
+        return true;
+    }
+    lens_build_note(&file->build, rest);
+    return true;
+}
+
+static bool read_catalogs(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    (void)keyword;
+    (void)error;
+    for (struct text word = lens_words_next(&file->words);
+         word.length > 0 && file->catalog_count < ZEMAX_CATALOGS;
+         word = lens_words_next(&file->words)) {
+        file->catalogs[file->catalog_count++] = word;
+    }
+    return true;
+}
+
+static bool read_aperture(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    bool length = text_same(keyword, "ENPD"), none = text_same(keyword, "FLOA");
+    file->aperture = zemax_line_of(file, keyword, length ? file->words.scale : NUMBER_UNSCALED);
+    return none || zemax_has_number(file->aperture, error);
+}
+
+static bool read_fields(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    file->fields = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    return zemax_has_number(file->fields, error);
+}
+
+static bool read_x(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    (void)error;
+    file->x = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    return true;
+}
+
+static bool read_y(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    (void)error;
+    file->y = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    return true;
+}
+
+/* WAVM number wavelength weight */
+static bool read_wave(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    double number = zemax_number(line, 0), wavelength = zemax_number(line, 1);
+    if (!(number >= 1 && number < ZEMAX_WAVES) || line->count < 2) {
+        return lens_words_fail(&line->words, line->keyword, error,
+                               "WAVM wants the number, the wavelength and its weight");
+    }
+    if (!(wavelength >= 0.001 && wavelength <= 1000)) {
+        return lens_words_fail(&line->words, line->numbers[1].typed, error,
+                               "the wavelength is not within 0.001 to 1000 um");
+    }
+    size_t at = (size_t)number - 1;
+    const struct figure one = {.value = {1, 0}, .variable = LENS_NONE};
+    file->waves[at] = line->numbers[1];
+    file->weights[at] = line->count > 2 ? line->numbers[2] : one;
+    file->wave_count = file->wave_count > at + 1 ? file->wave_count : at + 1;
+    return true;
+}
+
+/* WAVL and WAVN have all wavelengths in a row, WWGT and WWGN their weights. */
+static bool read_waves(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    bool weights = text_same(keyword, "WWGT") || text_same(keyword, "WWGN");
+    for (size_t i = 0; i < line->count; i++) {
+        double value = line->numbers[i].value.hi;
+        if (!weights && !(value >= 0.001 && value <= 1000)) {
+            return lens_words_fail(&line->words, line->numbers[i].typed, error,
+                                   "the wavelength is not within 0.001 to 1000 um");
+        }
+        *(weights ? &file->weights[i] : &file->waves[i]) = line->numbers[i];
+        if (!weights && file->weights[i].typed.start == NULL) {
+            file->weights[i].value = pair_of(1);
+        }
+    }
+    file->wave_count = !weights && line->count > file->wave_count ? line->count : file->wave_count;
+    return true;
+}
+
+static bool read_primary(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    file->primary_line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    double number = zemax_number(file->primary_line, 0);
+    if (!(number >= 1 && number < ZEMAX_WAVES)) {
+        return lens_words_fail(&file->words, keyword, error, "PWAV wants a wavelength's number");
+    }
+    file->primary = (size_t)number - 1;
+    return true;
+}
+
+/* Numbers that change nothing where they are 0. */
+static bool read_zeros(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    for (size_t i = 0; i < line->count; i++) {
+        if (line->numbers[i].value.hi != 0) {
+            return foreign_loss(file->job, &line->words, line->numbers[i].typed, error,
+                                "%.4s: lenscalc has no vignetting factors and no apodised pupil",
+                                keyword.start);
+        }
+    }
+    return true;
+}
+
+/* ENVD temperature pressure adjust */
+static bool read_environment(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    bool usual = zemax_number(line, 0) == 20 && zemax_number(line, 1) == 1;
+    return zemax_number(line, 2) == 0 || usual ||
+           zemax_loss(file, line, error,
+                      "indices at %.6g C and %.6g atmospheres: those of 20 C and 1 atmosphere "
+                      "stand for them",
+                      zemax_number(line, 0), zemax_number(line, 1));
+}
+
+const struct zemax_keyword zemax_system_keywords[] = {
+    {"MODE", read_mode},        {"UNIT", read_unit},
+    {"NAME", read_name},        {"NOTE", read_note},
+    {"GCAT", read_catalogs},    {"ENPD", read_aperture},
+    {"FNUM", read_aperture},    {"OBNA", read_aperture},
+    {"FLOA", read_aperture},    {"FTYP", read_fields},
+    {"XFLN", read_x},           {"XFLD", read_x},
+    {"YFLN", read_y},           {"YFLD", read_y},
+    {"WAVM", read_wave},        {"WAVL", read_waves},
+    {"WAVN", read_waves},       {"WWGT", read_waves},
+    {"WWGN", read_waves},       {"PWAV", read_primary},
+    {"VDXN", read_zeros},       {"VDYN", read_zeros},
+    {"VCXN", read_zeros},       {"VCYN", read_zeros},
+    {"VANN", read_zeros},       {"GFAC", read_zeros},
+    {"ENVD", read_environment}, {NULL, NULL},
+};
