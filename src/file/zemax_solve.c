@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* The codes of a curvature's solves, CURV c code a b column: [PyZDDE]. 0 fixed, 1 variable. */
+/* The codes of a curvature's solves, CURV c code a b column; 0 fixed, 1 variable. */
 enum {
     MARGINAL_ANGLE = 2,
     CHIEF_ANGLE,
@@ -220,7 +220,7 @@ static bool curvature_of_surface(const struct solving *solving, size_t at, int c
  * Formula   angle: u' as given; f-number: u' = -1/(2 N), of light that goes to the left +1/(2 N);
  *           normal: c = -u/y; aplanatic: the ray aims at s = R (n + n')/n, so
  *           c = -(n + n') u/(n y)
- * Source    [OpticStudio25], curvature solves; [Kingslake10] aplanatic points of a sphere
+ * Source    [OpticStudio25], curvature solves; the aplanatic points of a sphere
  */
 static struct pair curvature_of_ray(const struct solving *solving, size_t at, int code,
                                     const struct solve_state *state)
