@@ -56,7 +56,7 @@ static const struct option options[] = {
      .help = "what is before the lens: a glass, nd/Vd or an index"},
     {OPTION(struct input, image_medium), .name = "image-medium", .value = "MEDIUM",
      .help = "what is behind the lens"},
-    LENS_WAVELENGTH_OPTION(struct input, question),
+    LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct input, question),
     LENS_POSITION_OPTION(struct input, question),
     LENS_SECTION_OPTION(struct input, question),

@@ -9,7 +9,7 @@ struct input {
 
 static const struct option options[] = {
     LENS_OPTION(struct input, question),
-    LENS_WAVELENGTH_OPTION(struct input, question),
+    LENS_WAVELENGTH_OPTION(struct input, question, LENS_ALL_WAVELENGTHS),
     LENS_POSITION_OPTION(struct input, question),
     LENS_SECTION_OPTION(struct input, question),
     {OPTION(struct input, perspective), .name = "perspective",

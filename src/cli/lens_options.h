@@ -38,14 +38,16 @@ extern const struct word section_words[];
                                         ".seq .len .dat), or - for standard input"                 \
     }
 
-#define LENS_WAVELENGTH_OPTION(S, member)                                                          \
+/* `without`: which wavelengths a command takes without the option */
+#define LENS_WAVELENGTH_OPTION(S, member, without)                                                 \
     {                                                                                              \
-        OPTION(S, member.wavelength), .name = "wavelength", .letter = 'w', .column = "wavelength", \
-                                      .value = "WAVE", .dimension = &dimension_length,             \
-                                      .unit = "nm",                                                \
-                                      .help = "wavelength in nm, or a line: d F C e g; without "   \
-                                              "it all of the lens, the primary first"              \
+        OPTION(S, member.wavelength),                                                              \
+            .name = "wavelength", .letter = 'w', .column = "wavelength", .value = "WAVE",          \
+            .dimension = &dimension_length, .unit = "nm",                                          \
+            .help = "wavelength in nm, or a line: d F C e g; without it " without                  \
     }
+#define LENS_ALL_WAVELENGTHS    "all of the lens, the primary first"
+#define LENS_PRIMARY_WAVELENGTH "the primary one of the lens"
 
 #define LENS_FNUMBER_OPTION(S, member)                                                             \
     {                                                                                              \

@@ -18,7 +18,6 @@ struct lens_row {
 static const struct column lens_columns[] = {
     {LENS(name), .name = "lens", .flags = COLUMN_BRIEF, .label = "lens",
      .help = "name that commands take"},
-    {LENS(title), .name = "title", .flags = COLUMN_BRIEF, .label = "title", .help = "what it is"},
     {LENS(kind), .name = "kind", .flags = COLUMN_BRIEF, .label = "kind", .help = "class of lenses"},
     {LENS_LENGTH(efl), .name = "efl", .flags = COLUMN_BRIEF, .label = "focal length",
      .help = "effective focal length as computed, in the first position"},
@@ -29,6 +28,8 @@ static const struct column lens_columns[] = {
      .help = "number of surfaces, the stop counted"},
     {LENS(positions), .name = "positions", .flags = COLUMN_BRIEF, .label = "positions",
      .help = "names of zoom or focus positions"},
+    /* the longest one last: a narrow terminal cuts or wraps nothing else */
+    {LENS(title), .name = "title", .flags = COLUMN_BRIEF, .label = "title", .help = "what it is"},
     {LENS(source), .name = "source", .label = "source", .help = "where it was published"},
     {LENS(note), .name = "note", .label = "note", .help = "what to know of it"},
     {LENS(warning), .name = "warning", .label = "warning", .help = "what is doubtful"},
