@@ -182,6 +182,11 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
     if (ends_with(source, ".lens")) {
         return lens_read(job->source, content, job->glasses, job->arena, lens, error);
     }
+    if (ends_with(source, ".agf")) {
+        fail(error, ERROR_DATA, "an AGF file is a catalogue of glasses, not a lens");
+        error_locate(error, job->source, 0, 0);
+        return error_hint(error, "--agf FILE adds its glasses");
+    }
     bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
     const struct foreign_format *format = foreign_of(source, is_text ? text : content);
     if (format == NULL) {

@@ -51,4 +51,6 @@ lenscalc convert double-gauss --scale 2 -f 50mm
 lenscalc convert double-gauss --position tele
 lenscalc convert no-such-lens
 lenscalc convert
+printf 'CC a catalogue\n' > own.agf && lenscalc convert own.agf
+rm own.agf
 ls
