@@ -2,48 +2,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/agf_catalogs.h"
 
-#include <dirent.h>
+#include "file/whole_file.h"
+
 #include <errno.h>
-#include <stdlib.h>
 #include <string.h>
-
-enum { MOST_USER_CATALOGS = 1000 };
-
-static int by_name(const void *a, const void *b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
-static bool ends_with(const char *name, const char *ending)
-{
-    size_t length = strlen(name), last = strlen(ending);
-    return length > last && text_same(text_of(name + length - last), ending);
-}
-
-bool agf_catalog_files(const struct lensdb *db, const char *ending, struct arena *arena,
-                       const char ***names, struct error *error)
-{
-    *names = ARENA_ARRAY(arena, MOST_USER_CATALOGS + 1, const char *);
-    if (db->directory == NULL) {
-        return true;
-    }
-    const char *path = arena_printf(arena, "%s/glass", db->directory);
-    DIR *folder = opendir(path);
-    if (folder == NULL) {
-        return errno == ENOENT || errno == ENOTDIR ||
-               fail(error, ERROR_IO, "cannot read the folder %s: %s", path, strerror(errno));
-    }
-    size_t count = 0;
-    for (struct dirent *entry = readdir(folder); entry != NULL && count < MOST_USER_CATALOGS;
-         entry = readdir(folder)) {
-        if (entry->d_name[0] != '.' && ends_with(entry->d_name, ending)) {
-            (*names)[count++] = arena_printf(arena, "glass/%s", entry->d_name);
-        }
-    }
-    closedir(folder);
-    qsort(*names, count, sizeof **names, by_name);
-    return true;
-}
 
 /* A list that grows at its end. */
 struct list {
@@ -55,7 +17,7 @@ static bool add(struct lensdb *db, const char *path, struct list *list, struct e
 {
     struct text content;
     struct agf_catalog *catalog = ARENA_NEW(db->arena, struct agf_catalog);
-    if (!lensdb_read_file(db, path, &content, error)) {
+    if (!whole_file(path, db->arena, &content, error)) {
         return error->code == ERROR_NONE &&
                fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(ENOENT));
     }
@@ -81,7 +43,7 @@ static bool add(struct lensdb *db, const char *path, struct list *list, struct e
 bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct error *error)
 {
     struct list list = {NULL, NULL};
-    const char **names;
+    const char *const *names;
     *first = db->agf_catalogs;
     if (db->agf_is_read) {
         return true;
@@ -94,7 +56,7 @@ bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct er
             return false;
         }
     }
-    if (!agf_catalog_files(db, ".agf", db->arena, &names, error)) {
+    if (!lensdb_list(db, "glass", ".agf", db->arena, &names, error)) {
         return false;
     }
     for (; *names != NULL; names++) {

@@ -15,13 +15,4 @@
  */
 bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct error *error);
 
-/*
- * The files of the user's folder glass with one of the endings (in any case), sorted; an array in
- * the arena that ends with null, of names such as "glass/SCHOTT.tsv".
- *
- * Errors    ERROR_IO: the folder is there but cannot be read
- */
-bool agf_catalog_files(const struct lensdb *db, const char *ending, struct arena *arena,
-                       const char ***names, struct error *error);
-
 #endif

@@ -51,7 +51,7 @@ static bool enter_place(struct glass_catalogs *catalogs, enum lensdb_place place
         catalogs->names = embedded_names(catalogs->arena);
         return true;
     }
-    return agf_catalog_files(catalogs->db, ENDING, catalogs->arena, &catalogs->names, error);
+    return lensdb_list(catalogs->db, "glass", ENDING, catalogs->arena, &catalogs->names, error);
 }
 
 bool glass_catalogs_open(struct glass_catalogs *catalogs, struct lensdb *db, struct arena *arena,

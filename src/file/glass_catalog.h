@@ -39,7 +39,7 @@ struct glass_catalogs {
     const struct agf_catalog *agf; /* being read; its glasses come first */
     size_t agf_next;
     enum lensdb_place place;
-    const char **names; /* of this place: "glass/SCHOTT.tsv", ends with null */
+    const char *const *names; /* of this place: "glass/SCHOTT.tsv", ends with null */
     bool is_open;
     struct glass_table table;
 };

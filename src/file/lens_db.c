@@ -5,15 +5,12 @@
 #include "file/embedded.h"
 #include "file/foreign.h"
 #include "file/lens_glass.h"
+#include "file/whole_file.h"
 
-#include <dirent.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-enum { LARGEST_LENS = 16 * 1024 * 1024 };
 
 static const char folder[] = "lenses/", ending[] = ".lens";
 enum { FOLDER_LENGTH = sizeof folder - 1, ENDING_LENGTH = sizeof ending - 1 };
@@ -22,48 +19,6 @@ static bool ends_as_lens(struct text name)
 {
     return name.length > ENDING_LENGTH &&
            memcmp(name.start + name.length - ENDING_LENGTH, ending, ENDING_LENGTH) == 0;
-}
-
-/* Everything a descriptor gives, in the arena. */
-static bool read_descriptor(int descriptor, const char *path, struct arena *arena,
-                            struct text *content, struct error *error)
-{
-    size_t room = 65536, used = 0;
-    char *data = arena_array(arena, room, 1);
-    for (;;) {
-        ssize_t got = read(descriptor, data + used, room - used);
-        if (got < 0) {
-            return fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
-        }
-        if (got == 0) {
-            *content = (struct text){data, used};
-            return true;
-        }
-        used += (size_t)got;
-        if (used > LARGEST_LENS) {
-            return fail(error, ERROR_IO, "cannot read %s: larger than 16 MiB", path);
-        }
-        if (used == room) {
-            char *more = arena_array(arena, 2 * room, 1);
-            data = memcpy(more, data, used);
-            room *= 2;
-        }
-    }
-}
-
-/* False with ERROR_NONE where there is no such file. */
-static bool read_path(const char *path, struct arena *arena, struct text *content,
-                      struct error *error)
-{
-    int descriptor = open(path, O_RDONLY | O_CLOEXEC);
-    error->code = ERROR_NONE;
-    if (descriptor < 0) {
-        return errno != ENOENT &&
-               fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
-    }
-    bool done = read_descriptor(descriptor, path, arena, content, error);
-    close(descriptor);
-    return done;
 }
 
 /* "lenses/double-gauss.lens" -> "double-gauss"; empty for other files. */
@@ -86,25 +41,23 @@ static int by_name(const void *a, const void *b)
     return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
-static bool user_names(struct lensdb *db, struct arena *arena, const char ***names, size_t *count,
-                       struct error *error)
+/* Those of the user, without folder and ending. */
+static bool user_names(const struct lensdb *db, struct arena *arena, const char ***names,
+                       size_t *count, struct error *error)
 {
-    enum { MOST = 10000 };
-    DIR *directory = opendir(arena_printf(arena, "%s/lenses", db->directory));
-    if (directory == NULL) {
-        return errno == ENOENT || fail(error, ERROR_IO, "cannot read the folder %s/lenses: %s",
-                                       db->directory, strerror(errno));
+    const char *const *files;
+    if (!lensdb_list(db, "lenses", ending, arena, &files, error)) {
+        return false;
     }
-    *names = ARENA_ARRAY(arena, MOST + 1, const char *);
-    for (struct dirent *entry = readdir(directory); entry != NULL && *count < MOST;
-         entry = readdir(directory)) {
-        struct text name = text_of(entry->d_name);
-        if (ends_as_lens(name)) {
-            name.length -= ENDING_LENGTH;
-            (*names)[(*count)++] = copy(arena, name);
-        }
+    while (files[*count] != NULL) {
+        ++*count;
     }
-    closedir(directory);
+    *names = ARENA_ARRAY(arena, *count + 1, const char *);
+    for (size_t i = 0; i < *count; i++) {
+        const struct text name = text_of(files[i]);
+        (*names)[i] = copy(arena, (struct text){name.start + FOLDER_LENGTH,
+                                                name.length - FOLDER_LENGTH - ENDING_LENGTH});
+    }
     return true;
 }
 
@@ -150,7 +103,7 @@ static bool find_user(struct lensdb *db, struct text name, struct arena *arena, 
     for (; *names != NULL; names++) {
         if (text_same_name(text_of(*names), name)) {
             *source = arena_printf(arena, "%s/lenses/%s.lens", db->directory, *names);
-            return read_path(*source, arena, content, error);
+            return whole_file(*source, arena, content, error);
         }
     }
     return false;
@@ -197,7 +150,7 @@ bool lens_db_content(struct lensdb *db, struct text name, struct arena *arena, c
     const char *path = copy(arena, name);
     if (text_equal(name, "-")) {
         *source = "standard input";
-        return read_descriptor(STDIN_FILENO, *source, arena, content, error);
+        return whole_stream(STDIN_FILENO, *source, arena, content, error);
     }
     bool is_file = memchr(name.start, '/', name.length) != NULL || ends_as_lens(name);
     if (!is_file) {
@@ -212,7 +165,7 @@ bool lens_db_content(struct lensdb *db, struct text name, struct arena *arena, c
         }
     }
     *source = path;
-    if (read_path(path, arena, content, error)) {
+    if (whole_file(path, arena, content, error)) {
         return true;
     }
     if (error->code != ERROR_NONE) {

@@ -4,14 +4,15 @@
 
 #include "base/number.h"
 #include "file/embedded.h"
+#include "file/whole_file.h"
 
+#include <dirent.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 /* A file of the user's folder, or the knowledge that there is none. */
 struct lensdb_file {
@@ -19,49 +20,6 @@ struct lensdb_file {
     struct text content; /* start is null where there is no such file */
     struct lensdb_file *next;
 };
-
-/* A table of facts is small; what is larger is something else. */
-enum { LARGEST_FILE = 64 * 1024 * 1024 };
-
-static bool read_all(struct lensdb *db, int descriptor, const char *path, struct text *content,
-                     struct error *error)
-{
-    struct stat status;
-    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
-        return fail(error, ERROR_IO, "cannot read %s: not a plain file", path);
-    }
-    if (status.st_size > LARGEST_FILE) {
-        return fail(error, ERROR_IO, "cannot read %s: larger than 64 MiB", path);
-    }
-    size_t size = (size_t)status.st_size, used = 0;
-    char *data = arena_array(db->arena, size + 1, 1);
-    while (used < size) {
-        ssize_t got = read(descriptor, data + used, size - used);
-        if (got < 0) {
-            return fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
-        }
-        if (got == 0) {
-            break;
-        }
-        used += (size_t)got;
-    }
-    *content = (struct text){data, used};
-    return true;
-}
-
-bool lensdb_read_file(struct lensdb *db, const char *path, struct text *content,
-                      struct error *error)
-{
-    int descriptor = open(path, O_RDONLY | O_CLOEXEC);
-    error->code = ERROR_NONE;
-    if (descriptor < 0) {
-        return errno != ENOENT &&
-               fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
-    }
-    bool done = read_all(db, descriptor, path, content, error);
-    close(descriptor);
-    return done;
-}
 
 static bool check_directory(const char *directory, struct error *error)
 {
@@ -71,6 +29,50 @@ static bool check_directory(const char *directory, struct error *error)
     }
     if (!S_ISDIR(status.st_mode)) {
         return fail(error, ERROR_IO, "cannot read %s: not a folder", directory);
+    }
+    return true;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+static bool ends_with(const char *name, const char *ending)
+{
+    size_t length = strlen(name), last = strlen(ending);
+    return name[0] != '.' && length > last && text_same(text_of(name + length - last), ending);
+}
+
+bool lensdb_list(const struct lensdb *db, const char *folder, const char *ending,
+                 struct arena *arena, const char *const **names, struct error *error)
+{
+    static const char *const none[] = {NULL};
+    const char **all = NULL;
+    size_t count = 0, room = 0;
+    *names = none;
+    if (db->directory == NULL) {
+        return true;
+    }
+    const char *path = arena_printf(arena, "%s/%s", db->directory, folder);
+    DIR *directory = opendir(path);
+    if (directory == NULL) {
+        return errno == ENOENT || errno == ENOTDIR
+                   ? check_directory(db->directory, error)
+                   : fail(error, ERROR_IO, "cannot read the folder %s: %s", path, strerror(errno));
+    }
+    for (struct dirent *entry = readdir(directory); entry != NULL; entry = readdir(directory)) {
+        if (ends_with(entry->d_name, ending)) {
+            all = arena_grow(arena, all, count, &room, sizeof all[0]);
+            all[count++] = arena_printf(arena, "%s/%s", folder, entry->d_name);
+        }
+    }
+    closedir(directory);
+    if (count > 0) {
+        qsort(all, count, sizeof all[0], by_name);
+        all = arena_grow(arena, all, count, &room, sizeof all[0]);
+        all[count] = NULL;
+        *names = all;
     }
     return true;
 }
@@ -87,7 +89,7 @@ static bool load(struct lensdb *db, const char *name, struct lensdb_file **found
     struct lensdb_file *file = ARENA_NEW(db->arena, struct lensdb_file);
     file->name = arena_string(db->arena, name, strlen(name));
     file->path = arena_printf(db->arena, "%s/%s", db->directory, name);
-    if (!lensdb_read_file(db, file->path, &file->content, error) &&
+    if (!whole_file(file->path, db->arena, &file->content, error) &&
         (error->code != ERROR_NONE || !check_directory(db->directory, error))) {
         return false;
     }

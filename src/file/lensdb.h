@@ -26,13 +26,16 @@ struct lensdb {
 };
 
 /*
- * A whole file of the user's, in the database's arena.
+ * The files in a folder of the user's folder.
  *
- * Result    false with error->code ERROR_NONE if there is no such file
- * Errors    ERROR_IO: it cannot be read, is no plain file, or is larger than 64 MiB
+ * Given     folder  "lenses"; ending  of their names, without regard to case
+ *           names   receives them as "lenses/x.lens", sorted; an array in the arena that ends with
+ *                   null
+ * Result    no names where there is no such folder, or --lensdb is not given
+ * Errors    ERROR_IO: the user's folder or this one cannot be read
  */
-bool lensdb_read_file(struct lensdb *db, const char *path, struct text *content,
-                      struct error *error);
+bool lensdb_list(const struct lensdb *db, const char *folder, const char *ending,
+                 struct arena *arena, const char *const **names, struct error *error);
 
 /*
  * Begin to read a table from the user's folder or from the embedded data.

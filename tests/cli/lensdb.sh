@@ -17,3 +17,6 @@ lenscalc dof -f 50 -N 4 -s 3 --sensor x --lensdb mine
 echo "status $?"
 lenscalc dof -f 50 -N 4 -s 3 --lensdb nowhere
 echo "status $?"
+lenscalc lens double-gauss --lensdb no-such-folder
+lenscalc glass N-BK7 --lensdb no-such-folder
+lenscalc list lenses --lensdb no-such-folder

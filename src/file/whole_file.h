@@ -1,0 +1,27 @@
+/* file/whole_file.h - all that a file holds, in memory. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_WHOLE_FILE_H
+#define LENSCALC_FILE_WHOLE_FILE_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "base/text.h"
+
+#include <stdbool.h>
+
+/* MiB; what is larger is something else */
+enum { WHOLE_FILE_MOST = 64 };
+
+/*
+ * Everything a descriptor gives: a file, a pipe, a terminal.
+ *
+ * Given     path     for messages; content  receives it, in the arena
+ * Errors    ERROR_IO: it cannot be read, or is larger than WHOLE_FILE_MOST
+ */
+bool whole_stream(int descriptor, const char *path, struct arena *arena, struct text *content,
+                  struct error *error);
+
+/* The same of a file. Result: false with error->code ERROR_NONE if there is none of that name. */
+bool whole_file(const char *path, struct arena *arena, struct text *content, struct error *error);
+
+#endif
