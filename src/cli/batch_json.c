@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/batch.h"
 
-#include "base/json.h"
+#include "base/json_read.h"
 
 #include <math.h>
 #include <string.h>

@@ -196,7 +196,7 @@ bool lens_each(const struct lens_question *question, struct run *run,
     const struct lens *lens = question->lens.lens;
     if (lens == NULL) {
         fail(error, ERROR_USAGE, "no lens is given");
-        return error_hint(error, "a name of 'lenscalc list lenses', or a .lens file");
+        return error_hint(error, "a name of 'lenscalc list lenses', or a file");
     }
     const size_t *positions;
     size_t count;

@@ -60,6 +60,31 @@ static void put_number(struct writer *writer, double value)
     }
 }
 
+/* All digits that a pair has: what is read again has the same bits. */
+static void put_pair(struct writer *writer, struct pair value)
+{
+    char text[PAIR_LENGTH];
+    if (!isfinite(value.hi)) {
+        put(writer, "null");
+    } else {
+        growing_text(&writer->out.text,
+                     text_between(text, pair_write_shortest(text, value, NUMBER_UNSCALED)));
+    }
+}
+
+/* A number in mm or of no dimension, or an angle in degrees as it was typed. */
+static void put_value(struct writer *writer, const struct figure *figure, double unit)
+{
+    struct pair value = figure->value;
+    if (unit != 1 && figure->typed.start != NULL) {
+        pair_read(figure->typed.start, figure->typed.start + figure->typed.length, NUMBER_UNSCALED,
+                  &value);
+    } else if (unit != 1) {
+        value = pair_divide(value, pair_of(unit));
+    }
+    put_pair(writer, value);
+}
+
 /* One number a position as an array; a number alone where they are all the same figure. */
 static void put_values(struct writer *writer, const struct figure *values, size_t count,
                        double unit)
@@ -67,7 +92,7 @@ static void put_values(struct writer *writer, const struct figure *values, size_
     put(writer, "[");
     for (size_t i = 0; i < count; i++) {
         put(writer, i > 0 ? "," : "");
-        put_number(writer, values[i].value.hi / unit);
+        put_value(writer, &values[i], unit);
     }
     put(writer, "]");
 }
@@ -75,7 +100,7 @@ static void put_values(struct writer *writer, const struct figure *values, size_
 static void put_figure(struct writer *writer, const struct figure *figure, double unit)
 {
     if (figure->variable == LENS_NONE || writer->positions == 0) {
-        put_number(writer, figure->value.hi / unit);
+        put_value(writer, figure, unit);
     } else {
         put_values(writer, writer->lens->variables[figure->variable].values, writer->positions,
                    unit);
@@ -112,6 +137,8 @@ static double nanometres(double micrometres)
 static void put_waves(struct writer *writer)
 {
     const struct lens *lens = writer->lens;
+    put_key(writer, "unit");
+    put_string(writer, lens->unit);
     put_key(writer, "wavelengths");
     put(writer, "[");
     for (size_t i = 0; i < lens->wavelength_count; i++) {
@@ -134,7 +161,7 @@ static void put_object(struct writer *writer)
     if (lens->objects != NULL) {
         put_values(writer, lens->objects, writer->positions, 1);
     } else {
-        put_number(writer, lens->object_is_infinite ? INFINITY : lens->object.value.hi);
+        put_pair(writer, lens->object_is_infinite ? pair_of(INFINITY) : lens->object.value);
     }
     put_key(writer, "object_is_infinite");
     if (lens->objects != NULL) {
@@ -170,7 +197,7 @@ static void put_use(struct writer *writer)
     } else if (lens->apertures != NULL) {
         put_values(writer, lens->apertures, writer->positions, 1);
     } else {
-        put_number(writer, lens->aperture.value.hi);
+        put_pair(writer, lens->aperture.value);
     }
     put_key(writer, "focus");
     put(writer, focuses[lens->focus]);
@@ -214,6 +241,27 @@ static void put_coefficients(struct writer *writer, const struct surface *surfac
         }
     }
     put(writer, "}");
+}
+
+/* What the designer may change; bounds of lengths in mm. */
+static void put_varies(struct writer *writer, const struct surface *surface)
+{
+    for (size_t i = 0; i < surface->vary_count; i++) {
+        const struct vary *vary = &surface->varies[i];
+        if (i == 0) {
+            put_key(writer, "vary");
+        }
+        put(writer, i == 0 ? "[{\"what\":" : ",{\"what\":");
+        put_text(writer, vary->what);
+        if (vary->has_bounds) {
+            put_key(writer, "low");
+            put_value(writer, &vary->low, 1);
+            put_key(writer, "high");
+            put_value(writer, &vary->high, 1);
+        }
+        put(writer, "}");
+    }
+    put(writer, surface->vary_count > 0 ? "]" : "");
 }
 
 static bool put_medium(struct writer *writer, const struct surface *surface, struct error *error)
@@ -271,6 +319,7 @@ static bool put_surface(struct writer *writer, size_t i, struct error *error)
     }
     put_displacement(writer, "moved", surface->moved);
     put_displacement(writer, "bend_before", surface->bend);
+    put_varies(writer, surface);
     put(writer, "}");
     return true;
 }
@@ -338,23 +387,11 @@ static bool is_like(struct text content)
     return i < content.length && content.start[i] == '{';
 }
 
-static bool refuse(struct foreign_job *job, struct text content, struct lens *lens,
-                   struct error *error)
-{
-    (void)content;
-    (void)lens;
-    fail(error, ERROR_DATA,
-         "JSON is written for other programs, but not read (nor is that of "
-         "ray-optics)");
-    error_locate(error, job->source, 1, 0);
-    return error_hint(error, "a lens is read from .lens, .zmx, .seq, .len and .dat files");
-}
-
 const struct foreign_format lens_json_format = {
     .name = "json",
     .ending = ".json",
-    .help = "JSON, for other programs",
+    .help = "JSON, as lenscalc writes it",
     .is_like = is_like,
-    .read = refuse,
+    .read = lens_json_read,
     .write = write_json,
 };

@@ -7,12 +7,17 @@
 
 /*
  * One JSON object; its keys are told in lenscalc-convert.1. Lengths are in mm, angles in degrees,
- * numbers have the shortest digits that read back to the same double. What differs between the
+ * numbers have all digits of a pair, so that reading gives the same bits. What differs between the
  * positions of the lens is an array, one number a position; indices are an array, one a wavelength.
  *
- * Reading   there is none: it refuses every JSON file with a message
+ * Reading   lenscalc's own JSON, in any order of keys; indices follow from the media. JSON of
+ *           another program is refused, a key that lenscalc does not know is a loss
  * Errors    writing, ERROR_DOMAIN: a glass without index at a wavelength of the lens
  */
 extern const struct foreign_format lens_json_format;
+
+/* foreign_format.read. */
+bool lens_json_read(struct foreign_job *job, struct text content, struct lens *lens,
+                    struct error *error);
 
 #endif

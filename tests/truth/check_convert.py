@@ -20,7 +20,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import SHARED, Checks
 
-FORMATS = ["zmx"]  # the others have tests of their own
+FORMATS = ["zmx", "json"]  # the others have tests of their own
 
 # what is refused without --lossy; the others are read. Reasons: lenscalc-convert.1
 IMPORTS = {

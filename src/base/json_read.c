@@ -1,6 +1,6 @@
-/* base/json.c - reading JSON (RFC 8259): value by value, or a whole text as a tree. */
+/* base/json_read.c - reading JSON (RFC 8259): value by value, or a whole text as a tree. */
 /* SPDX-License-Identifier: MIT */
-#include "base/json.h"
+#include "base/json_read.h"
 
 #include "base/number.h"
 

@@ -1,7 +1,7 @@
-/* base/json.h - reading JSON (RFC 8259): value by value, or a whole text as a tree. */
+/* base/json_read.h - reading JSON (RFC 8259): value by value, or a whole text as a tree. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_BASE_JSON_H
-#define LENSCALC_BASE_JSON_H
+#ifndef LENSCALC_BASE_JSON_READ_H
+#define LENSCALC_BASE_JSON_READ_H
 
 #include "base/arena.h"
 #include "base/error.h"

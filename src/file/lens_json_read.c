@@ -1,0 +1,311 @@
+/* file/lens_json_read.c - a lens from the JSON that lenscalc writes. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_json.h"
+#include "file/lens_json_reading.h"
+
+#include <math.h>
+
+static const double radians = 0.017453292519943295;
+
+static bool read_waves(struct json_reading *reading, const struct json_value *value,
+                       struct error *error)
+{
+    static const char *const keys[] = {"name", "wavelength_nm", "weight", NULL};
+    for (const struct json_value *item = json_is_null(value) ? NULL : value->first; item != NULL;
+         item = item->next) {
+        const struct json_value *name = json_item(item, "name"),
+                                *wave = json_item(item, "wavelength_nm"),
+                                *weight = json_item(item, "weight");
+        struct figure figure = {.value = {1, 0}}, length;
+        if (json_is_null(wave) || !json_check_keys(reading, item, keys, error) ||
+            !json_read_figure(reading, wave, JSON_PLAIN, &length, error) ||
+            (!json_is_null(weight) &&
+             !json_read_figure(reading, weight, JSON_PLAIN, &figure, error))) {
+            return !json_is_null(wave)
+                       ? false
+                       : json_wrong(reading, item, error, "a wavelength without its nm");
+        }
+        double micrometres = 0;
+        number_read(wave->text.start, wave->text.start + wave->text.length,
+                    (struct number_scale){1, -3}, &micrometres);
+        if (!(micrometres >= 0.001 && micrometres <= 1000) || !(figure.value.hi >= 0)) {
+            return json_wrong(reading, item, error,
+                              "a wavelength is within 1 to 1e6 nm, a weight is not below 0");
+        }
+        struct lens_wavelength *one =
+            lens_build_wavelength(&reading->build, micrometres, figure.value.hi);
+        double named = 0;
+        struct lens_words words = json_place(reading, item);
+        struct error ignored;
+        if (!json_is_null(name) && name->kind == JSON_STRING &&
+            lens_words_wavelength(&words, name->text, &named, &ignored) && named == micrometres) {
+            one->typed = name->text; /* as it was typed, if it is this one */
+        }
+    }
+    return true;
+}
+
+/* The object's distance: null is infinite. */
+static bool read_distance(struct json_reading *reading, const struct json_value *value,
+                          struct figure *figure, struct error *error)
+{
+    if (json_is_null(value)) {
+        *figure = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
+        return true;
+    }
+    return json_read_figure(reading, value, JSON_LENGTH, figure, error) &&
+           (figure->value.hi > 0 ||
+            json_wrong(reading, value, error, "the object's distance is above 0"));
+}
+
+static bool read_object(struct json_reading *reading, const struct json_value *value,
+                        struct error *error)
+{
+    struct lens *lens = reading->build.lens;
+    if (json_is_null(value) || value->kind != JSON_ARRAY) {
+        bool done = read_distance(reading, value, &lens->object, error);
+        lens->object_is_infinite = done && isinf(lens->object.value.hi);
+        return done;
+    }
+    struct figure *objects = ARENA_ARRAY(reading->job->arena, value->count, struct figure);
+    size_t i = 0;
+    for (const struct json_value *item = value->first; item != NULL; item = item->next) {
+        if (!read_distance(reading, item, &objects[i++], error)) {
+            return false;
+        }
+    }
+    if (!json_check_count(reading, value, error)) {
+        return false;
+    }
+    lens->objects = objects;
+    lens->object = objects[0];
+    lens->object_is_infinite = isinf(objects[0].value.hi);
+    return true;
+}
+
+static bool read_fields(struct json_reading *reading, const struct json_value *root,
+                        struct error *error)
+{
+    static const char *const kinds[] = {"none", "angle_deg", "height_mm", "image_mm"};
+    struct lens *lens = reading->build.lens;
+    const struct json_value *kind = json_item(root, "field_kind"),
+                            *fields = json_item(root, "fields");
+    int choice = 0;
+    if (json_is_null(kind) || json_is_null(fields) || fields->count == 0) {
+        return true;
+    }
+    if (!json_read_choice(reading, kind, kinds, 4, &choice, error) ||
+        !json_read_figures(reading, fields, choice == FIELD_ANGLE ? JSON_ANGLE : JSON_LENGTH,
+                           &lens->fields, error)) {
+        return false;
+    }
+    lens->field_kind = (enum field_kind)choice;
+    lens->field_count = fields->count;
+    for (size_t i = 0; choice == FIELD_ANGLE && i < fields->count; i++) {
+        if (!(fabs(lens->fields[i].value.hi) <= 180 * radians)) {
+            return json_wrong(reading, fields, error, "a field angle is not beyond 180 degrees");
+        }
+    }
+    return true;
+}
+
+static bool read_aperture(struct json_reading *reading, const struct json_value *root,
+                          struct error *error)
+{
+    static const char *const kinds[] = {"none", "stop", "fnumber", "epd_mm", "na"};
+    struct lens *lens = reading->build.lens;
+    const struct json_value *kind = json_item(root, "aperture_kind"),
+                            *value = json_item(root, "aperture");
+    int choice = 0;
+    if (json_is_null(kind)) {
+        return true;
+    }
+    if (!json_read_choice(reading, kind, kinds, 5, &choice, error)) {
+        return false;
+    }
+    lens->aperture_kind = (enum aperture_kind)choice;
+    if (choice <= APERTURE_STOP) {
+        lens->aperture.typed = text_of("stop");
+        return true;
+    }
+    if (json_is_null(value)) {
+        return json_wrong(reading, kind, error, "an aperture without its value");
+    }
+    int power = choice == APERTURE_EPD ? JSON_LENGTH : JSON_PLAIN;
+    struct figure *values = &lens->aperture;
+    size_t count = 1;
+    if (value->kind == JSON_ARRAY) {
+        if (!json_check_count(reading, value, error) ||
+            !json_read_figures(reading, value, power, &values, error)) {
+            return false;
+        }
+        lens->apertures = values;
+        lens->aperture = values[0];
+        count = value->count;
+    } else if (!json_read_figure(reading, value, power, &lens->aperture, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!(values[i].value.hi > 0)) {
+            return json_wrong(reading, value, error, "the aperture must be above 0");
+        }
+    }
+    return true;
+}
+
+static bool read_stated(struct json_reading *reading, const struct json_value *root,
+                        struct error *error)
+{
+    static const char *const keys[] = {"stated_efl_mm", "stated_bfl_mm", "stated_fnumber"};
+    struct lens *lens = reading->build.lens;
+    for (int i = 0; i < STATED_COUNT; i++) {
+        const struct json_value *value = json_item(root, keys[i]);
+        struct figure *figures = NULL;
+        if (json_is_null(value) || value->count == 0) {
+            continue;
+        }
+        if (value->count != 1 && !json_check_count(reading, value, error)) {
+            return false;
+        }
+        if (!json_read_figures(reading, value, i == STATED_FNUMBER ? JSON_PLAIN : JSON_LENGTH,
+                               &figures, error)) {
+            return false;
+        }
+        lens->stated[i] = figures;
+        lens->stated_count[i] = value->count;
+    }
+    return true;
+}
+
+static bool read_notes(struct json_reading *reading, const struct json_value *value,
+                       struct error *error)
+{
+    for (const struct json_value *item = json_is_null(value) ? NULL : value->first; item != NULL;
+         item = item->next) {
+        if (item->kind != JSON_STRING) {
+            return json_wrong(reading, item, error, "a note is a text");
+        }
+        lens_build_note(&reading->build, item->text);
+    }
+    return true;
+}
+
+static bool is_position_name(struct text name)
+{
+    for (size_t i = 0; i < name.length; i++) {
+        unsigned char c = (unsigned char)name.start[i];
+        if (c <= ' ' || c == '"' || c == '#' || c == '{') {
+            return false;
+        }
+    }
+    return name.length > 0 && !text_equal(name, "all");
+}
+
+static bool read_positions(struct json_reading *reading, const struct json_value *value,
+                           struct error *error)
+{
+    enum { MOST = 1000 };
+    struct lens *lens = reading->build.lens;
+    if (json_is_null(value)) {
+        return true;
+    }
+    if (value->count > MOST) {
+        return json_wrong(reading, value, error, "more than %d positions", MOST);
+    }
+    lens->positions = ARENA_ARRAY(reading->job->arena, value->count, const char *);
+    for (const struct json_value *item = value->first; item != NULL; item = item->next) {
+        if (item->kind != JSON_STRING || !is_position_name(item->text) ||
+            lens_position_find(lens, item->text) != LENS_NONE) {
+            return json_wrong(reading, item, error,
+                              "a position's name is a word, not 'all', and stands once");
+        }
+        lens->positions[lens->position_count++] =
+            arena_string(reading->job->arena, item->text.start, item->text.length);
+    }
+    return true;
+}
+
+static bool read_unit(struct json_reading *reading, const struct json_value *value,
+                      struct error *error)
+{
+    static const char *const units[] = {"mm", "cm", "m", "in"};
+    int choice = 0;
+    if (!json_is_null(value) && !json_read_choice(reading, value, units, 4, &choice, error)) {
+        return false;
+    }
+    reading->build.lens->unit = units[choice];
+    return true;
+}
+
+static bool read_focus(struct json_reading *reading, const struct json_value *value,
+                       struct error *error)
+{
+    static const char *const words[] = {"paraxial", "table", "best"};
+    int choice = 0;
+    bool done = json_is_null(value) || json_read_choice(reading, value, words, 3, &choice, error);
+    reading->build.lens->focus = (enum focus_kind)choice;
+    return done;
+}
+
+static bool read_surfaces(struct json_reading *reading, const struct json_value *value,
+                          struct error *error)
+{
+    for (const struct json_value *item = value->first; item != NULL; item = item->next) {
+        if (!json_read_surface(reading, item, error)) {
+            return false;
+        }
+    }
+    return value->count > 0 || json_wrong(reading, value, error, "the lens has no surface");
+}
+
+static bool read_root(struct json_reading *reading, const struct json_value *root,
+                      struct error *error)
+{
+    static const char *const keys[] = {"lens",           "source",        "kind",
+                                       "notes",          "positions",     "unit",
+                                       "wavelengths",    "object_mm",     "fields",
+                                       "object_medium",  "field_kind",    "object_is_infinite",
+                                       "aperture",       "aperture_kind", "focus",
+                                       "stop_surface",   "stated_efl_mm", "stated_bfl_mm",
+                                       "stated_fnumber", "surfaces",      NULL};
+    struct lens *lens = reading->build.lens;
+    return json_check_keys(reading, root, keys, error) &&
+           json_read_text(reading, json_item(root, "lens"), &lens->title, error) &&
+           json_read_text(reading, json_item(root, "source"), &lens->source, error) &&
+           json_read_text(reading, json_item(root, "kind"), &lens->kind, error) &&
+           read_notes(reading, json_item(root, "notes"), error) &&
+           read_unit(reading, json_item(root, "unit"), error) &&
+           read_positions(reading, json_item(root, "positions"), error) &&
+           read_waves(reading, json_item(root, "wavelengths"), error) &&
+           read_object(reading, json_item(root, "object_mm"), error) &&
+           json_read_medium(reading, json_item(root, "object_medium"), &lens->object_medium,
+                            error) &&
+           read_fields(reading, root, error) && read_aperture(reading, root, error) &&
+           read_focus(reading, json_item(root, "focus"), error) &&
+           read_stated(reading, root, error) &&
+           read_surfaces(reading, json_item(root, "surfaces"), error);
+}
+
+bool lens_json_read(struct foreign_job *job, struct text content, struct lens *lens,
+                    struct error *error)
+{
+    struct json_reading reading = {.job = job, .content = content, .line = 1};
+    struct json json = json_open(content, job->arena, error);
+    struct json_value root;
+    if (!json_tree(&json, &root)) {
+        const struct error found = *error;
+        const struct json_value at = {.at = (size_t)(json.at - content.start) + 1};
+        return json_wrong(&reading, &at, error, "%s", found.message);
+    }
+    const struct json_value *surfaces = json_item(&root, "surfaces");
+    if (root.kind != JSON_OBJECT || surfaces == NULL || surfaces->kind != JSON_ARRAY ||
+        json_item(&root, "lens") == NULL) {
+        json_wrong(
+            &reading, &root, error,
+            "no JSON of lenscalc, which has \"lens\" and \"surfaces\"; that of other programs "
+            "(ray-optics) is not read");
+        return error_hint(error, "a lens is read from .lens, .zmx, .seq, .len and .dat files too");
+    }
+    lens_build_begin(&reading.build, lens, job->arena);
+    return read_root(&reading, &root, error);
+}

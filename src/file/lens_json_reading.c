@@ -1,0 +1,207 @@
+/* file/lens_json_reading.c - numbers, texts and media of a lens in JSON. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_json_reading.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_KEYS = 32 };
+
+static const double radians = 0.017453292519943295;
+
+/* The line of a value, for messages. */
+struct lens_words json_place(struct json_reading *reading, const struct json_value *value)
+{
+    const char *start = reading->content.start;
+    size_t at = value->at - 1, length = reading->content.length;
+    if (at < reading->line_start) {
+        reading->line_start = 0;
+        reading->line = 1;
+    }
+    const char *end = memchr(start + reading->line_start, '\n', length - reading->line_start);
+    while (end != NULL && (size_t)(end - start) < at) {
+        reading->line_start = (size_t)(end - start) + 1;
+        reading->line++;
+        end = memchr(start + reading->line_start, '\n', length - reading->line_start);
+    }
+    const char *last = end != NULL ? end : start + length;
+    return (struct lens_words){.source = reading->job->source,
+                               .line = text_between(start + reading->line_start, last),
+                               .number = reading->line,
+                               .scale = NUMBER_UNSCALED,
+                               .arena = reading->job->arena};
+}
+
+bool json_wrong(struct json_reading *reading, const struct json_value *value, struct error *error,
+                const char *format, ...)
+{
+    char message[200];
+    const struct lens_words words = json_place(reading, value);
+    const struct text word = {reading->content.start + value->at - 1, 0};
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    return lens_words_fail(&words, word, error, "%s", message);
+}
+
+/* Each key once, and none that is not in the list: that is a loss. */
+bool json_check_keys(struct json_reading *reading, const struct json_value *object,
+                     const char *const *keys, struct error *error)
+{
+    const struct json_value *seen[MOST_KEYS] = {NULL};
+    for (const struct json_value *item = object->first; item != NULL; item = item->next) {
+        size_t i = 0;
+        while (keys[i] != NULL && !text_equal(item->key, keys[i])) {
+            i++;
+        }
+        if (keys[i] != NULL && seen[i] != NULL) {
+            return json_wrong(reading, item, error, "the key '%s' stands twice", keys[i]);
+        }
+        seen[i] = keys[i] != NULL ? item : NULL;
+        const struct lens_words words = json_place(reading, item);
+        if (keys[i] == NULL &&
+            !foreign_loss(reading->job, &words,
+                          (struct text){reading->content.start + item->at - 1, 0}, error,
+                          "unknown key '%.*s'", text_shown(item->key), item->key.start)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool json_is_null(const struct json_value *value)
+{
+    return value == NULL || value->kind == JSON_NULL;
+}
+
+/* A text, or null where there is none; as a .lens file can hold it. */
+bool json_read_text(struct json_reading *reading, const struct json_value *value, const char **text,
+                    struct error *error)
+{
+    *text = NULL;
+    if (json_is_null(value)) {
+        return true;
+    }
+    if (value->kind != JSON_STRING) {
+        return json_wrong(reading, value, error, "a text is wanted here");
+    }
+    *text = lens_build_string(&reading->build, value->text);
+    return true;
+}
+
+/* Which of the words a text is. */
+bool json_read_choice(struct json_reading *reading, const struct json_value *value,
+                      const char *const *words, size_t count, int *choice, struct error *error)
+{
+    for (size_t i = 0; value->kind == JSON_STRING && i < count; i++) {
+        if (text_equal(value->text, words[i])) {
+            *choice = (int)i;
+            return true;
+        }
+    }
+    return json_wrong(reading, value, error, "one of %s .. %s is wanted here", words[0],
+                      words[count - 1]);
+}
+
+bool json_read_truth(struct json_reading *reading, const struct json_value *value, bool *truth,
+                     struct error *error)
+{
+    *truth = value->kind == JSON_BARE && text_equal(value->text, "true");
+    return *truth || (value->kind == JSON_BARE && text_equal(value->text, "false")) ||
+           json_wrong(reading, value, error, "true or false is wanted here");
+}
+
+static struct figure in_unit(const struct json_reading *reading, struct pair value, int power)
+{
+    static const struct figure one = {.typed = {"1", 1}, .variable = LENS_NONE};
+    const char *unit = reading->build.lens->unit;
+    struct arena *arena = reading->job->arena;
+    if (power == JSON_LENGTH) {
+        return figure_computed(value, lens_unit_scale(unit), arena);
+    }
+    struct pair per_unit = figure_per_length(one, unit, power).value;
+    struct figure figure = figure_computed(pair_divide(value, per_unit), NUMBER_UNSCALED, arena);
+    figure.value = value;
+    return figure;
+}
+
+bool json_read_figure(struct json_reading *reading, const struct json_value *value, int power,
+                      struct figure *figure, struct error *error)
+{
+    struct pair number = {0, 0};
+    struct text text = value->text;
+    const char *end = text.start + text.length;
+    if (value->kind != JSON_BARE || pair_read(text.start, end, NUMBER_UNSCALED, &number) != end ||
+        !(fabs(number.hi) < 1e100)) {
+        return json_wrong(reading, value, error, "a number below 1e100 is wanted here");
+    }
+    if (power != JSON_PLAIN && power != JSON_ANGLE) {
+        *figure = in_unit(reading, number, power);
+        return true;
+    }
+    *figure = (struct figure){number, text, LENS_NONE};
+    if (power == JSON_ANGLE) {
+        figure->value = pair_multiply(number, pair_of(radians));
+    }
+    return true;
+}
+
+/* An array of numbers. */
+bool json_read_figures(struct json_reading *reading, const struct json_value *value, int power,
+                       struct figure **figures, struct error *error)
+{
+    if (value->kind != JSON_ARRAY) {
+        return json_wrong(reading, value, error, "an array of numbers is wanted here");
+    }
+    *figures = ARENA_ARRAY(reading->job->arena, value->count, struct figure);
+    size_t i = 0;
+    for (const struct json_value *item = value->first; item != NULL; item = item->next) {
+        if (!json_read_figure(reading, item, power, &(*figures)[i++], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool json_check_count(struct json_reading *reading, const struct json_value *value,
+                      struct error *error)
+{
+    size_t count = reading->build.lens->position_count;
+    return (value->count == count && count > 0) ||
+           json_wrong(reading, value, error, "%zu values, but the lens has %zu positions",
+                      value->count, count);
+}
+
+bool json_read_medium(struct json_reading *reading, const struct json_value *value,
+                      struct medium *medium, struct error *error)
+{
+    struct foreign_job *job = reading->job;
+    if (json_is_null(value)) {
+        return true;
+    }
+    if (value->kind != JSON_STRING) {
+        return json_wrong(reading, value, error, "a medium is a text, as in a .lens file");
+    }
+    struct lens_words words = json_place(reading, value);
+    bool table = value->text.length > 0 && value->text.start[0] == '{';
+    for (size_t i = 0; i < value->text.length; i++) {
+        unsigned char c = (unsigned char)value->text.start[i];
+        if (c < ' ' || c == '"' || c == '#' || (c == ' ' && !table)) {
+            return json_wrong(reading, value, error, "no medium of a .lens file");
+        }
+    }
+    words.line = value->text;
+    if (!lens_words_medium(&words, value->text, medium, error)) {
+        return false;
+    }
+    if (medium->kind == MEDIUM_GLASS && job->glasses != NULL &&
+        !job->glasses->find(job->glasses->context, medium, error)) {
+        const struct error found = *error;
+        json_wrong(reading, value, error, "%s", found.message);
+        return error_hint(error, "%s", found.hint);
+    }
+    return true;
+}

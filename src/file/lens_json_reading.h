@@ -1,0 +1,67 @@
+/* file/lens_json_reading.h - numbers, texts and media of a lens in JSON, while it is read. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_LENS_JSON_READING_H
+#define LENSCALC_FILE_LENS_JSON_READING_H
+
+#include "base/json_read.h"
+#include "file/foreign.h"
+#include "file/lens_build.h"
+#include "file/lens_words.h"
+
+struct json_reading {
+    struct foreign_job *job;
+    struct text content;
+    struct lens_build build;
+    size_t line_start; /* of the line that was looked for last */
+    long line;
+};
+
+/* The line of a value, for messages. */
+struct lens_words json_place(struct json_reading *reading, const struct json_value *value);
+
+/* ERROR_DATA with line, column and caret at the value. Returns false. */
+bool json_wrong(struct json_reading *reading, const struct json_value *value, struct error *error,
+                const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+/* Each key once, and none that is not in the list, which null ends: that is a loss. */
+bool json_check_keys(struct json_reading *reading, const struct json_value *object,
+                     const char *const *keys, struct error *error);
+
+/* Absent, or null. */
+bool json_is_null(const struct json_value *value);
+
+/* A text as a .lens file can hold it, in the arena; null where there is none. */
+bool json_read_text(struct json_reading *reading, const struct json_value *value, const char **text,
+                    struct error *error);
+
+/* Which of the words a text is. */
+bool json_read_choice(struct json_reading *reading, const struct json_value *value,
+                      const char *const *words, size_t count, int *choice, struct error *error);
+
+bool json_read_truth(struct json_reading *reading, const struct json_value *value, bool *truth,
+                     struct error *error);
+
+/* What a number is: mm, degrees, without a unit; of 1/mm^n the power is -n. */
+enum { JSON_PLAIN = 0, JSON_LENGTH = 1, JSON_ANGLE = 100 };
+
+/* A number, with its digits in the lens's unit. */
+bool json_read_figure(struct json_reading *reading, const struct json_value *value, int power,
+                      struct figure *figure, struct error *error);
+
+/* An array of numbers, in the arena. */
+bool json_read_figures(struct json_reading *reading, const struct json_value *value, int power,
+                       struct figure **figures, struct error *error);
+
+/* As many items as the lens has positions, at least one. */
+bool json_check_count(struct json_reading *reading, const struct json_value *value,
+                      struct error *error);
+
+/* A medium as a .lens file has it; null or absent leaves *medium. */
+bool json_read_medium(struct json_reading *reading, const struct json_value *value,
+                      struct medium *medium, struct error *error);
+
+/* One surface more of the lens. */
+bool json_read_surface(struct json_reading *reading, const struct json_value *object,
+                       struct error *error);
+
+#endif

@@ -1,0 +1,255 @@
+/* file/lens_json_surface.c - a surface of a lens in JSON. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_json_reading.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A number, or one for each position as a variable; null or absent is not given. */
+static bool read_cell(struct json_reading *reading, const struct json_value *value,
+                      const char *name, struct figure *figure, bool *is_given, struct error *error)
+{
+    struct figure *values = NULL;
+    *is_given = !json_is_null(value);
+    if (!*is_given) {
+        return true;
+    }
+    if (value->kind != JSON_ARRAY) {
+        return json_read_figure(reading, value, JSON_LENGTH, figure, error);
+    }
+    if (!json_check_count(reading, value, error) ||
+        !json_read_figures(reading, value, JSON_LENGTH, &values, error)) {
+        return false;
+    }
+    *figure = (struct figure){.typed = text_of(name),
+                              .variable = lens_build_variable(&reading->build, name, values)};
+    return true;
+}
+
+enum { MOST_VARIES = 16 };
+
+static bool read_displacement(struct json_reading *reading, const struct json_value *value,
+                              size_t turns, const struct displacement **moved, struct error *error)
+{
+    static const char *const keys[] = {"decenter_mm", "tilt_deg", NULL};
+    struct figure *figures = NULL;
+    if (json_is_null(value)) {
+        return true;
+    }
+    struct displacement *all = ARENA_NEW(reading->job->arena, struct displacement);
+    const struct json_value *shift = json_item(value, keys[0]), *turn = json_item(value, keys[1]);
+    if (value->kind != JSON_OBJECT || shift == NULL || shift->count != 2 || turn == NULL ||
+        turn->count != 3) {
+        return json_wrong(reading, value, error, "two decentres and three tilts are wanted here");
+    }
+    if (!json_check_keys(reading, value, keys, error) ||
+        !json_read_figures(reading, shift, JSON_LENGTH, &figures, error)) {
+        return false;
+    }
+    memcpy(all->decenter, figures, sizeof all->decenter);
+    if (!json_read_figures(reading, turn, JSON_ANGLE, &figures, error)) {
+        return false;
+    }
+    memcpy(all->tilt, figures, sizeof all->tilt);
+    *moved = all;
+    return turns == 3 || all->tilt[2].value.hi == 0 ||
+           json_wrong(reading, turn, error, "a surface is not turned about z");
+}
+
+static const char *const coefficient_keys[] = {"A2",  "A4",  "A6",  "A8",  "A10", "A12",
+                                               "A14", "A16", "A18", "A20", NULL};
+
+static bool read_coefficients(struct json_reading *reading, const struct json_value *value,
+                              struct surface *surface, struct error *error)
+{
+    if (json_is_null(value)) {
+        return true;
+    }
+    if (value->kind != JSON_OBJECT) {
+        return json_wrong(reading, value, error, "an object with A2 .. A20 is wanted here");
+    }
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        const struct json_value *item = json_item(value, coefficient_keys[i]);
+        if (item != NULL) {
+            surface->coefficients |= 1u << i;
+            if (!json_read_figure(reading, item, -(2 * i + 1), &surface->coefficient[i], error)) {
+                return false;
+            }
+        }
+    }
+    return json_check_keys(reading, value, coefficient_keys, error);
+}
+
+static bool is_vary(struct text what)
+{
+    static const char *const words[] = {"R", "t", "c", "k", "glass"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (text_equal(what, words[i])) {
+            return true;
+        }
+    }
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        if (text_equal(what, coefficient_keys[i])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool read_vary(struct json_reading *reading, const struct json_value *value,
+                      struct vary *vary, struct error *error)
+{
+    static const char *const keys[] = {"what", "low", "high", NULL};
+    const struct json_value *what = json_item(value, "what"), *low = json_item(value, "low"),
+                            *high = json_item(value, "high");
+    if (value->kind != JSON_OBJECT || what == NULL || what->kind != JSON_STRING ||
+        !is_vary(what->text) || (low == NULL) != (high == NULL)) {
+        return json_wrong(reading, value, error, "what varies is R, c, t, k, A4 or glass");
+    }
+    int power =
+        text_equal(what->text, "R") || text_equal(what->text, "t") ? JSON_LENGTH : JSON_PLAIN;
+    *vary = (struct vary){.what = what->text, .has_bounds = low != NULL};
+    return json_check_keys(reading, value, keys, error) &&
+           (low == NULL || (json_read_figure(reading, low, power, &vary->low, error) &&
+                            json_read_figure(reading, high, power, &vary->high, error)));
+}
+
+static bool read_varies(struct json_reading *reading, const struct json_value *value,
+                        struct surface *surface, struct error *error)
+{
+    if (json_is_null(value)) {
+        return true;
+    }
+    if (value->kind != JSON_ARRAY || value->count > MOST_VARIES) {
+        return json_wrong(reading, value, error, "an array of at most %d is wanted here",
+                          MOST_VARIES);
+    }
+    struct vary *varies = ARENA_ARRAY(reading->job->arena, value->count + 1, struct vary);
+    surface->varies = varies;
+    for (const struct json_value *item = value->first; item != NULL; item = item->next) {
+        if (!read_vary(reading, item, &varies[surface->vary_count++], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A radius or a curvature; neither is a plane. */
+static bool read_curve(struct json_reading *reading, const struct json_value *object,
+                       struct surface *surface, struct error *error)
+{
+    const struct json_value *radius = json_item(object, "radius_mm"),
+                            *curvature = json_item(object, "curvature_per_mm");
+    surface->is_plane = json_is_null(radius);
+    surface->has_curvature = !json_is_null(curvature);
+    if (!surface->is_plane && surface->has_curvature) {
+        return json_wrong(reading, curvature, error, "a curvature beside a radius");
+    }
+    return (surface->is_plane ||
+            json_read_figure(reading, radius, JSON_LENGTH, &surface->radius, error)) &&
+           (!surface->has_curvature ||
+            json_read_figure(reading, curvature, -1, &surface->curvature, error));
+}
+
+/* A .lens file has names in double quotes. */
+static bool read_name(struct json_reading *reading, const struct json_value *value,
+                      struct surface *surface, struct error *error)
+{
+    bool quoted = !json_is_null(value) && value->kind == JSON_STRING && value->text.length > 0 &&
+                  memchr(value->text.start, '"', value->text.length) != NULL;
+    return quoted ? json_wrong(reading, value, error, "a name of a surface has no double quotes")
+                  : json_read_text(reading, value, &surface->name, error);
+}
+
+/* 0 is no conic. */
+static bool read_conic(struct json_reading *reading, const struct json_value *value,
+                       struct figure *conic, struct error *error)
+{
+    struct figure figure;
+    if (!json_read_figure(reading, value, JSON_PLAIN, &figure, error)) {
+        return false;
+    }
+    *conic = figure.value.hi != 0 ? figure : *conic;
+    return true;
+}
+
+static bool read_kind(struct json_reading *reading, const struct json_value *object,
+                      struct surface *surface, struct error *error)
+{
+    static const char *const kinds[] = {"refract", "reflect", "stop"};
+    static const char *const curved[] = {"both", "x", "y"};
+    const struct json_value *kind = json_item(object, "kind"), *stop = json_item(object, "is_stop"),
+                            *cylinder = json_item(object, "cylinder");
+    int choice = 0, sections = 0;
+    if (kind == NULL) {
+        return json_wrong(reading, object, error, "the kind of the surface is missing");
+    }
+    if (!json_read_choice(reading, kind, kinds, 3, &choice, error) ||
+        (!json_is_null(stop) && !json_read_truth(reading, stop, &surface->is_stop, error)) ||
+        (!json_is_null(cylinder) &&
+         !json_read_choice(reading, cylinder, curved, 3, &sections, error))) {
+        return false;
+    }
+    surface->kind = (enum surface_kind)choice;
+    surface->curved = (enum curved)sections;
+    bool bare = surface->is_plane && !surface->has_curvature && surface->is_stop;
+    return surface->kind != SURFACE_STOP || bare ||
+           json_wrong(reading, kind, error, "a stop is a plane with \"is_stop\": true");
+}
+
+bool json_read_surface(struct json_reading *reading, const struct json_value *object,
+                       struct error *error)
+{
+    static const char *const keys[] = {"surface",
+                                       "kind",
+                                       "is_stop",
+                                       "name",
+                                       "radius_mm",
+                                       "radius_is_infinite",
+                                       "medium",
+                                       "thickness_mm",
+                                       "curvature_per_mm",
+                                       "index",
+                                       "diameter_mm",
+                                       "conic",
+                                       "cylinder",
+                                       "moved",
+                                       "bend_before",
+                                       "coefficients_mm",
+                                       "vary",
+                                       NULL};
+    struct lens *lens = reading->build.lens;
+    struct arena *arena = reading->job->arena;
+    if (object->kind != JSON_OBJECT) {
+        return json_wrong(reading, object, error, "a surface is an object");
+    }
+    struct medium medium = lens->surface_count > 0 ? lens->surfaces[lens->surface_count - 1].medium
+                                                   : lens->object_medium;
+    struct surface *surface = lens_build_surface(&reading->build);
+    const struct json_value *conic = json_item(object, "conic");
+    if (!json_check_keys(reading, object, keys, error) ||
+        !read_curve(reading, object, surface, error) ||
+        !read_kind(reading, object, surface, error)) {
+        return false;
+    }
+    bool reflects = surface->kind == SURFACE_REFLECT;
+    surface->medium = reflects ? medium : medium_air;
+    if (surface->is_stop && lens->stop != LENS_NONE) {
+        return json_wrong(reading, object, error, "a second stop");
+    }
+    lens->stop = surface->is_stop ? lens->surface_count - 1 : lens->stop;
+    return (reflects ||
+            json_read_medium(reading, json_item(object, "medium"), &surface->medium, error)) &&
+           read_name(reading, json_item(object, "name"), surface, error) &&
+           read_cell(reading, json_item(object, "thickness_mm"),
+                     arena_printf(arena, "d%zu", lens->surface_count), &surface->thickness,
+                     &surface->has_thickness, error) &&
+           read_cell(reading, json_item(object, "diameter_mm"),
+                     arena_printf(arena, "a%zu", lens->surface_count), &surface->diameter,
+                     &surface->has_diameter, error) &&
+           (json_is_null(conic) || read_conic(reading, conic, &surface->conic, error)) &&
+           read_coefficients(reading, json_item(object, "coefficients_mm"), surface, error) &&
+           read_displacement(reading, json_item(object, "moved"), 2, &surface->moved, error) &&
+           read_displacement(reading, json_item(object, "bend_before"), 3, &surface->bend, error) &&
+           read_varies(reading, json_item(object, "vary"), surface, error);
+}
