@@ -254,6 +254,15 @@ static bool read_surfaces(struct json_reading *reading, const struct json_value 
         if (!json_read_surface(reading, item, error)) {
             return false;
         }
+        const struct lens *lens = reading->build.lens;
+        const struct surface *surface = &lens->surfaces[lens->surface_count - 1];
+        if (!surface->has_thickness && item->next != NULL) {
+            return json_wrong(reading, item, error, "the thickness is missing");
+        }
+        if (surface->has_diameter && surface->diameter.variable == LENS_NONE &&
+            !(surface->diameter.value.hi > 0)) {
+            return json_wrong(reading, item, error, "the diameter must be above 0");
+        }
     }
     return value->count > 0 || json_wrong(reading, value, error, "the lens has no surface");
 }
