@@ -295,6 +295,28 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
            read_surfaces(reading, json_item(root, "surfaces"), error);
 }
 
+static bool refuse(struct json_reading *reading, struct error *error)
+{
+    const struct json_value start = {.at = 1};
+    json_wrong(reading, &start, error,
+               "no JSON of lenscalc, which begins with \"lens\" and has \"surfaces\"; that of "
+               "other programs (ray-optics) is not read");
+    return error_hint(error, "a lens is read from .lens, .zmx, .seq, .len and .dat files too");
+}
+
+/* Why there is no tree: JSON of another program may hold what JSON has no words for. */
+static bool fail_tree(struct json_reading *reading, const struct json *json, struct error *error)
+{
+    const struct error found = *error;
+    const struct json_value at = {.at = (size_t)(json->at - reading->content.start) + 1};
+    struct json first = json_open(reading->content, reading->job->arena, error);
+    struct text key = {NULL, 0};
+    if (!json_take(&first, '{') || !json_string(&first, &key) || !text_equal(key, "lens")) {
+        return refuse(reading, error);
+    }
+    return json_wrong(reading, &at, error, "%s", found.message);
+}
+
 bool lens_json_read(struct foreign_job *job, struct text content, struct lens *lens,
                     struct error *error)
 {
@@ -302,18 +324,12 @@ bool lens_json_read(struct foreign_job *job, struct text content, struct lens *l
     struct json json = json_open(content, job->arena, error);
     struct json_value root;
     if (!json_tree(&json, &root)) {
-        const struct error found = *error;
-        const struct json_value at = {.at = (size_t)(json.at - content.start) + 1};
-        return json_wrong(&reading, &at, error, "%s", found.message);
+        return fail_tree(&reading, &json, error);
     }
     const struct json_value *surfaces = json_item(&root, "surfaces");
     if (root.kind != JSON_OBJECT || surfaces == NULL || surfaces->kind != JSON_ARRAY ||
         json_item(&root, "lens") == NULL) {
-        json_wrong(
-            &reading, &root, error,
-            "no JSON of lenscalc, which has \"lens\" and \"surfaces\"; that of other programs "
-            "(ray-optics) is not read");
-        return error_hint(error, "a lens is read from .lens, .zmx, .seq, .len and .dat files too");
+        return refuse(&reading, error);
     }
     lens_build_begin(&reading.build, lens, job->arena);
     return read_root(&reading, &root, error);
