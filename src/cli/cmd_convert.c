@@ -7,13 +7,12 @@
 #include "file/lens_glass.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 struct input {
     struct lens_text_value lens;
     int to, unit;
-    bool lossy, reverse;
+    bool reverse;
     double scale, focal_length;
     const char *position;
 };
@@ -47,8 +46,6 @@ static const struct option options[] = {
              "standard input"},
     {OPTION(struct input, to), .name = "to", .words = formats, .fallback = "auto",
      .value = "FORMAT", .help = "what to write"},
-    {OPTION(struct input, lossy), .name = "lossy",
-     .help = "leave out what cannot be kept, and list it on standard error"},
     {OPTION(struct input, position), .name = "position", .value = "NAME",
      .help = "only this zoom or focus position; without it all"},
     {OPTION(struct input, reverse), .name = "reverse", .help = "turn the lens around"},
@@ -176,42 +173,6 @@ static bool choose_format(const struct input *input, const char *path,
                 *format != NULL ? (*format)->name : formats[input->to].word);
 }
 
-/* By lines, those that were written last; the order of the list where they are equal. */
-static int by_line(const void *a, const void *b)
-{
-    const struct foreign_loss *left = *(const struct foreign_loss *const *)a;
-    const struct foreign_loss *right = *(const struct foreign_loss *const *)b;
-    if (left->line != right->line) {
-        return left->line == 0 || (right->line != 0 && left->line > right->line) ? 1 : -1;
-    }
-    return (left > right) - (left < right);
-}
-
-/* One line for each loss; it lives as long as the value of the option. */
-static const char *losses_of(const struct conversion *conversion)
-{
-    const struct foreign_job *job = &conversion->job;
-    const struct lens_text_value *lens = &conversion->input->lens;
-    const struct foreign_loss **losses =
-        ARENA_ARRAY(lens->arena, job->loss_count, const struct foreign_loss *);
-    struct growing list = {.arena = lens->arena};
-    for (size_t i = 0; i < job->loss_count; i++) {
-        losses[i] = &job->losses[i];
-    }
-    qsort(losses, job->loss_count, sizeof losses[0], by_line);
-    for (size_t i = 0; i < job->loss_count; i++) {
-        growing_string(&list, lens->source);
-        if (losses[i]->line > 0) {
-            growing_format(&list, ":%ld", losses[i]->line);
-        }
-        growing_string(&list, ": lost: ");
-        growing_string(&list, losses[i]->what);
-        growing_string(&list, "\n");
-    }
-    growing_put(&list, "", 1);
-    return job->loss_count > 0 ? list.data : NULL;
-}
-
 static bool convert(struct conversion *conversion, struct output *output, struct error *error)
 {
     const struct input *input = conversion->input;
@@ -237,7 +198,9 @@ static bool convert(struct conversion *conversion, struct output *output, struct
         return false;
     }
     output_text(output, text.start, text.length);
-    output->remarks = losses_of(conversion);
+    struct growing lost = {.arena = input->lens.arena};
+    foreign_losses(&conversion->job, &lost);
+    output->remarks = growing_done(&lost);
     return true;
 }
 
@@ -253,7 +216,7 @@ static bool print(const void *data, struct output *output, struct error *error)
     conversion.job = (struct foreign_job){.source = input->lens.source,
                                           .arena = &conversion.arena,
                                           .glasses = &conversion.glasses,
-                                          .lossy = input->lossy};
+                                          .lossy = input->lens.db->lossy};
     bool done = convert(&conversion, output, error);
     arena_free(&conversion.arena);
     return done;

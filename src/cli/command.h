@@ -92,7 +92,7 @@ const struct command *command_find(struct text name);
 
 /* The options of every command, and the struct they fill. */
 struct common {
-    bool explain, csv, tsv, json, jsonl, nominal, force, fail_fast, help;
+    bool explain, csv, tsv, json, jsonl, nominal, force, fail_fast, lossy, help;
     const char *columns, *output, *lensdb, *agf, *batch, *table, *plot;
     int format, batch_format, units;
     long digits;

@@ -65,6 +65,8 @@ const struct option common_options[] = {
      .help = "folder with your own data, searched first (also the variable LENSCALC_DB)"},
     {COMMON(agf), .name = "agf", .value = "FILES", .flags = OPTION_FILE,
      .help = "glass catalogues of your own in the AGF format, searched first"},
+    {COMMON(lossy), .name = "lossy",
+     .help = "leave out what a file of another program cannot keep, and list it on standard error"},
     {COMMON(help), .name = "help", .letter = 'h', .help = "show examples and options"},
 };
 

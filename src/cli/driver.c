@@ -463,6 +463,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     }
     driver->db.directory = driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
     driver->db.agf = driver->common.agf;
+    driver->db.lossy = driver->common.lossy;
     driver->reader.nominal = driver->common.nominal;
     driver->input = arena_array(&driver->arena, 1, command->input_size);
     return true;
@@ -539,8 +540,8 @@ static int print_text(struct driver *driver, struct error *error)
     }
     if (!done) {
         error_print(error, driver->command->name);
-    } else if (driver->output.remarks != NULL) {
-        fputs(driver->output.remarks, stderr);
+    } else {
+        fwrite(driver->output.remarks.start, 1, driver->output.remarks.length, stderr);
     }
     return done ? 0 : (int)error->code;
 }
@@ -587,6 +588,7 @@ int command_execute(const struct command *command, int count, char **words, cons
         status = help_command(command, &driver.arena);
     } else {
         status = command->print != NULL ? print_text(&driver, &error) : compute(&driver);
+        fwrite(driver.db.losses.data, 1, driver.db.losses.length, stderr);
     }
     if (driver.is_batch) {
         batch_close(&driver.batch);

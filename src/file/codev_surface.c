@@ -130,7 +130,8 @@ static bool read_solve(struct codev *codev, const struct codev_qualifiers *quali
                                &solve->target, error) &&
                commands_end(commands, qualifiers->next + 2, error);
     }
-    return codev_lose(codev, error, "a solve that is not known, the number of the file stands");
+    return codev_lose(codev, error,
+                      "a solve that is not known" LOSS_INSTEAD "the number of the file stands");
 }
 
 bool codev_curve(struct codev *codev, int what, struct error *error)

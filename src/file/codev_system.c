@@ -225,7 +225,7 @@ bool codev_fields(struct codev *codev, int what, struct error *error)
     codev->field_count[axis] = count;
     codev->fields_at[axis] = commands->words[0];
     return kind != 'r' || codev_is_zero(codev, qualifiers.next) ||
-           codev_lose(codev, error, "real image heights are taken as paraxial ones");
+           codev_lose(codev, error, "real image heights" LOSS_INSTEAD "taken for paraxial ones");
 }
 
 static bool finish_fields(struct codev *codev, struct error *error)
@@ -235,7 +235,7 @@ static bool finish_fields(struct codev *codev, struct error *error)
     for (size_t i = 0; i < codev->field_count[0]; i++) {
         if (sequence_is_some(&codev->fields[0][i])) {
             if (!foreign_loss(codev->job, &place, codev->fields_at[0].text, error,
-                              "fields beside the y axis: their x is left out")) {
+                              "fields beside the y axis" LOSS_INSTEAD "their x is left out")) {
                 return false;
             }
             break;
@@ -391,7 +391,8 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
     }
     if (found == sizeof names / sizeof names[0]) {
         return codev_lose(codev, error,
-                          "a pick-up that is not known, the number of the file stands");
+                          "a pick-up that is not known" LOSS_INSTEAD
+                          "the number of the file stands");
     }
     if (!codev_qualifiers(codev, 2, &to, error) ||
         !codev_qualifiers(codev, to.next + 1, &from, error)) {

@@ -66,7 +66,8 @@ static bool put_text(struct output *output, const char *name, const char *string
     put_string(output, quote);
     put_string(output, "\n");
     return !has_lost ||
-           lose(output, error, "a text with both kinds of quotes loses the double ones");
+           lose(output, error,
+                "a text with both kinds of quotes" LOSS_INSTEAD "the double ones are left out");
 }
 
 static bool is_same_medium(const struct medium *a, const struct medium *b)
@@ -135,7 +136,7 @@ static bool put_medium(struct output *output, const struct medium *medium, struc
     put(output, abbe);
     return lose(output, error,
                 "a glass whose nd is not from 1 to 2 or whose Vd is not from 0 to "
-                "100 has no code; it is written nd:Vd");
+                "100 has no code" LOSS_INSTEAD "it is written nd:Vd");
 }
 
 /* A table of indices or one index for all light, as a glass of the file's own catalogue. */
@@ -249,7 +250,7 @@ static bool put_aperture(struct output *output, struct error *error)
     }
     if (kind == APERTURE_FNUMBER && !lens->object_is_infinite &&
         !lose(output, error,
-              "the f-number of a lens with a near object: CODE V takes it as the "
+              "the f-number of a lens with a near object" LOSS_INSTEAD "CODE V takes it as the "
               "working one")) {
         return false;
     }
@@ -392,7 +393,7 @@ static bool put_details(struct output *output, const struct surface *surface, st
                          surface->moved != NULL);
     }
     if (surface->vary_count > 0 &&
-        !lose(output, error, "marks for the designer (R~, t~) are left out")) {
+        !lose(output, error, "marks for the designer (R~, t~)" LOSS_INSTEAD "left out")) {
         return false;
     }
     return put_asphere(output, surface, error);
@@ -497,7 +498,8 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
     }
     put_string(&output, lens->focus == FOCUS_PARAXIAL ? "  PIM\nSI 0.0 0.0\n" : "SI 0.0 0.0\n");
     if ((lens->focus == FOCUS_BEST &&
-         !lose(&output, error, "the best focus: the image lies at the last thickness")) ||
+         !lose(&output, error,
+               "the best focus" LOSS_INSTEAD "the image lies at the last thickness")) ||
         !put_positions(&output, error)) {
         return false;
     }

@@ -12,6 +12,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 const struct foreign_format *const foreign_formats[] = {
@@ -73,21 +74,53 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
+    char *instead = strrchr(message, LOSS_INSTEAD[0]);
+    if (instead != NULL) {
+        *instead++ = '\0';
+    }
     if (job->lossy) {
-        add_loss(job, words != NULL ? words->number : 0, arena_printf(job->arena, "%s", message));
+        add_loss(job, words != NULL ? words->number : 0,
+                 arena_printf(job->arena, "%s%s%s", message, instead != NULL ? "; " : "",
+                              instead != NULL ? instead : ""));
         return true;
     }
     if (words != NULL) {
-        lens_words_fail(words, word, error, "%s", message);
+        lens_words_fail(words, word, error, "cannot be kept: %s", message);
     } else {
-        fail(error, ERROR_DATA, "%s", message);
+        fail(error, ERROR_DATA, "cannot be kept: %s", message);
         error_locate(error, job->source, 0, 0);
     }
-    if (words == NULL) { /* written */
-        return error_hint(error, "--lossy leaves it out and lists what is lost");
+    return error_hint(error, "--lossy leaves it out and lists what is lost");
+}
+
+/* By lines, those that were written last; the order of the list where they are equal. */
+static int by_line(const void *a, const void *b)
+{
+    const struct foreign_loss *left = *(const struct foreign_loss *const *)a;
+    const struct foreign_loss *right = *(const struct foreign_loss *const *)b;
+    if (left->line != right->line) {
+        return left->line == 0 || (right->line != 0 && left->line > right->line) ? 1 : -1;
     }
-    return error_hint(
-        error, "'lenscalc convert FILE --lossy -o NEW.lens' reads the rest and lists what is lost");
+    return (left > right) - (left < right);
+}
+
+void foreign_losses(const struct foreign_job *job, struct growing *list)
+{
+    const struct foreign_loss **losses =
+        ARENA_ARRAY(job->arena, job->loss_count, const struct foreign_loss *);
+    for (size_t i = 0; i < job->loss_count; i++) {
+        losses[i] = &job->losses[i];
+    }
+    qsort(losses, job->loss_count, sizeof losses[0], by_line);
+    for (size_t i = 0; i < job->loss_count; i++) {
+        growing_string(list, job->source);
+        if (losses[i]->line > 0) {
+            growing_format(list, ":%ld", losses[i]->line);
+        }
+        growing_string(list, ": lost: ");
+        growing_string(list, losses[i]->what);
+        growing_string(list, "\n");
+    }
 }
 
 /* A word of a .lens file has no blanks; names of glasses are the same without them. */

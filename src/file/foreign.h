@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "file/growing.h"
 #include "file/lens_file.h"
 #include "file/lens_words.h"
 #include "optics/lens.h"
@@ -69,15 +70,27 @@ const struct foreign_format *foreign_by_ending(struct text path);
 const struct foreign_format *foreign_of(struct text source, struct text content);
 
 /*
+ * In the text of a loss: what stands before it cannot be kept, what stands behind is done then. An
+ * error says the first only, a list both.
+ */
+#define LOSS_INSTEAD "\v"
+
+/*
  * Record that something is lost; never drop or replace anything without it.
  *
  * Given     words, word  where it stands (a line's words, and the word); words null: nowhere
- *           format       what is lost, and what stands for it if anything does
+ *           format       what is lost; LOSS_INSTEAD and what stands for it, if anything does
  * Result    lossy: true, and the loss is in the list; else false with ERROR_DATA and a hint
  */
 bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struct text word,
                   struct error *error, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
+
+/*
+ * List the losses as "FILE:LINE: lost: WHAT", one a line, in the order of the file; those of
+ * writing come last.
+ */
+void foreign_losses(const struct foreign_job *job, struct growing *list);
 
 /*
  * Find a glass as the file's catalogues have it, so that homonyms are decided by their order.

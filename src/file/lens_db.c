@@ -175,6 +175,26 @@ bool lens_db_content(struct lensdb *db, struct text name, struct arena *arena, c
                    : fail_unknown(db, name, arena, error);
 }
 
+struct lensdb_told {
+    const char *source;
+    struct lensdb_told *next;
+};
+
+/* List what a file lost, once, however often it is read. */
+static void tell_losses(struct lensdb *db, const struct foreign_job *job)
+{
+    for (const struct lensdb_told *told = db->told_of; told != NULL; told = told->next) {
+        if (strcmp(told->source, job->source) == 0) {
+            return;
+        }
+    }
+    struct lensdb_told *told = ARENA_NEW(db->arena, struct lensdb_told);
+    *told = (struct lensdb_told){copy(db->arena, text_of(job->source)), db->told_of};
+    db->told_of = told;
+    db->losses.arena = db->arena;
+    foreign_losses(job, &db->losses);
+}
+
 bool lens_db_find(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
                   struct error *error)
 {
@@ -185,6 +205,13 @@ bool lens_db_find(struct lensdb *db, struct text name, struct arena *arena, stru
     if (!lens_db_content(db, name, arena, &source, &content, error)) {
         return false;
     }
-    struct foreign_job job = {.source = source, .arena = arena, .glasses = &glasses};
-    return foreign_read(&job, content, lens, error);
+    struct foreign_job job = {
+        .source = source, .arena = arena, .glasses = &glasses, .lossy = db->lossy};
+    if (!foreign_read(&job, content, lens, error)) {
+        return false;
+    }
+    if (job.loss_count > 0) {
+        tell_losses(db, &job);
+    }
+    return true;
 }

@@ -19,7 +19,8 @@ bool lens_db_content(struct lensdb *db, struct text name, struct arena *arena, c
                      struct text *content, struct error *error);
 
 /*
- * Find and read a lens, also one of another program. Errors as lens_db_content and foreign_read.
+ * Find and read a lens, also one of another program; where db->lossy, what is lost goes to
+ * db->losses. Errors as lens_db_content and foreign_read.
  */
 bool lens_db_find(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
                   struct error *error);

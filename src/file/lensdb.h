@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "file/growing.h"
 #include "file/tsv.h"
 #include "photo/format.h"
 
@@ -22,6 +23,9 @@ struct lensdb {
     struct lensdb_file *loaded;
     struct lensdb_series *series; /* stop series read so far */
     bool agf_is_read;
+    bool lossy;            /* --lossy: files of other programs are read without what is lost */
+    struct growing losses; /* what that was, a line each, each file once */
+    struct lensdb_told *told_of;            /* those files */
     const struct agf_catalog *agf_catalogs; /* the user's, once they are read */
 };
 

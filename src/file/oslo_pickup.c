@@ -45,7 +45,9 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error)
         found++;
     }
     if (found == sizeof pickups / sizeof pickups[0]) {
-        return oslo_lose(oslo, error, "a pick-up that is not known, the number of the file stands");
+        return oslo_lose(oslo, error,
+                         "a pick-up that is not known" LOSS_INSTEAD
+                         "the number of the file stands");
     }
     if (!read_reference(oslo, 2, &pickup.source, error)) {
         return false;

@@ -49,7 +49,8 @@ static bool put_text(struct output *output, const char *name, const char *string
     put_string(output, " \"");
     growing_text(&output->writing.text, text);
     put_string(output, "\"");
-    return !has_lost || lose(output, error, "double quotes inside of a text are left out");
+    return !has_lost ||
+           lose(output, error, "double quotes inside of a text" LOSS_INSTEAD "left out");
 }
 
 static bool put_aperture(struct output *output, struct error *error)
@@ -68,7 +69,7 @@ static bool put_aperture(struct output *output, struct error *error)
         put_command(output, "FNO", writing_length(&output->writing, &figure, 0));
         return lens->object_is_infinite ||
                lose(output, error,
-                    "the f-number of a lens with a near object: OSLO takes it as "
+                    "the f-number of a lens with a near object" LOSS_INSTEAD "OSLO takes it as "
                     "the working one");
     }
     if (!lens->object_is_infinite) {
@@ -260,7 +261,7 @@ static bool put_shape(struct output *output, const struct surface *surface, stru
     }
     put_coefficients(output, surface);
     return surface->curved == CURVED_BOTH ||
-           lose(output, error, "a cylinder is written as curved in both sections");
+           lose(output, error, "a cylinder" LOSS_INSTEAD "written as curved in both sections");
 }
 
 static void put_next(struct output *output)
@@ -309,7 +310,7 @@ static bool put_surface(struct output *output, size_t index, struct error *error
                          surface->moved != NULL);
     }
     return surface->vary_count == 0 ||
-           lose(output, error, "marks for the designer (R~, t~) are left out");
+           lose(output, error, "marks for the designer (R~, t~)" LOSS_INSTEAD "left out");
 }
 
 static void put_waves(struct output *output)
@@ -337,11 +338,13 @@ static bool check_losses(struct output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
     return (lens->stop != LENS_NONE ||
-            lose(output, error, "the lens has no stop: OSLO takes its first surface")) &&
+            lose(output, error,
+                 "the lens has no stop" LOSS_INSTEAD "OSLO takes its first surface")) &&
            (lens->position_count == 0 ||
             lose(output, error, "the positions but the first: write them one by one")) &&
            (lens->focus != FOCUS_BEST ||
-            lose(output, error, "the best focus: the image lies at the last thickness"));
+            lose(output, error,
+                 "the best focus" LOSS_INSTEAD "the image lies at the last thickness"));
 }
 
 bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,

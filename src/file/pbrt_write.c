@@ -52,7 +52,7 @@ static bool lose_header(struct writer *writer)
         fail(writer->error, ERROR_DATA, "a .dat file has air before the lens");
         return error_locate(writer->error, writer->job->source, 0, 0);
     }
-    return (only_d || LOSE(writer, "a .dat file has no wavelengths: %.10g nm counts",
+    return (only_d || LOSE(writer, "a .dat file has no wavelengths" LOSS_INSTEAD "%.10g nm counts",
                            1000 * lens_primary_wavelength(lens))) &&
            (lens->object_is_infinite || LOSE(writer, "a .dat file has no object distance")) &&
            (lens->field_count == 0 || LOSE(writer, "a .dat file has no fields")) &&
@@ -74,11 +74,16 @@ static bool lose_shape(struct writer *writer, const struct surface *surface, siz
     }
     bool bent = surface->moved != NULL || surface->bend != NULL;
     bool aspheric = fabs(surface->conic.value.hi) > 0 || surface->coefficients != 0;
-    return (!bent || LOSE(writer, "surface %zu: its decentre or tilt is left out", number)) &&
-           (!aspheric || LOSE(writer, "surface %zu: a sphere stands for the asphere", number)) &&
+    return (!bent ||
+            LOSE(writer, "surface %zu: its decentre or tilt" LOSS_INSTEAD "left out", number)) &&
+           (!aspheric ||
+            LOSE(writer, "surface %zu: an asphere" LOSS_INSTEAD "a sphere stands for it",
+                 number)) &&
            (surface->vary_count == 0 ||
-            LOSE(writer, "surface %zu: its marks for the designer are left out", number)) &&
-           (surface->name == NULL || LOSE(writer, "surface %zu: its name is left out", number));
+            LOSE(writer, "surface %zu: its marks for the designer" LOSS_INSTEAD "left out",
+                 number)) &&
+           (surface->name == NULL ||
+            LOSE(writer, "surface %zu: its name" LOSS_INSTEAD "left out", number));
 }
 
 /* Digits of a length in mm. */
@@ -115,8 +120,10 @@ static bool put_radius(struct writer *writer, const struct surface *surface, siz
         return true;
     }
     put(writer, LONG_RADIUS);
-    return LOSE(writer, "surface %zu: a radius of %s mm stands for the plane, pbrt's stop", number,
-                LONG_RADIUS);
+    return LOSE(writer,
+                "surface %zu: a plane is pbrt's stop" LOSS_INSTEAD
+                "a radius of %s mm stands for it",
+                number, LONG_RADIUS);
 }
 
 /* The index behind a surface, at the primary wavelength. */

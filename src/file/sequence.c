@@ -283,15 +283,17 @@ static bool check_move(const struct sequence *sequence, const struct sequence_su
     }
     if (from->turns_first && moves > 1) {
         return foreign_loss(sequence->job, &place, word, error,
-                            "a surface that is turned before it is shifted is shifted first");
+                            "a surface that is turned before it is shifted" LOSS_INSTEAD
+                            "shifted first");
     }
     if (from->move == SEQUENCE_BEND && (turns > 1 || about_z)) {
         return foreign_loss(sequence->job, &place, word, error,
-                            "a bend with turns about more than one axis: only the first is kept");
+                            "a bend with turns about more than one axis" LOSS_INSTEAD
+                            "only the first is kept");
     }
     if (from->move == SEQUENCE_BACK && about_z && from->curved != CURVED_BOTH) {
         return foreign_loss(sequence->job, &place, word, error,
-                            "a cylinder turned about z is left unturned");
+                            "a cylinder turned about z" LOSS_INSTEAD "left unturned");
     }
     return true;
 }
@@ -365,7 +367,8 @@ bool sequence_check_fnumber(const struct sequence *sequence, struct error *error
         return true;
     }
     return foreign_loss(sequence->job, &place, object->at.text, error,
-                        "the working f-number of a near object is taken as that of the lens");
+                        "the working f-number of a near object" LOSS_INSTEAD
+                        "taken as that of the lens");
 }
 
 static bool put_object(const struct sequence *sequence, struct error *error)
@@ -375,7 +378,7 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     const struct lens_words place = commands_place(sequence->commands, &object->at);
     if ((sequence_is_some(&object->curve) || is_moved(object)) &&
         !foreign_loss(sequence->job, &place, object->at.text, error,
-                      "a curved or tilted object is taken as a plane")) {
+                      "a curved or tilted object" LOSS_INSTEAD "taken as a plane")) {
         return false;
     }
     lens->object_medium = object->medium;
@@ -412,7 +415,7 @@ static bool put_image(const struct sequence *sequence, bool is_solved, struct er
     lens->focus = is_solved ? FOCUS_PARAXIAL : FOCUS_TABLE;
     if (sequence_is_some(&image->curve) &&
         !foreign_loss(sequence->job, &place, image->at.text, error,
-                      "a curved image is taken as a plane")) {
+                      "a curved image" LOSS_INSTEAD "taken as a plane")) {
         return false;
     }
     if (is_moved(image)) {

@@ -95,7 +95,8 @@ static bool set_curvature(const struct solving *solving, const struct figure *va
     for (size_t i = 1; i < count; i++) {
         if (!is_near(values[i].value, values[0].value) &&
             !foreign_loss(solving->sequence->job, &place, solving->solve->at.text, error,
-                          "a curvature that is solved in every position is that of the first")) {
+                          "a curvature that is solved in every position" LOSS_INSTEAD
+                          "that of the first stands")) {
             return false;
         }
     }
@@ -120,7 +121,7 @@ static bool apply(const struct solving *solving, bool *near, struct error *error
             const struct lens_words place =
                 commands_place(solving->sequence->commands, &solving->solve->at);
             return foreign_loss(solving->sequence->job, &place, solving->solve->at.text, error,
-                                "the solve is left out, the number of the file stands: %s",
+                                "a solve: %s" LOSS_INSTEAD "the number of the file stands",
                                 found.message) &&
                    (error->code = ERROR_NONE, false);
         }

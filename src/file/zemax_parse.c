@@ -128,7 +128,8 @@ static bool read_clear(struct zemax_file *file, struct text keyword, struct erro
         surface_of(file)->clear = line;
     }
     return line->numbers[0].value.hi == 0 ||
-           zemax_loss(file, line, error, "an aperture with a hole: the hole is left out");
+           zemax_loss(file, line, error,
+                      "an aperture with a hole" LOSS_INSTEAD "the hole is left out");
 }
 
 static bool read_other_aperture(struct zemax_file *file, struct text keyword, struct error *error)
@@ -138,10 +139,11 @@ static bool read_other_aperture(struct zemax_file *file, struct text keyword, st
     if (decentre && zemax_number(line, 0) == 0 && zemax_number(line, 1) == 0) {
         return true;
     }
-    return zemax_loss(file, line, error,
-                      "%.4s: apertures are round and centred here, and nothing is obscured; it is "
-                      "left out",
-                      keyword.start);
+    return zemax_loss(
+        file, line, error,
+        "%.4s: apertures are round and centred here, and nothing is obscured" LOSS_INSTEAD
+        "left out",
+        keyword.start);
 }
 
 static bool read_glass(struct zemax_file *file, struct text keyword, struct error *error)
@@ -341,7 +343,8 @@ static bool pick_up_glasses(struct zemax_file *file, struct error *error)
         }
         if (!(from >= 0 && from < (double)i)) {
             if (!zemax_loss(file, line, error,
-                            "a glass that follows no earlier surface: the file's glass stands")) {
+                            "a glass that follows no earlier surface" LOSS_INSTEAD
+                            "the file's glass stands")) {
                 return false;
             }
             continue;

@@ -213,8 +213,8 @@ static bool check_settings(struct zemax_file *file, const size_t *places, struct
         }
         if (varies && !aperture && !diameter && !text_same(line->keyword, "THIC") &&
             !zemax_loss(file, line, error,
-                        "%.4s %ld changes between the configurations: the first one's value "
-                        "stands",
+                        "%.4s %ld changes between the configurations" LOSS_INSTEAD
+                        "the first one's value stands",
                         line->keyword.start, one->surface)) {
             return false;
         }
@@ -238,8 +238,8 @@ static bool set_curvatures(struct zemax_file *file, const size_t *places,
             same = same && is_same(&curvature[0][i], &curvature[p][i]);
         }
         if (!same && !zemax_loss(file, line, error,
-                                 "a curvature that is solved in every configuration is that of the "
-                                 "first")) {
+                                 "a curvature that is solved in every configuration" LOSS_INSTEAD
+                                 "that of the first stands")) {
             return false;
         }
         zemax_set_curvature(file, curvature[0][i], &file->build.lens->surfaces[places[i]]);

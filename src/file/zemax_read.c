@@ -55,8 +55,11 @@ static bool add_field(struct zemax_file *file, size_t at, bool angle, struct err
     struct number_scale scale = angle ? NUMBER_UNSCALED : lens_unit_scale(file->build.lens->unit);
     bool has = file->y != NULL && at < file->y->count;
     if (file->x != NULL && zemax_number(file->x, at) != 0) {
-        return foreign_loss(file->job, &file->x->words, file->x->numbers[at].typed, error,
-                            "field %zu lies beside the y-z plane: it is left out", at + 1);
+        return foreign_loss(
+            file->job, &file->x->words, file->x->numbers[at].typed, error,
+            "field %zu lies beside the y-z plane: lenscalc has no such field" LOSS_INSTEAD
+            "left out",
+            at + 1);
     }
     struct figure *field = lens_build_field(&file->build);
     *field = has ? in_unit(file->y->numbers[at], scale) : *field;
@@ -81,11 +84,11 @@ static bool set_fields(struct zemax_file *file, struct error *error)
     }
     size_t count = stated >= 1 && stated < (double)listed ? (size_t)stated : listed;
     if (!(type >= 0 && type <= 3)) {
-        return zemax_loss(file, file->fields, error, "fields of the kind %g: they are left out",
-                          type);
+        return zemax_loss(file, file->fields, error,
+                          "fields of the kind %g" LOSS_INSTEAD "left out", type);
     }
     if (type == 3 && !zemax_loss(file, file->fields, error,
-                                 "real image heights: they are taken for paraxial ones")) {
+                                 "real image heights" LOSS_INSTEAD "taken for paraxial ones")) {
         return false;
     }
     file->build.lens->field_kind = kinds[(int)type];
@@ -158,7 +161,8 @@ static bool set_object(struct zemax_file *file, struct error *error)
     const struct zemax_line *line = object->thickness;
     bool finite = line != NULL && !line->infinite && fabs(line->numbers[0].value.hi) < far;
     if (zemax_number(object->curvature, 0) != 0 &&
-        !zemax_loss(file, object->curvature, error, "a curved object: it is taken for a plane")) {
+        !zemax_loss(file, object->curvature, error,
+                    "a curved object" LOSS_INSTEAD "taken for a plane")) {
         return false;
     }
     if (finite) {
@@ -233,7 +237,8 @@ static bool check_image(struct zemax_file *file, struct error *error)
 {
     const struct zemax_surface *image = &file->surfaces[file->surface_count - 1];
     if (zemax_number(image->curvature, 0) != 0 &&
-        !zemax_loss(file, image->curvature, error, "a curved image: it is taken for a plane")) {
+        !zemax_loss(file, image->curvature, error,
+                    "a curved image" LOSS_INSTEAD "taken for a plane")) {
         return false;
     }
     if (image->is_stop) {
@@ -259,9 +264,9 @@ static bool check_floating(struct zemax_file *file, struct error *error)
         return true;
     }
     lens->aperture_kind = APERTURE_NONE;
-    return zemax_loss(
-        file, file->aperture, error,
-        "the aperture is that of the stop, which has no diameter: the lens gets none");
+    return zemax_loss(file, file->aperture, error,
+                      "the aperture is that of the stop, which has no diameter" LOSS_INSTEAD
+                      "the lens gets none");
 }
 
 static bool read(struct foreign_job *job, struct text content, struct lens *lens,

@@ -94,7 +94,8 @@ static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line
     }
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
     return zemax_loss(file, line, error,
-                      "the glass '%.*s' is in no catalogue: its nd %g and Vd %g stand for it",
+                      "the glass '%.*s' is in no catalogue" LOSS_INSTEAD
+                      "its nd %g and Vd %g stand for it",
                       length, line->keyword.start, nd, Vd);
 }
 
@@ -263,8 +264,9 @@ static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
         other = other || parameter(file, at, i).value.hi != 0;
     }
     bool both = radius.value.hi != 0 && (!to->is_plane || to->has_curvature);
-    if ((both || other) && !zemax_loss(file, file->surfaces[at].type, error,
-                                       "a toroid: only its y-z section is kept, as a cylinder")) {
+    if ((both || other) &&
+        !zemax_loss(file, file->surfaces[at].type, error,
+                    "a toroid" LOSS_INSTEAD "its y-z section stands for it, as a cylinder")) {
         return false;
     }
     to->curved = CURVED_Y;
@@ -303,8 +305,8 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
                                "each other");
     }
     return foreign_loss(file->job, &from->type->words, type, error,
-                        "a surface of the type %.*s: its standard form with curvature and conic "
-                        "stands for it",
+                        "a surface of the type %.*s" LOSS_INSTEAD
+                        "its standard form with curvature and conic stands for it",
                         (int)(type.length < 20 ? type.length : 20), type.start);
 }
 
@@ -323,13 +325,15 @@ static bool check_pickups(struct zemax_file *file, size_t at, struct error *erro
         double scale = line->count > 4 ? zemax_number(line, 4) : 1, is = zemax_number(line, 0);
         if (!(fabs(scale * zemax_number(other, 0) - is) <= 1e-9 * is) &&
             !zemax_loss(file, line, error,
-                        "a semi-diameter that follows another number: the file's number stands")) {
+                        "a semi-diameter that follows another number" LOSS_INSTEAD
+                        "the file's number stands")) {
             return false;
         }
     }
     if (zemax_number(from->conic, 1) > 1 &&
         !zemax_loss(file, from->conic, error,
-                    "a conic that follows another number: the file's number stands")) {
+                    "a conic that follows another number" LOSS_INSTEAD
+                    "the file's number stands")) {
         return false;
     }
     for (size_t i = 0; i < ZEMAX_PARAMETERS; i++) {
@@ -338,7 +342,8 @@ static bool check_pickups(struct zemax_file *file, size_t at, struct error *erro
         sound = line == NULL || (line->count >= 3 && source >= 0 && source < (double)at &&
                                  zemax_number(line, 4) == 0);
         if (!sound && !zemax_loss(file, line, error,
-                                  "a parameter that follows no earlier surface: the file's number "
+                                  "a parameter that follows no earlier surface" LOSS_INSTEAD
+                                  "the file's number "
                                   "stands")) {
             return false;
         }

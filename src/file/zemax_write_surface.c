@@ -152,7 +152,8 @@ static bool put_table(struct zemax_writer *writer, const struct medium *medium, 
     char *end = pair_write_shortest(text, index, NUMBER_UNSCALED);
     put_model(writer, (struct text){text, (size_t)(end - text)}, text_of("0"));
     return zemax_lose(writer, error,
-                      "a medium given by a table: its index at %.6g um stands for it", primary);
+                      "a medium given by a table" LOSS_INSTEAD "its index at %.6g um stands for it",
+                      primary);
 }
 
 bool zemax_put_medium(struct zemax_writer *writer, const struct medium *medium, struct error *error)
@@ -283,7 +284,9 @@ static bool put_shape(struct zemax_writer *writer, const struct surface *surface
     }
     return !cylinder || (surface->coefficients == 0 && !(cross && has_conic)) ||
            zemax_lose(writer, error,
-                      "surface %zu: a cylinder with aspheric terms: they are left out", number);
+                      "surface %zu: a cylinder with aspheric terms" LOSS_INSTEAD
+                      "they are left out",
+                      number);
 }
 
 static void put_thickness(struct zemax_writer *writer, const struct surface *surface, bool last)
@@ -317,8 +320,8 @@ static bool check_surface(struct zemax_writer *writer, const struct surface *sur
                           struct error *error)
 {
     return surface->vary_count == 0 ||
-           zemax_lose(writer, error, "surface %zu: the marks of what may vary are left out",
-                      number);
+           zemax_lose(writer, error,
+                      "surface %zu: the marks of what may vary" LOSS_INSTEAD "left out", number);
 }
 
 bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *error)

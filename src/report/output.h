@@ -5,6 +5,7 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "base/text.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -18,7 +19,7 @@ struct output {
     bool is_nameless; /* the file has no name before it is complete */
     char *buffer;
     size_t used, size;
-    const char *remarks; /* lines for standard error when all went well; null = none */
+    struct text remarks; /* lines for standard error when all went well */
 };
 
 /*
