@@ -19,7 +19,9 @@ from harness import ROOT, Program
 
 
 def escape(line):
-    """A line of output as roff source."""
+    """A line of output as roff source; a blank one is no blank line there, which mandoc minds."""
+    if not line:
+        return "\\&"
     line = line.replace("\\", "\\e").replace("-", "\\-").replace("'", "\\(aq")
     return "\\&" + line if line.startswith((".", "\\(aq")) else line
 
