@@ -69,11 +69,16 @@ static bool search_all(const struct glass_wishes *wishes, struct glass_catalogs 
                        struct error *error)
 {
     struct glass_match match;
+    struct glass_lines like = {0}, lines;
+    if (wishes->like != NULL) {
+        like = glass_lines(&wishes->like->glass);
+    }
     while (glass_catalogs_next(catalogs, &match.record, error)) {
         if (!is_wanted(&match.record, wishes)) {
             continue;
         }
-        match.summary = glass_summary(&match.record.glass);
+        lines = glass_lines(&match.record.glass);
+        match.summary = glass_summary_of(&match.record.glass, &lines);
         match.difference = NAN;
         if (!fulfils(&match, wishes)) {
             continue;
@@ -84,7 +89,7 @@ static bool search_all(const struct glass_wishes *wishes, struct glass_catalogs 
                 return true;
             }
         } else if (!is_same_record(&match.record, wishes->like)) {
-            match.difference = glass_difference(&match.record.glass, &wishes->like->glass);
+            match.difference = glass_difference(&lines, &like);
             rank(ranking, &match);
         }
     }

@@ -56,9 +56,9 @@ static bool list_glasses(struct list *list, struct error *error)
             .to = record.glass.longest / 1000,
         };
         if (list_matches(list, row.catalog, (const char *[]){row.name, row.catalog}, 2)) {
-            struct glass_summary summary = glass_summary(&record.glass);
-            row.nd = summary.nd;
-            row.Vd = summary.Vd;
+            struct glass_abbe abbe = glass_abbe(&record.glass);
+            row.nd = abbe.nd;
+            row.Vd = abbe.Vd;
             list_row(list, &row);
         }
     }

@@ -17,11 +17,6 @@ struct light {
     struct pair l, square; /* um, um^2 */
 };
 
-static struct pair times(struct pair a, double b)
-{
-    return pair_multiply(a, pair_of(b));
-}
-
 static struct pair inverse(struct pair a)
 {
     return pair_divide(pair_of(1), a);
@@ -96,9 +91,9 @@ static struct value schott(const struct glass *glass, const struct light *light)
     const struct pair *c = glass->coefficients;
     struct pair x = inverse(light->square);
     /* the negative powers by Horner's rule */
-    struct pair sum = times(x, 0);
-    double slope = 0;
-    for (size_t i = 5; i >= 2; i--) {
+    struct pair sum = pair_multiply(c[5], x);
+    double slope = powers[5] * c[5].hi;
+    for (size_t i = 4; i >= 2; i--) {
         sum = pair_multiply(pair_add(sum, c[i]), x);
         slope = slope * x.hi + powers[i] * c[i].hi;
     }
@@ -308,32 +303,57 @@ static double difference(struct pair a, struct pair b)
     return (a.hi - b.hi) + (a.lo - b.lo);
 }
 
-struct glass_summary glass_summary(const struct glass *glass)
+/* nF - nC; NaN for a constant, which has no Vd. */
+static double spread_of(struct pair F, struct pair C)
 {
-    struct pair g = at_line(glass, WAVELENGTH_G), F = at_line(glass, WAVELENGTH_F);
-    struct pair d = at_line(glass, WAVELENGTH_D), C = at_line(glass, WAVELENGTH_C);
-    struct pair e = at_line(glass, WAVELENGTH_E);
     double spread = difference(F, C);
+    return fabs(spread) <= 0 ? (double)NAN : spread;
+}
+
+struct glass_abbe glass_abbe(const struct glass *glass)
+{
+    struct pair d = at_line(glass, WAVELENGTH_D);
+    double spread = spread_of(at_line(glass, WAVELENGTH_F), at_line(glass, WAVELENGTH_C));
+    return (struct glass_abbe){d.hi, difference(d, pair_of(1)) / spread};
+}
+
+struct glass_lines glass_lines(const struct glass *glass)
+{
+    return (struct glass_lines){.g = at_line(glass, WAVELENGTH_G),
+                                .F = at_line(glass, WAVELENGTH_F),
+                                .e = at_line(glass, WAVELENGTH_E),
+                                .d = at_line(glass, WAVELENGTH_D),
+                                .C = at_line(glass, WAVELENGTH_C)};
+}
+
+struct glass_summary glass_summary_of(const struct glass *glass, const struct glass_lines *lines)
+{
+    struct pair g = lines->g, F = lines->F, e = lines->e, d = lines->d, C = lines->C;
+    double spread = spread_of(F, C);
     double other_spread =
-        difference(at_line(glass, WAVELENGTH_F_PRIME), at_line(glass, WAVELENGTH_C_PRIME));
+        spread_of(at_line(glass, WAVELENGTH_F_PRIME), at_line(glass, WAVELENGTH_C_PRIME));
     struct glass_summary summary = {.nd = d.hi, .ne = e.hi};
-    bool disperses = !(fabs(spread) <= 0); /* a constant has no Vd */
-    summary.Vd = disperses ? difference(d, pair_of(1)) / spread : NAN;
-    summary.Ve = disperses ? difference(e, pair_of(1)) / other_spread : NAN;
-    summary.PgF = disperses ? difference(g, F) / spread : NAN;
-    summary.PdC = disperses ? difference(d, C) / spread : NAN;
+    summary.Vd = difference(d, pair_of(1)) / spread;
+    summary.Ve = difference(e, pair_of(1)) / other_spread;
+    summary.PgF = difference(g, F) / spread;
+    summary.PdC = difference(d, C) / spread;
     summary.deviation = summary.PgF - (0.6438 - 0.001682 * summary.Vd);
     return summary;
 }
 
-double glass_difference(const struct glass *a, const struct glass *b)
+struct glass_summary glass_summary(const struct glass *glass)
 {
-    static const double lines[] = {WAVELENGTH_G, WAVELENGTH_F, WAVELENGTH_E, WAVELENGTH_D,
-                                   WAVELENGTH_C};
+    const struct glass_lines lines = glass_lines(glass);
+    return glass_summary_of(glass, &lines);
+}
+
+double glass_difference(const struct glass_lines *a, const struct glass_lines *b)
+{
+    const double off[] = {difference(a->g, b->g), difference(a->F, b->F), difference(a->e, b->e),
+                          difference(a->d, b->d), difference(a->C, b->C)};
     double sum = 0;
     for (size_t i = 0; i < 5; i++) {
-        double off = difference(at_line(a, lines[i]), at_line(b, lines[i]));
-        sum += off * off;
+        sum += off[i] * off[i];
     }
     return sqrt(sum / 5);
 }

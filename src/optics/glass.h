@@ -119,11 +119,28 @@ struct glass_summary {
 
 struct glass_summary glass_summary(const struct glass *glass);
 
+/* nd and Vd of it alone, in half the time. */
+struct glass_abbe {
+    double nd, Vd;
+};
+
+struct glass_abbe glass_abbe(const struct glass *glass);
+
+/* The indices at lines that serve several questions; NaN where the range does not reach. */
+struct glass_lines {
+    struct pair g, F, e, d, C;
+};
+
+struct glass_lines glass_lines(const struct glass *glass);
+
+/* As glass_summary, with the lines at hand. */
+struct glass_summary glass_summary_of(const struct glass *glass, const struct glass_lines *lines);
+
 /*
  * How unlike two glasses are: root mean square of the differences of index at the lines g F e d C;
  * NaN where a range does not reach.
  */
-double glass_difference(const struct glass *a, const struct glass *b);
+double glass_difference(const struct glass_lines *a, const struct glass_lines *b);
 
 /*
  * Internal transmittance of a thickness.
