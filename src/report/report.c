@@ -304,6 +304,9 @@ static bool belongs(const struct column *column, const struct selection *selecti
         return false;
     }
     bool echo = (column->flags & COLUMN_ECHO) != 0;
+    if ((column->flags & COLUMN_WITH) != 0) {
+        return selection->layout == SELECT_LIST || is_brought(column, selection);
+    }
     if (column->with != NULL && !echo) {
         return is_brought(column, selection);
     }
@@ -339,7 +342,8 @@ bool report_select(struct report *report, const struct selection *selection, str
     report->shown_count = 0;
     report->assumed_count = 0;
     select_assumed(report, selection);
-    if (selection->columns != NULL) {
+    report->are_named = selection->columns != NULL;
+    if (report->are_named) {
         return select_named(report, selection, error);
     }
     select_usual(report, selection);

@@ -34,7 +34,8 @@ enum column_flag {
     COLUMN_HIDDEN = 32,  /* not among what people read, unless asked for */
     COLUMN_SPARSE = 64,  /* left out of the table that people read where no row has it */
     COLUMN_NOTE = 128,   /* people read it below the table, each text once: a warning */
-    COLUMN_TIED = 256    /* no assumption without the option in `with` */
+    COLUMN_TIED = 256,   /* no assumption without the option in `with` */
+    COLUMN_WITH = 512    /* as other columns, and among the brief ones with the option in `with` */
 };
 
 /* One column. Numbers are in the program's own units in the row, in `unit` in the output. */
@@ -47,6 +48,7 @@ struct column {
     unsigned flags;
     const char *symbol;  /* in formulas: "s"; null = none */
     const char *label;   /* in words, for people: "near limit" */
+    const char *head;    /* in tables for people, unless --columns names them; null = name */
     const char *help;    /* one sentence */
     const char *with;    /* of an echo: the option it repeats; else the options that bring it */
     const char *depends; /* COLUMN_ASSUMED: the options it follows from, separated by blanks; one

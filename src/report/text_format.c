@@ -161,6 +161,11 @@ static bool has_units(const struct report *report)
     return false;
 }
 
+static bool has_head(const struct report *report, const struct column *column)
+{
+    return column->head != NULL && !report->are_named;
+}
+
 static struct grid new_grid(struct report *report, struct arena *arena)
 {
     struct text_state *state = report->state;
@@ -173,7 +178,8 @@ static struct grid new_grid(struct report *report, struct arena *arena)
     }
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct column *column = report->shown[i].column;
-        grid_set(&grid, report->passed_count + i, spaced(arena, column->name));
+        grid_set(&grid, report->passed_count + i,
+                 has_head(report, column) ? column->head : spaced(arena, column->name));
         grid.left[report->passed_count + i] = column->type == COLUMN_TEXT;
     }
     if (state->has_failures) {
@@ -304,12 +310,18 @@ static void write_list(struct report *report)
     write_grid(report, &grid, true);
 }
 
+static bool is_list(const struct report *report)
+{
+    const struct text_state *state = report->state;
+    return !report->many && state->kept_count == 1 && report->format == &format_text;
+}
+
 static void write_kept(struct report *report)
 {
     struct text_state *state = report->state;
     choose_units(report);
     leave_out_empty(report);
-    if (!report->many && state->kept_count == 1 && report->format == &format_text) {
+    if (is_list(report)) {
         write_list(report);
     } else {
         write_table(report);
@@ -379,6 +391,21 @@ static bool is_shown(const struct report *report, const struct column *column)
     return false;
 }
 
+/* What the symbols mean that stand in the head. */
+static void write_legend(struct report *report)
+{
+    const char *line = NULL;
+    for (size_t i = 0; i < report->shown_count && !is_list(report); i++) {
+        const struct column *column = report->shown[i].column;
+        if (has_head(report, column) && column->symbol != NULL &&
+            strcmp(column->head, column->symbol) == 0) {
+            line = arena_printf(report->arena, "%s%s%s: %s", line != NULL ? line : "",
+                                line != NULL ? "; " : "", column->head, column->label);
+        }
+    }
+    write_line(report, line);
+}
+
 /* Each text of a column once, in the order of the rows. */
 static void write_notes(struct report *report, const struct column *column)
 {
@@ -416,6 +443,7 @@ static void text_end(struct report *report)
     if (report->format == &format_html && state->has_layout) {
         grid_html_close(NULL, report->output);
     }
+    write_legend(report);
     write_line(report, report_assumptions(report, first_good_row(state)));
     write_all_notes(report);
     if (report->explain != NULL && report->format != &format_html) {
