@@ -95,9 +95,8 @@ bool tsv_next(struct tsv *tsv, struct error *error)
         return error_locate(error, tsv->source, tsv->line, 0);
     }
     for (size_t i = 0; i < count; i++) {
-        if (text_equal(tsv->cells[i], "-")) {
-            tsv->cells[i].length = 0;
-        }
+        struct text *cell = &tsv->cells[i];
+        cell->length = cell->length == 1 && cell->start[0] == '-' ? 0 : cell->length;
     }
     return true;
 }
