@@ -30,9 +30,13 @@ LINK_1   = -static
 LINK_0   =
 LDFLAGS  =
 
+# compiled once for each instruction set; the program chooses when it runs
+kernels := $(wildcard src/trace/kernel*.c)
 sources := $(wildcard src/base/*.c src/photo/*.c src/optics/*.c src/report/*.c src/cli/*.c) \
+           $(filter-out $(kernels),$(wildcard src/trace/*.c)) \
            $(filter-out src/file/embed.c,$(wildcard src/file/*.c))
-objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o
+objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \
+           $(foreach set,sse2 avx2 avx512,$(kernels:src/%.c=$(BUILD)/%_$(set).o))
 units   := $(patsubst tests/unit/%.c,$(BUILD)/unit/%,$(wildcard tests/unit/test_*.c))
 lensdb  := $(sort $(wildcard lensdb/*.tsv lensdb/lenses/*.lens lensdb/glass/*.tsv))
 
@@ -57,6 +61,19 @@ $(BUILD)/%.o: src/%.c
 	@mkdir -p $(@D)
 	@echo cc $<
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+
+# lane loops of the ray tracer: the same bits from each of the three; elsewhere all are plain C
+SET_sse2   =
+SET_avx2   = -mavx2
+SET_avx512 = -mavx512f -mavx512vl -mavx512dq -mprefer-vector-width=512
+define kernel
+$(BUILD)/%_$(1).o: src/%.c
+	@mkdir -p $$(@D)
+	@echo cc $$< for $(1)
+	$$(Q)$$(CC) $$(ALL_CFLAGS) $(if $(findstring -fsanitize,$(CFLAGS)),,-O3) $$(SET_$(1)) \
+	    -DKERNEL=$(1) -MMD -MP -c -o $$@ $$<
+endef
+$(foreach set,sse2 avx2 avx512,$(eval $(call kernel,$(set))))
 
 # lensdb inside the program: const arrays, paged in only where a command looks
 $(BUILD)/embed: src/file/embed.c src/file/embedded.h

@@ -1,0 +1,75 @@
+/* trace/dispatch.c - the choice of instructions, and blocks cut among threads. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/dispatch.h"
+
+#include "base/parallel.h"
+#include "trace/step.h"
+
+bool instruction_set_works(enum instruction_set set)
+{
+#ifdef __x86_64__
+    switch (set) {
+    case SET_AVX2:
+        return __builtin_cpu_supports("avx2");
+    case SET_AVX512:
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+               __builtin_cpu_supports("avx512dq");
+    default:
+        return true;
+    }
+#else
+    return set == SET_BEST || set == SET_SSE2;
+#endif
+}
+
+const char *instruction_set_name(enum instruction_set set)
+{
+    static const char names[][8] = {"best", "sse2", "avx2", "avx512"};
+    return names[set];
+}
+
+static kernel_trace *kernel_of(enum instruction_set set)
+{
+    bool best = set == SET_BEST;
+    if ((best && instruction_set_works(SET_AVX512)) || set == SET_AVX512) {
+        return kernel_trace_avx512;
+    }
+    if ((best && instruction_set_works(SET_AVX2)) || set == SET_AVX2) {
+        return kernel_trace_avx2;
+    }
+    return kernel_trace_sse2;
+}
+
+struct work {
+    kernel_trace *kernel;
+    const struct step *steps;
+    size_t count;
+    bool path;
+    struct ray_block *blocks;
+};
+
+static void trace_blocks(void *context, size_t begin, size_t end)
+{
+    const struct work *work = context;
+    for (size_t i = begin; i < end; i++) {
+        work->kernel(work->steps, work->count, work->path, &work->blocks[i]);
+    }
+}
+
+enum { BLOCKS_A_PIECE = 64 };
+
+void rays_trace_part(const struct system *system, size_t from, size_t to, const struct rays *rays,
+                     const struct trace_way *way)
+{
+    static const struct trace_way usual = {SET_BEST, 1};
+    way = way == NULL ? &usual : way;
+    struct work work = {kernel_of(way->set), system->steps + system->begin[from],
+                        system->begin[to] - system->begin[from], system->options.path,
+                        rays->blocks};
+    parallel_for(way->threads, rays_blocks(rays), BLOCKS_A_PIECE, trace_blocks, &work);
+}
+
+void rays_trace(const struct system *system, const struct rays *rays, const struct trace_way *way)
+{
+    rays_trace_part(system, 0, system->places, rays, way);
+}

@@ -1,0 +1,43 @@
+/* trace/dispatch.h - trace rays with the best instructions of this processor. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_DISPATCH_H
+#define LENSCALC_TRACE_DISPATCH_H
+
+#include "trace/rays.h"
+#include "trace/system.h"
+
+#include <stdbool.h>
+
+/* Every set gives the same bits; a choice is for tests and benchmarks. */
+enum instruction_set { SET_BEST, SET_SSE2, SET_AVX2, SET_AVX512 };
+
+struct trace_way {
+    enum instruction_set set;
+    int threads; /* 0 and 1: this one only */
+};
+
+/* Does the processor have it? */
+bool instruction_set_works(enum instruction_set set);
+
+/* "best", "sse2", "avx2", "avx512" */
+const char *instruction_set_name(enum instruction_set set);
+
+/*
+ * Take rays through the whole system.
+ *
+ * Given     rays  in the frame and medium before the first surface; receives where they end
+ *           way   null: best instructions, one thread
+ * Result    in place; see trace/rays.h for what lost rays hold. No number depends on the threads,
+ *           on the instructions or on the other rays
+ */
+void rays_trace(const struct system *system, const struct rays *rays, const struct trace_way *way);
+
+/*
+ * The same from one place to before another, in the order of light: 0 .. system.places.
+ *
+ * Given     rays  as a trace to `from` left them
+ */
+void rays_trace_part(const struct system *system, size_t from, size_t to, const struct rays *rays,
+                     const struct trace_way *way);
+
+#endif

@@ -1,0 +1,176 @@
+/* trace/frames.c - turning and shifting, and the normals of surfaces. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/frames.h"
+
+#include <math.h>
+
+static void turn(const double m[9], const double v[3], double result[3])
+{
+    double x = v[0], y = v[1], z = v[2];
+    for (int i = 0; i < 3; i++) {
+        result[i] = m[3 * i] * x + m[3 * i + 1] * y + m[3 * i + 2] * z;
+    }
+}
+
+static void turn_back(const double m[9], const double v[3], double result[3])
+{
+    double x = v[0], y = v[1], z = v[2];
+    for (int i = 0; i < 3; i++) {
+        result[i] = m[i] * x + m[3 + i] * y + m[6 + i] * z;
+    }
+}
+
+/* One axis after the other: new axes as rows. About x first, then the new y, then the new z. */
+static void add_turn(double m[9], int axis, double angle)
+{
+    int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    double cosine = cos(angle), sine = sin(angle);
+    for (int i = 0; i < 3; i++) {
+        double u = m[3 * a + i], v = m[3 * b + i];
+        m[3 * a + i] = cosine * u + sine * v;
+        m[3 * b + i] = cosine * v - sine * u;
+    }
+}
+
+struct frame frame_of(const struct displacement *displacement, double z)
+{
+    struct frame frame = {
+        {1, 0, 0, 0, 1, 0, 0, 0, 1},
+        {displacement->decenter[0].value.hi, displacement->decenter[1].value.hi, z}};
+    for (int axis = 0; axis < 3; axis++) {
+        double angle = displacement->tilt[axis].value.hi;
+        if (angle != 0) {
+            add_turn(frame.turn, axis, angle);
+        }
+    }
+    return frame;
+}
+
+struct frame frame_inverse(const struct frame *frame)
+{
+    struct frame inverse;
+    for (int i = 0; i < 9; i++) {
+        inverse.turn[i] = frame->turn[3 * (i % 3) + i / 3];
+    }
+    turn(frame->turn, frame->shift, inverse.shift);
+    for (int i = 0; i < 3; i++) {
+        inverse.shift[i] = -inverse.shift[i];
+    }
+    return inverse;
+}
+
+void frame_directions(const struct lens *lens, double *direction)
+{
+    double axis[3] = {0, 0, 1};
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        if (surface->bend != NULL) {
+            struct frame frame = frame_of(surface->bend, 0);
+            turn(frame.turn, axis, axis);
+        }
+        double normal[3] = {0, 0, 1};
+        if (surface->moved != NULL) {
+            struct frame frame = frame_of(surface->moved, 0);
+            turn_back(frame.turn, normal, normal);
+        }
+        double along = axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2];
+        direction[i] = along < 0 ? -1 : 1;
+        for (int j = 0; j < 3 && surface->kind == SURFACE_REFLECT; j++) {
+            axis[j] -= 2 * along * normal[j];
+        }
+    }
+    direction[lens->surface_count] = axis[2] < 0 ? -1 : 1;
+}
+
+struct frame system_to_first(const struct system *system, size_t surface)
+{
+    const struct lens *lens = system->lens;
+    struct frame all = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+    size_t last = surface < lens->surface_count ? surface : lens->surface_count - 1;
+    /* of X in this frame: all.turn^-1 X + all.shift, with turn the rows of its axes */
+    for (size_t i = 0; i <= last; i++) {
+        double way[3] = {0, 0, i > 0 ? lens->surfaces[i - 1].thickness.value.hi : 0}, moved[3];
+        const struct displacement *bend = lens->surfaces[i].bend;
+        struct frame frame;
+        if (bend != NULL) {
+            frame = frame_of(bend, way[2]);
+            way[0] = frame.shift[0];
+            way[1] = frame.shift[1];
+        }
+        turn_back(all.turn, way, moved);
+        for (int j = 0; j < 3; j++) {
+            all.shift[j] += moved[j];
+        }
+        for (int column = 0; column < 3 && bend != NULL; column++) {
+            double v[3] = {all.turn[column], all.turn[3 + column], all.turn[6 + column]};
+            turn(frame.turn, v, v);
+            for (int row = 0; row < 3; row++) {
+                all.turn[3 * row + column] = v[row];
+            }
+        }
+    }
+    if (surface >= lens->surface_count) {
+        double way[3] = {0, 0, system->options.image}, moved[3];
+        turn_back(all.turn, way, moved);
+        for (int j = 0; j < 3 && !isnan(way[2]) && !system->options.reverse; j++) {
+            all.shift[j] += moved[j];
+        }
+    }
+    struct frame result = all;
+    for (int i = 0; i < 9; i++) {
+        result.turn[i] = all.turn[3 * (i % 3) + i / 3];
+    }
+    return result;
+}
+
+void system_normal(const struct system *system, size_t surface, const double point[3],
+                   double normal[3])
+{
+    normal[0] = normal[1] = 0;
+    normal[2] = 1;
+    if (surface >= system->lens->surface_count) {
+        return;
+    }
+    const struct surface *s = &system->lens->surfaces[surface];
+    struct frame frame;
+    double at[3] = {point[0], point[1], point[2]};
+    if (s->moved != NULL) {
+        frame = frame_of(s->moved, 0);
+        for (int i = 0; i < 3; i++) {
+            at[i] -= frame.shift[i];
+        }
+        turn(frame.turn, at, at);
+    }
+    if (s->kind != SURFACE_STOP) {
+        double c = system_base_curvature(s).hi, k = s->conic.value.hi;
+        double wx = s->curved == CURVED_Y ? 0 : 1, wy = s->curved == CURVED_X ? 0 : 1;
+        double u = wx * at[0] * at[0] + wy * at[1] * at[1], S = 0, slope = 0;
+        for (int i = LENS_COEFFICIENTS - 1; i >= 0; i--) {
+            slope = slope * u + (i + 1) * s->coefficient[i].value.hi;
+            S = (S + s->coefficient[i].value.hi) * u;
+        }
+        double f = 1 - c * (1 + k) * (at[2] - S), g = c + 2 * f * slope;
+        double nx = -wx * g * at[0], ny = -wy * g * at[1];
+        double length = sqrt(nx * nx + ny * ny + f * f);
+        normal[0] = nx / length;
+        normal[1] = ny / length;
+        normal[2] = f / length;
+    }
+    if (s->moved != NULL) {
+        turn_back(frame.turn, normal, normal);
+    }
+}
+
+struct ray_angles ray_angles(const double normal[3], const double before[3], const double after[3])
+{
+    const double *rays[2] = {before, after};
+    double angles[2];
+    for (int i = 0; i < 2; i++) {
+        const double *p = rays[i];
+        double x = normal[1] * p[2] - normal[2] * p[1], y = normal[2] * p[0] - normal[0] * p[2];
+        double z = normal[0] * p[1] - normal[1] * p[0];
+        double along = normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2];
+        angles[i] = atan2(sqrt(x * x + y * y + z * z), fabs(along));
+    }
+    return (struct ray_angles){angles[0], angles[1]};
+}

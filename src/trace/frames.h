@@ -1,0 +1,25 @@
+/* trace/frames.h - frames of tilted and decentred surfaces. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_FRAMES_H
+#define LENSCALC_TRACE_FRAMES_H
+
+#include "optics/lens.h"
+#include "trace/system.h"
+
+/*
+ * The frame of a displacement at distance z along the axis, for X' = turn (X - shift).
+ *
+ * Formula   axes of the new frame: Rx(ax) Ry(ay) Rz(az), right-handed; turn is its transpose
+ */
+struct frame frame_of(const struct displacement *displacement, double z);
+
+/* X = turn' (X' - shift') leads back. */
+struct frame frame_inverse(const struct frame *frame);
+
+/* Where the axis goes at each surface: +1 or -1 along its z; count + 1, the last behind the lens. */
+void frame_directions(const struct lens *lens, double *direction);
+
+/* The curvature of the conic alone, without A2, 1/mm. */
+struct pair system_base_curvature(const struct surface *surface);
+
+#endif

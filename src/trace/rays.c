@@ -1,0 +1,68 @@
+/* trace/rays.c - filling and reading blocks of rays. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/rays.h"
+
+#include <math.h>
+#include <stdint.h>
+
+struct rays rays_new(struct arena *arena, size_t count)
+{
+    size_t blocks = (count + RAYS_BLOCK - 1) / RAYS_BLOCK;
+    /* the arena aligns to 16 only */
+    char *memory = arena_array(arena, blocks + 1, sizeof(struct ray_block));
+    size_t shift = (64 - (uintptr_t)memory % 64) % 64;
+    struct rays rays = {(struct ray_block *)(void *)(memory + shift), count};
+    for (size_t b = 0; b < blocks; b++) {
+        for (size_t lane = 0; lane < RAYS_BLOCK; lane++) {
+            rays.blocks[b].r[lane] = 1;
+        }
+    }
+    return rays;
+}
+
+void rays_set(const struct rays *rays, size_t i, double n, const struct ray *ray)
+{
+    struct ray_block *block = &rays->blocks[i / RAYS_BLOCK];
+    size_t lane = i % RAYS_BLOCK;
+    block->x[lane] = ray->point[0];
+    block->y[lane] = ray->point[1];
+    block->z[lane] = ray->point[2];
+    block->p[lane] = n * ray->cosine[0];
+    block->q[lane] = n * ray->cosine[1];
+    block->r[lane] = n * ray->cosine[2];
+    block->path[lane] = ray->path;
+    block->lost[lane] = (double)(8 * ray->surface + ray->status);
+}
+
+struct ray rays_get(const struct rays *rays, size_t i, double n)
+{
+    const struct ray_block *block = &rays->blocks[i / RAYS_BLOCK];
+    size_t lane = i % RAYS_BLOCK;
+    return (struct ray){.point = {block->x[lane], block->y[lane], block->z[lane]},
+                        .cosine = {block->p[lane] / n, block->q[lane] / n, block->r[lane] / n},
+                        .path = block->path[lane],
+                        .status = ray_block_status(block, lane),
+                        .surface = ray_block_surface(block, lane)};
+}
+
+const char *ray_status_name(enum ray_status status)
+{
+    static const char names[][20] = {"ok", "miss", "total_reflection", "clipped", "not_converged"};
+    return names[status];
+}
+
+struct ray ray_from_point(const double object[3], const double target[2], double n)
+{
+    double x = target[0] - object[0], y = target[1] - object[1], z = -object[2];
+    double across = x * x + y * y, length = sqrt(across + z * z);
+    return (struct ray){.point = {target[0], target[1], 0},
+                        .cosine = {x / length, y / length, z / length},
+                        .path = n * (across / (length + fabs(z)))};
+}
+
+struct ray ray_from_infinity(const double cosine[3], const double target[2], double n)
+{
+    return (struct ray){.point = {target[0], target[1], 0},
+                        .cosine = {cosine[0], cosine[1], cosine[2]},
+                        .path = n * (target[0] * cosine[0] + target[1] * cosine[1])};
+}

@@ -1,0 +1,95 @@
+/* trace/rays.h - rays in blocks of 128, one array a coordinate. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_RAYS_H
+#define LENSCALC_TRACE_RAYS_H
+
+#include "base/arena.h"
+
+#include <stddef.h>
+
+/* Rays a block: seven arrays of it stay in the first-level cache. */
+enum { RAYS_BLOCK = 128 };
+
+enum ray_status { RAY_OK, RAY_MISS, RAY_TOTAL_REFLECTION, RAY_CLIPPED, RAY_NOT_CONVERGED };
+
+/*
+ * Points and directions, in the frame of the surface last met (before the first: of the first
+ * vertex). Every lane is traced, also those that nobody uses: rays_new fills them with the axis.
+ *
+ * What a lost ray holds after a trace: a clipped one goes on as if there were no rim, and has
+ * numbers if it arrives; every other one has NaN in all coordinates. A ray that is RAY_OK never
+ * has a NaN or an infinity.
+ */
+struct ray_block {
+    _Alignas(64) double x[RAYS_BLOCK]; /* mm */
+    double y[RAYS_BLOCK], z[RAYS_BLOCK];
+    double p[RAYS_BLOCK], q[RAYS_BLOCK], r[RAYS_BLOCK]; /* n times the direction cosines */
+    double path[RAYS_BLOCK];                            /* optical path, mm; adds to what is here */
+    double lost[RAYS_BLOCK]; /* 0 = on its way; else 8 * surface (1-based) + status */
+};
+
+/* Many rays: ray i is lane i % RAYS_BLOCK of block i / RAYS_BLOCK. */
+struct rays {
+    struct ray_block *blocks; /* aligned to 64 bytes */
+    size_t count;             /* of rays */
+};
+
+/* Room for `count` rays, all along the axis from the first vertex in a medium of index 1. */
+struct rays rays_new(struct arena *arena, size_t count);
+
+/* How many blocks. */
+static inline size_t rays_blocks(const struct rays *rays)
+{
+    return (rays->count + RAYS_BLOCK - 1) / RAYS_BLOCK;
+}
+
+/* One ray by itself: what is convenient outside of hot loops. */
+struct ray {
+    double point[3];  /* mm */
+    double cosine[3]; /* direction cosines, unit length */
+    double path;      /* mm */
+    enum ray_status status;
+    size_t surface; /* where it was lost, 1-based, the stop counted; 0 = nowhere */
+};
+
+/*
+ * Put a ray in, take it out.
+ *
+ * Given     n  index of the medium the ray is in: system.index_first before a trace,
+ *              system.index_last after it
+ */
+void rays_set(const struct rays *rays, size_t i, double n, const struct ray *ray);
+struct ray rays_get(const struct rays *rays, size_t i, double n);
+
+static inline enum ray_status ray_block_status(const struct ray_block *block, size_t lane)
+{
+    return (enum ray_status)((size_t)block->lost[lane] % 8);
+}
+
+static inline size_t ray_block_surface(const struct ray_block *block, size_t lane)
+{
+    return (size_t)block->lost[lane] / 8;
+}
+
+/* "ok", "miss", "total_reflection", "clipped", "not_converged" */
+const char *ray_status_name(enum ray_status status);
+
+/*
+ * The ray from an object point to a point of the first vertex plane (z = 0), started there.
+ *
+ * Given     object  mm, z below 0 (in the frame of the first vertex); target x, y mm; n index
+ * Result    path is counted from the object point less n times its distance to the plane:
+ *           n h^2/(sqrt(z^2 + h^2) + |z|), h the way across; it keeps all digits however far the
+ *           object lies
+ */
+struct ray ray_from_point(const double object[3], const double target[2], double n);
+
+/*
+ * The ray of a plane wave through a point of the first vertex plane.
+ *
+ * Given     cosine  direction cosines; build them from the angle, (0, sin, cos)
+ * Result    path is counted from the wavefront through the first vertex: n (x L + y M)
+ */
+struct ray ray_from_infinity(const double cosine[3], const double target[2], double n);
+
+#endif

@@ -1,0 +1,61 @@
+/* trace/step.h - what the kernels need of one surface: uniform numbers for all rays. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_STEP_H
+#define LENSCALC_TRACE_STEP_H
+
+#include "trace/rays.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum step_kind {
+    STEP_MOVE,     /* into another frame: no surface */
+    STEP_PLANE,    /* c = 0 */
+    STEP_SPHERE,   /* */
+    STEP_CONIC,    /* k */
+    STEP_CYLINDER, /* curved in one section, conic */
+    STEP_ASPHERE,  /* conic and a polynomial of r^2 */
+    STEP_TROUGH    /* the same, curved in one section */
+};
+
+enum step_action { ACTION_PASS, ACTION_REFRACT, ACTION_REFLECT };
+
+enum { STEP_TERMS = 10 };
+
+/*
+ * n is the index before, n' behind; c the curvature of the conic, k its constant. `direction` is
+ * +1 where light meets the surface towards +z, -1 after an odd number of mirrors.
+ */
+struct step {
+    _Alignas(64) enum step_kind kind;
+    enum step_action action;
+    bool hop;     /* go to the vertex plane first: t is long against the radius */
+    bool is_free; /* rays may come from any side: no plane hop for those almost along it */
+    int terms;    /* of the polynomial: 4, 7 or 10 */
+    size_t surface;
+    double c, k, one_k; /* 1/mm, 1, 1 + k */
+    double t;           /* from the frame the rays are in, mm */
+    double n11, n22;    /* n^2, n'^2 */
+    double cn;          /* c n^2 */
+    double dn;          /* (n' - n)(n' + n) */
+    double direction;
+    double clear2;             /* squared clear semi-diameter, mm^2; infinite = none */
+    double weight_x, weight_y; /* of a cylinder: 1 in the curved section, else 0 */
+    double miss, clipped, reflected, unconverged; /* what to write into `lost` */
+    double coefficient[STEP_TERMS];               /* A2, A4 ..: S = sum of A_2i u^i, u = r^2 */
+    double slope[STEP_TERMS];                     /* of dS/du: i A_2i */
+    double turn[9], shift[3];                     /* STEP_MOVE: X' = turn (X - shift) */
+};
+
+/*
+ * Take one block through steps.
+ *
+ * Given     path  also count the optical path, and keep |p| = n'
+ * Source    see trace/system.h
+ */
+typedef void kernel_trace(const struct step *steps, size_t count, bool path,
+                          struct ray_block *block);
+
+kernel_trace kernel_trace_sse2, kernel_trace_avx2, kernel_trace_avx512;
+
+#endif

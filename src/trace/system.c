@@ -1,0 +1,310 @@
+/* trace/system.c - from a lens to the steps of the kernels. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/system.h"
+
+#include "optics/first_order.h"
+#include "trace/frames.h"
+#include "trace/step.h"
+
+#include <math.h>
+#include <stdint.h>
+
+/* Rays aimed at the rim of an aperture pass, in spite of rounding. */
+static const double rim = 1 + 1e-12;
+
+struct system_options system_options_default(void)
+{
+    return (struct system_options){.image = NAN, .stop_radius = NAN};
+}
+
+size_t system_place(const struct system *system, size_t surface)
+{
+    size_t count = system->lens->surface_count;
+    return system->options.reverse && surface < count ? count - 1 - surface : surface;
+}
+
+size_t system_surface(const struct system *system, size_t place)
+{
+    return system_place(system, place);
+}
+
+double system_index_before(const struct system *system, size_t place)
+{
+    size_t count = system->lens->surface_count;
+    return system->n[system->options.reverse ? count - place : place].hi;
+}
+
+double system_index_after(const struct system *system, size_t place)
+{
+    size_t count = system->lens->surface_count;
+    return place < count ? system_index_before(system, place + 1)
+                         : system_index_before(system, count);
+}
+
+static bool find_indices(const struct lens *lens, double wavelength, struct pair *n,
+                         struct error *error)
+{
+    if (!medium_index(&lens->object_medium, wavelength, &n[0], error)) {
+        return error_prefix(error, "object medium: ");
+    }
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        n[i + 1] = n[i];
+        if (surface->kind != SURFACE_REFLECT &&
+            !medium_index(&surface->medium, wavelength, &n[i + 1], error)) {
+            return error_prefix(error, "surface %zu: ", i + 1);
+        }
+    }
+    return true;
+}
+
+static bool find_stop_radius(const struct lens *lens, struct arena *arena, struct system *system,
+                             struct error *error)
+{
+    system->stop_radius = system->options.stop_radius;
+    if (!isnan(system->stop_radius) || lens->stop == LENS_NONE) {
+        return true;
+    }
+    const struct surface *stop = &lens->surfaces[lens->stop];
+    if (lens->aperture_kind == APERTURE_NONE || lens->aperture_kind == APERTURE_STOP) {
+        system->stop_radius = stop->has_diameter ? stop->diameter.value.hi / 2 : NAN;
+        return true;
+    }
+    struct first_order first;
+    const struct conjugate_object object = lens_object(lens);
+    const struct aperture_setting aperture = lens_aperture(lens);
+    if (!first_order_of_lens(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &first,
+                             error) ||
+        !first_order_aperture(&first, &object, &aperture, FIELD_NONE, NAN, error)) {
+        return false;
+    }
+    system->stop_radius = fabs(first.stop_radius);
+    return true;
+}
+
+/* Half the clear aperture, mm; infinite = none. */
+static double clear_radius(const struct system *system, size_t i)
+{
+    const struct surface *surface = &system->lens->surfaces[i];
+    double clear = surface->has_diameter ? surface->diameter.value.hi / 2 : (double)INFINITY;
+    if (i == system->stop && system->stop_radius < clear) {
+        clear = system->stop_radius;
+    }
+    return system->options.clip ? clear : (double)INFINITY;
+}
+
+struct pair system_base_curvature(const struct surface *surface)
+{
+    if (surface->has_curvature) {
+        return surface->curvature.value;
+    }
+    return surface->is_plane ? pair_of(0) : pair_divide(pair_of(1), surface->radius.value);
+}
+
+static bool has_polynomial(const struct surface *surface)
+{
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        if (surface->coefficient[i].value.hi != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static enum step_kind kind_of(const struct surface *surface, double c)
+{
+    bool both = surface->curved == CURVED_BOTH;
+    if (surface->kind == SURFACE_STOP) {
+        return STEP_PLANE;
+    }
+    if (has_polynomial(surface)) {
+        return both ? STEP_ASPHERE : STEP_TROUGH;
+    }
+    if (c == 0) {
+        return STEP_PLANE;
+    }
+    if (!both) {
+        return STEP_CYLINDER;
+    }
+    return surface->conic.value.hi == 0 ? STEP_SPHERE : STEP_CONIC;
+}
+
+static void set_shape(struct step *step, const struct surface *surface)
+{
+    struct pair k = surface->conic.value;
+    step->c = surface->kind == SURFACE_STOP ? 0 : system_base_curvature(surface).hi;
+    step->kind = kind_of(surface, step->c);
+    step->k = k.hi;
+    step->one_k = pair_add(pair_of(1), k).hi;
+    step->weight_x = surface->curved == CURVED_Y ? 0 : 1;
+    step->weight_y = surface->curved == CURVED_X ? 0 : 1;
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        step->coefficient[i] = surface->coefficient[i].value.hi;
+        step->slope[i] = (i + 1) * step->coefficient[i];
+        if (step->coefficient[i] != 0) {
+            step->terms = i + 1;
+        }
+    }
+}
+
+static void set_media(struct step *step, struct pair before, struct pair after)
+{
+    step->n11 = pair_multiply(before, before).hi;
+    step->n22 = pair_multiply(after, after).hi;
+    step->dn = pair_multiply(pair_subtract(after, before), pair_add(after, before)).hi;
+    step->cn = step->c * step->n11;
+}
+
+static void set_codes(struct step *step, size_t surface)
+{
+    double base = 8 * (double)(surface + 1);
+    step->surface = surface;
+    step->miss = base + RAY_MISS;
+    step->clipped = base + RAY_CLIPPED;
+    step->reflected = base + RAY_TOTAL_REFLECTION;
+    step->unconverged = base + RAY_NOT_CONVERGED;
+}
+
+static enum step_action action_of(const struct surface *surface, const struct step *step)
+{
+    if (surface->kind == SURFACE_REFLECT) {
+        return ACTION_REFLECT;
+    }
+    bool nothing = step->kind == STEP_PLANE && step->dn == 0;
+    return nothing || surface->kind == SURFACE_STOP ? ACTION_PASS : ACTION_REFRACT;
+}
+
+/* Steps being written. */
+struct writing {
+    struct system *system;
+    struct step *steps;
+    size_t count;
+};
+
+static void put_move(struct writing *writing, const struct frame *frame, size_t surface)
+{
+    struct step *step = &writing->steps[writing->count++];
+    *step = (struct step){.kind = STEP_MOVE};
+    set_codes(step, surface);
+    for (int i = 0; i < 9; i++) {
+        step->turn[i] = frame->turn[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        step->shift[i] = frame->shift[i];
+    }
+}
+
+/* Into the frame of the surface at `place`; returns the way along z that is left to the surface. */
+static double put_transfer(struct writing *writing, size_t place)
+{
+    const struct system *system = writing->system;
+    const struct lens *lens = system->lens;
+    bool reverse = system->options.reverse;
+    if (place == 0) {
+        const struct displacement *bend = reverse ? NULL : lens->surfaces[0].bend;
+        if (bend != NULL) {
+            struct frame frame = frame_of(bend, 0);
+            put_move(writing, &frame, 0);
+        }
+        return 0;
+    }
+    size_t left = reverse ? lens->surface_count - 1 - place : place - 1;
+    double t = lens->surfaces[left].thickness.value.hi;
+    const struct displacement *bend = lens->surfaces[left + 1].bend;
+    if (bend == NULL) {
+        return reverse ? -t : t;
+    }
+    struct frame frame = frame_of(bend, t);
+    if (reverse) {
+        frame = frame_inverse(&frame);
+    }
+    put_move(writing, &frame, reverse ? left : left + 1);
+    return 0;
+}
+
+static void put_surface(struct writing *writing, size_t place)
+{
+    const struct system *system = writing->system;
+    size_t i = system_surface(system, place);
+    const struct surface *surface = &system->lens->surfaces[i];
+    bool reverse = system->options.reverse;
+    double t = put_transfer(writing, place);
+    size_t before = writing->count;
+    struct frame back;
+    if (surface->moved != NULL) {
+        struct frame frame = frame_of(surface->moved, 0);
+        back = frame_inverse(&frame);
+        frame.shift[2] += t;
+        put_move(writing, &frame, i);
+        t = 0;
+    }
+    struct step *step = &writing->steps[writing->count++];
+    double clear = clear_radius(system, i);
+    *step = (struct step){.t = t, .clear2 = clear * clear * rim};
+    set_shape(step, surface);
+    set_media(step, system->n[reverse ? i + 1 : i], system->n[reverse ? i : i + 1]);
+    set_codes(step, i);
+    step->action = action_of(surface, step);
+    step->direction = system->direction[i];
+    if (reverse && surface->kind != SURFACE_REFLECT) {
+        step->direction = -step->direction;
+    }
+    step->is_free = place == 0;
+    step->hop = place == 0 || writing->count - before > 1 || !(fabs(step->c * t) <= 1);
+    if (surface->moved != NULL) {
+        put_move(writing, &back, i);
+    }
+}
+
+static void put_image(struct writing *writing)
+{
+    const struct system *system = writing->system;
+    size_t last = system->lens->surface_count;
+    bool reverse = system->options.reverse;
+    struct step *step = &writing->steps[writing->count++];
+    *step = (struct step){.kind = STEP_PLANE,
+                          .action = ACTION_PASS,
+                          .t = system->options.image,
+                          .hop = true,
+                          .clear2 = (double)INFINITY};
+    set_media(step, system->n[reverse ? 0 : last], system->n[reverse ? 0 : last]);
+    set_codes(step, last);
+    step->direction = reverse ? -1 : system->direction[last];
+}
+
+bool system_compile(const struct lens *lens, double wavelength,
+                    const struct system_options *options, struct arena *arena,
+                    struct system *system, struct error *error)
+{
+    size_t count = lens->surface_count;
+    struct pair *n = ARENA_ARRAY(arena, count + 1, struct pair);
+    *system = (struct system){
+        .lens = lens, .options = *options, .stop = lens->stop, .wavelength = wavelength, .n = n};
+    if (!find_indices(lens, wavelength, n, error) ||
+        !find_stop_radius(lens, arena, system, error)) {
+        return false;
+    }
+    system->index_first = n[options->reverse ? count : 0].hi;
+    system->index_last = n[options->reverse ? 0 : count].hi;
+    double *direction = ARENA_ARRAY(arena, count + 1, double);
+    frame_directions(lens, direction);
+    system->direction = direction;
+    char *memory = arena_array(arena, 4 * (count + 1) + 1, sizeof(struct step));
+    struct writing writing = {
+        .system = system,
+        .steps = (struct step *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64)};
+    size_t *begin = ARENA_ARRAY(arena, count + 2, size_t);
+    for (size_t place = 0; place < count; place++) {
+        begin[place] = writing.count;
+        put_surface(&writing, place);
+    }
+    system->places = count;
+    if (!isnan(options->image)) {
+        begin[system->places++] = writing.count;
+        put_image(&writing);
+    }
+    begin[system->places] = writing.count;
+    system->steps = writing.steps;
+    system->begin = begin;
+    return true;
+}
