@@ -118,6 +118,10 @@ INLINE void plane_mirror(struct ray_block *block, const struct step *s, bool pat
     }
 }
 
+/*
+ * z found along a ray has the rounding error of t; near the vertex it has all its digits again from
+ * z = c (r^2 + (1+k) z^2)/2, which shrinks the error by c (1+k) z.
+ */
 INLINE void sphere(struct ray_block *block, const struct step *s, bool path, bool hops,
                    bool reflects)
 {
@@ -131,6 +135,8 @@ INLINE void sphere(struct ray_block *block, const struct step *s, bool path, boo
         double B = ray.r - c * (ray.x * ray.p + ray.y * ray.q + ray.z * ray.r);
         double disc = B * B - s->cn * C, D = sqrt(disc), d = C / (B + s->direction * D);
         advance(&ray, d);
+        double r2 = ray.x * ray.x + ray.y * ray.y;
+        ray.z = hops ? ray.z : 0.5 * c * (r2 + ray.z * ray.z);
         ray.path += s->n11 * (before + d);
         /* bend: D = n cos I, E = n' cos I' */
         double normal = 1 - c * ray.z, D2 = disc + s->dn;
@@ -141,7 +147,7 @@ INLINE void sphere(struct ray_block *block, const struct step *s, bool path, boo
         if (path) {
             normalize(&ray, s);
         }
-        double loss = ray.x * ray.x + ray.y * ray.y > s->clear2 ? s->clipped : 0;
+        double loss = r2 > s->clear2 ? s->clipped : 0;
         loss = reflects || loss != 0 || D2 >= 0 ? loss : s->reflected;
         loss = disc >= 0 && normal > 0 ? loss : s->miss;
         store_point(block, i, &ray, path);
@@ -178,6 +184,9 @@ INLINE void conic(struct ray_block *block, const struct step *s, bool path, bool
                             : c * (s->n11 + s->k * ray.r * ray.r);
         double disc = B * B - A * C, D = sqrt(disc), d = C / (B + s->direction * D);
         advance(&ray, d);
+        double kz = ck * ray.z;
+        double sag = 0.5 * (cx * ray.x * ray.x + cy * ray.y * ray.y + kz * ray.z);
+        ray.z = hops || fabs(kz) > 1 ? ray.z : sag;
         ray.path += s->n11 * (before + d);
         double f = 1 - ck * ray.z, gx = cx * ray.x, gy = cy * ray.y;
         double N2 = gx * gx + gy * gy + f * f, D2 = disc + s->dn * N2;
