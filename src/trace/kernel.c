@@ -5,6 +5,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 /*
  * Every loop over lanes is free of branches and calls but sqrt, so that the compiler makes vectors
@@ -43,10 +44,25 @@ INLINE void store_direction(struct ray_block *block, int i, const struct lane *r
     block->r[i] = ray->r;
 }
 
-/* The first loss of a ray stays. */
-INLINE void note(struct ray_block *block, int i, double loss)
+/* What may be written into `lost`; local copies, so that choosing one is no branch. */
+struct codes {
+    double miss, clipped, reflected;
+};
+
+INLINE struct codes codes_of(const struct step *s)
 {
-    block->lost[i] = block->lost[i] == 0 ? loss : block->lost[i];
+    return (struct codes){s->miss, s->clipped, s->reflected};
+}
+
+/* The first loss of a ray stays; on one surface a miss comes before the rim, and the rim before
+ * total reflection. */
+INLINE void note(struct ray_block *block, int i, struct codes codes, bool met, bool inside,
+                 bool leaves)
+{
+    double loss = leaves ? 0 : codes.reflected, old = block->lost[i];
+    loss = inside ? loss : codes.clipped;
+    loss = met ? loss : codes.miss;
+    block->lost[i] = old == 0 ? loss : old;
 }
 
 /* Go along the ray; d is in units of 1/n. */
@@ -88,6 +104,7 @@ INLINE double hop(struct lane *ray, const struct step *s)
 
 INLINE void plane(struct ray_block *block, const struct step *s, bool path, bool refracts)
 {
+    const struct codes codes = codes_of(s);
     for (int i = 0; i < RAYS_BLOCK; i++) {
         struct lane ray = load(block, i, s->t);
         double d = -ray.z / ray.r, D = s->direction * ray.r, D2 = D * D + s->dn;
@@ -95,18 +112,16 @@ INLINE void plane(struct ray_block *block, const struct step *s, bool path, bool
         ray.y += d * ray.q;
         ray.z = 0;
         ray.path += s->n11 * d;
-        double loss = ray.x * ray.x + ray.y * ray.y > s->clear2 ? s->clipped : 0;
+        bool inside = ray.x * ray.x + ray.y * ray.y <= s->clear2;
         if (refracts) {
             ray.r = s->direction * sqrt(D2);
-            loss = loss == 0 && !(D2 >= 0) ? s->reflected : loss;
             if (path) {
                 normalize(&ray, s);
             }
             store_direction(block, i, &ray);
         }
-        loss = D > 0 && fabs(d) <= DBL_MAX ? loss : s->miss;
         store_point(block, i, &ray, path);
-        note(block, i, loss);
+        note(block, i, codes, (D > 0) & (fabs(d) <= DBL_MAX), inside, !refracts | (D2 >= 0));
     }
 }
 
@@ -126,6 +141,7 @@ INLINE void sphere(struct ray_block *block, const struct step *s, bool path, boo
                    bool reflects)
 {
     const double c = s->c;
+    const struct codes codes = codes_of(s);
     for (int i = 0; i < RAYS_BLOCK; i++) {
         struct lane ray = load(block, i, s->t);
         double before = hops ? hop(&ray, s) : 0;
@@ -147,12 +163,9 @@ INLINE void sphere(struct ray_block *block, const struct step *s, bool path, boo
         if (path) {
             normalize(&ray, s);
         }
-        double loss = r2 > s->clear2 ? s->clipped : 0;
-        loss = reflects || loss != 0 || D2 >= 0 ? loss : s->reflected;
-        loss = disc >= 0 && normal > 0 ? loss : s->miss;
         store_point(block, i, &ray, path);
         store_direction(block, i, &ray);
-        note(block, i, loss);
+        note(block, i, codes, (disc >= 0) & (normal > 0), r2 <= s->clear2, D2 >= 0);
     }
 }
 
@@ -174,6 +187,7 @@ INLINE void conic(struct ray_block *block, const struct step *s, bool path, bool
 {
     const double c = s->c, cx = cylinder ? c * s->weight_x : c, cy = cylinder ? c * s->weight_y : c;
     const double ck = c * s->one_k;
+    const struct codes codes = codes_of(s);
     for (int i = 0; i < RAYS_BLOCK; i++) {
         struct lane ray = load(block, i, s->t);
         double before = hops ? hop(&ray, s) : 0;
@@ -186,17 +200,15 @@ INLINE void conic(struct ray_block *block, const struct step *s, bool path, bool
         advance(&ray, d);
         double kz = ck * ray.z;
         double sag = 0.5 * (cx * ray.x * ray.x + cy * ray.y * ray.y + kz * ray.z);
-        ray.z = hops || fabs(kz) > 1 ? ray.z : sag;
+        ray.z = hops | (fabs(kz) > 1) ? ray.z : sag;
         ray.path += s->n11 * (before + d);
         double f = 1 - ck * ray.z, gx = cx * ray.x, gy = cy * ray.y;
         double N2 = gx * gx + gy * gy + f * f, D2 = disc + s->dn * N2;
         bend(&ray, s, D, D2, N2, cx, cy, f, path, reflects);
-        double loss = ray.x * ray.x + ray.y * ray.y > s->clear2 ? s->clipped : 0;
-        loss = reflects || loss != 0 || D2 >= 0 ? loss : s->reflected;
-        loss = disc >= 0 && f > 0 ? loss : s->miss;
+        bool inside = ray.x * ray.x + ray.y * ray.y <= s->clear2;
         store_point(block, i, &ray, path);
         store_direction(block, i, &ray);
-        note(block, i, loss);
+        note(block, i, codes, (disc >= 0) & (f > 0), inside, D2 >= 0);
     }
 }
 
@@ -245,9 +257,15 @@ INLINE struct shape shape_of(const struct lane *ray, const struct step *s, int t
     return (struct shape){0.5 * s->c * (u + s->one_k * w * w) - w, wx * g, wy * g, f};
 }
 
+/* 1 for lanes that Newton's method goes on with, as numbers and as their bits. */
+union lanes {
+    double number[RAYS_BLOCK];
+    int64_t bits[RAYS_BLOCK];
+};
+
 /* One Newton step for those that are not there yet; are there any after it? */
 INLINE int64_t approach(struct ray_block *block, const struct step *s, bool path, int terms,
-                        bool trough, double *open)
+                        bool trough, union lanes *open)
 {
     const double least = 1e-16 * (1 + fabs(s->t)), n2 = s->n11;
     int64_t busy = 0;
@@ -255,22 +273,26 @@ INLINE int64_t approach(struct ray_block *block, const struct step *s, bool path
         struct lane ray = load(block, i, 0);
         struct shape at = shape_of(&ray, s, terms, trough);
         double slope = at.f * ray.r - (at.gx * ray.x * ray.p + at.gy * ray.y * ray.q);
-        double d = open[i] != 0 ? at.F / slope : 0;
+        double step = at.F / slope, d = open->number[i] != 0 ? step : 0;
         /* convergence is quadratic: after a step of 1e-9 nothing is left to do */
         double limit = 1e-9 * (fabs(ray.x) + fabs(ray.y) + fabs(ray.z)) + least;
         bool more = d * d * n2 > limit * limit;
         advance(&ray, d);
         ray.path += n2 * d;
-        open[i] = more ? 1 : 0;
-        busy |= more ? 1 : 0;
+        open->number[i] = more ? 1 : 0;
         store_point(block, i, &ray, path);
+    }
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        busy |= open->bits[i];
     }
     return busy;
 }
 
 INLINE void leave(struct ray_block *block, const struct step *s, bool path, int terms, bool trough,
-                  bool reflects, const double *open)
+                  bool reflects, const union lanes *open)
 {
+    const struct codes codes = codes_of(s);
+    const double unconverged = s->unconverged;
     for (int i = 0; i < RAYS_BLOCK; i++) {
         struct lane ray = load(block, i, 0);
         struct shape at = shape_of(&ray, s, terms, trough);
@@ -279,12 +301,11 @@ INLINE void leave(struct ray_block *block, const struct step *s, bool path, int 
         double D = s->direction * (at.f * ray.r - (gx * ray.p + gy * ray.q));
         double D2 = D * D + s->dn * N2;
         bend(&ray, s, D, D2, N2, at.gx, at.gy, at.f, path, reflects);
-        double loss = ray.x * ray.x + ray.y * ray.y > s->clear2 ? s->clipped : 0;
-        loss = reflects || loss != 0 || D2 >= 0 ? loss : s->reflected;
-        loss = D > 0 && at.f > 0 ? loss : s->miss;
-        loss = open[i] == 0 ? loss : s->unconverged;
+        bool inside = ray.x * ray.x + ray.y * ray.y <= s->clear2;
+        struct codes own = codes;
+        own.miss = open->number[i] == 0 ? codes.miss : unconverged;
         store_direction(block, i, &ray);
-        note(block, i, loss);
+        note(block, i, own, (open->number[i] == 0) & (D > 0) & (at.f > 0), inside, D2 >= 0);
     }
 }
 
@@ -293,26 +314,29 @@ enum { NEWTON_STEPS = 10 };
 INLINE void asphere(struct ray_block *block, const struct step *s, bool path, int terms,
                     bool trough)
 {
-    _Alignas(64) double open[RAYS_BLOCK];
+    _Alignas(64) union lanes open;
     for (int i = 0; i < RAYS_BLOCK; i++) {
-        open[i] = 1;
+        open.number[i] = 1;
     }
     to_base(block, s, path, trough);
     for (int step = 0; step < NEWTON_STEPS; step++) {
-        if (!approach(block, s, path, terms, trough, open)) {
+        if (!approach(block, s, path, terms, trough, &open)) {
             break;
         }
     }
     if (s->action == ACTION_REFLECT) {
-        leave(block, s, path, terms, trough, true, open);
+        leave(block, s, path, terms, trough, true, &open);
     } else {
-        leave(block, s, path, terms, trough, false, open);
+        leave(block, s, path, terms, trough, false, &open);
     }
 }
 
 static void move(struct ray_block *block, const struct step *s)
 {
-    const double *m = s->turn, *shift = s->shift;
+    /* copies: the compiler cannot know that the step is not part of the block */
+    double m[9], shift[3];
+    memcpy(m, s->turn, sizeof m);
+    memcpy(shift, s->shift, sizeof shift);
     for (int i = 0; i < RAYS_BLOCK; i++) {
         double x = block->x[i] - shift[0], y = block->y[i] - shift[1], z = block->z[i] - shift[2];
         double p = block->p[i], q = block->q[i], r = block->r[i];
@@ -414,23 +438,27 @@ static void without_path(const struct step *steps, size_t count, struct ray_bloc
 /* NaN for what is lost, but for clipped rays; and nothing that is not finite is on its way. */
 static void settle(struct ray_block *block, double miss)
 {
-    int64_t any = 0;
     for (int i = 0; i < RAYS_BLOCK; i++) {
         double sum = (block->x[i] + block->y[i] + block->z[i]) +
                      (block->p[i] + block->q[i] + block->r[i]) + block->path[i];
         bool sound = fabs(sum) <= DBL_MAX;
-        double lost = block->lost[i] != 0 || sound ? block->lost[i] : miss;
+        double old = block->lost[i], lost = (old != 0) | sound ? old : miss;
         block->lost[i] = lost;
-        any |= lost != 0 ? 1 : 0;
     }
-    if (!any) {
+    int64_t any = 0;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        int64_t bits;
+        memcpy(&bits, &block->lost[i], sizeof bits);
+        any |= bits;
+    }
+    if (any == 0) {
         return;
     }
     for (int i = 0; i < RAYS_BLOCK; i++) {
         double sum = (block->x[i] + block->y[i] + block->z[i]) +
                      (block->p[i] + block->q[i] + block->r[i]) + block->path[i];
         double kind = block->lost[i] - 8 * floor(block->lost[i] / 8);
-        bool keep = (kind == RAY_OK || kind == RAY_CLIPPED) && fabs(sum) <= DBL_MAX;
+        bool keep = ((kind == RAY_OK) | (kind == RAY_CLIPPED)) & (fabs(sum) <= DBL_MAX);
         block->x[i] = keep ? block->x[i] : (double)NAN;
         block->y[i] = keep ? block->y[i] : (double)NAN;
         block->z[i] = keep ? block->z[i] : (double)NAN;

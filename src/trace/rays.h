@@ -21,7 +21,7 @@ enum ray_status { RAY_OK, RAY_MISS, RAY_TOTAL_REFLECTION, RAY_CLIPPED, RAY_NOT_C
  * has a NaN or an infinity.
  */
 struct ray_block {
-    _Alignas(64) double x[RAYS_BLOCK]; /* mm */
+    double x[RAYS_BLOCK]; /* mm */
     double y[RAYS_BLOCK], z[RAYS_BLOCK];
     double p[RAYS_BLOCK], q[RAYS_BLOCK], r[RAYS_BLOCK]; /* n times the direction cosines */
     double path[RAYS_BLOCK];                            /* optical path, mm; adds to what is here */
@@ -30,7 +30,7 @@ struct ray_block {
 
 /* Many rays: ray i is lane i % RAYS_BLOCK of block i / RAYS_BLOCK. */
 struct rays {
-    struct ray_block *blocks; /* aligned to 64 bytes */
+    struct ray_block *blocks; /* aligned to 64 bytes by rays_new */
     size_t count;             /* of rays */
 };
 

@@ -1,0 +1,244 @@
+/* tests/bench/trace.c - exact rays: lanes of each instruction set against a plain loop. */
+/* SPDX-License-Identifier: MIT */
+#include "base/parallel.h"
+#include "file/lens_file.h"
+#include "trace/dispatch.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+/*
+ * Prints one figure a line, "name value": million ray-surfaces a second of the double Gauss with
+ * clipping (12 surfaces with stop and image), plain and by instruction set, ratios in one run,
+ * what features cost, and the gain of two threads. The yardstick `plain` is what a textbook gives:
+ * an array of structs, radius and sag, one ray after the other, early out.
+ */
+enum { TURNS = 15, RAYS = 1024 };
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+struct plain_surface {
+    double radius, thickness, index, clear;
+};
+
+struct plain_ray {
+    double x, y, z, l, m, n;
+    int lost;
+};
+
+static int trace_plain(const struct plain_surface *surfaces, int count, struct plain_ray *ray)
+{
+    double index = 1, distance = 0;
+    for (int i = 0; i < count; i++) {
+        const struct plain_surface *s = &surfaces[i];
+        ray->z -= distance;
+        if (s->radius == 0) {
+            double t = -ray->z / ray->n;
+            ray->x += t * ray->l, ray->y += t * ray->m, ray->z = 0;
+        } else {
+            double zc = ray->z - s->radius;
+            double b = ray->x * ray->l + ray->y * ray->m + zc * ray->n;
+            double c = ray->x * ray->x + ray->y * ray->y + zc * zc - s->radius * s->radius;
+            double disc = b * b - c;
+            if (disc < 0) {
+                return 1;
+            }
+            double t = s->radius > 0 ? -b - sqrt(disc) : -b + sqrt(disc);
+            ray->x += t * ray->l, ray->y += t * ray->m, ray->z += t * ray->n;
+        }
+        if (sqrt(ray->x * ray->x + ray->y * ray->y) > s->clear) {
+            return 2;
+        }
+        if (s->radius != 0) {
+            double nx = -ray->x / s->radius, ny = -ray->y / s->radius;
+            double nz = 1 - ray->z / s->radius;
+            double cosine = nx * ray->l + ny * ray->m + nz * ray->n, ratio = index / s->index;
+            double k = 1 - ratio * ratio * (1 - cosine * cosine);
+            if (k < 0) {
+                return 3;
+            }
+            double g = sqrt(k) - ratio * cosine;
+            ray->l = ratio * ray->l + g * nx;
+            ray->m = ratio * ray->m + g * ny;
+            ray->n = ratio * ray->n + g * nz;
+        }
+        index = s->index;
+        distance = s->thickness;
+    }
+    return 0;
+}
+
+static const char gauss[] = "medium 1\nfield angle 0\naperture stop\n"
+                            "surface 58.950 7.520 1.670 50.4\nsurface 169.660 0.240 air 50.4\n"
+                            "surface 38.550 8.050 1.670 46.0\nsurface 81.540 6.550 1.699 46.0\n"
+                            "surface 25.500 11.410 air 36.0\nstop - 9.000 air 34.2\n"
+                            "surface -28.990 2.360 1.603 34.0\nsurface 81.540 12.130 1.658 40.0\n"
+                            "surface -40.770 0.380 air 40.0\nsurface 874.130 6.440 1.717 40.0\n"
+                            "surface -79.460 72.228 air 40.0\n";
+
+/* A square of rays at 5 degrees: nearly all pass. */
+static struct ray ray_of(size_t i)
+{
+    double u = (double)(i % 32) / 31 * 2 - 1, v = (double)(i / 32 % 32) / 31 * 2 - 1;
+    return (struct ray){.point = {u * 11, v * 11 - 2, 0}, .cosine = {0, 0.087, 0.9962082}};
+}
+
+static struct plain_surface *plain_of(const struct lens *lens, struct arena *arena)
+{
+    struct plain_surface *all = ARENA_ARRAY(arena, lens->surface_count + 1, struct plain_surface);
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *s = &lens->surfaces[i];
+        all[i] = (struct plain_surface){s->is_plane ? 0 : s->radius.value.hi,
+                                        s->thickness.value.hi, s->medium.index.hi,
+                                        s->diameter.value.hi / 2};
+    }
+    all[lens->surface_count] = (struct plain_surface){0, 0, 1, 1e9};
+    return all;
+}
+
+static double time_plain(const struct lens *lens, struct arena *arena)
+{
+    struct plain_surface *surfaces = plain_of(lens, arena);
+    static struct plain_ray start[RAYS], rays[RAYS];
+    double best = 1e9;
+    for (size_t i = 0; i < RAYS; i++) {
+        struct ray ray = ray_of(i);
+        start[i] = (struct plain_ray){ray.point[0],  ray.point[1],  ray.point[2], ray.cosine[0],
+                                      ray.cosine[1], ray.cosine[2], 0};
+    }
+    for (int turn = 0; turn < TURNS; turn++) {
+        double began = now();
+        for (int again = 0; again < 20; again++) {
+            memcpy(rays, start, sizeof rays);
+            for (size_t i = 0; i < RAYS; i++) {
+                rays[i].lost = trace_plain(surfaces, (int)lens->surface_count + 1, &rays[i]);
+            }
+        }
+        best = fmin(best, (now() - began) / 20);
+    }
+    return best;
+}
+
+struct bench {
+    struct arena arena;
+    struct lens lens;
+    struct system system;
+    struct rays start, rays;
+};
+
+static void set_up(struct bench *bench, const char *text, bool clip, bool path, size_t count)
+{
+    struct error error;
+    struct system_options options = system_options_default();
+    options.clip = clip;
+    options.path = path;
+    options.image = 72.2;
+    if (!lens_read("bench", text_of(text), NULL, &bench->arena, &bench->lens, &error) ||
+        !system_compile(&bench->lens, 0.5875618, &options, &bench->arena, &bench->system,
+                        &error)) {
+        fprintf(stderr, "bench: %s\n", error.message);
+        exit(1);
+    }
+    bench->start = rays_new(&bench->arena, count);
+    bench->rays = rays_new(&bench->arena, count);
+    for (size_t i = 0; i < count; i++) {
+        struct ray ray = ray_of(i);
+        rays_set(&bench->start, i, 1, &ray);
+    }
+}
+
+/* Seconds for all rays; rays are set anew each time, as any use of them does. */
+static double time_rays(struct bench *bench, const struct trace_way *way, int repeat)
+{
+    double best = 1e9;
+    size_t bytes = rays_blocks(&bench->start) * sizeof(struct ray_block);
+    for (int turn = 0; turn < TURNS; turn++) {
+        double began = now();
+        for (int again = 0; again < repeat; again++) {
+            memcpy(bench->rays.blocks, bench->start.blocks, bytes);
+            rays_trace(&bench->system, &bench->rays, way);
+        }
+        best = fmin(best, (now() - began) / repeat);
+    }
+    return best;
+}
+
+static double million(const struct bench *bench, double seconds)
+{
+    return (double)bench->rays.count * (double)bench->system.places / seconds / 1e6;
+}
+
+/* The double Gauss with something behind the numbers of every curved surface. */
+static char *gauss_with(struct arena *arena, const char *extra)
+{
+    char *text = arena_array(arena, 4096, 1), *to = text;
+    for (const char *line = gauss; *line != '\0';) {
+        size_t length = strcspn(line, "\n");
+        bool curved = strncmp(line, "surface", 7) == 0;
+        to += sprintf(to, "%.*s%s\n", (int)length, line, curved ? extra : "");
+        line += length + 1;
+    }
+    return text;
+}
+
+static double cost(const char *extra, bool path, double base)
+{
+    struct bench bench = {{0}};
+    char *text = gauss_with(&bench.arena, extra);
+    set_up(&bench, text, true, path, RAYS);
+    double seconds = time_rays(&bench, NULL, 20);
+    arena_free(&bench.arena);
+    return seconds / base;
+}
+
+static double gain(size_t count)
+{
+    struct bench bench = {{0}};
+    set_up(&bench, gauss, true, false, count);
+    const struct trace_way two = {SET_BEST, 2};
+    double one = 1e9, both = 1e9;
+    for (int i = 0; i < TURNS; i++) {
+        double began = now();
+        rays_trace(&bench.system, &bench.start, NULL);
+        one = fmin(one, now() - began);
+        began = now();
+        rays_trace(&bench.system, &bench.start, &two);
+        both = fmin(both, now() - began);
+    }
+    arena_free(&bench.arena);
+    return one / both;
+}
+
+int main(void)
+{
+    struct bench bench = {{0}};
+    set_up(&bench, gauss, true, false, RAYS);
+    double plain = time_plain(&bench.lens, &bench.arena), base = 0;
+    printf("plain %.0f\n", million(&bench, plain));
+    for (enum instruction_set set = SET_SSE2; set <= SET_AVX512; set++) {
+        if (instruction_set_works(set)) {
+            const struct trace_way way = {set, 1};
+            double seconds = time_rays(&bench, &way, 20);
+            plain = fmin(plain, time_plain(&bench.lens, &bench.arena));
+            printf("%s %.0f\n%s/plain %.2f\n", instruction_set_name(set),
+                   million(&bench, seconds), instruction_set_name(set), plain / seconds);
+            base = seconds;
+        }
+    }
+    base = fmin(base, time_rays(&bench, NULL, 20));
+    printf("path %.2f\n", cost("", true, base));
+    printf("conic %.2f\n", cost(" k=-0.01", false, base));
+    printf("asphere %.2f\n", cost(" k=-0.01 A4=1e-8 A6=1e-12 A8=1e-16", false, base));
+    printf("threads_1e5 %.2f\n", gain(100000));
+    printf("threads_1e6 %.2f\n", gain(1000000));
+    arena_free(&bench.arena);
+    return 0;
+}
