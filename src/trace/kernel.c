@@ -54,15 +54,18 @@ INLINE struct codes codes_of(const struct step *s)
     return (struct codes){s->miss, s->clipped, s->reflected};
 }
 
-/* The first loss of a ray stays; on one surface a miss comes before the rim, and the rim before
- * total reflection. */
+/*
+ * On one surface a miss comes before the rim, and the rim before total reflection. Codes fall from
+ * surface to surface, so that the largest is the first loss of a ray. A point that is not there has
+ * NaN everywhere: not met.
+ */
 INLINE void note(struct ray_block *block, int i, struct codes codes, bool met, bool inside,
                  bool leaves)
 {
     double loss = leaves ? 0 : codes.reflected, old = block->lost[i];
     loss = inside ? loss : codes.clipped;
     loss = met ? loss : codes.miss;
-    block->lost[i] = old == 0 ? loss : old;
+    block->lost[i] = old > loss ? old : loss;
 }
 
 /* Go along the ray; d is in units of 1/n. */
@@ -83,22 +86,19 @@ INLINE void normalize(struct lane *ray, const struct step *s)
     ray->r += more * ray->r;
 }
 
-/* To the vertex plane, where the quadratic is well conditioned; returns the way. */
+/*
+ * To the vertex plane, where the quadratic is well conditioned; returns the way. Rays that go along
+ * the plane or against it (a fisheye has such) go to where they come nearest to the vertex.
+ */
 INLINE double hop(struct lane *ray, const struct step *s)
 {
-    double d = -ray->z / ray->r;
-    if (s->is_free) {
-        /* a ray along or against the plane: to where it comes nearest to the vertex */
-        double nearest = -(ray->x * ray->p + ray->y * ray->q + ray->z * ray->r) / s->n11;
-        bool steep = s->direction * ray->r * fabs(ray->r) * 16 > s->n11;
-        d = steep ? d : nearest;
-        double z = ray->z + d * ray->r;
-        ray->z = steep ? 0 : z;
-    } else {
-        ray->z = 0;
-    }
+    double over = ray->x * ray->p + ray->y * ray->q + ray->z * ray->r;
+    double to_plane = -ray->z / ray->r, nearest = -over * (1 / s->n11);
+    bool steep = s->direction * ray->r * fabs(ray->r) * 16 > s->n11;
+    double d = steep ? to_plane : nearest, z = ray->z + d * ray->r;
     ray->x += d * ray->p;
     ray->y += d * ray->q;
+    ray->z = steep ? 0 : z;
     return d;
 }
 
@@ -138,9 +138,9 @@ INLINE void plane_mirror(struct ray_block *block, const struct step *s, bool pat
  * z = c (r^2 + (1+k) z^2)/2, which shrinks the error by c (1+k) z.
  */
 INLINE void sphere(struct ray_block *block, const struct step *s, bool path, bool hops,
-                   bool reflects)
+                   bool reflects, bool forward)
 {
-    const double c = s->c;
+    const double c = s->c, direction = forward ? 1 : s->direction;
     const struct codes codes = codes_of(s);
     for (int i = 0; i < RAYS_BLOCK; i++) {
         struct lane ray = load(block, i, s->t);
@@ -149,14 +149,14 @@ INLINE void sphere(struct ray_block *block, const struct step *s, bool path, boo
         double square = ray.x * ray.x + ray.y * ray.y + ray.z * ray.z;
         double C = c * square - 2 * ray.z;
         double B = ray.r - c * (ray.x * ray.p + ray.y * ray.q + ray.z * ray.r);
-        double disc = B * B - s->cn * C, D = sqrt(disc), d = C / (B + s->direction * D);
+        double disc = B * B - s->cn * C, D = sqrt(disc), d = C / (B + direction * D);
         advance(&ray, d);
         double r2 = ray.x * ray.x + ray.y * ray.y;
         ray.z = hops ? ray.z : 0.5 * c * (r2 + ray.z * ray.z);
         ray.path += s->n11 * (before + d);
         /* bend: D = n cos I, E = n' cos I' */
         double normal = 1 - c * ray.z, D2 = disc + s->dn;
-        double g = s->direction * (reflects ? -2 * D : sqrt(D2) - D), gc = g * c;
+        double g = direction * (reflects ? -2 * D : sqrt(D2) - D), gc = g * c;
         ray.p -= gc * ray.x;
         ray.q -= gc * ray.y;
         ray.r += g * normal;
@@ -165,7 +165,7 @@ INLINE void sphere(struct ray_block *block, const struct step *s, bool path, boo
         }
         store_point(block, i, &ray, path);
         store_direction(block, i, &ray);
-        note(block, i, codes, (disc >= 0) & (normal > 0), r2 <= s->clear2, D2 >= 0);
+        note(block, i, codes, normal > 0, r2 <= s->clear2, D2 >= 0);
     }
 }
 
@@ -208,7 +208,7 @@ INLINE void conic(struct ray_block *block, const struct step *s, bool path, bool
         bool inside = ray.x * ray.x + ray.y * ray.y <= s->clear2;
         store_point(block, i, &ray, path);
         store_direction(block, i, &ray);
-        note(block, i, codes, (disc >= 0) & (f > 0), inside, D2 >= 0);
+        note(block, i, codes, f > 0, inside, D2 >= 0);
     }
 }
 
@@ -363,11 +363,11 @@ INLINE void step_plane(struct ray_block *block, const struct step *s, bool path)
 INLINE void step_sphere(struct ray_block *block, const struct step *s, bool path)
 {
     if (s->action == ACTION_REFLECT) {
-        sphere(block, s, path, true, true);
-    } else if (s->hop) {
-        sphere(block, s, path, true, false);
+        sphere(block, s, path, true, true, false);
+    } else if (s->hop || s->direction < 0) {
+        sphere(block, s, path, true, false, false);
     } else {
-        sphere(block, s, path, false, false);
+        sphere(block, s, path, false, false, true);
     }
 }
 
@@ -457,7 +457,9 @@ static void settle(struct ray_block *block, double miss)
     for (int i = 0; i < RAYS_BLOCK; i++) {
         double sum = (block->x[i] + block->y[i] + block->z[i]) +
                      (block->p[i] + block->q[i] + block->r[i]) + block->path[i];
-        double kind = block->lost[i] - 8 * floor(block->lost[i] / 8);
+        /* the remainder of 8: adding and taking away 1.5 x 2^52 rounds to a whole number */
+        double eighth = block->lost[i] * 0.125 - 0.4375;
+        double kind = block->lost[i] - 8 * ((eighth + 6755399441055744) - 6755399441055744);
         bool keep = ((kind == RAY_OK) | (kind == RAY_CLIPPED)) & (fabs(sum) <= DBL_MAX);
         block->x[i] = keep ? block->x[i] : (double)NAN;
         block->y[i] = keep ? block->y[i] : (double)NAN;

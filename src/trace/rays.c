@@ -31,7 +31,7 @@ void rays_set(const struct rays *rays, size_t i, double n, const struct ray *ray
     block->q[lane] = n * ray->cosine[1];
     block->r[lane] = n * ray->cosine[2];
     block->path[lane] = ray->path;
-    block->lost[lane] = (double)(8 * ray->surface + ray->status);
+    block->lost[lane] = ray->status == RAY_OK ? 0 : RAY_LOST_AT(0, ray->surface, ray->status);
 }
 
 struct ray rays_get(const struct rays *rays, size_t i, double n)

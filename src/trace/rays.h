@@ -25,8 +25,15 @@ struct ray_block {
     double y[RAYS_BLOCK], z[RAYS_BLOCK];
     double p[RAYS_BLOCK], q[RAYS_BLOCK], r[RAYS_BLOCK]; /* n times the direction cosines */
     double path[RAYS_BLOCK];                            /* optical path, mm; adds to what is here */
-    double lost[RAYS_BLOCK]; /* 0 = on its way; else 8 * surface (1-based) + status */
+    double lost[RAYS_BLOCK]; /* 0 = on its way; else RAY_LOST_AT, larger the earlier it was */
 };
+
+/*
+ * What `lost` says, a whole number: surface 1-based, place in the order of light from 0. A place
+ * before another gives a larger number, so that kernels keep the first loss by a maximum.
+ */
+#define RAY_LOST_AT(place, surface, status)                                                        \
+    ((1048576.0 - (double)(place)) * 1048576 + 8 * (double)(surface) + (double)(status))
 
 /* Many rays: ray i is lane i % RAYS_BLOCK of block i / RAYS_BLOCK. */
 struct rays {
@@ -68,7 +75,7 @@ static inline enum ray_status ray_block_status(const struct ray_block *block, si
 
 static inline size_t ray_block_surface(const struct ray_block *block, size_t lane)
 {
-    return (size_t)block->lost[lane] / 8;
+    return (size_t)block->lost[lane] % 1048576 / 8;
 }
 
 /* "ok", "miss", "total_reflection", "clipped", "not_converged" */

@@ -29,9 +29,8 @@ enum { STEP_TERMS = 10 };
 struct step {
     _Alignas(64) enum step_kind kind;
     enum step_action action;
-    bool hop;     /* go to the vertex plane first: t is long against the radius */
-    bool is_free; /* rays may come from any side: no plane hop for those almost along it */
-    int terms;    /* of the polynomial: 4, 7 or 10 */
+    bool hop;  /* go to the vertex plane first: t is long against the radius */
+    int terms; /* of the polynomial: 4, 7 or 10 */
     size_t surface;
     double c, k, one_k; /* 1/mm, 1, 1 + k */
     double t;           /* from the frame the rays are in, mm */
@@ -41,7 +40,7 @@ struct step {
     double direction;
     double clear2;             /* squared clear semi-diameter, mm^2; infinite = none */
     double weight_x, weight_y; /* of a cylinder: 1 in the curved section, else 0 */
-    double miss, clipped, reflected, unconverged; /* what to write into `lost` */
+    double miss, clipped, reflected, unconverged; /* what to write into `lost` of a kernel */
     double coefficient[STEP_TERMS];               /* A2, A4 ..: S = sum of A_2i u^i, u = r^2 */
     double slope[STEP_TERMS];                     /* of dS/du: i A_2i */
     double turn[9], shift[3];                     /* STEP_MOVE: X' = turn (X - shift) */

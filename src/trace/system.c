@@ -155,14 +155,13 @@ static void set_media(struct step *step, struct pair before, struct pair after)
     step->cn = step->c * step->n11;
 }
 
-static void set_codes(struct step *step, size_t surface)
+static void set_codes(struct step *step, size_t place, size_t surface)
 {
-    double base = 8 * (double)(surface + 1);
     step->surface = surface;
-    step->miss = base + RAY_MISS;
-    step->clipped = base + RAY_CLIPPED;
-    step->reflected = base + RAY_TOTAL_REFLECTION;
-    step->unconverged = base + RAY_NOT_CONVERGED;
+    step->miss = RAY_LOST_AT(place, surface + 1, RAY_MISS);
+    step->clipped = RAY_LOST_AT(place, surface + 1, RAY_CLIPPED);
+    step->reflected = RAY_LOST_AT(place, surface + 1, RAY_TOTAL_REFLECTION);
+    step->unconverged = RAY_LOST_AT(place, surface + 1, RAY_NOT_CONVERGED);
 }
 
 static enum step_action action_of(const struct surface *surface, const struct step *step)
@@ -181,11 +180,11 @@ struct writing {
     size_t count;
 };
 
-static void put_move(struct writing *writing, const struct frame *frame, size_t surface)
+static void put_move(struct writing *writing, const struct frame *frame, size_t place)
 {
     struct step *step = &writing->steps[writing->count++];
     *step = (struct step){.kind = STEP_MOVE};
-    set_codes(step, surface);
+    set_codes(step, place, system_surface(writing->system, place));
     for (int i = 0; i < 9; i++) {
         step->turn[i] = frame->turn[i];
     }
@@ -218,7 +217,7 @@ static double put_transfer(struct writing *writing, size_t place)
     if (reverse) {
         frame = frame_inverse(&frame);
     }
-    put_move(writing, &frame, reverse ? left : left + 1);
+    put_move(writing, &frame, place);
     return 0;
 }
 
@@ -235,7 +234,7 @@ static void put_surface(struct writing *writing, size_t place)
         struct frame frame = frame_of(surface->moved, 0);
         back = frame_inverse(&frame);
         frame.shift[2] += t;
-        put_move(writing, &frame, i);
+        put_move(writing, &frame, place);
         t = 0;
     }
     struct step *step = &writing->steps[writing->count++];
@@ -243,16 +242,15 @@ static void put_surface(struct writing *writing, size_t place)
     *step = (struct step){.t = t, .clear2 = clear * clear * rim};
     set_shape(step, surface);
     set_media(step, system->n[reverse ? i + 1 : i], system->n[reverse ? i : i + 1]);
-    set_codes(step, i);
+    set_codes(step, place, i);
     step->action = action_of(surface, step);
     step->direction = system->direction[i];
     if (reverse && surface->kind != SURFACE_REFLECT) {
         step->direction = -step->direction;
     }
-    step->is_free = place == 0;
     step->hop = place == 0 || writing->count - before > 1 || !(fabs(step->c * t) <= 1);
     if (surface->moved != NULL) {
-        put_move(writing, &back, i);
+        put_move(writing, &back, place);
     }
 }
 
@@ -268,7 +266,7 @@ static void put_image(struct writing *writing)
                           .hop = true,
                           .clear2 = (double)INFINITY};
     set_media(step, system->n[reverse ? 0 : last], system->n[reverse ? 0 : last]);
-    set_codes(step, last);
+    set_codes(step, last, last);
     step->direction = reverse ? -1 : system->direction[last];
 }
 
