@@ -3,7 +3,7 @@
 #include "trace/dispatch.h"
 
 #include "base/parallel.h"
-#include "trace/step.h"
+#include "trace/adjoint.h"
 
 bool instruction_set_works(enum instruction_set set)
 {
@@ -28,16 +28,35 @@ const char *instruction_set_name(enum instruction_set set)
     return names[set];
 }
 
-static kernel_trace *kernel_of(enum instruction_set set)
+static enum instruction_set best(enum instruction_set set)
 {
-    bool best = set == SET_BEST;
-    if ((best && instruction_set_works(SET_AVX512)) || set == SET_AVX512) {
-        return kernel_trace_avx512;
+    if (set != SET_BEST) {
+        return set;
     }
-    if ((best && instruction_set_works(SET_AVX2)) || set == SET_AVX2) {
-        return kernel_trace_avx2;
-    }
-    return kernel_trace_sse2;
+    return instruction_set_works(SET_AVX512) ? SET_AVX512
+           : instruction_set_works(SET_AVX2) ? SET_AVX2
+                                             : SET_SSE2;
+}
+
+kernel_trace *dispatch_trace(enum instruction_set set)
+{
+    static kernel_trace *const kernels[] = {NULL, kernel_trace_sse2, kernel_trace_avx2,
+                                            kernel_trace_avx512};
+    return kernels[best(set)];
+}
+
+kernel_adjoint *dispatch_adjoint(enum instruction_set set)
+{
+    static kernel_adjoint *const kernels[] = {NULL, kernel_adjoint_sse2, kernel_adjoint_avx2,
+                                              kernel_adjoint_avx512};
+    return kernels[best(set)];
+}
+
+kernel_displace *dispatch_displace(enum instruction_set set)
+{
+    static kernel_displace *const kernels[] = {NULL, kernel_displace_sse2, kernel_displace_avx2,
+                                               kernel_displace_avx512};
+    return kernels[best(set)];
 }
 
 struct work {
@@ -63,7 +82,7 @@ void rays_trace_part(const struct system *system, size_t from, size_t to, const 
 {
     static const struct trace_way usual = {SET_BEST, 1};
     way = way == NULL ? &usual : way;
-    struct work work = {kernel_of(way->set), system->steps + system->begin[from],
+    struct work work = {dispatch_trace(way->set), system->steps + system->begin[from],
                         system->begin[to] - system->begin[from], system->options.path,
                         rays->blocks};
     parallel_for(way->threads, rays_blocks(rays), BLOCKS_A_PIECE, trace_blocks, &work);

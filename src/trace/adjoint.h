@@ -1,0 +1,46 @@
+/* trace/adjoint.h - what the adjoint kernels are given. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_ADJOINT_H
+#define LENSCALC_TRACE_ADJOINT_H
+
+#include "trace/dispatch.h"
+#include "trace/step.h"
+
+/* Rows of RAYS_BLOCK numbers that a step fills. Indices are added to, the others written. */
+struct adjoint_rows {
+    double *curvature, *thickness, *index_before, *index_after;
+    double *conic;       /* null = not wanted, where the surface is a sphere or plane */
+    double *coefficient; /* STEP_TERMS rows; null = not wanted where there is no polynomial */
+    double thickness_sign;
+};
+
+/*
+ * Take the adjoint of one step's result to that of what it was given.
+ *
+ * Given     before, after  the rays in front of the step and behind it
+ *           adjoint        derivatives of something by x, y, z, p, q, r, path behind; receives
+ *                          those in front
+ * Formula   see trace/derivative.h
+ */
+typedef void kernel_adjoint(const struct step *step, const struct ray_block *before,
+                            const struct ray_block *after, struct ray_block *adjoint,
+                            const struct adjoint_rows *rows);
+kernel_adjoint kernel_adjoint_sse2, kernel_adjoint_avx2, kernel_adjoint_avx512;
+
+/* A surface that moves by itself: rows for decenter x, y and tilt about x, y, z. */
+struct displace {
+    const struct ray_block *front, *behind;           /* rays, in the frame of the axis */
+    const struct ray_block *adjoint, *adjoint_behind; /* there */
+    double t;                                         /* the way along z that front lacks */
+    double shift[2], axes[9]; /* its decenter; the axes of its tilts, one a row */
+    double *rows;
+};
+typedef void kernel_displace(const struct displace *displace);
+kernel_displace kernel_displace_sse2, kernel_displace_avx2, kernel_displace_avx512;
+
+/* The kernels for a set of instructions, in trace/dispatch.c. */
+kernel_trace *dispatch_trace(enum instruction_set set);
+kernel_adjoint *dispatch_adjoint(enum instruction_set set);
+kernel_displace *dispatch_displace(enum instruction_set set);
+
+#endif

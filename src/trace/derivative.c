@@ -1,0 +1,217 @@
+/* trace/derivative.c - one sweep forward that is kept, and sweeps back. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/derivative.h"
+
+#include "trace/adjoint.h"
+#include "trace/frames.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+static struct ray_block *aligned_blocks(struct arena *arena, size_t count)
+{
+    char *memory = arena_array(arena, count + 1, sizeof(struct ray_block));
+    return (struct ray_block *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64);
+}
+
+struct derivative_tape derivative_tape_new(const struct system *system, struct arena *arena)
+{
+    size_t steps = system->begin[system->places];
+    struct ray_block *blocks = aligned_blocks(arena, steps + 3 + 2);
+    return (struct derivative_tape){
+        .blocks = blocks, .spare = blocks + steps + 1, .scratch = blocks[steps + 3].x};
+}
+
+static const struct step *step_of_surface(const struct system *system, size_t place)
+{
+    const struct step *step = &system->steps[system->begin[place]];
+    while (step->kind == STEP_MOVE) {
+        step++;
+    }
+    return step;
+}
+
+/* Rows of one surface; `surface` may be one before the first: object space. */
+struct numbering {
+    size_t *row, next;
+};
+
+static void number(struct numbering *numbering, size_t surface, int kind, int count)
+{
+    for (int i = 0; i < count; i++) {
+        numbering->row[(surface + 1) * PARAMETER_KINDS + (size_t)(kind + i)] = numbering->next++;
+    }
+}
+
+void derivative_layout(const struct system *system, unsigned what, struct arena *arena,
+                       struct derivative_layout *layout)
+{
+    size_t count = system->lens->surface_count;
+    size_t entries = (count + 1) * PARAMETER_KINDS;
+    struct numbering numbering = {ARENA_ARRAY(arena, entries, size_t), 0};
+    for (size_t i = 0; i < entries; i++) {
+        numbering.row[i] = LENS_NONE;
+    }
+    number(&numbering, LENS_NONE, PARAMETER_INDEX, 1);
+    for (size_t i = 0; i < count; i++) {
+        const struct step *step = step_of_surface(system, system_place(system, i));
+        number(&numbering, i, PARAMETER_CURVATURE, 2);
+        if (system->lens->surfaces[i].kind == SURFACE_REFLECT) {
+            /* the same medium as before it */
+            size_t *row = numbering.row + (i + 1) * PARAMETER_KINDS + PARAMETER_INDEX;
+            *row = row[-PARAMETER_KINDS];
+        } else {
+            number(&numbering, i, PARAMETER_INDEX, 1);
+        }
+        if (step->kind >= STEP_CONIC || (what & (DERIVE_CONIC | DERIVE_SERIES)) != 0) {
+            number(&numbering, i, PARAMETER_CONIC, 1);
+        }
+        if (step->kind >= STEP_ASPHERE || (what & DERIVE_SERIES) != 0) {
+            number(&numbering, i, PARAMETER_A2, STEP_TERMS);
+        }
+        if ((what & DERIVE_DISPLACEMENT) != 0) {
+            number(&numbering, i, PARAMETER_DECENTER_X, 5);
+        }
+    }
+    *layout = (struct derivative_layout){what, numbering.next, count, numbering.row};
+}
+
+size_t derivative_row(const struct derivative_layout *layout, enum parameter_kind kind,
+                      size_t surface)
+{
+    return layout->row[(surface + 1) * PARAMETER_KINDS + (size_t)kind];
+}
+
+const struct ray_block *derivative_trace(const struct system *system, const struct ray_block *start,
+                                         enum instruction_set set,
+                                         const struct derivative_tape *tape)
+{
+    kernel_trace *kernel = dispatch_trace(set);
+    size_t steps = system->begin[system->places];
+    tape->blocks[0] = *start;
+    for (size_t i = 0; i < steps; i++) {
+        tape->blocks[i + 1] = tape->blocks[i];
+        kernel(&system->steps[i], 1, system->options.path, &tape->blocks[i + 1]);
+    }
+    return &tape->blocks[steps];
+}
+
+/* One sweep back. */
+struct sweep {
+    const struct system *system;
+    const struct derivative_layout *layout;
+    const struct derivative_tape *tape;
+    struct ray_block *adjoint;
+    double *gradient;
+    kernel_adjoint *kernel;
+    kernel_displace *displace;
+};
+
+static double *row_or(const struct sweep *sweep, enum parameter_kind kind, size_t surface,
+                      double *otherwise)
+{
+    size_t row = derivative_row(sweep->layout, kind, surface);
+    return row == LENS_NONE ? otherwise : sweep->gradient + row * RAYS_BLOCK;
+}
+
+/* The thickness that is passed on the way to a place belongs to the surface left of the gap. */
+static double *thickness_row(const struct sweep *sweep, size_t place)
+{
+    const struct system *system = sweep->system;
+    size_t count = system->lens->surface_count;
+    bool reverse = system->options.reverse;
+    double *scratch = sweep->tape->scratch;
+    if (place == 0 || (place == count && reverse)) {
+        return scratch;
+    }
+    size_t left = reverse ? count - 1 - place : place - 1;
+    return row_or(sweep, PARAMETER_THICKNESS, left, scratch);
+}
+
+static struct adjoint_rows rows_of(const struct sweep *sweep, size_t place)
+{
+    const struct system *system = sweep->system;
+    size_t count = system->lens->surface_count, surface = system_surface(system, place);
+    bool reverse = system->options.reverse;
+    double *scratch = sweep->tape->scratch;
+    struct adjoint_rows rows = {.thickness_sign = reverse ? 1 : -1};
+    if (surface == count) {
+        size_t medium = reverse ? LENS_NONE : count - 1;
+        rows.curvature = scratch;
+        rows.index_before = row_or(sweep, PARAMETER_INDEX, medium, scratch);
+        rows.index_after = scratch + RAYS_BLOCK;
+        return rows;
+    }
+    rows.curvature = row_or(sweep, PARAMETER_CURVATURE, surface, scratch);
+    rows.conic = row_or(sweep, PARAMETER_CONIC, surface, NULL);
+    rows.coefficient = row_or(sweep, PARAMETER_A2, surface, NULL);
+    rows.index_before = row_or(sweep, PARAMETER_INDEX, reverse ? surface : surface - 1, scratch);
+    rows.index_after = row_or(sweep, PARAMETER_INDEX, reverse ? surface - 1 : surface, scratch);
+    if (rows.index_after == rows.index_before) {
+        rows.index_after = scratch + RAYS_BLOCK; /* a mirror: the kernel adds nothing there */
+    }
+    return rows;
+}
+
+static void add_displacement(const struct sweep *sweep, size_t place, size_t first, size_t end)
+{
+    const struct system *system = sweep->system;
+    size_t surface = system_surface(system, place);
+    size_t row = derivative_row(sweep->layout, PARAMETER_DECENTER_X, surface);
+    const struct displacement *moved = system->lens->surfaces[surface].moved;
+    const struct step *step = &system->steps[first];
+    struct displace all = {.front = &sweep->tape->blocks[first],
+                           .behind = &sweep->tape->blocks[end],
+                           .adjoint = sweep->adjoint,
+                           .adjoint_behind = sweep->tape->spare,
+                           .t = step->t,
+                           .axes = {1, 0, 0, 0, 1, 0, 0, 0, 1},
+                           .rows = sweep->gradient + row * RAYS_BLOCK};
+    if (moved != NULL) {
+        struct frame frame = frame_of(moved, 0);
+        double ax = moved->tilt[0].value.hi;
+        all.t = step->shift[2];
+        all.shift[0] = frame.shift[0];
+        all.shift[1] = frame.shift[1];
+        all.axes[4] = cos(ax);
+        all.axes[5] = sin(ax);
+        memcpy(all.axes + 6, frame.turn + 6, 3 * sizeof(double));
+    }
+    sweep->displace(&all);
+}
+
+static void sweep_place(const struct sweep *sweep, size_t place)
+{
+    const struct system *system = sweep->system;
+    size_t begin = system->begin[place], end = system->begin[place + 1];
+    size_t surface = system_surface(system, place), count = system->lens->surface_count;
+    bool moved = surface < count && system->lens->surfaces[surface].moved != NULL;
+    size_t bends = end - begin - (moved ? 3 : 1);
+    struct adjoint_rows rows = rows_of(sweep, place);
+    bool displaces = surface < count && (sweep->layout->what & DERIVE_DISPLACEMENT) != 0;
+    if (displaces) {
+        *sweep->tape->spare = *sweep->adjoint;
+    }
+    for (size_t i = end; i-- > begin;) {
+        rows.thickness =
+            i == begin ? thickness_row(sweep, place) : sweep->tape->scratch + 2 * RAYS_BLOCK;
+        sweep->kernel(&system->steps[i], &sweep->tape->blocks[i], &sweep->tape->blocks[i + 1],
+                      sweep->adjoint, &rows);
+        if (displaces && i == begin + bends) {
+            add_displacement(sweep, place, i, end);
+        }
+    }
+}
+
+void derivative_sweep(const struct system *system, const struct derivative_layout *layout,
+                      enum instruction_set set, const struct derivative_tape *tape,
+                      struct ray_block *adjoint, double *gradient)
+{
+    const struct sweep sweep = {
+        system, layout, tape, adjoint, gradient, dispatch_adjoint(set), dispatch_displace(set)};
+    memset(gradient, 0, layout->rows * RAYS_BLOCK * sizeof(double));
+    for (size_t place = system->places; place-- > 0;) {
+        sweep_place(&sweep, place);
+    }
+}

@@ -1,0 +1,86 @@
+/* trace/derivative.h - exact first derivatives of rays by everything. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_DERIVATIVE_H
+#define LENSCALC_TRACE_DERIVATIVE_H
+
+#include "trace/dispatch.h"
+
+/* By what. Curvature, thickness and index are always there; the others cost more. */
+enum { DERIVE_CONIC = 1, DERIVE_SERIES = 2, DERIVE_DISPLACEMENT = 4 };
+
+/* Kinds of parameter. */
+enum parameter_kind {
+    PARAMETER_CURVATURE, /* of the conic, 1/mm */
+    PARAMETER_THICKNESS, /* behind the surface, mm; behind the last: the image plane's distance */
+    PARAMETER_INDEX,     /* behind the surface, at this wavelength */
+    PARAMETER_CONIC,     /* k */
+    PARAMETER_A2,        /* A2 .. A20: A2 + i is the coefficient of r^(2 i + 2) */
+    PARAMETER_DECENTER_X = PARAMETER_A2 + 10,
+    PARAMETER_DECENTER_Y, /* mm */
+    PARAMETER_TILT_X,     /* rad */
+    PARAMETER_TILT_Y,
+    PARAMETER_TILT_Z,
+    PARAMETER_KINDS
+};
+
+/* Where the derivatives of a system lie: one row of RAYS_BLOCK numbers a parameter. */
+struct derivative_layout {
+    unsigned what;
+    size_t rows;
+    size_t surfaces;   /* of the lens */
+    const size_t *row; /* (surface + 1) * PARAMETER_KINDS + kind; LENS_NONE = not derived */
+};
+
+/*
+ * Number the parameters that derivatives are taken by.
+ *
+ * Given     what  DERIVE_ bits: also k of every surface; also A2 .. A20 of every surface; also
+ *                 decenter and tilt of every surface by itself. Of conics and aspheres k, and of
+ *                 aspheres the coefficients, are derived in any case
+ */
+void derivative_layout(const struct system *system, unsigned what, struct arena *arena,
+                       struct derivative_layout *layout);
+
+/* The row of a parameter, LENS_NONE if it has none. */
+size_t derivative_row(const struct derivative_layout *layout, enum parameter_kind kind,
+                      size_t surface);
+
+/* A block of rays with its state behind every step. */
+struct derivative_tape {
+    struct ray_block *blocks; /* one a step and one in front; aligned */
+    struct ray_block *spare;  /* two for the adjoint */
+    double *scratch;
+};
+struct derivative_tape derivative_tape_new(const struct system *system, struct arena *arena);
+
+/*
+ * Trace one block and keep every state.
+ *
+ * Given     start  the rays, as for rays_trace
+ * Result    the block behind the last surface; lost rays as there
+ */
+const struct ray_block *derivative_trace(const struct system *system, const struct ray_block *start,
+                                         enum instruction_set set,
+                                         const struct derivative_tape *tape);
+
+/*
+ * Derivatives of one function of the final rays by all parameters, backwards through the tape.
+ *
+ * Given     adjoint   derivatives of the function by the final x, y, z, p, q, r and path, each in
+ *                     the member of that name, for each ray: x = 1 and the rest 0 asks for dx;
+ *                     receives the derivatives by the starting x, y, z, p, q, r and path
+ *           gradient  layout.rows rows of RAYS_BLOCK; receives the derivatives
+ * Result    NaN in every row for rays that are lost, but for clipped ones that arrive
+ * Formula   for a surface with normal N, M = N^2, D = N.p, E = N.p', p' = p + g N,
+ *           g = (E - D)/M, a and b the adjoints of point and direction:
+ *           g~ = N.b, D~ = -(g/E) g~, N~ = g b + D~ p + 2 M~ N, b += D~ N; a and the shape gain
+ *           from N~ what N depends on; s = (a.p + n^2 path~)/D, shape += s dF, a -= s N,
+ *           b += d a
+ * Source    derived from F(X) = 0 and the law of refraction; pinned by differences of 113 bits
+ * Limits    1e-14 of the scale of each derivative, not at grazing incidence
+ */
+void derivative_sweep(const struct system *system, const struct derivative_layout *layout,
+                      enum instruction_set set, const struct derivative_tape *tape,
+                      struct ray_block *adjoint, double *gradient);
+
+#endif

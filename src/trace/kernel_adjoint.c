@@ -1,0 +1,221 @@
+/* trace/kernel_adjoint.c - derivatives of rays, backwards: lane loops for each instruction set. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/adjoint.h"
+
+#include <math.h>
+
+/* See trace/kernel.c for the rules of these loops. */
+#define NAME_(name, set) name##_##set
+#define NAME(name, set)  NAME_(name, set)
+#define INLINE           static inline __attribute__((always_inline))
+
+struct vector {
+    double x, y, z;
+};
+
+INLINE double dot(struct vector a, struct vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* a + f b */
+INLINE struct vector plus(struct vector a, double f, struct vector b)
+{
+    return (struct vector){a.x + f * b.x, a.y + f * b.y, a.z + f * b.z};
+}
+
+INLINE struct vector point_of(const struct ray_block *block, int i)
+{
+    return (struct vector){block->x[i], block->y[i], block->z[i]};
+}
+
+INLINE struct vector direction_of(const struct ray_block *block, int i)
+{
+    return (struct vector){block->p[i], block->q[i], block->r[i]};
+}
+
+/* S, S', S'' of the polynomial. */
+struct series {
+    double value, slope, bend;
+};
+
+INLINE struct series series_of(const double *coefficient, int terms, double u)
+{
+    struct series s = {0, 0, 0};
+    for (int i = terms - 1; i >= 0; i--) {
+        s.bend = s.bend * u + 2 * s.slope;
+        s.slope = s.slope * u + s.value;
+        s.value = s.value * u + coefficient[i];
+    }
+    /* of u times what Horner's rule gave */
+    return (struct series){s.value * u, s.slope * u + s.value, s.bend * u + 2 * s.slope};
+}
+
+/* Kinds of a surface as far as derivatives are concerned. */
+enum depth { DEPTH_SPHERE, DEPTH_CONIC, DEPTH_SERIES };
+
+/*
+ * One surface. a and b are the adjoints of point and direction behind it, then before it; bars of
+ * the text are _bar here. N is the normal, M its square, D = N.p, E = N.p', p' = p + g N.
+ */
+INLINE void surface(const struct step *s, const struct ray_block *before,
+                    const struct ray_block *after, struct ray_block *adjoint,
+                    const struct adjoint_rows *rows, enum depth depth, int terms, bool reflects)
+{
+    const double c = s->c, K = s->one_k, dn = s->dn, n11 = s->n11, t = s->t;
+    const double wx = depth == DEPTH_SPHERE ? 1 : s->weight_x;
+    const double wy = depth == DEPTH_SPHERE ? 1 : s->weight_y;
+    const double n1 = 2 * sqrt(s->n11), n2 = 2 * sqrt(s->n22), sign = rows->thickness_sign;
+    double coefficient[STEP_TERMS];
+    for (int i = 0; i < STEP_TERMS; i++) {
+        coefficient[i] = s->coefficient[i];
+    }
+    double *restrict c_row = rows->curvature, *restrict k_row = rows->conic;
+    double *restrict a_row = rows->coefficient, *restrict t_row = rows->thickness;
+    double *restrict before_row = rows->index_before, *restrict after_row = rows->index_after;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        struct vector X = point_of(after, i), p = direction_of(before, i);
+        struct vector out = direction_of(after, i), X0 = point_of(before, i);
+        struct vector a = point_of(adjoint, i), b = direction_of(adjoint, i);
+        double path = adjoint->path[i], u = wx * X.x * X.x + wy * X.y * X.y;
+        struct series S = {0, 0, 0};
+        if (depth == DEPTH_SERIES) {
+            S = series_of(coefficient, terms, u);
+        }
+        double w = X.z - S.value, f = 1 - c * K * w, G = c + 2 * f * S.slope;
+        struct vector N = {-wx * G * X.x, -wy * G * X.y, f};
+        double D = dot(N, p), E = dot(N, out), g_bar = dot(N, b), M = 1, inverse = 1;
+        if (depth != DEPTH_SPHERE) {
+            M = dot(N, N);
+            inverse = 1 / M;
+        }
+        double g = (E - D) * inverse, over = 1 / E;
+        double D_bar = reflects ? -2 * g_bar * inverse : -g_bar * g * over;
+        double n_bar = reflects ? 0 : 0.5 * g_bar * over; /* of dn */
+        struct vector N_bar = {g * b.x, g * b.y, g * b.z};
+        N_bar = plus(N_bar, D_bar, p);
+        b = plus(b, D_bar, N);
+        if (depth != DEPTH_SPHERE) {
+            double M_bar = (n_bar * dn - g_bar * g) * inverse;
+            N_bar = plus(N_bar, 2 * M_bar, N);
+        }
+        /* the normal as a function of the point and of the shape */
+        double G_bar = -(wx * X.x * N_bar.x + wy * X.y * N_bar.y);
+        double f_bar = N_bar.z + 2 * G_bar * S.slope, slope_bar = 2 * f * G_bar;
+        double w_bar = -c * K * f_bar, u_bar = -w_bar * S.slope + slope_bar * S.bend;
+        double c_bar = G_bar - K * w * f_bar, k_bar = -c * w * f_bar;
+        a.x += wx * (2 * X.x * u_bar - G * N_bar.x);
+        a.y += wy * (2 * X.y * u_bar - G * N_bar.y);
+        a.z += w_bar;
+        /* the point as where the ray meets the surface: X = X0 + d p, F = 0 */
+        X0.z -= t;
+        double d = dot(plus(X, -1, X0), p) / n11, share = (dot(a, p) + path * n11) / D;
+        c_bar += share * 0.5 * (u + K * w * w);
+        k_bar += share * 0.5 * c * w * w;
+        a = plus(a, -share, N);
+        b = plus(b, d, a);
+        if (depth == DEPTH_SERIES) {
+            double power = 1, of_value = share * f - w_bar;
+            for (int j = 0; j < terms; j++) {
+                a_row[j * RAYS_BLOCK + i] = power * (of_value * u + slope_bar * (j + 1));
+                power *= u;
+            }
+        }
+        if (depth != DEPTH_SPHERE) {
+            k_row[i] = k_bar;
+        }
+        c_row[i] = c_bar;
+        t_row[i] = sign * a.z;
+        before_row[i] += n1 * (path * d - n_bar);
+        after_row[i] += n2 * n_bar;
+        adjoint->x[i] = a.x;
+        adjoint->y[i] = a.y;
+        adjoint->z[i] = a.z;
+        adjoint->p[i] = b.x;
+        adjoint->q[i] = b.y;
+        adjoint->r[i] = b.z;
+    }
+}
+
+/* X' = turn (X - shift): the adjoint turns back. */
+static void move(const struct step *s, struct ray_block *adjoint, const struct adjoint_rows *rows)
+{
+    double m[9], sign = rows->thickness_sign;
+    for (int i = 0; i < 9; i++) {
+        m[i] = s->turn[i];
+    }
+    double *restrict t_row = rows->thickness;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        struct vector a = point_of(adjoint, i), b = direction_of(adjoint, i);
+        adjoint->x[i] = m[0] * a.x + m[3] * a.y + m[6] * a.z;
+        adjoint->y[i] = m[1] * a.x + m[4] * a.y + m[7] * a.z;
+        double z = m[2] * a.x + m[5] * a.y + m[8] * a.z;
+        adjoint->z[i] = z;
+        t_row[i] = sign * z;
+        adjoint->p[i] = m[0] * b.x + m[3] * b.y + m[6] * b.z;
+        adjoint->q[i] = m[1] * b.x + m[4] * b.y + m[7] * b.z;
+        adjoint->r[i] = m[2] * b.x + m[5] * b.y + m[8] * b.z;
+    }
+}
+
+void NAME(kernel_adjoint, KERNEL)(const struct step *s, const struct ray_block *before,
+                                  const struct ray_block *after, struct ray_block *adjoint,
+                                  const struct adjoint_rows *rows)
+{
+    bool reflects = s->action == ACTION_REFLECT;
+    if (s->kind == STEP_MOVE) {
+        move(s, adjoint, rows);
+    } else if (s->kind >= STEP_ASPHERE || rows->coefficient != NULL) {
+        if (reflects) {
+            surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS, true);
+        } else {
+            surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS, false);
+        }
+    } else if (s->kind >= STEP_CONIC || rows->conic != NULL) {
+        if (reflects) {
+            surface(s, before, after, adjoint, rows, DEPTH_CONIC, 0, true);
+        } else {
+            surface(s, before, after, adjoint, rows, DEPTH_CONIC, 0, false);
+        }
+    } else if (reflects) {
+        surface(s, before, after, adjoint, rows, DEPTH_SPHERE, 0, true);
+    } else {
+        surface(s, before, after, adjoint, rows, DEPTH_SPHERE, 0, false);
+    }
+}
+
+/*
+ * Shift and turn of a surface by itself: rays see the contrary before it, and the shift and turn
+ * themselves behind it. Shift: a' - a; turn: X' x a' + p' x b' - X x a - p x b, X from the vertex.
+ */
+void NAME(kernel_displace, KERNEL)(const struct displace *all)
+{
+    const struct ray_block *behind = all->behind, *front = all->front;
+    const struct ray_block *adjoint_behind = all->adjoint_behind, *adjoint = all->adjoint;
+    struct vector at = {all->shift[0], all->shift[1], 0}, axes[3];
+    for (int j = 0; j < 3; j++) {
+        axes[j] = (struct vector){all->axes[3 * j], all->axes[3 * j + 1], all->axes[3 * j + 2]};
+    }
+    double *restrict rows = all->rows;
+    const double t = all->t;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        struct vector turn = {0, 0, 0};
+        struct vector a[2] = {point_of(adjoint_behind, i), point_of(adjoint, i)};
+        struct vector b[2] = {direction_of(adjoint_behind, i), direction_of(adjoint, i)};
+        struct vector X[2] = {point_of(behind, i), point_of(front, i)};
+        struct vector p[2] = {direction_of(behind, i), direction_of(front, i)};
+        X[1].z -= t;
+        for (int j = 0; j < 2; j++) {
+            struct vector V = plus(X[j], -1, at);
+            double sign = j == 0 ? 1 : -1;
+            turn.x += sign * (V.y * a[j].z - V.z * a[j].y + p[j].y * b[j].z - p[j].z * b[j].y);
+            turn.y += sign * (V.z * a[j].x - V.x * a[j].z + p[j].z * b[j].x - p[j].x * b[j].z);
+            turn.z += sign * (V.x * a[j].y - V.y * a[j].x + p[j].x * b[j].y - p[j].y * b[j].x);
+        }
+        rows[i] = a[0].x - a[1].x;
+        rows[RAYS_BLOCK + i] = a[0].y - a[1].y;
+        rows[2 * RAYS_BLOCK + i] = dot(axes[0], turn);
+        rows[3 * RAYS_BLOCK + i] = dot(axes[1], turn);
+        rows[4 * RAYS_BLOCK + i] = dot(axes[2], turn);
+    }
+}
