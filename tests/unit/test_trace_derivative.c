@@ -1,0 +1,251 @@
+/* tests/unit/test_trace_derivative.c - adjoint derivatives against differences of 113 bits. */
+/* SPDX-License-Identifier: MIT */
+#if defined(__SIZEOF_FLOAT128__) || defined(__FLOAT128__)
+__extension__ typedef __float128 real;
+#else
+typedef long double real;
+#endif
+#define REAL real
+#include "check.h"
+#include "file/lens_file.h"
+#include "trace/derivative.h"
+#include "trace/precise.h"
+
+/* A lens, its derivatives, and how far they are off. */
+struct under_test {
+    struct arena arena;
+    struct lens lens;
+    struct system system;
+    struct derivative_layout layout;
+    struct derivative_tape tape;
+    struct ray_block start;
+    double *gradient[4];
+    struct ray_block adjoint[4];
+    double worst;
+    const char *text;
+};
+
+enum { LANES = 8, OUTPUTS = 4 }; /* x, y, q, path of the last point */
+
+static const double starts[LANES][6] = {
+    {0, 0, -5, 0, 0, 1},      {3, 0, -5, 0, 0, 1},       {0, 4, -5, 0, 0.1, 0.99},
+    {-2, 3, -5, 0.1, 0, 1},   {1, -3, -5, 0.05, 0.1, 1}, {2, 2, -5, -0.1, -0.1, 1},
+    {-4, -1, -5, 0.05, 0, 1}, {0.5, 0.1, -5, 0, 0.2, 1},
+};
+
+static double *output_of(struct ray_block *block, int output)
+{
+    double *members[OUTPUTS] = {block->x, block->y, block->q, block->path};
+    return members[output];
+}
+
+static bool set_up(struct under_test *test, const char *text)
+{
+    struct error error;
+    struct system_options options = system_options_default();
+    options.path = true;
+    options.image = 40;
+    *test = (struct under_test){.text = text};
+    if (!lens_read("test", text_of(text), NULL, &test->arena, &test->lens, &error) ||
+        !system_compile(&test->lens, 0.55, &options, &test->arena, &test->system, &error)) {
+        printf("%s\n", error.message);
+        return false;
+    }
+    derivative_layout(&test->system, DERIVE_CONIC | DERIVE_SERIES | DERIVE_DISPLACEMENT,
+                      &test->arena, &test->layout);
+    test->tape = derivative_tape_new(&test->system, &test->arena);
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        const double *s = starts[i % LANES];
+        double n = test->system.index_first / sqrt(s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
+        test->start.x[i] = s[0];
+        test->start.y[i] = s[1];
+        test->start.z[i] = s[2];
+        test->start.p[i] = n * s[3];
+        test->start.q[i] = n * s[4];
+        test->start.r[i] = n * s[5];
+    }
+    return true;
+}
+
+static void sweep(struct under_test *test, enum instruction_set set)
+{
+    const struct ray_block *end = derivative_trace(&test->system, &test->start, set, &test->tape);
+    for (int i = 0; i < LANES; i++) {
+        CHECK(end->lost[i] == 0);
+    }
+    for (int output = 0; output < OUTPUTS; output++) {
+        test->adjoint[output] = (struct ray_block){{0}};
+        for (int i = 0; i < RAYS_BLOCK; i++) {
+            output_of(&test->adjoint[output], output)[i] = 1;
+        }
+        size_t numbers = test->layout.rows * RAYS_BLOCK;
+        test->gradient[output] = ARENA_ARRAY(&test->arena, numbers, double);
+        derivative_sweep(&test->system, &test->layout, set, &test->tape, &test->adjoint[output],
+                         test->gradient[output]);
+    }
+}
+
+/* The outputs of one lane in 113 bits, with the lens and indices as they are. */
+static void trace_precisely(const struct under_test *test, int lane, real *outputs)
+{
+    const struct ray_block *s = &test->start;
+    struct precise_ray ray = {.x = {s->x[lane], s->y[lane], s->z[lane]},
+                              .p = {s->p[lane], s->q[lane], s->r[lane]}};
+    CHECK(precise_trace(&ray, &test->system));
+    outputs[0] = ray.x[0];
+    outputs[1] = ray.x[1];
+    outputs[2] = ray.p[1];
+    outputs[3] = ray.path;
+}
+
+static void compare(struct under_test *test, int lane, int output, real difference, double value,
+                    double scale, const char *what, size_t surface)
+{
+    double expected = (double)difference, error = fabs(value - expected);
+    bool good = error <= 1e-14 * scale;
+    if (!good) {
+        printf("%s\nlane %d output %d by %s of surface %zu: %.17g, expected %.17g\n", test->text,
+               lane, output, what, surface, value, expected);
+    }
+    CHECK(good);
+    test->worst = fmax(test->worst, error / scale);
+}
+
+static void nudge(struct pair *value, double by)
+{
+    *value = pair_add(*value, pair_of(by));
+}
+
+/* Central difference by one number of the lens; `scale` is what a derivative of it may amount to. */
+static void check_parameter(struct under_test *test, struct pair *value, enum parameter_kind kind,
+                            size_t surface, const char *what)
+{
+    const double step = 1e-9;
+    size_t row = derivative_row(&test->layout, kind, surface);
+    CHECK(row != LENS_NONE);
+    struct pair kept = *value;
+    double scale[OUTPUTS] = {0};
+    for (int output = 0; output < OUTPUTS; output++) {
+        for (int lane = 0; lane < LANES; lane++) {
+            double here = test->gradient[output][row * RAYS_BLOCK + (size_t)lane];
+            scale[output] = fmax(scale[output], fabs(here));
+        }
+    }
+    /* h and 2 h: the error is of fourth order */
+    for (int lane = 0; lane < LANES; lane++) {
+        real at[4][OUTPUTS];
+        const double steps[4] = {-2 * step, -step, step, 2 * step};
+        for (int i = 0; i < 4; i++) {
+            nudge(value, steps[i]);
+            trace_precisely(test, lane, at[i]);
+            *value = kept;
+        }
+        for (int output = 0; output < OUTPUTS; output++) {
+            real slope = (at[0][output] - at[3][output] + 8 * (at[2][output] - at[1][output])) /
+                         (12 * (real)step);
+            compare(test, lane, output, slope,
+                    test->gradient[output][row * RAYS_BLOCK + (size_t)lane], fmax(scale[output], 1),
+                    what, surface);
+        }
+    }
+}
+
+static void check_surface(struct under_test *test, size_t i)
+{
+    struct surface *surface = &test->lens.surfaces[i];
+    struct displacement moved = {0}, *was = NULL;
+    surface->has_curvature = true;
+    surface->curvature.value =
+        surface->is_plane && surface->curvature.value.hi == 0
+            ? pair_of(0)
+            : (surface->is_plane ? surface->curvature.value
+                                 : pair_divide(pair_of(1), surface->radius.value));
+    if (surface->kind != SURFACE_STOP) {
+        check_parameter(test, &surface->curvature.value, PARAMETER_CURVATURE, i, "curvature");
+        check_parameter(test, &surface->conic.value, PARAMETER_CONIC, i, "conic");
+        for (size_t j = 0; j < 4; j++) {
+            check_parameter(test, &surface->coefficient[j].value,
+                            (enum parameter_kind)(PARAMETER_A2 + (int)j), i, "coefficient");
+        }
+    }
+    if (i + 1 < test->lens.surface_count) {
+        check_parameter(test, &surface->thickness.value, PARAMETER_THICKNESS, i, "thickness");
+    }
+    if (surface->kind == SURFACE_REFRACT) {
+        struct pair *n = (struct pair *)test->system.n + i + 1;
+        check_parameter(test, n, PARAMETER_INDEX, i, "index");
+    }
+    was = (struct displacement *)surface->moved;
+    moved = was != NULL ? *was : moved;
+    surface->moved = &moved;
+    static const char *const names[] = {"decenter x", "decenter y", "tilt x", "tilt y", "tilt z"};
+    for (int j = 0; j < 5; j++) {
+        struct pair *value = j < 2 ? &moved.decenter[j].value : &moved.tilt[j - 2].value;
+        check_parameter(test, value, (enum parameter_kind)(PARAMETER_DECENTER_X + j), i, names[j]);
+    }
+    surface->moved = was;
+}
+
+/* The entrance ray, by its point and direction. */
+static void check_start(struct under_test *test)
+{
+    double *members[6] = {test->start.x, test->start.y, test->start.z,
+                          test->start.p, test->start.q, test->start.r};
+    for (int j = 0; j < 3; j++) {
+        for (int lane = 0; lane < LANES; lane++) {
+            real at[2][OUTPUTS];
+            double kept = members[j][lane], step = 0x1p-30;
+            for (int i = 0; i < 2; i++) {
+                members[j][lane] = kept + (i == 0 ? -step : step);
+                trace_precisely(test, lane, at[i]);
+                members[j][lane] = kept;
+            }
+            for (int output = 0; output < OUTPUTS; output++) {
+                struct ray_block *a = &test->adjoint[output];
+                double *by[3] = {a->x, a->y, a->z};
+                compare(test, lane, output, (at[1][output] - at[0][output]) / (2 * (real)step),
+                        by[j][lane], 4, "start", 0);
+            }
+        }
+    }
+}
+
+int main(void)
+{
+    static const char *const lenses[] = {
+        "surface 50 6 1.6 -\nsurface -80 3 air -\nsurface -40 2 1.7 -\nstop - 5 air -\n"
+        "surface 70 4 1.5 -\nsurface -35 0 air -\n",
+        "medium 1.33\nsurface 40 6 1.6 - k=-0.7\nsurface - 3 1.2 -\n"
+        "surface -60 5 1.8 - k=2 A4=1e-5 A6=-2e-8 A8=1e-11\nsurface 90 0 1.1 - A2=0.001\n",
+        "surface 60 -30 mirror - k=-1\nsurface 200 35 mirror - A4=1e-7\nsurface 50 3 1.5 -\n",
+        "surface 50 6 1.6 - decenter=0.5,-0.3 tilt=3,-2\nbend decenter=0.2,0.1 tilt=4,-3,10\n"
+        "surface -80 3 air - cyl=x\nsurface -70 2 1.5 - cyl=y k=-2 A4=1e-6\n",
+    };
+    if (sizeof(real) == sizeof(double)) {
+        printf("derivatives: skipped, no number has more than 53 bits\n");
+        return check_report();
+    }
+    for (size_t i = 0; i < sizeof lenses / sizeof lenses[0]; i++) {
+        static struct under_test test;
+        CHECK(set_up(&test, lenses[i]));
+        sweep(&test, SET_SSE2);
+        size_t bytes = test.layout.rows * RAYS_BLOCK * sizeof(double);
+        for (enum instruction_set set = SET_AVX2; set <= SET_AVX512; set++) {
+            if (instruction_set_works(set)) {
+                double *first[OUTPUTS];
+                memcpy(first, test.gradient, sizeof first);
+                sweep(&test, set);
+                for (int output = 0; output < OUTPUTS; output++) {
+                    CHECK(memcmp(first[output], test.gradient[output], bytes) == 0);
+                }
+            }
+        }
+        for (size_t s = 0; s < test.lens.surface_count; s++) {
+            check_surface(&test, s);
+        }
+        check_start(&test);
+        printf("derivatives: worst error %.2g of scale\n", test.worst);
+        arena_free(&test.arena);
+    }
+    return check_report();
+}
