@@ -169,8 +169,7 @@ static enum step_action action_of(const struct surface *surface, const struct st
     if (surface->kind == SURFACE_REFLECT) {
         return ACTION_REFLECT;
     }
-    bool nothing = step->kind == STEP_PLANE && step->dn == 0;
-    return nothing || surface->kind == SURFACE_STOP ? ACTION_PASS : ACTION_REFRACT;
+    return step->kind == STEP_PLANE && step->dn == 0 ? ACTION_PASS : ACTION_REFRACT;
 }
 
 /* Steps being written. */
