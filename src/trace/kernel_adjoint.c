@@ -18,6 +18,11 @@ INLINE double dot(struct vector a, struct vector b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+INLINE struct vector cross(struct vector a, struct vector b)
+{
+    return (struct vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 /* a + f b */
 INLINE struct vector plus(struct vector a, double f, struct vector b)
 {
@@ -58,8 +63,8 @@ enum depth { DEPTH_SPHERE, DEPTH_CONIC, DEPTH_SERIES };
  * One surface. a and b are the adjoints of point and direction behind it, then before it; bars of
  * the text are _bar here. N is the normal, M its square, D = N.p, E = N.p', p' = p + g N.
  */
-INLINE void surface(const struct step *s, const struct ray_block *before,
-                    const struct ray_block *after, struct ray_block *adjoint,
+INLINE void surface(const struct step *s, const struct ray_block *restrict before,
+                    const struct ray_block *restrict after, struct ray_block *restrict adjoint,
                     const struct adjoint_rows *rows, enum depth depth, int terms, bool reflects)
 {
     const double c = s->c, K = s->one_k, dn = s->dn, n11 = s->n11, t = s->t;
@@ -67,6 +72,7 @@ INLINE void surface(const struct step *s, const struct ray_block *before,
     const double wy = depth == DEPTH_SPHERE ? 1 : s->weight_y;
     const double n1 = 2 * sqrt(s->n11), n2 = 2 * sqrt(s->n22), sign = rows->thickness_sign;
     double coefficient[STEP_TERMS];
+    double of_value[RAYS_BLOCK], of_slope[RAYS_BLOCK], square[RAYS_BLOCK];
     for (int i = 0; i < STEP_TERMS; i++) {
         coefficient[i] = s->coefficient[i];
     }
@@ -115,11 +121,9 @@ INLINE void surface(const struct step *s, const struct ray_block *before,
         a = plus(a, -share, N);
         b = plus(b, d, a);
         if (depth == DEPTH_SERIES) {
-            double power = 1, of_value = share * f - w_bar;
-            for (int j = 0; j < terms; j++) {
-                a_row[j * RAYS_BLOCK + i] = power * (of_value * u + slope_bar * (j + 1));
-                power *= u;
-            }
+            of_value[i] = (share * f - w_bar) * u;
+            of_slope[i] = slope_bar;
+            square[i] = u;
         }
         if (depth != DEPTH_SPHERE) {
             k_row[i] = k_bar;
@@ -134,6 +138,13 @@ INLINE void surface(const struct step *s, const struct ray_block *before,
         adjoint->p[i] = b.x;
         adjoint->q[i] = b.y;
         adjoint->r[i] = b.z;
+    }
+    for (int j = 0; depth == DEPTH_SERIES && j < terms; j++) {
+        for (int i = 0; i < RAYS_BLOCK; i++) {
+            a_row[j * RAYS_BLOCK + i] = of_value[i] + of_slope[i] * (j + 1);
+            of_value[i] *= square[i];
+            of_slope[i] *= square[i];
+        }
     }
 }
 
@@ -188,34 +199,33 @@ void NAME(kernel_adjoint, KERNEL)(const struct step *s, const struct ray_block *
  * Shift and turn of a surface by itself: rays see the contrary before it, and the shift and turn
  * themselves behind it. Shift: a' - a; turn: X' x a' + p' x b' - X x a - p x b, X from the vertex.
  */
-void NAME(kernel_displace, KERNEL)(const struct displace *all)
+INLINE void displace(const struct displace *all, const struct ray_block *restrict front,
+                     const struct ray_block *restrict behind,
+                     const struct ray_block *restrict adjoint,
+                     const struct ray_block *restrict adjoint_behind, double *restrict rows)
 {
-    const struct ray_block *behind = all->behind, *front = all->front;
-    const struct ray_block *adjoint_behind = all->adjoint_behind, *adjoint = all->adjoint;
-    struct vector at = {all->shift[0], all->shift[1], 0}, axes[3];
-    for (int j = 0; j < 3; j++) {
-        axes[j] = (struct vector){all->axes[3 * j], all->axes[3 * j + 1], all->axes[3 * j + 2]};
-    }
-    double *restrict rows = all->rows;
+    const struct vector at = {all->shift[0], all->shift[1], 0};
+    const struct vector first = {all->axes[0], all->axes[1], all->axes[2]};
+    const struct vector second = {all->axes[3], all->axes[4], all->axes[5]};
+    const struct vector third = {all->axes[6], all->axes[7], all->axes[8]};
     const double t = all->t;
     for (int i = 0; i < RAYS_BLOCK; i++) {
-        struct vector turn = {0, 0, 0};
-        struct vector a[2] = {point_of(adjoint_behind, i), point_of(adjoint, i)};
-        struct vector b[2] = {direction_of(adjoint_behind, i), direction_of(adjoint, i)};
-        struct vector X[2] = {point_of(behind, i), point_of(front, i)};
-        struct vector p[2] = {direction_of(behind, i), direction_of(front, i)};
-        X[1].z -= t;
-        for (int j = 0; j < 2; j++) {
-            struct vector V = plus(X[j], -1, at);
-            double sign = j == 0 ? 1 : -1;
-            turn.x += sign * (V.y * a[j].z - V.z * a[j].y + p[j].y * b[j].z - p[j].z * b[j].y);
-            turn.y += sign * (V.z * a[j].x - V.x * a[j].z + p[j].z * b[j].x - p[j].x * b[j].z);
-            turn.z += sign * (V.x * a[j].y - V.y * a[j].x + p[j].x * b[j].y - p[j].y * b[j].x);
-        }
-        rows[i] = a[0].x - a[1].x;
-        rows[RAYS_BLOCK + i] = a[0].y - a[1].y;
-        rows[2 * RAYS_BLOCK + i] = dot(axes[0], turn);
-        rows[3 * RAYS_BLOCK + i] = dot(axes[1], turn);
-        rows[4 * RAYS_BLOCK + i] = dot(axes[2], turn);
+        struct vector a = point_of(adjoint_behind, i), a0 = point_of(adjoint, i);
+        struct vector b = direction_of(adjoint_behind, i), b0 = direction_of(adjoint, i);
+        struct vector X = plus(point_of(behind, i), -1, at), p = direction_of(behind, i);
+        struct vector X0 = plus(point_of(front, i), -1, at), p0 = direction_of(front, i);
+        X0.z -= t;
+        struct vector turn = plus(cross(X, a), 1, cross(p, b));
+        turn = plus(plus(turn, -1, cross(X0, a0)), -1, cross(p0, b0));
+        rows[i] = a.x - a0.x;
+        rows[RAYS_BLOCK + i] = a.y - a0.y;
+        rows[2 * RAYS_BLOCK + i] = dot(first, turn);
+        rows[3 * RAYS_BLOCK + i] = dot(second, turn);
+        rows[4 * RAYS_BLOCK + i] = dot(third, turn);
     }
+}
+
+void NAME(kernel_displace, KERNEL)(const struct displace *all)
+{
+    displace(all, all->front, all->behind, all->adjoint, all->adjoint_behind, all->rows);
 }

@@ -147,8 +147,8 @@ static void check_parameter(struct under_test *test, struct pair *value, enum pa
             real slope = (at[0][output] - at[3][output] + 8 * (at[2][output] - at[1][output])) /
                          (12 * (real)step);
             compare(test, lane, output, slope,
-                    test->gradient[output][row * RAYS_BLOCK + (size_t)lane], fmax(scale[output], 1),
-                    what, surface);
+                    test->gradient[output][row * RAYS_BLOCK + (size_t)lane],
+                    fmax(scale[output], 1) * power, what, surface);
         }
     }
 }
