@@ -54,10 +54,12 @@ const char *ray_status_name(enum ray_status status)
 struct ray ray_from_point(const double object[3], const double target[2], double n)
 {
     double x = target[0] - object[0], y = target[1] - object[1], z = -object[2];
-    double across = x * x + y * y, length = sqrt(across + z * z);
+    double length = sqrt(x * x + y * y + z * z);
+    double away = sqrt(object[0] * object[0] + object[1] * object[1] + z * z);
+    double more = target[0] * (x - object[0]) + target[1] * (y - object[1]);
     return (struct ray){.point = {target[0], target[1], 0},
                         .cosine = {x / length, y / length, z / length},
-                        .path = n * (across / (length + fabs(z)))};
+                        .path = n * (more / (length + away))};
 }
 
 struct ray ray_from_infinity(const double cosine[3], const double target[2], double n)

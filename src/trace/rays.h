@@ -85,9 +85,9 @@ const char *ray_status_name(enum ray_status status);
  * The ray from an object point to a point of the first vertex plane (z = 0), started there.
  *
  * Given     object  mm, z below 0 (in the frame of the first vertex); target x, y mm; n index
- * Result    path is counted from the object point less n times its distance to the plane:
- *           n h^2/(sqrt(z^2 + h^2) + |z|), h the way across; it keeps all digits however far the
- *           object lies
+ * Result    path is counted from the object point less n times its distance to the first vertex:
+ *           n (T^2 - 2 T.O)/(|T - O| + |O|); it keeps all digits however far the object lies, and
+ *           goes over to that of a plane wave
  */
 struct ray ray_from_point(const double object[3], const double target[2], double n);
 

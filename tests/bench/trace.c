@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
 #include "file/lens_file.h"
+#include "trace/derivative.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
@@ -96,9 +97,8 @@ static struct plain_surface *plain_of(const struct lens *lens, struct arena *are
     struct plain_surface *all = ARENA_ARRAY(arena, lens->surface_count + 1, struct plain_surface);
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *s = &lens->surfaces[i];
-        all[i] = (struct plain_surface){s->is_plane ? 0 : s->radius.value.hi,
-                                        s->thickness.value.hi, s->medium.index.hi,
-                                        s->diameter.value.hi / 2};
+        all[i] = (struct plain_surface){s->is_plane ? 0 : s->radius.value.hi, s->thickness.value.hi,
+                                        s->medium.index.hi, s->diameter.value.hi / 2};
     }
     all[lens->surface_count] = (struct plain_surface){0, 0, 1, 1e9};
     return all;
@@ -111,8 +111,13 @@ static double time_plain(const struct lens *lens, struct arena *arena)
     double best = 1e9;
     for (size_t i = 0; i < RAYS; i++) {
         struct ray ray = ray_of(i);
-        start[i] = (struct plain_ray){ray.point[0],  ray.point[1],  ray.point[2], ray.cosine[0],
-                                      ray.cosine[1], ray.cosine[2], 0};
+        start[i] = (struct plain_ray){ray.point[0],
+                                      ray.point[1],
+                                      ray.point[2],
+                                      ray.cosine[0],
+                                      ray.cosine[1],
+                                      ray.cosine[2],
+                                      0};
     }
     for (int turn = 0; turn < TURNS; turn++) {
         double began = now();
@@ -142,8 +147,7 @@ static void set_up(struct bench *bench, const char *text, bool clip, bool path, 
     options.path = path;
     options.image = 72.2;
     if (!lens_read("bench", text_of(text), NULL, &bench->arena, &bench->lens, &error) ||
-        !system_compile(&bench->lens, 0.5875618, &options, &bench->arena, &bench->system,
-                        &error)) {
+        !system_compile(&bench->lens, 0.5875618, &options, &bench->arena, &bench->system, &error)) {
         fprintf(stderr, "bench: %s\n", error.message);
         exit(1);
     }
@@ -199,6 +203,34 @@ static double cost(const char *extra, bool path, double base)
     return seconds / base;
 }
 
+/* All first derivatives of x and y by curvatures, thicknesses, indices and the entrance ray. */
+static double time_derivatives(struct bench *bench)
+{
+    struct derivative_layout layout;
+    derivative_layout(&bench->system, 0, &bench->arena, &layout);
+    struct derivative_tape tape = derivative_tape_new(&bench->system, &bench->arena);
+    double *gradient = ARENA_ARRAY(&bench->arena, layout.rows * RAYS_BLOCK, double);
+    static struct ray_block adjoint;
+    double best = 1e9;
+    for (int turn = 0; turn < TURNS; turn++) {
+        double began = now();
+        for (int again = 0; again < 20; again++) {
+            for (size_t i = 0; i < rays_blocks(&bench->start); i++) {
+                derivative_trace(&bench->system, &bench->start.blocks[i], SET_BEST, &tape);
+                for (int output = 0; output < 2; output++) {
+                    memset(&adjoint, 0, sizeof adjoint);
+                    for (int lane = 0; lane < RAYS_BLOCK; lane++) {
+                        (output == 0 ? adjoint.x : adjoint.y)[lane] = 1;
+                    }
+                    derivative_sweep(&bench->system, &layout, SET_BEST, &tape, &adjoint, gradient);
+                }
+            }
+        }
+        best = fmin(best, (now() - began) / 20);
+    }
+    return best;
+}
+
 static double gain(size_t count)
 {
     struct bench bench = {{0}};
@@ -228,8 +260,8 @@ int main(void)
             const struct trace_way way = {set, 1};
             double seconds = time_rays(&bench, &way, 20);
             plain = fmin(plain, time_plain(&bench.lens, &bench.arena));
-            printf("%s %.0f\n%s/plain %.2f\n", instruction_set_name(set),
-                   million(&bench, seconds), instruction_set_name(set), plain / seconds);
+            printf("%s %.0f\n%s/plain %.2f\n", instruction_set_name(set), million(&bench, seconds),
+                   instruction_set_name(set), plain / seconds);
             base = seconds;
         }
     }
@@ -237,6 +269,7 @@ int main(void)
     printf("path %.2f\n", cost("", true, base));
     printf("conic %.2f\n", cost(" k=-0.01", false, base));
     printf("asphere %.2f\n", cost(" k=-0.01 A4=1e-8 A6=1e-12 A8=1e-16", false, base));
+    printf("derivatives %.2f\n", time_derivatives(&bench) / base);
     printf("threads_1e5 %.2f\n", gain(100000));
     printf("threads_1e6 %.2f\n", gain(1000000));
     arena_free(&bench.arena);
