@@ -200,7 +200,8 @@ INLINE void conic(struct ray_block *block, const struct step *s, bool path, bool
         advance(&ray, d);
         double kz = ck * ray.z;
         double sag = 0.5 * (cx * ray.x * ray.x + cy * ray.y * ray.y + kz * ray.z);
-        ray.z = hops | (fabs(kz) > 1) ? ray.z : sag;
+        bool keep = hops | (fabs(kz) > 1);
+        ray.z = keep ? ray.z : sag;
         ray.path += s->n11 * (before + d);
         double f = 1 - ck * ray.z, gx = cx * ray.x, gy = cy * ray.y;
         double N2 = gx * gx + gy * gy + f * f, D2 = disc + s->dn * N2;
@@ -442,8 +443,9 @@ static void settle(struct ray_block *block, double miss)
         double sum = (block->x[i] + block->y[i] + block->z[i]) +
                      (block->p[i] + block->q[i] + block->r[i]) + block->path[i];
         bool sound = fabs(sum) <= DBL_MAX;
-        double old = block->lost[i], lost = (old != 0) | sound ? old : miss;
-        block->lost[i] = lost;
+        double old = block->lost[i];
+        bool known = (old != 0) | sound;
+        block->lost[i] = known ? old : miss;
     }
     int64_t any = 0;
     for (int i = 0; i < RAYS_BLOCK; i++) {
