@@ -142,21 +142,31 @@ INLINE void sphere(struct ray_block *block, const struct step *s, bool path, boo
 {
     const double c = s->c, direction = forward ? 1 : s->direction;
     const struct codes codes = codes_of(s);
+    _Alignas(64) double ways[RAYS_BLOCK], bends[RAYS_BLOCK], roots[RAYS_BLOCK];
     for (int i = 0; i < RAYS_BLOCK; i++) {
         struct lane ray = load(block, i, s->t);
-        double before = hops ? hop(&ray, s) : 0;
-        /* intersect */
+        if (hops) {
+            double before = hop(&ray, s);
+            ray.path += s->n11 * before;
+            store_point(block, i, &ray, path);
+        }
+        /* intersect: D = n cos I, E = n' cos I' */
         double square = ray.x * ray.x + ray.y * ray.y + ray.z * ray.z;
         double C = c * square - 2 * ray.z;
         double B = ray.r - c * (ray.x * ray.p + ray.y * ray.q + ray.z * ray.r);
-        double disc = B * B - s->cn * C, D = sqrt(disc), d = C / (B + direction * D);
+        double disc = B * B - s->cn * C, D = sqrt(disc), D2 = disc + s->dn;
+        ways[i] = C / (B + direction * D);
+        bends[i] = direction * (reflects ? -2 * D : sqrt(D2) - D);
+        roots[i] = D2;
+    }
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        struct lane ray = load(block, i, hops ? 0 : s->t);
+        double d = ways[i], g = bends[i], gc = g * c;
         advance(&ray, d);
         double r2 = ray.x * ray.x + ray.y * ray.y;
         ray.z = hops ? ray.z : 0.5 * c * (r2 + ray.z * ray.z);
-        ray.path += s->n11 * (before + d);
-        /* bend: D = n cos I, E = n' cos I' */
-        double normal = 1 - c * ray.z, D2 = disc + s->dn;
-        double g = direction * (reflects ? -2 * D : sqrt(D2) - D), gc = g * c;
+        ray.path += s->n11 * d;
+        double normal = 1 - c * ray.z;
         ray.p -= gc * ray.x;
         ray.q -= gc * ray.y;
         ray.r += g * normal;
@@ -165,7 +175,7 @@ INLINE void sphere(struct ray_block *block, const struct step *s, bool path, boo
         }
         store_point(block, i, &ray, path);
         store_direction(block, i, &ray);
-        note(block, i, codes, normal > 0, r2 <= s->clear2, D2 >= 0);
+        note(block, i, codes, normal > 0, r2 <= s->clear2, roots[i] >= 0);
     }
 }
 
