@@ -133,49 +133,74 @@ INLINE void plane_mirror(struct ray_block *block, const struct step *s, bool pat
     }
 }
 
-/*
- * z found along a ray has the rounding error of t; near the vertex it has all its digits again from
- * z = c (r^2 + (1+k) z^2)/2, which shrinks the error by c (1+k) z.
- */
-INLINE void sphere(struct ray_block *block, const struct step *s, bool path, bool hops,
-                   bool reflects, bool forward)
+/* What finding the surface hands to bending the ray there. */
+struct found {
+    double way[RAYS_BLOCK], bend[RAYS_BLOCK];
+};
+
+/* Where lane i meets a sphere, and g = E - D: D = n cos I, E = n' cos I'. */
+INLINE void sphere_find(struct ray_block *block, const struct step *s, bool path, bool hops,
+                        bool reflects, double direction, struct found *found, int i)
 {
-    const double c = s->c, direction = forward ? 1 : s->direction;
-    const struct codes codes = codes_of(s);
-    _Alignas(64) double ways[RAYS_BLOCK], bends[RAYS_BLOCK], roots[RAYS_BLOCK];
-    for (int i = 0; i < RAYS_BLOCK; i++) {
-        struct lane ray = load(block, i, s->t);
-        if (hops) {
-            double before = hop(&ray, s);
-            ray.path += s->n11 * before;
-            store_point(block, i, &ray, path);
-        }
-        /* intersect: D = n cos I, E = n' cos I' */
-        double square = ray.x * ray.x + ray.y * ray.y + ray.z * ray.z;
-        double C = c * square - 2 * ray.z;
-        double B = ray.r - c * (ray.x * ray.p + ray.y * ray.q + ray.z * ray.r);
-        double disc = B * B - s->cn * C, D = sqrt(disc), D2 = disc + s->dn;
-        ways[i] = C / (B + direction * D);
-        bends[i] = direction * (reflects ? -2 * D : sqrt(D2) - D);
-        roots[i] = D2;
-    }
-    for (int i = 0; i < RAYS_BLOCK; i++) {
-        struct lane ray = load(block, i, hops ? 0 : s->t);
-        double d = ways[i], g = bends[i], gc = g * c;
-        advance(&ray, d);
-        double r2 = ray.x * ray.x + ray.y * ray.y;
-        ray.z = hops ? ray.z : 0.5 * c * (r2 + ray.z * ray.z);
-        ray.path += s->n11 * d;
-        double normal = 1 - c * ray.z;
-        ray.p -= gc * ray.x;
-        ray.q -= gc * ray.y;
-        ray.r += g * normal;
-        if (path) {
-            normalize(&ray, s);
-        }
+    struct lane ray = load(block, i, s->t);
+    if (hops) {
+        double before = hop(&ray, s);
+        ray.path += s->n11 * before;
         store_point(block, i, &ray, path);
-        store_direction(block, i, &ray);
-        note(block, i, codes, normal > 0, r2 <= s->clear2, roots[i] >= 0);
+    }
+    double square = ray.x * ray.x + ray.y * ray.y + ray.z * ray.z;
+    double C = s->c * square - 2 * ray.z;
+    double B = ray.r - s->c * (ray.x * ray.p + ray.y * ray.q + ray.z * ray.r);
+    double disc = B * B - s->cn * C, D = sqrt(disc), E = sqrt(disc + s->dn);
+    found->way[i] = C / (B + direction * D);
+    found->bend[i] = direction * (reflects ? -2 * D : E - D);
+}
+
+/*
+ * Go there and bend. z found along a ray has the rounding error of t; near the vertex it has all
+ * its digits again from z = c (r^2 + (1+k) z^2)/2, which shrinks the error by c (1+k) z.
+ */
+INLINE void sphere_bend(struct ray_block *block, const struct step *s, bool path, bool hops,
+                        struct codes codes, const struct found *found, int i)
+{
+    struct lane ray = load(block, i, hops ? 0 : s->t);
+    double d = found->way[i], g = found->bend[i], gc = g * s->c;
+    advance(&ray, d);
+    double r2 = ray.x * ray.x + ray.y * ray.y;
+    ray.z = hops ? ray.z : 0.5 * s->c * (r2 + ray.z * ray.z);
+    ray.path += s->n11 * d;
+    double normal = 1 - s->c * ray.z;
+    ray.p -= gc * ray.x;
+    ray.q -= gc * ray.y;
+    ray.r += g * normal;
+    if (path) {
+        normalize(&ray, s);
+    }
+    store_point(block, i, &ray, path);
+    store_direction(block, i, &ray);
+    /* no root, no number: total reflection */
+    note(block, i, codes, normal > 0, r2 <= s->clear2, g == g);
+}
+
+/* Lanes that are bent this far behind those that are being found: roots and sums overlap. */
+enum { BEHIND = 32 };
+
+INLINE void sphere(struct ray_block *restrict block, const struct step *restrict step, bool path,
+                   bool hops, bool reflects, bool forward)
+{
+    const struct step s = *step;
+    const double direction = forward ? 1 : s.direction;
+    const struct codes codes = codes_of(&s);
+    _Alignas(64) struct found found;
+    for (int i = 0; i < BEHIND; i++) {
+        sphere_find(block, &s, path, hops, reflects, direction, &found, i);
+    }
+    for (int i = BEHIND; i < RAYS_BLOCK; i++) {
+        sphere_find(block, &s, path, hops, reflects, direction, &found, i);
+        sphere_bend(block, &s, path, hops, codes, &found, i - BEHIND);
+    }
+    for (int i = RAYS_BLOCK - BEHIND; i < RAYS_BLOCK; i++) {
+        sphere_bend(block, &s, path, hops, codes, &found, i);
     }
 }
 

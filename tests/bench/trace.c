@@ -1,7 +1,7 @@
 /* tests/bench/trace.c - exact rays: lanes of each instruction set against a plain loop. */
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
-#include "file/lens_file.h"
+#include "file/lens_db.h"
 #include "trace/derivative.h"
 #include "trace/dispatch.h"
 
@@ -203,6 +203,32 @@ static double cost(const char *extra, bool path, double base)
     return seconds / base;
 }
 
+/* A lens of a telephone, with aspheres all over. */
+static double phone(void)
+{
+    struct bench bench = {{0}};
+    struct lensdb db = {.arena = &bench.arena};
+    struct error error;
+    struct system_options options = system_options_default();
+    options.clip = true;
+    if (!lens_db_find(&db, text_of("phone-80deg"), &bench.arena, &bench.lens, &error) ||
+        !system_compile(&bench.lens, 0.5875618, &options, &bench.arena, &bench.system, &error)) {
+        fprintf(stderr, "bench: %s\n", error.message);
+        exit(1);
+    }
+    bench.start = rays_new(&bench.arena, RAYS);
+    bench.rays = rays_new(&bench.arena, RAYS);
+    for (size_t i = 0; i < RAYS; i++) {
+        struct ray ray = ray_of(i);
+        ray.point[0] *= 0.05;
+        ray.point[1] *= 0.05;
+        rays_set(&bench.start, i, 1, &ray);
+    }
+    double figure = million(&bench, time_rays(&bench, NULL, 20));
+    arena_free(&bench.arena);
+    return figure;
+}
+
 /* All first derivatives of x and y by curvatures, thicknesses, indices and the entrance ray. */
 static double time_derivatives(struct bench *bench)
 {
@@ -269,6 +295,7 @@ int main(void)
     printf("path %.2f\n", cost("", true, base));
     printf("conic %.2f\n", cost(" k=-0.01", false, base));
     printf("asphere %.2f\n", cost(" k=-0.01 A4=1e-8 A6=1e-12 A8=1e-16", false, base));
+    printf("phone %.0f\n", phone());
     printf("derivatives %.2f\n", time_derivatives(&bench) / base);
     printf("threads_1e5 %.2f\n", gain(100000));
     printf("threads_1e6 %.2f\n", gain(1000000));
