@@ -56,6 +56,54 @@ INLINE struct series series_of(const double *coefficient, int terms, double u)
     return (struct series){s.value * u, s.slope * u + s.value, s.bend * u + 2 * s.slope};
 }
 
+/* A place on a surface: w = z - S, f = 1 - c K w, G = c + 2 f S'; the normal is (-G x, -G y, f). */
+struct at {
+    double c, K, wx, wy, w, f, G;
+    struct series S;
+};
+
+/* What the normal says of curvature, k, S and S'. */
+struct bars {
+    double c, k, w, slope;
+};
+
+/* The normal as a function of the point and of the shape. */
+INLINE struct bars through_normal(struct vector *a, struct vector X, struct vector N_bar,
+                                  const struct at *at)
+{
+    double G_bar = -(at->wx * X.x * N_bar.x + at->wy * X.y * N_bar.y);
+    double f_bar = N_bar.z + 2 * G_bar * at->S.slope, slope_bar = 2 * at->f * G_bar;
+    double w_bar = -at->c * at->K * f_bar;
+    double u_bar = -w_bar * at->S.slope + slope_bar * at->S.bend;
+    a->x += at->wx * (2 * X.x * u_bar - at->G * N_bar.x);
+    a->y += at->wy * (2 * X.y * u_bar - at->G * N_bar.y);
+    a->z += w_bar;
+    return (struct bars){G_bar - at->K * at->w * f_bar, -at->c * at->w * f_bar, w_bar, slope_bar};
+}
+
+INLINE void put(struct ray_block *block, int i, struct vector a, struct vector b)
+{
+    block->x[i] = a.x;
+    block->y[i] = a.y;
+    block->z[i] = a.z;
+    block->p[i] = b.x;
+    block->q[i] = b.y;
+    block->r[i] = b.z;
+}
+
+/* The rows of A2 .. from those of S and S'. */
+INLINE void put_series(double *restrict rows, int terms, double *of_value, double *of_slope,
+                       const double *square)
+{
+    for (int j = 0; j < terms; j++) {
+        for (int i = 0; i < RAYS_BLOCK; i++) {
+            rows[j * RAYS_BLOCK + i] = of_value[i] + of_slope[i] * (j + 1);
+            of_value[i] *= square[i];
+            of_slope[i] *= square[i];
+        }
+    }
+}
+
 /* Kinds of a surface as far as derivatives are concerned. */
 enum depth { DEPTH_SPHERE, DEPTH_CONIC, DEPTH_SERIES };
 
@@ -89,6 +137,7 @@ INLINE void surface(const struct step *s, const struct ray_block *restrict befor
             S = series_of(coefficient, terms, u);
         }
         double w = X.z - S.value, f = 1 - c * K * w, G = c + 2 * f * S.slope;
+        const struct at at = {c, K, wx, wy, w, f, G, S};
         struct vector N = {-wx * G * X.x, -wy * G * X.y, f};
         double D = dot(N, p), E = dot(N, out), g_bar = dot(N, b), M = 1, inverse = 1;
         if (depth != DEPTH_SPHERE) {
@@ -105,46 +154,30 @@ INLINE void surface(const struct step *s, const struct ray_block *restrict befor
             double M_bar = (n_bar * dn - g_bar * g) * inverse;
             N_bar = plus(N_bar, 2 * M_bar, N);
         }
-        /* the normal as a function of the point and of the shape */
-        double G_bar = -(wx * X.x * N_bar.x + wy * X.y * N_bar.y);
-        double f_bar = N_bar.z + 2 * G_bar * S.slope, slope_bar = 2 * f * G_bar;
-        double w_bar = -c * K * f_bar, u_bar = -w_bar * S.slope + slope_bar * S.bend;
-        double c_bar = G_bar - K * w * f_bar, k_bar = -c * w * f_bar;
-        a.x += wx * (2 * X.x * u_bar - G * N_bar.x);
-        a.y += wy * (2 * X.y * u_bar - G * N_bar.y);
-        a.z += w_bar;
+        struct bars bars = through_normal(&a, X, N_bar, &at);
         /* the point as where the ray meets the surface: X = X0 + d p, F = 0 */
         X0.z -= t;
         double d = dot(plus(X, -1, X0), p) / n11, share = (dot(a, p) + path * n11) / D;
-        c_bar += share * 0.5 * (u + K * w * w);
-        k_bar += share * 0.5 * c * w * w;
+        bars.c += share * 0.5 * (u + K * w * w);
+        bars.k += share * 0.5 * c * w * w;
         a = plus(a, -share, N);
         b = plus(b, d, a);
         if (depth == DEPTH_SERIES) {
-            of_value[i] = (share * f - w_bar) * u;
-            of_slope[i] = slope_bar;
+            of_value[i] = (share * f - bars.w) * u;
+            of_slope[i] = bars.slope;
             square[i] = u;
         }
         if (depth != DEPTH_SPHERE) {
-            k_row[i] = k_bar;
+            k_row[i] = bars.k;
         }
-        c_row[i] = c_bar;
+        c_row[i] = bars.c;
         t_row[i] = sign * a.z;
         before_row[i] += n1 * (path * d - n_bar);
         after_row[i] += n2 * n_bar;
-        adjoint->x[i] = a.x;
-        adjoint->y[i] = a.y;
-        adjoint->z[i] = a.z;
-        adjoint->p[i] = b.x;
-        adjoint->q[i] = b.y;
-        adjoint->r[i] = b.z;
+        put(adjoint, i, a, b);
     }
-    for (int j = 0; depth == DEPTH_SERIES && j < terms; j++) {
-        for (int i = 0; i < RAYS_BLOCK; i++) {
-            a_row[j * RAYS_BLOCK + i] = of_value[i] + of_slope[i] * (j + 1);
-            of_value[i] *= square[i];
-            of_slope[i] *= square[i];
-        }
+    if (depth == DEPTH_SERIES) {
+        put_series(a_row, terms, of_value, of_slope, square);
     }
 }
 

@@ -181,7 +181,7 @@ static void check_stigmatic(void)
     }
 }
 
-/* Spherical mirror: crossing at R (1 - 1/(2 sqrt(1 - (y/R)^2))); ball: bfl f - D/2 near the axis. */
+/* Spherical mirror: crossing at R (1 - 1/(2 sqrt(1 - (y/R)^2))). Ball: bfl f - D/2 near the axis */
 static void check_mirror_and_ball(void)
 {
     struct arena arena = {0};

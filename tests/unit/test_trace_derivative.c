@@ -116,7 +116,7 @@ static void nudge(struct pair *value, double by)
     *value = pair_add(*value, pair_of(by));
 }
 
-/* Central difference by one number of the lens; `scale` is what a derivative of it may amount to. */
+/* Central difference by one number of the lens, against the row of the gradient. */
 static void check_parameter(struct under_test *test, struct pair *value, enum parameter_kind kind,
                             size_t surface, const char *what)
 {
