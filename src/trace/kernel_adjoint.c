@@ -111,7 +111,7 @@ enum depth { DEPTH_SPHERE, DEPTH_CONIC, DEPTH_SERIES };
  * One surface. a and b are the adjoints of point and direction behind it, then before it; bars of
  * the text are _bar here. N is the normal, M its square, D = N.p, E = N.p', p' = p + g N.
  */
-INLINE void surface(const struct step *s, const struct ray_block *restrict before,
+INLINE void surface(const struct step *restrict s, const struct ray_block *restrict before,
                     const struct ray_block *restrict after, struct ray_block *restrict adjoint,
                     const struct adjoint_rows *rows, enum depth depth, int terms, bool reflects)
 {
@@ -119,11 +119,7 @@ INLINE void surface(const struct step *s, const struct ray_block *restrict befor
     const double wx = depth == DEPTH_SPHERE ? 1 : s->weight_x;
     const double wy = depth == DEPTH_SPHERE ? 1 : s->weight_y;
     const double n1 = 2 * sqrt(s->n11), n2 = 2 * sqrt(s->n22), sign = rows->thickness_sign;
-    double coefficient[STEP_TERMS];
     double of_value[RAYS_BLOCK], of_slope[RAYS_BLOCK], square[RAYS_BLOCK];
-    for (int i = 0; i < STEP_TERMS; i++) {
-        coefficient[i] = s->coefficient[i];
-    }
     double *restrict c_row = rows->curvature, *restrict k_row = rows->conic;
     double *restrict a_row = rows->coefficient, *restrict t_row = rows->thickness;
     double *restrict before_row = rows->index_before, *restrict after_row = rows->index_after;
@@ -134,7 +130,7 @@ INLINE void surface(const struct step *s, const struct ray_block *restrict befor
         double path = adjoint->path[i], u = wx * X.x * X.x + wy * X.y * X.y;
         struct series S = {0, 0, 0};
         if (depth == DEPTH_SERIES) {
-            S = series_of(coefficient, terms, u);
+            S = series_of(s->coefficient, terms, u);
         }
         double w = X.z - S.value, f = 1 - c * K * w, G = c + 2 * f * S.slope;
         const struct at at = {c, K, wx, wy, w, f, G, S};
