@@ -63,9 +63,10 @@ $(BUILD)/%.o: src/%.c
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
 
 # lane loops of the ray tracer: the same bits from each of the three; elsewhere all are plain C
-SET_sse2   =
+ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 SET_avx2   = -mavx2
 SET_avx512 = -mavx512f -mavx512vl -mavx512dq -mprefer-vector-width=512
+endif
 define kernel
 $(BUILD)/%_$(1).o: src/%.c
 	@mkdir -p $$(@D)

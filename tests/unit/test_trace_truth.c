@@ -175,7 +175,7 @@ static void check_lost(const struct reading *reading)
 static void check_file(const char *name)
 {
     static struct reading reading;
-    char path[128];
+    char path[256];
     snprintf(path, sizeof path, "tests/truth/rays_%s.txt", name);
     reading = (struct reading){.file = fopen(path, "r")};
     CHECK(reading.file != NULL);
