@@ -1,0 +1,270 @@
+/* trace/aim.c - Newton's method from the chief ray outwards. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/aim.h"
+
+#include "trace/chief.h"
+#include "trace/dispatch.h"
+
+#include <math.h>
+
+bool lens_is_round(const struct lens *lens)
+{
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        if (surface->moved != NULL || surface->bend != NULL || surface->curved != CURVED_BOTH) {
+            return false;
+        }
+    }
+    return true;
+}
+
+struct ray aim_chief(const struct aim *aim)
+{
+    return beam_ray(&aim->beam, aim->chief[0], aim->chief[1]);
+}
+
+bool aim_open(const struct system *system, const struct beam *beam, struct arena *arena,
+              struct aim *aim, struct error *error)
+{
+    if (system->stop == LENS_NONE) {
+        return fail(error, ERROR_DOMAIN, "the lens has no stop: rays cannot be aimed at it");
+    }
+    if (!(system->stop_radius > 0 && system->stop_radius <= 1e100)) {
+        fail(error, ERROR_DOMAIN, "the stop has no diameter: the size of the pupil is not known");
+        return error_hint(error, "give an f-number, or a diameter in the file");
+    }
+    *aim = (struct aim){.system = system,
+                        .beam = *beam,
+                        .stop_radius = system->stop_radius,
+                        .work = rays_new(arena, RAYS_BLOCK)};
+    return chief_find(aim, arena, error);
+}
+
+/* The search of one ray. */
+struct search {
+    double at[2], step[2];
+    double miss[2];    /* what is left to the target in the stop, mm */
+    double inverse[4]; /* d(a, b)/d(x, y in the stop), Broyden's estimate */
+    enum ray_status status;
+    size_t surface;
+    int halvings;
+    bool done, is_fresh; /* is the estimate the chief ray's own? */
+};
+
+enum { STEPS = 60, HALVINGS = 40 };
+
+static void multiply(const double m[4], const double v[2], double out[2])
+{
+    double x = m[0] * v[0] + m[1] * v[1], y = m[2] * v[0] + m[3] * v[1];
+    out[0] = x;
+    out[1] = y;
+}
+
+static void start_search(const struct aim *aim, const struct pupil_point *point,
+                         struct search *search)
+{
+    const double *m = aim->slope, det = m[0] * m[3] - m[1] * m[2];
+    *search = (struct search){
+        .at = {aim->chief[0], aim->chief[1]},
+        .miss = {point->x * aim->stop_radius, point->y * aim->stop_radius},
+        .inverse = {m[3] / det, -m[1] / det, -m[2] / det, m[0] / det},
+        .is_fresh = true,
+    };
+    multiply(search->inverse, search->miss, search->step);
+    search->done = point->x == 0 && point->y == 0;
+}
+
+/* J^-1 so that it takes the change of the miss to the step just made (Sherman and Morrison). */
+static void broyden(struct search *search, const double change[2])
+{
+    double *m = search->inverse, moved[2], back[2];
+    multiply(m, change, moved);
+    const double *s = search->step;
+    double below = s[0] * moved[0] + s[1] * moved[1];
+    if (!(fabs(below) > 1e-12 * (s[0] * s[0] + s[1] * s[1]))) {
+        return;
+    }
+    back[0] = (s[0] * m[0] + s[1] * m[2]) / below;
+    back[1] = (s[0] * m[1] + s[1] * m[3]) / below;
+    double more[2] = {s[0] - moved[0], s[1] - moved[1]};
+    for (int i = 0; i < 4; i++) {
+        m[i] += more[i / 2] * back[i % 2];
+    }
+    search->is_fresh = false;
+}
+
+/* What the step has brought: the ray in the stop, or lost on the way. */
+static void judge(const struct aim *aim, const struct pupil_point *point, size_t lane,
+                  struct search *search)
+{
+    const struct ray_block *block = aim->work.blocks;
+    enum ray_status status = ray_block_status(block, lane);
+    double miss[2] = {point->x * aim->stop_radius - block->x[lane],
+                      point->y * aim->stop_radius - block->y[lane]};
+    double before = hypot(search->miss[0], search->miss[1]), after = hypot(miss[0], miss[1]);
+    if (status == RAY_OK && after < before) {
+        double change[2] = {search->miss[0] - miss[0], search->miss[1] - miss[1]};
+        broyden(search, change);
+        for (int i = 0; i < 2; i++) {
+            search->at[i] += search->step[i];
+            search->miss[i] = miss[i];
+        }
+        multiply(search->inverse, search->miss, search->step);
+        search->halvings = 0;
+        search->done = after == 0;
+        return;
+    }
+    if (status != RAY_OK) {
+        search->status = status;
+        search->surface = ray_block_surface(block, lane);
+    }
+    bool near = before <= 1e-12 * aim->stop_radius;
+    search->halvings++;
+    if (near || search->halvings > HALVINGS) {
+        search->done = true;
+        return;
+    }
+    search->step[0] /= 2;
+    search->step[1] /= 2;
+}
+
+/* The Jacobian at where a search stands, from two rays close by; for searches that got stuck. */
+static bool refresh(const struct aim *aim, struct search *search)
+{
+    double slope[4];
+    double size = hypot(search->step[0], search->step[1]);
+    if (!chief_slope(aim, search->at, slope)) {
+        return false;
+    }
+    double det = slope[0] * slope[3] - slope[1] * slope[2];
+    double fresh[4] = {slope[3] / det, -slope[1] / det, -slope[2] / det, slope[0] / det};
+    for (int i = 0; i < 4; i++) {
+        if (!isfinite(fresh[i])) {
+            return false;
+        }
+        search->inverse[i] = fresh[i];
+    }
+    multiply(search->inverse, search->miss, search->step);
+    search->halvings = 0;
+    search->is_fresh = true;
+    return size > 0;
+}
+
+/* One step of all rays of a block that are still searching; are there any? */
+static bool advance_block(const struct aim *aim, const struct pupil_point *points, size_t count,
+                          struct search *searches)
+{
+    const struct system *system = aim->system;
+    bool busy = false;
+    for (size_t i = 0; i < count; i++) {
+        const struct search *search = &searches[i];
+        bool open = !search->done;
+        struct ray ray = beam_ray(&aim->beam, search->at[0] + (open ? search->step[0] : 0),
+                                  search->at[1] + (open ? search->step[1] : 0));
+        rays_set(&aim->work, i, aim->beam.n, &ray);
+        busy = busy || open;
+    }
+    if (!busy) {
+        return false;
+    }
+    rays_trace_part(system, 0, system_place(system, system->stop) + 1, &aim->work, NULL);
+    for (size_t i = 0; i < count; i++) {
+        if (!searches[i].done) {
+            judge(aim, &points[i], i, &searches[i]);
+        }
+    }
+    return true;
+}
+
+/* A search that ended short of its target tries again with the slopes of where it stands. */
+static void retry(const struct aim *aim, const struct pupil_point *point, struct search *search)
+{
+    const double reached = 1e-9 * aim->stop_radius;
+    for (int turn = 0; turn < 20 && hypot(search->miss[0], search->miss[1]) > reached; turn++) {
+        double before = hypot(search->miss[0], search->miss[1]);
+        search->done = false;
+        if (!refresh(aim, search)) {
+            return;
+        }
+        for (int step = 0; step < STEPS && advance_block(aim, point, 1, search); step++) {
+        }
+        if (!(hypot(search->miss[0], search->miss[1]) < 0.99 * before)) {
+            return;
+        }
+    }
+}
+
+static bool finish(const struct aim *aim, const struct search *search, struct ray *ray)
+{
+    *ray = beam_ray(&aim->beam, search->at[0], search->at[1]);
+    if (hypot(search->miss[0], search->miss[1]) <= 1e-9 * aim->stop_radius) {
+        return true;
+    }
+    ray->status = search->status == RAY_OK ? RAY_NOT_CONVERGED : search->status;
+    ray->surface = search->status == RAY_OK ? aim->system->stop + 1 : search->surface;
+    return false;
+}
+
+size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t count,
+                const struct rays *rays)
+{
+    struct search searches[RAYS_BLOCK];
+    size_t aimed = 0;
+    for (size_t done = 0; done < count; done += RAYS_BLOCK) {
+        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        for (size_t i = 0; i < here; i++) {
+            start_search(aim, &points[done + i], &searches[i]);
+        }
+        for (int step = 0; step < STEPS; step++) {
+            if (!advance_block(aim, points + done, here, searches)) {
+                break;
+            }
+        }
+        for (size_t i = 0; i < here; i++) {
+            struct ray ray;
+            retry(aim, &points[done + i], &searches[i]);
+            aimed += finish(aim, &searches[i], &ray) ? 1 : 0;
+            rays_set(rays, done + i, aim->beam.n, &ray);
+        }
+    }
+    return aimed;
+}
+
+struct ray aim_ray(const struct aim *aim, double x, double y)
+{
+    struct pupil_point point = {x, y, 1};
+    struct search search;
+    struct ray ray;
+    start_search(aim, &point, &search);
+    for (int step = 0; step < STEPS && advance_block(aim, &point, 1, &search); step++) {
+    }
+    retry(aim, &point, &search);
+    finish(aim, &search, &ray);
+    return ray;
+}
+
+bool aim_at_entrance(const struct beam *beam, const struct first_order *first, double x, double y,
+                     struct ray *ray, struct error *error)
+{
+    double radius = first->entrance_diameter / 2, z = first->entrance_pupil;
+    if (isnan(radius) || isnan(z)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the lens has no entrance pupil: it has no stop, or no aperture is given");
+    }
+    if (!isfinite(z)) {
+        return fail(error, ERROR_DOMAIN, "the entrance pupil is infinitely far away: --aim stop");
+    }
+    if (!(beam->axis[2] > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "a field of 90 deg or more never meets the paraxial entrance pupil: --aim "
+                    "stop");
+    }
+    const double target[3] = {x * radius, y * radius, z};
+    double place[2];
+    beam_place(beam, target, place);
+    *ray = beam_ray(beam, place[0], place[1]);
+    if (!isfinite(place[0]) || !isfinite(place[1])) {
+        return fail(error, ERROR_DOMAIN, "the object lies in the plane of the entrance pupil");
+    }
+    return true;
+}

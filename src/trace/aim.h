@@ -1,0 +1,80 @@
+/* trace/aim.h - rays of a field point that cross the stop where they should. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_AIM_H
+#define LENSCALC_TRACE_AIM_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "optics/first_order.h"
+#include "trace/beam.h"
+#include "trace/rays.h"
+#include "trace/sample.h"
+#include "trace/system.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A beam whose chief ray is known. */
+struct aim {
+    const struct system *system; /* without clipping; must outlive the aim */
+    struct beam beam;
+    double chief[2];    /* its coordinates in the beam, mm */
+    double slope[4];    /* there: d(x, y in the stop)/d(a, b), row by row */
+    double stop_radius; /* mm */
+    struct rays work;   /* one block */
+};
+
+/*
+ * Find the chief ray: the one through the centre of the stop.
+ *
+ * Given     system  compiled with clip off, forward
+ *           aim     receives the beam and its chief ray
+ * Formula   meridional: the height in the stop is sampled along the beam, over the clear aperture
+ *           of the first surface as this field sees it, finer until it changes its sign; of several
+ *           roots the one where it runs as near the axis, and of these the one that passes all
+ *           clear apertures, or is nearest to the paraxial one. The bracket is then closed
+ *           (base/roots). Lenses that are not symmetric about their axis: a grid, then Newton
+ * Errors    ERROR_DOMAIN: no stop, or no radius of it; no ray of the beam arrives there, with the
+ *           surface where most are lost
+ */
+bool aim_open(const struct system *system, const struct beam *beam, struct arena *arena,
+              struct aim *aim, struct error *error);
+
+/*
+ * Aim rays at points of the stop.
+ *
+ * Given     points  in units of the stop's radius
+ *           rays    room for `count`; receives the rays where they start, ready for rays_trace
+ * Result    how many have been aimed. One that could not be is marked as lost, with the status and
+ *           the surface that stopped the search (RAY_NOT_CONVERGED: the surfaces are passed, but
+ *           the point is not reached): it stays as far as the search has come
+ * Formula   Newton's method for all rays at once, the Jacobian kept by Broyden's rank-one
+ *           correction; a step that loses the ray or leads away is halved. It ends when no step
+ *           brings the ray closer, which is at rounding: 1e-9 of the radius counts as reached,
+ *           1e-14 is usual
+ * Source    [Broyden65]
+ */
+size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t count,
+                const struct rays *rays);
+
+/* The same for one point. */
+struct ray aim_ray(const struct aim *aim, double x, double y);
+
+/* The chief ray, at its start. */
+struct ray aim_chief(const struct aim *aim);
+
+/*
+ * A ray through the paraxial entrance pupil: no search.
+ *
+ * Given     beam, first  with the pupil's place and diameter (first_order_aperture)
+ *           x, y         in units of its radius
+ * Errors    ERROR_DOMAIN: no stop or no aperture; a pupil infinitely far away and an object there;
+ *           an object in the plane of the pupil; a field of 90 degrees or more
+ */
+bool aim_at_entrance(const struct beam *beam, const struct first_order *first, double x, double y,
+                     struct ray *ray, struct error *error);
+
+/* Is the lens the same in all directions about its axis? */
+bool lens_is_round(const struct lens *lens);
+
+#endif

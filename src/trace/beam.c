@@ -1,0 +1,157 @@
+/* trace/beam.c - rays of one object point. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/beam.h"
+
+#include <math.h>
+
+static const double pi = 3.141592653589793;
+
+/* Across the axis: sagittal at right angles to the z axis too, meridional upwards. */
+static void set_across(struct beam *beam)
+{
+    const double *d = beam->axis;
+    double side = sqrt(d[0] * d[0] + d[1] * d[1]);
+    double up[2] = {side > 0 ? d[0] / side : 0, side > 0 ? d[1] / side : 1};
+    if (up[1] < 0 || (up[1] == 0 && up[0] < 0)) {
+        /* the same two axes for a field and its opposite */
+        up[0] = -up[0];
+        up[1] = -up[1];
+        side = -side;
+    }
+    double *sagittal = beam->across[0], *meridional = beam->across[1];
+    sagittal[0] = up[1];
+    sagittal[1] = -up[0];
+    sagittal[2] = 0;
+    meridional[0] = up[0] * d[2];
+    meridional[1] = up[1] * d[2];
+    meridional[2] = -side;
+}
+
+struct beam beam_from_infinity(const double angle[2], double n)
+{
+    double t = hypot(angle[0], angle[1]), sine = sin(t);
+    double scale = t > 0 ? sine / t : 1;
+    struct beam beam = {
+        .axis = {angle[0] * scale, angle[1] * scale, cos(t)}, .distance = INFINITY, .n = n};
+    set_across(&beam);
+    return beam;
+}
+
+bool beam_from_point(const double point[3], double n, struct beam *beam, struct error *error)
+{
+    double length = hypot(hypot(point[0], point[1]), point[2]);
+    if (!(length > 0)) {
+        return fail(error, ERROR_DOMAIN, "the object lies in the first vertex of the lens");
+    }
+    double sign = point[2] > 0 ? 1 : -1;
+    *beam = (struct beam){.distance = -sign * length, .n = n};
+    for (int i = 0; i < 3; i++) {
+        beam->axis[i] = sign * point[i] / length;
+    }
+    set_across(beam);
+    return true;
+}
+
+struct beam beam_from_film(const double point[3], double n)
+{
+    double length = hypot(hypot(point[0], point[1]), point[2]);
+    struct beam beam = {.distance = length, .n = n};
+    for (int i = 0; i < 3; i++) {
+        beam.axis[i] = -point[i] / length;
+    }
+    set_across(&beam);
+    return beam;
+}
+
+static bool from_angle(const double angle[2], const struct conjugate_object *object, double n,
+                       struct beam *beam, struct error *error)
+{
+    const double degree = 180 / pi;
+    double t = hypot(angle[0], angle[1]);
+    if (object->is_infinite) {
+        if (!(t < pi)) {
+            return fail(error, ERROR_DOMAIN, "a field angle of %.6g deg: it must be below 180",
+                        t * degree);
+        }
+        *beam = beam_from_infinity(angle, n);
+        return true;
+    }
+    if (!(t < pi / 2)) {
+        return fail(error, ERROR_DOMAIN,
+                    "a field angle of %.6g deg: for an object at a distance it must be below 90",
+                    t * degree);
+    }
+    double distance = object->distance.hi, scale = t > 0 ? -distance * tan(t) / t : 0;
+    return beam_from_point((double[3]){angle[0] * scale, angle[1] * scale, -distance}, n, beam,
+                           error);
+}
+
+bool beam_of_field(const struct field_point *field, const struct conjugate_object *object,
+                   const struct first_order *first, struct beam *beam, struct error *error)
+{
+    double n = fabs(first->index_object), value[2] = {field->value[0], field->value[1]};
+    if (field->kind == FIELD_NONE) {
+        value[0] = value[1] = 0;
+    }
+    if (field->kind == FIELD_HEIGHT || (field->kind == FIELD_IMAGE && !object->is_infinite)) {
+        double m = field->kind == FIELD_IMAGE ? first->magnification : 1;
+        if (object->is_infinite || !(m != 0)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the field is an object's height, but the object is infinitely far away");
+        }
+        double point[3] = {value[0] / m, value[1] / m, -object->distance.hi};
+        return beam_from_point(point, n, beam, error);
+    }
+    if (field->kind == FIELD_IMAGE) {
+        if (first->is_afocal) {
+            return fail(error, ERROR_DOMAIN,
+                        "the field is an image height, but the lens is afocal");
+        }
+        double height = hypot(value[0], value[1]);
+        double t = atan(-height * first->matrix.c.hi / first->index_object);
+        double scale = height > 0 ? t / height : 0;
+        value[0] *= scale;
+        value[1] *= scale;
+    }
+    return from_angle(value, object, n, beam, error);
+}
+
+struct ray beam_ray(const struct beam *beam, double a, double b)
+{
+    struct ray ray = {.status = RAY_OK};
+    double across[3];
+    for (int i = 0; i < 3; i++) {
+        across[i] = a * beam->across[0][i] + b * beam->across[1][i];
+        ray.point[i] = across[i];
+        ray.cosine[i] = beam->axis[i];
+    }
+    if (isinf(beam->distance)) {
+        return ray;
+    }
+    double d = fabs(beam->distance), sign = beam->distance > 0 ? 1 : -1, r2 = a * a + b * b;
+    double length = sqrt(d * d + r2);
+    for (int i = 0; i < 3; i++) {
+        ray.cosine[i] = (d * beam->axis[i] + sign * across[i]) / length;
+    }
+    ray.path = sign * beam->n * (r2 / (length + d));
+    return ray;
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+void beam_place(const struct beam *beam, const double point[3], double place[2])
+{
+    double a = dot(point, beam->across[0]), b = dot(point, beam->across[1]);
+    if (isinf(beam->distance)) {
+        place[0] = a;
+        place[1] = b;
+        return;
+    }
+    /* seen from the object, at distance + along */
+    double along = dot(point, beam->axis), scale = beam->distance / (beam->distance + along);
+    place[0] = a * scale;
+    place[1] = b * scale;
+}

@@ -1,0 +1,81 @@
+/* trace/beam.h - the rays of one object point, named by two coordinates. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_BEAM_H
+#define LENSCALC_TRACE_BEAM_H
+
+#include "base/error.h"
+#include "optics/first_order.h"
+#include "trace/rays.h"
+
+#include <stdbool.h>
+
+/*
+ * A bundle of rays from one point. Every ray crosses the plane through the first vertex at right
+ * angles to `axis` at a across[0] + b across[1]; so nothing is special about 90 degrees, about
+ * telecentric lenses, or about objects very far or very near.
+ */
+struct beam {
+    double axis[3];      /* unit: from the object to the first vertex, along the light */
+    double across[2][3]; /* unit: sagittal (a), and meridional (b, upwards on the axis) */
+    double distance;     /* object to first vertex, mm; infinite; negative for a virtual object */
+    double n;            /* index of the object space */
+};
+
+/* A field point. */
+struct field_point {
+    enum field_kind kind; /* FIELD_NONE: on the axis */
+    double value[2];      /* x, y: rad, or mm at the object or at the paraxial image */
+};
+
+/*
+ * The beam of an object infinitely far away.
+ *
+ * Given     angle  x, y, rad: the direction is turned from the axis by t = |angle|, towards
+ *                  (x, y)/t; with (0, t) light goes up, (0, sin t, cos t). t below pi
+ */
+struct beam beam_from_infinity(const double angle[2], double n);
+
+/*
+ * The beam of a point.
+ *
+ * Given     point  mm, in the frame of the first vertex; z above 0: virtual, the rays aim at it
+ * Errors    ERROR_DOMAIN: the point is the first vertex itself
+ */
+bool beam_from_point(const double point[3], double n, struct beam *beam, struct error *error);
+
+/*
+ * The beam of a point of the image side, for a system compiled with `reverse`.
+ *
+ * Given     point  mm, in the frame of the last vertex, z above 0
+ *           n      index of the image space
+ */
+struct beam beam_from_film(const double point[3], double n);
+
+/*
+ * The beam of a field point of a lens.
+ *
+ * Given     field   angle: that of the chief ray as seen from the first vertex, for a near object
+ *                   too; height: of the object; image: height of the paraxial image
+ *           object  where the object is
+ *           first   of the lens at the primary wavelength: image heights need it
+ * Formula   paraxial image height y' from infinity: tan t = y' n'/(n f') = -y' c/n of the matrix;
+ *           from near: object height y'/m
+ * Errors    ERROR_DOMAIN: an object height of an object at infinity, an image height of an afocal
+ *           lens, angles of 180 degrees or more, of 90 and more for a near object
+ */
+bool beam_of_field(const struct field_point *field, const struct conjugate_object *object,
+                   const struct first_order *first, struct beam *beam, struct error *error);
+
+/*
+ * The ray with coordinates a, b, mm, started on the plane of the beam.
+ *
+ * Result    path: from infinity counted from the wave front through the first vertex, which is
+ *           this plane: 0; from a point, less the way to the first vertex:
+ *           n r^2/(sqrt(d^2 + r^2) + d), which keeps its digits however far the object is
+ */
+struct ray beam_ray(const struct beam *beam, double a, double b);
+
+/* The coordinates where a line meets the plane of the beam: point + t cosine. */
+void beam_place(const struct beam *beam, const double point[3], double place[2]);
+
+#endif

@@ -1,0 +1,395 @@
+/* trace/chief.c - bracketing the ray through the centre of the stop. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/chief.h"
+
+#include "optics/paraxial.h"
+#include "trace/dispatch.h"
+
+#include <math.h>
+
+/* Where to look, in coordinates of the beam. */
+struct region {
+    double guess[2]; /* the paraxial chief ray */
+    double low[2], high[2];
+    double slope;  /* paraxial, of the height in the stop */
+    double up[2];  /* direction in the stop of the meridional plane */
+    double finest; /* what is called the same place, mm */
+};
+
+void chief_trace(const struct aim *aim, const double (*at)[2], size_t count)
+{
+    const struct system *system = aim->system;
+    for (size_t i = 0; i < count; i++) {
+        struct ray ray = beam_ray(&aim->beam, at[i][0], at[i][1]);
+        rays_set(&aim->work, i, aim->beam.n, &ray);
+    }
+    rays_trace_part(system, 0, system_place(system, system->stop) + 1, &aim->work, NULL);
+}
+
+static bool arrived(const struct aim *aim, size_t lane)
+{
+    return ray_block_status(aim->work.blocks, lane) == RAY_OK;
+}
+
+bool chief_slope(const struct aim *aim, const double at[2], double slope[4])
+{
+    const struct ray_block *block = aim->work.blocks;
+    double size = fabs(aim->slope[3]) > 0 ? aim->stop_radius / fabs(aim->slope[3]) : 1;
+    for (double h = 1e-3 * size; h > 1e-9 * size; h /= 8) {
+        const double rays[4][2] = {
+            {at[0] + h, at[1]}, {at[0] - h, at[1]}, {at[0], at[1] + h}, {at[0], at[1] - h}};
+        chief_trace(aim, rays, 4);
+        if (arrived(aim, 0) && arrived(aim, 1) && arrived(aim, 2) && arrived(aim, 3)) {
+            slope[0] = (block->x[0] - block->x[1]) / (2 * h);
+            slope[1] = (block->x[2] - block->x[3]) / (2 * h);
+            slope[2] = (block->y[0] - block->y[1]) / (2 * h);
+            slope[3] = (block->y[2] - block->y[3]) / (2 * h);
+            return slope[0] * slope[3] != slope[1] * slope[2];
+        }
+    }
+    return false;
+}
+
+/* Widen the region by a point of the first surface as the beam sees it. */
+static void include(struct region *region, const struct beam *beam, const double point[3])
+{
+    double place[2];
+    beam_place(beam, point, place);
+    for (int i = 0; i < 2; i++) {
+        if (isfinite(place[i])) {
+            region->low[i] = fmin(region->low[i], place[i]);
+            region->high[i] = fmax(region->high[i], place[i]);
+        }
+    }
+}
+
+/* The first surface with a rim bounds the beam; without one the paraxial pupil has to do. */
+static void include_surface(struct region *region, const struct aim *aim)
+{
+    const struct lens *lens = aim->system->lens;
+    const struct surface *surface = &lens->surfaces[0];
+    double slope = fabs(region->slope), pupil = slope > 0 ? aim->stop_radius / slope : 0;
+    double radius = surface->has_diameter ? surface->diameter.value.hi / 2
+                                          : 2 * (pupil + hypot(region->guess[0], region->guess[1]));
+    for (int i = -16; i <= 16; i++) {
+        double r = radius * i / 16, z = surface_sag(surface, r);
+        if (isfinite(z)) {
+            include(region, &aim->beam, (double[3]){r * region->up[0], r * region->up[1], z});
+            include(region, &aim->beam, (double[3]){-r * region->up[1], r * region->up[0], z});
+        }
+    }
+    double margin = 0.02 * radius + pupil;
+    for (int i = 0; i < 2; i++) {
+        region->low[i] -= margin;
+        region->high[i] += margin;
+    }
+}
+
+static bool open_region(const struct aim *aim, struct arena *arena, struct region *region,
+                        struct error *error)
+{
+    const struct system *system = aim->system;
+    const struct beam *beam = &aim->beam;
+    struct paraxial_system paraxial;
+    struct paraxial_trace trace;
+    if (!paraxial_compile(system->lens, system->wavelength, SECTION_Y, arena, &paraxial, error)) {
+        return false;
+    }
+    paraxial_trace(&paraxial, &trace);
+    double a = trace.front.a.hi, b = trace.front.b.hi, z = beam->n * b / a;
+    *region = (struct region){
+        .slope = a + (isinf(beam->distance) ? 0 : b * beam->n / beam->distance),
+        .up = {-beam->across[0][1], beam->across[0][0]},
+    };
+    /* a telecentric lens has its entrance pupil at infinity: far enough */
+    z = fabs(z) <= 1e12 ? z : copysign(1e12, z);
+    beam_place(beam, (double[3]){0, 0, z}, region->guess);
+    for (int i = 0; i < 2; i++) {
+        region->guess[i] = isfinite(region->guess[i]) ? region->guess[i] : 0;
+        region->low[i] = region->high[i] = region->guess[i];
+    }
+    include_surface(region, aim);
+    region->finest = 1e-16 * (region->high[1] - region->low[1]);
+    return true;
+}
+
+/* The height in the stop of one lane, along the meridional plane. */
+static double height(const struct aim *aim, const struct region *region, size_t lane)
+{
+    const struct ray_block *block = aim->work.blocks;
+    return block->x[lane] * region->up[0] + block->y[lane] * region->up[1];
+}
+
+/* Two rays with the centre of the stop between them. */
+struct bracket {
+    double low, high, distance;
+    bool found;
+};
+
+/* How far outside of the clear apertures a ray runs before the stop: the largest r/a. */
+static double excess(const struct aim *aim, double b)
+{
+    const struct system *system = aim->system;
+    const struct ray ray = beam_ray(&aim->beam, aim->chief[0], b);
+    double worst = 0;
+    rays_set(&aim->work, 0, aim->beam.n, &ray);
+    for (size_t place = 0; place <= system_place(system, system->stop); place++) {
+        const struct surface *surface = &system->lens->surfaces[system_surface(system, place)];
+        rays_trace_part(system, place, place + 1, &aim->work, NULL);
+        if (surface->has_diameter) {
+            const struct ray_block *block = aim->work.blocks;
+            worst = fmax(worst, hypot(block->x[0], block->y[0]) / (surface->diameter.value.hi / 2));
+        }
+    }
+    return worst;
+}
+
+/* Is this bracket better than the one there is? Rim first, then nearness to the paraxial ray. */
+static void offer(const struct aim *aim, const struct region *region, double low, double high,
+                  bool compares_rims, struct bracket *bracket)
+{
+    double middle = (low + high) / 2;
+    double distance = fabs(middle - region->guess[1]);
+    if (compares_rims) {
+        double beyond = fmax(excess(aim, middle) - 1, 0);
+        distance += 1e6 * beyond * (region->high[1] - region->low[1]);
+    }
+    if (!bracket->found || distance < bracket->distance) {
+        *bracket = (struct bracket){low, high, distance, true};
+    }
+}
+
+struct scan {
+    size_t samples;
+    bool any_slope;     /* the image of the stop may be upside down */
+    bool compares_rims; /* more than one bracket was found */
+};
+
+/* What became of the rays that did not arrive. */
+struct losses {
+    size_t count[256];
+    enum ray_status status[256];
+};
+
+static void note_loss(const struct aim *aim, size_t lane, struct losses *losses)
+{
+    size_t surface = ray_block_surface(aim->work.blocks, lane);
+    if (surface < 256) {
+        losses->count[surface]++;
+        losses->status[surface] = ray_block_status(aim->work.blocks, lane);
+    }
+}
+
+/* Sample the meridional line; returns how many brackets it has. */
+static size_t scan_line(const struct aim *aim, const struct region *region, const struct scan *scan,
+                        struct bracket *bracket, struct losses *losses)
+{
+    double at[RAYS_BLOCK][2], last = NAN, last_height = NAN;
+    double low = region->low[1], step = (region->high[1] - low) / (double)(scan->samples - 1);
+    size_t brackets = 0;
+    double found[64][2];
+    for (size_t done = 0; done < scan->samples; done += RAYS_BLOCK) {
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            at[i][0] = aim->chief[0];
+            at[i][1] = low + (double)(done + i) * step;
+        }
+        chief_trace(aim, (const double(*)[2])at, RAYS_BLOCK);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            bool here = arrived(aim, i);
+            double y = here ? height(aim, region, i) : (double)NAN;
+            bool crosses = (last_height <= 0 && y > 0) || (last_height >= 0 && y < 0);
+            bool turned = (y > last_height) != (region->slope > 0);
+            if (crosses && (scan->any_slope || !turned) && brackets < 64) {
+                found[brackets][0] = last;
+                found[brackets++][1] = at[i][1];
+            }
+            if (!here) {
+                note_loss(aim, i, losses);
+            }
+            last = at[i][1];
+            last_height = y;
+        }
+    }
+    for (size_t i = 0; i < brackets; i++) {
+        offer(aim, region, found[i][0], found[i][1], brackets > 1, bracket);
+    }
+    return brackets;
+}
+
+/* Close a bracket, 127 parts at a time. */
+static bool close_bracket(struct aim *aim, const struct region *region, struct bracket *bracket)
+{
+    double at[RAYS_BLOCK][2];
+    for (int turn = 0; turn < 20; turn++) {
+        double width = bracket->high - bracket->low;
+        double least = fmax(region->finest, 4e-16 * fabs(bracket->low));
+        if (width <= least) {
+            break;
+        }
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            at[i][0] = aim->chief[0];
+            at[i][1] = bracket->low + width * ((double)i / (RAYS_BLOCK - 1));
+        }
+        at[RAYS_BLOCK - 1][1] = bracket->high;
+        chief_trace(aim, (const double(*)[2])at, RAYS_BLOCK);
+        double last = NAN;
+        size_t root = 0;
+        for (size_t i = 0; i < RAYS_BLOCK && root == 0; i++) {
+            double y = arrived(aim, i) ? height(aim, region, i) : (double)NAN;
+            root = (last <= 0 && y > 0) || (last >= 0 && y < 0) ? i : 0;
+            last = y;
+        }
+        if (root == 0) {
+            return width <= 1e-9 * (region->high[1] - region->low[1]);
+        }
+        bracket->low = at[root - 1][1];
+        bracket->high = at[root][1];
+    }
+    aim->chief[1] = (bracket->low + bracket->high) / 2;
+    return true;
+}
+
+static bool refuse(const struct aim *aim, const struct losses *losses, struct error *error)
+{
+    size_t most = 0;
+    for (size_t i = 1; i < 256; i++) {
+        most = losses->count[i] > losses->count[most] ? i : most;
+    }
+    const char *words[] = {[RAY_OK] = "passes by the centre of the stop at",
+                           [RAY_MISS] = "misses",
+                           [RAY_TOTAL_REFLECTION] = "is totally reflected at",
+                           [RAY_CLIPPED] = "is clipped at",
+                           [RAY_NOT_CONVERGED] = "is lost numerically at"};
+    if (losses->count[most] == 0) {
+        return fail(error, ERROR_DOMAIN,
+                    "no ray of this field goes through the centre of the stop");
+    }
+    return fail(error, ERROR_DOMAIN,
+                "no ray of this field reaches the centre of the stop (surface %zu): it %s surface "
+                "%zu",
+                aim->system->stop + 1, words[losses->status[most]], most);
+}
+
+/* Coarse to fine; the pupil of a fisheye may be a thousandth of its front element. */
+static bool find_meridional(struct aim *aim, struct region *region, struct error *error)
+{
+    static const struct scan scans[] = {
+        {128, false, false}, {2048, false, false}, {32768, false, false}, {32768, true, false}};
+    struct losses losses = {0};
+    aim->chief[0] = region->guess[0];
+    for (size_t wide = 0; wide < 3; wide++) {
+        for (size_t i = 0; i < sizeof scans / sizeof scans[0]; i++) {
+            struct bracket bracket = {.found = false};
+            if (scan_line(aim, region, &scans[i], &bracket, &losses) > 0 &&
+                close_bracket(aim, region, &bracket)) {
+                return true;
+            }
+        }
+        double width = region->high[1] - region->low[1];
+        region->low[1] -= width;
+        region->high[1] += width;
+    }
+    return refuse(aim, &losses, error);
+}
+
+/* The sample of a grid that comes nearest to the centre of the stop. */
+static bool scan_grid(const struct aim *aim, const struct region *region, size_t side, double at[2],
+                      struct losses *losses)
+{
+    double best = INFINITY, rays[RAYS_BLOCK][2];
+    for (size_t done = 0; done < side * side; done += RAYS_BLOCK) {
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            size_t cell[2] = {(done + i) % side, (done + i) / side};
+            for (int k = 0; k < 2; k++) {
+                double part = ((double)cell[k] + 0.5) / (double)side;
+                rays[i][k] = region->low[k] + part * (region->high[k] - region->low[k]);
+            }
+        }
+        chief_trace(aim, (const double(*)[2])rays, RAYS_BLOCK);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            double r = hypot(aim->work.blocks->x[i], aim->work.blocks->y[i]);
+            if (!arrived(aim, i)) {
+                note_loss(aim, i, losses);
+            } else if (r < best) {
+                best = r;
+                at[0] = rays[i][0];
+                at[1] = rays[i][1];
+            }
+        }
+    }
+    return isfinite(best);
+}
+
+/* Newton's method to the centre of the stop, steps halved while they lead away. */
+static bool walk(struct aim *aim, double at[2])
+{
+    const struct ray_block *block = aim->work.blocks;
+    double miss = INFINITY;
+    for (int step = 0; step < 60; step++) {
+        double slope[4], x, y, scale = 1;
+        if (!chief_slope(aim, at, slope)) {
+            return false;
+        }
+        chief_trace(aim, (const double(*)[2])at, 1);
+        x = block->x[0];
+        y = block->y[0];
+        miss = hypot(x, y);
+        double det = slope[0] * slope[3] - slope[1] * slope[2];
+        double move[2] = {(slope[1] * y - slope[3] * x) / det, (slope[2] * x - slope[0] * y) / det};
+        bool closer = false;
+        for (int half = 0; half < 30 && !closer && miss > 0; half++, scale /= 2) {
+            double next[1][2] = {{at[0] + scale * move[0], at[1] + scale * move[1]}};
+            chief_trace(aim, (const double(*)[2])next, 1);
+            closer = arrived(aim, 0) && hypot(block->x[0], block->y[0]) < miss;
+            if (closer) {
+                at[0] = next[0][0];
+                at[1] = next[0][1];
+            }
+        }
+        if (!closer) {
+            break;
+        }
+    }
+    return miss <= 1e-9 * aim->stop_radius;
+}
+
+static bool find_anywhere(struct aim *aim, struct region *region, struct error *error)
+{
+    struct losses losses = {0};
+    for (size_t side = 16; side <= 512; side *= 2) {
+        double at[2];
+        if (scan_grid(aim, region, side, at, &losses) && walk(aim, at)) {
+            aim->chief[0] = at[0];
+            aim->chief[1] = at[1];
+            return true;
+        }
+    }
+    return refuse(aim, &losses, error);
+}
+
+bool chief_find(struct aim *aim, struct arena *arena, struct error *error)
+{
+    struct region region;
+    const double *axis = aim->beam.axis;
+    if (!open_region(aim, arena, &region, error)) {
+        return false;
+    }
+    aim->slope[3] = region.slope;
+    if (!lens_is_round(aim->system->lens)) {
+        if (!find_anywhere(aim, &region, error)) {
+            return false;
+        }
+    } else if (axis[0] == 0 && axis[1] == 0 && axis[2] > 0) {
+        aim->chief[0] = aim->chief[1] = 0;
+    } else if (!find_meridional(aim, &region, error)) {
+        return false;
+    }
+    double slope[4];
+    if (!chief_slope(aim, aim->chief, slope)) {
+        return fail(error, ERROR_DOMAIN, "the rays about the chief ray are lost");
+    }
+    for (int i = 0; i < 4; i++) {
+        aim->slope[i] = slope[i];
+    }
+    return true;
+}

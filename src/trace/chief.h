@@ -1,0 +1,29 @@
+/* trace/chief.h - the search for the chief ray of a beam; see trace/aim.h. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_CHIEF_H
+#define LENSCALC_TRACE_CHIEF_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "trace/aim.h"
+
+#include <stdbool.h>
+
+/*
+ * Fill chief and slope of an aim that has its system, beam, stop radius and block.
+ *
+ * Errors    as aim_open
+ */
+bool chief_find(struct aim *aim, struct arena *arena, struct error *error);
+
+/*
+ * d(x, y in the stop)/d(a, b) at a ray of the beam, by central differences.
+ *
+ * Result    false: the rays about it are lost
+ */
+bool chief_slope(const struct aim *aim, const double at[2], double slope[4]);
+
+/* Take `count` rays of the beam (1 to RAYS_BLOCK) to the stop; their fate is in aim->work. */
+void chief_trace(const struct aim *aim, const double (*at)[2], size_t count);
+
+#endif

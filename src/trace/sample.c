@@ -1,0 +1,218 @@
+/* trace/sample.c - patterns of points over the unit disc. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/sample.h"
+
+#include <math.h>
+
+static const double pi = 3.141592653589793;
+
+const struct word patterns[] = {
+    [PATTERN_GAUSS] = {"gauss", "Gauss quadrature: converges fast"},
+    [PATTERN_HEXAPOLAR] = {"hexapolar", "rings of 6, 12, 18 ... rays, as other programs have"},
+    [PATTERN_SQUARE] = {"square", "a square grid"},
+    [PATTERN_FAN] = {"fan", "along x and along y"},
+    [PATTERN_SOBOL] = {"sobol", "a scrambled Sobol' sequence"},
+    [PATTERNS] = {NULL, NULL},
+};
+
+/* P_n(x) and its derivative, by the recurrence. */
+static void legendre(size_t n, double x, double *value, double *slope)
+{
+    double before = 1, here = x;
+    for (size_t k = 2; k <= n; k++) {
+        double next = ((double)(2 * k - 1) * x * here - (double)(k - 1) * before) / (double)k;
+        before = here;
+        here = next;
+    }
+    *value = here;
+    *slope = (double)n * (before - x * here) / (1 - x * x);
+}
+
+void gauss_rule(size_t count, double *x, double *w)
+{
+    for (size_t i = 0; i < count; i++) {
+        double root = cos(pi * ((double)i + 0.75) / ((double)count + 0.5)), value, slope;
+        for (int step = 0; step < 20; step++) {
+            legendre(count, root, &value, &slope);
+            double move = value / slope;
+            root -= move;
+            if (fabs(move) < 1e-16) {
+                break;
+            }
+        }
+        legendre(count, root, &value, &slope);
+        x[count - 1 - i] = (1 + root) / 2;
+        w[count - 1 - i] = 1 / ((1 - root * root) * slope * slope);
+    }
+}
+
+static struct pupil_point *room(struct sample *sample, size_t count, struct arena *arena)
+{
+    sample->points = ARENA_ARRAY(arena, count, struct pupil_point);
+    sample->count = 0;
+    return sample->points;
+}
+
+static void add(struct sample *sample, double x, double y, double weight)
+{
+    sample->points[sample->count++] = (struct pupil_point){x, y, weight};
+}
+
+static void make_gauss(size_t rays, struct arena *arena, struct sample *sample)
+{
+    size_t rings = 1;
+    while (rings * (2 * rings + 1) < rays) {
+        rings++;
+    }
+    size_t arms = 2 * rings + 1;
+    double *r2 = ARENA_ARRAY(arena, rings, double), *w = ARENA_ARRAY(arena, rings, double);
+    gauss_rule(rings, r2, w);
+    room(sample, rings * arms, arena);
+    for (size_t i = 0; i < rings; i++) {
+        for (size_t k = 0; k < arms; k++) {
+            double angle = 2 * pi * (double)k / (double)arms, r = sqrt(r2[i]);
+            add(sample, r * sin(angle), r * cos(angle), w[i] / (double)arms);
+        }
+    }
+}
+
+static void make_hexapolar(size_t rays, struct arena *arena, struct sample *sample)
+{
+    size_t rings = 1;
+    while (1 + 3 * rings * (rings + 1) < rays) {
+        rings++;
+    }
+    size_t count = 1 + 3 * rings * (rings + 1);
+    room(sample, count, arena);
+    add(sample, 0, 0, 1 / (double)count);
+    for (size_t i = 1; i <= rings; i++) {
+        for (size_t k = 0; k < 6 * i; k++) {
+            double angle = 2 * pi * (double)k / (double)(6 * i), r = (double)i / (double)rings;
+            add(sample, r * sin(angle), r * cos(angle), 1 / (double)count);
+        }
+    }
+}
+
+/* Calls `sample` none: counts. (2 i + 1 - side)/side inside the disc. */
+static size_t square_points(size_t side, struct sample *sample)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < side; i++) {
+        for (size_t k = 0; k < side; k++) {
+            double x = ((double)(2 * k + 1) - (double)side) / (double)side;
+            double y = ((double)(2 * i + 1) - (double)side) / (double)side;
+            if (x * x + y * y <= 1) {
+                count++;
+                if (sample != NULL) {
+                    add(sample, x, y, 1);
+                }
+            }
+        }
+    }
+    return count;
+}
+
+static void make_square(size_t rays, struct arena *arena, struct sample *sample)
+{
+    size_t side = (size_t)ceil(sqrt((double)rays));
+    size_t count = square_points(side, NULL);
+    while (count < rays) {
+        count = square_points(++side, NULL);
+    }
+    room(sample, count, arena);
+    square_points(side, sample);
+    for (size_t i = 0; i < count; i++) {
+        sample->points[i].weight = 1 / (double)count;
+    }
+}
+
+static void make_fan(size_t rays, struct arena *arena, struct sample *sample)
+{
+    size_t half = rays < 6 ? 1 : (rays + 1) / 4, count = 2 * (2 * half + 1);
+    room(sample, count, arena);
+    for (size_t axis = 0; axis < 2; axis++) {
+        for (size_t i = 0; i <= 2 * half; i++) {
+            double at = ((double)i - (double)half) / (double)half;
+            add(sample, axis == 0 ? at : 0, axis == 0 ? 0 : at, 1 / (double)count);
+        }
+    }
+}
+
+static uint32_t reverse_bits(uint32_t x)
+{
+    x = (x >> 16) | (x << 16);
+    x = ((x & 0x00ff00ffU) << 8) | ((x & 0xff00ff00U) >> 8);
+    x = ((x & 0x0f0f0f0fU) << 4) | ((x & 0xf0f0f0f0U) >> 4);
+    x = ((x & 0x33333333U) << 2) | ((x & 0xccccccccU) >> 2);
+    return ((x & 0x55555555U) << 1) | ((x & 0xaaaaaaaaU) >> 1);
+}
+
+/* Every bit is flipped or not by a hash of the bits above it: Owen's scrambling. */
+static uint32_t scramble(uint32_t x, uint32_t seed)
+{
+    x = reverse_bits(x);
+    x ^= x * 0x3d20adeaU;
+    x += seed;
+    x *= (seed >> 16) | 1;
+    x ^= x * 0x05526c56U;
+    x ^= x * 0x53a22864U;
+    return reverse_bits(x);
+}
+
+/* Second dimension of Sobol's sequence: direction numbers v_k = v_(k-1) xor v_(k-1)/2. */
+static uint32_t sobol_second(uint32_t i)
+{
+    uint32_t x = 0;
+    for (uint32_t v = 0x80000000U; i != 0; i >>= 1, v ^= v >> 1) {
+        if (i & 1) {
+            x ^= v;
+        }
+    }
+    return x;
+}
+
+/* The square to the disc: areas stay in proportion. */
+static struct pupil_point to_disc(double u, double v)
+{
+    double r = sqrt(u), angle = 2 * pi * v;
+    return (struct pupil_point){r * sin(angle), r * cos(angle), 0};
+}
+
+static void make_sobol(size_t rays, uint64_t seed, struct arena *arena, struct sample *sample)
+{
+    const double step = 1 / 4294967296.0;
+    uint64_t mixed = (seed + 1) * 0x9e3779b97f4a7c15U;
+    uint32_t first = (uint32_t)(mixed >> 32), second = (uint32_t)(mixed >> 16) ^ 0x5bd1e995U;
+    room(sample, rays, arena);
+    for (size_t i = 0; i < rays; i++) {
+        uint32_t a = scramble(reverse_bits((uint32_t)i), first);
+        uint32_t b = scramble(sobol_second((uint32_t)i), second);
+        struct pupil_point at = to_disc(((double)a + 0.5) * step, ((double)b + 0.5) * step);
+        add(sample, at.x, at.y, 1 / (double)rays);
+    }
+}
+
+bool sample_make(enum pattern pattern, size_t rays, uint64_t seed, struct arena *arena,
+                 struct sample *sample, struct error *error)
+{
+    if (rays < 1 || rays > 1000000000) {
+        return fail(error, ERROR_USAGE, "%zu rays: there must be 1 to 1e9", rays);
+    }
+    switch (pattern) {
+    case PATTERN_HEXAPOLAR:
+        make_hexapolar(rays, arena, sample);
+        break;
+    case PATTERN_SQUARE:
+        make_square(rays, arena, sample);
+        break;
+    case PATTERN_FAN:
+        make_fan(rays, arena, sample);
+        break;
+    case PATTERN_SOBOL:
+        make_sobol(rays, seed, arena, sample);
+        break;
+    default:
+        make_gauss(rays, arena, sample);
+    }
+    return true;
+}
