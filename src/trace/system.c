@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdint.h>
 
-/* Rays aimed at the rim of an aperture pass, in spite of rounding. */
-static const double rim = 1 + 1e-12;
+/* Rays aimed at the edge of the stop pass, in spite of rounding. */
+static const double stop_slack = 1 + 1e-13;
 
 struct system_options system_options_default(void)
 {
@@ -88,7 +88,7 @@ static double clear_radius(const struct system *system, size_t i)
     const struct surface *surface = &system->lens->surfaces[i];
     double clear = surface->has_diameter ? surface->diameter.value.hi / 2 : (double)INFINITY;
     if (i == system->stop && system->stop_radius < clear) {
-        clear = system->stop_radius;
+        clear = system->stop_radius * stop_slack;
     }
     return system->options.clip ? clear : (double)INFINITY;
 }
@@ -238,7 +238,7 @@ static void put_surface(struct writing *writing, size_t place)
     }
     struct step *step = &writing->steps[writing->count++];
     double clear = clear_radius(system, i);
-    *step = (struct step){.t = t, .clear2 = clear * clear * rim};
+    *step = (struct step){.t = t, .clear2 = clear * clear};
     set_shape(step, surface);
     set_media(step, system->n[reverse ? i + 1 : i], system->n[reverse ? i : i + 1]);
     set_codes(step, place, i);
