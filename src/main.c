@@ -1,6 +1,7 @@
 /* main.c - argv to command to exit status. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
+#include "cli/complain.h"
 #include "cli/driver.h"
 #include "cli/help.h"
 #include "report/version.h"

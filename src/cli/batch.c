@@ -20,6 +20,9 @@ enum {
 static bool refill(struct batch *batch, struct error *error)
 {
     size_t kept = (size_t)(batch->end - batch->at);
+    if (batch->before_read != NULL && !batch->before_read(batch->waiting, error)) {
+        return false;
+    }
     error->code = ERROR_NONE;
     if (kept > 0) {
         memmove(batch->buffer, batch->at, kept);
@@ -38,9 +41,6 @@ static bool refill(struct batch *batch, struct error *error)
     }
     batch->at = batch->buffer;
     batch->end = batch->buffer + kept;
-    if (batch->before_read != NULL) {
-        batch->before_read(batch->waiting);
-    }
     ssize_t got;
     do {
         got = read(batch->descriptor, batch->buffer + kept, batch->capacity - kept);
@@ -303,17 +303,18 @@ static inline struct plain_number read_plain(const struct batch_plain *plain, co
                                              const char *end)
 {
     struct number_short number;
-    const char *behind = number_read_short(at, &number);
+    const bool negative = *at == '-';
+    const char *behind = number_read_short(at + negative, &number);
     if (behind == NULL || *behind != plain->behind) {
         return read_longer(plain, at, end);
     }
     double value = number.mantissa * plain->up / plain->down[number.decimals];
-    return (struct plain_number){behind, value};
+    return (struct plain_number){behind, negative ? 0 - value : value};
 }
 
 /*
  * A row of bare numbers, as most are, straight from the buffer: no character is looked at twice.
- * Anything else (a blank, a unit, a zero, a value at the edge of its range, a row that has not
+ * Anything else (a blank, a unit, a value at the edge of its range, a row that has not
  * arrived whole) is left to read_row, with nothing taken.
  */
 static bool take_plain_row(struct batch *batch, void *input)
@@ -459,8 +460,7 @@ static void prepare_plain(struct batch *batch)
         const struct batch_column *column = &batch->columns[i];
         plain[i] = (struct batch_plain){.scale = column->scale,
                                         .factor = column->factor,
-                                        /* whether a zero may be below is for read_row */
-                                        .lowest = column->lowest > 0 ? column->lowest : 0,
+                                        .lowest = column->lowest,
                                         .highest = column->highest,
                                         .offset = column->offset,
                                         .is_coc = column->is_coc,

@@ -59,7 +59,8 @@ struct batch {
     size_t capacity;
     const char *at, *end;              /* what is still to read */
     bool at_end;                       /* the file has no more */
-    void (*before_read)(void *reader); /* called before the file may keep the program waiting */
+    /* called before the file may keep the program waiting: texts of earlier rows end here */
+    bool (*before_read)(void *reader, struct error *error);
     void *waiting;                     /* its argument */
     long line;                         /* of the present row */
     long next_line;

@@ -14,6 +14,8 @@
 /* What `run` works with besides its input. */
 struct run {
     struct arena *arena; /* reset after each input: rows may point into it */
+    struct arena *kept;  /* until the end: for what `state` points to */
+    void *state;         /* the command's own from one block to the next; null at first */
     struct lensdb *db;
     bool (*emit)(struct run *run, const void *row);
     void *driver; /* the driver's own */
@@ -48,6 +50,16 @@ struct example {
     const char *arguments, *help;
 };
 
+/* Inputs of a batch that are computed together, and their answers, one row each. */
+struct block {
+    const char *inputs;   /* count of input_size */
+    size_t count;         /* 1 .. BLOCK_INPUTS */
+    char *rows;           /* receives count of the sheet's row_size; zero at first */
+    struct error *errors; /* of each; code ERROR_NONE at first: only failures are set */
+};
+
+enum { BLOCK_INPUTS = 128 };
+
 struct command {
     const char *name;
     const char *group;              /* "photography" */
@@ -68,6 +80,13 @@ struct command {
      * Errors    whatever is refused; rows handed out before stay
      */
     bool (*run)(const void *input, struct run *run, struct error *error);
+    /*
+     * Compute many inputs of a batch at once, where that is faster than one by one: a filter. The
+     * driver keeps their order, and has them computed at the latest before it waits for more.
+     */
+    void (*run_block)(const struct block *block, struct run *run);
+    /* Does every input of this batch make one row? `input` as the options set it. */
+    bool (*takes_blocks)(const void *input, const struct asking *asking);
     /* Instead of rows: write text (help, completion). */
     bool (*print)(const void *input, struct output *output, struct error *error);
     const struct explanation *explanations; /* ends with a null column */

@@ -4,14 +4,15 @@
 
 #include "cli/batch.h"
 #include "cli/collect.h"
+#include "cli/complain.h"
+#include "cli/drawings.h"
 #include "cli/help.h"
 #include "cli/photo_lens.h"
+#include "cli/queue.h"
 #include "report/explain.h"
 
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
 enum { MOST_CELLS = 100000, MOST_POINTS = 1000000, PROGRESS_ROWS = 65536 };
 
@@ -31,6 +32,9 @@ struct driver {
     struct report report;
     struct output output;
     struct collection collection;
+    struct arena kept;         /* of the command, until the end */
+    struct queue queue;        /* rows of the batch that wait to be computed together */
+    const struct text *passed; /* columns handed through, of the row being printed */
     void *input;
     const char *database;
     bool is_batch, is_open, begun, collects;
@@ -39,30 +43,6 @@ struct driver {
     const void *explained; /* the row whose numbers --explain puts in */
     double started;
 };
-
-void error_print(const struct error *error, const char *command)
-{
-    char place[400] = "";
-    if (error->source[0] != '\0') {
-        int used = snprintf(place, sizeof place, "%s:", error->source);
-        if (error->line > 0) {
-            used += snprintf(place + used, sizeof place - (size_t)used, "%ld:", error->line);
-        }
-        if (error->column > 0) {
-            used += snprintf(place + used, sizeof place - (size_t)used, "%d:", error->column);
-        }
-        snprintf(place + used, sizeof place - (size_t)used, " ");
-    }
-    bool named = command != NULL && command[0] != '\0';
-    fprintf(stderr, "lenscalc: %s%s%s%s\n", named ? command : "", named ? ": " : "", place,
-            error->message);
-    if (error->caret > 0) {
-        fprintf(stderr, "    %s\n    %*s\n", error->text, error->caret, "^");
-    }
-    if (error->hint[0] != '\0') {
-        fprintf(stderr, "    %s\n", error->hint);
-    }
-}
 
 /* Common options into their struct. */
 static bool read_common(struct driver *driver, struct error *error)
@@ -225,7 +205,7 @@ static bool emit(struct run *run, const void *row)
         if (!driver->begun) {
             begin(driver);
         }
-        report->format->row(report, row, driver->batch.passed, NULL);
+        report->format->row(report, row, driver->passed, NULL);
         report->rows++;
     }
     return driver->output.failure == 0;
@@ -240,26 +220,8 @@ static void emit_failure(struct driver *driver, const struct error *failure)
         if (!driver->begun) {
             begin(driver);
         }
-        driver->report.format->row(&driver->report, NULL, driver->batch.passed, failure);
+        driver->report.format->row(&driver->report, NULL, driver->passed, failure);
         driver->report.rows++;
-    }
-}
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
-/* Rows so far, where somebody is looking and it takes long. */
-static void show_progress(const struct driver *driver, size_t rows, bool last)
-{
-    if (rows % PROGRESS_ROWS != 0 && !last) {
-        return;
-    }
-    if (isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO) && now() - driver->started > 0.5) {
-        fprintf(stderr, "\r%zu rows%s", rows, last ? "\n" : "");
     }
 }
 
@@ -296,18 +258,75 @@ static bool run_sweep(struct driver *driver, struct error *error)
         if (!driver->collects) {
             arena_reset(&driver->row_arena, mark);
         }
-        show_progress(driver, i, false);
+        progress_show(driver->started, i, false);
     }
     if (driver->sweep.total > PROGRESS_ROWS) {
-        show_progress(driver, driver->sweep.total, true);
+        progress_show(driver->started, driver->sweep.total, true);
     }
     return true;
 }
 
-/* Who feeds the pipe sees all answers before being waited for. */
-static void flush_before_read(void *driver)
+/* A row that cannot be answered. False if that ends the batch. */
+static bool take_failure(struct driver *driver, struct error *error)
 {
-    output_flush(&((struct driver *)driver)->output);
+    if (driver->common.fail_fast) {
+        return stop_early(driver, error);
+    }
+    emit_failure(driver, error);
+    return true;
+}
+
+/* Compute the rows that wait, and print them in their order. */
+static bool flush_queue(struct driver *driver, struct error *error)
+{
+    struct queue *queue = &driver->queue;
+    bool going = true;
+    queue_run(queue, driver->command, &driver->run);
+    for (size_t i = 0; i < queue->count && going && driver->output.failure == 0; i++) {
+        driver->passed = queue_passed(queue, i);
+        if (queue->errors[i].code == ERROR_NONE) {
+            driver->good++;
+            emit(&driver->run, queue_row(queue, i));
+        } else {
+            *error = queue->errors[i];
+            error_locate(error, driver->batch.source, queue->lines[i], 0);
+            going = take_failure(driver, error);
+        }
+    }
+    driver->passed = driver->batch.passed;
+    queue->count = 0;
+    return going;
+}
+
+/* Who feeds the pipe sees all answers before being waited for. */
+static bool flush_before_read(void *data, struct error *error)
+{
+    struct driver *driver = data;
+    bool going = flush_queue(driver, error);
+    output_flush(&driver->output);
+    return going;
+}
+
+/* A row of the batch: into the queue, or answered at once. False if that ends the batch. */
+static bool take_row(struct driver *driver, enum batch_result result, struct error *error)
+{
+    struct queue *queue = &driver->queue;
+    if (result == BATCH_ROW && queue->capacity > 0) {
+        queue_add(queue, driver->input, &driver->batch);
+        return queue->count < queue->capacity || flush_queue(driver, error);
+    }
+    if (result == BATCH_ROW && run_one(driver, error)) {
+        return true;
+    }
+    if (result == BATCH_ROW) {
+        error_locate(error, driver->batch.source, driver->batch.line, 0);
+    }
+    struct error earlier;
+    if (queue->count > 0 && !flush_queue(driver, &earlier)) {
+        *error = earlier;
+        return false;
+    }
+    return take_failure(driver, error);
 }
 
 static bool run_batch(struct driver *driver, struct error *error)
@@ -321,29 +340,19 @@ static bool run_batch(struct driver *driver, struct error *error)
         if (result == BATCH_END) {
             break;
         }
-        if (result == BATCH_FAILED) {
+        if (result == BATCH_FAILED || !take_row(driver, result, error)) {
             return false;
         }
-        bool done = result == BATCH_ROW && run_one(driver, error);
-        if (!done) {
-            if (result == BATCH_ROW) {
-                error_locate(error, driver->batch.source, driver->batch.line, 0);
-            }
-            if (driver->common.fail_fast) {
-                return stop_early(driver, error);
-            }
-            emit_failure(driver, error);
+        if (driver->queue.count == 0) {
+            arena_reset(&driver->row_arena, mark);
         }
-        arena_reset(&driver->row_arena, mark);
         if (driver->output.failure != 0) {
             break;
         }
-        if (rows % PROGRESS_ROWS == 0) {
-            show_progress(driver, rows, false);
-        }
+        progress_show(driver->started, rows, false);
     }
-    show_progress(driver, rows, true);
-    return true;
+    progress_show(driver->started, rows, true);
+    return flush_queue(driver, error);
 }
 
 /* Add the value of a column to a line of words, while the line is short enough for a plot. */
@@ -393,41 +402,6 @@ static bool write_plot(struct driver *driver, struct error *error)
            output_file(driver->common.plot, svg.data, svg.length, &driver->arena, error);
 }
 
-static const char *drawing_path(const struct driver *driver, const struct drawing *drawing)
-{
-    return *(const char **)(void *)((char *)driver->input + drawing->offset);
-}
-
-static bool check_drawings(const struct driver *driver, struct error *error)
-{
-    const struct drawing *drawing = driver->command->drawings;
-    for (; drawing != NULL && drawing->option != NULL; drawing++) {
-        if (drawing_path(driver, drawing) != NULL && driver->report.many) {
-            return fail(error, ERROR_USAGE, "--%s draws one answer: no lists, ranges or --batch",
-                        drawing->option);
-        }
-    }
-    return true;
-}
-
-/* The drawings that options of this command ask for. */
-static bool write_drawings(struct driver *driver, struct error *error)
-{
-    const struct drawing *drawing = driver->command->drawings;
-    for (; drawing != NULL && drawing->option != NULL; drawing++) {
-        const char *path = drawing_path(driver, drawing);
-        if (path == NULL) {
-            continue;
-        }
-        struct svg svg = {.arena = &driver->arena};
-        if (!drawing->draw(driver->input, &svg, error) ||
-            !output_file(path, svg.data, svg.length, &driver->arena, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static bool finish(struct driver *driver, struct error *error)
 {
     struct report *report = &driver->report;
@@ -446,7 +420,7 @@ static bool finish(struct driver *driver, struct error *error)
     if (driver->common.plot != NULL && driver->good > 0 && !write_plot(driver, error)) {
         return false;
     }
-    return write_drawings(driver, error);
+    return drawings_write(driver->command, driver->input, &driver->arena, error);
 }
 
 static bool prepare(struct driver *driver, int count, char **words, struct error *error)
@@ -456,7 +430,11 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     driver->lenses.arena = &driver->arena;
     driver->reader =
         (struct reader){.db = &driver->db, .arena = &driver->arena, .lenses = &driver->lenses};
-    driver->run = (struct run){&driver->row_arena, &driver->db, emit, driver};
+    driver->run = (struct run){.arena = &driver->row_arena,
+                               .kept = &driver->kept,
+                               .db = &driver->db,
+                               .emit = emit,
+                               .driver = driver};
     if (!arguments_parse(&driver->arguments, command, count, words, &driver->arena, error) ||
         !read_common(driver, error)) {
         return false;
@@ -481,8 +459,12 @@ static bool open_batch(struct driver *driver, struct error *error)
     memcpy(constants, driver->input, driver->command->input_size);
     /* what the header needs lies below the first row's mark and stays */
     driver->reader.arena = &driver->row_arena;
-    return batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
-                      &driver->arguments, &driver->reader, constants, error);
+    if (!batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
+                    &driver->arguments, &driver->reader, constants, error)) {
+        return false;
+    }
+    driver->passed = driver->batch.passed;
+    return true;
 }
 
 /* Everything that can be wrong with the question is found before a byte is written. */
@@ -506,15 +488,20 @@ static bool ask(struct driver *driver, struct error *error)
     driver->report.sheet = command->choose_sheet != NULL
                                ? command->choose_sheet(driver->input, &asking)
                                : &command->sheet;
+    if (driver->is_batch && command->takes_blocks != NULL &&
+        command->takes_blocks(driver->input, &asking)) {
+        queue_open(&driver->queue, command, driver->report.sheet, driver->batch.passed_count,
+                   &driver->arena);
+    }
     return set_up_report(driver, error) && set_up_collection(driver, error) &&
-           check_drawings(driver, error) &&
+           drawings_check(command, driver->input, driver->report.many, error) &&
            output_open(&driver->output, common->output, &driver->arena, error) &&
            (driver->is_open = true);
 }
 
 static bool answer(struct driver *driver, struct error *error)
 {
-    driver->started = now();
+    driver->started = progress_now();
     bool done = (driver->is_batch ? run_batch(driver, error) : run_sweep(driver, error)) &&
                 finish(driver, error);
     if (driver->begun && !done) {
@@ -594,6 +581,7 @@ int command_execute(const struct command *command, int count, char **words, cons
         batch_close(&driver.batch);
     }
     arena_free(&driver.row_arena);
+    arena_free(&driver.kept);
     arena_free(&driver.arena);
     return status;
 }

@@ -14,7 +14,4 @@
  */
 int command_execute(const struct command *command, int count, char **words, const char *database);
 
-/* Print an error as people expect it: place, message, text with caret, hint. */
-void error_print(const struct error *error, const char *command);
-
 #endif

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/help.h"
 
-#include "cli/driver.h"
+#include "cli/complain.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,0 +1,50 @@
+/* cli/complain.c - errors and progress on standard error. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/complain.h"
+
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { PROGRESS_ROWS = 65536 };
+
+void error_print(const struct error *error, const char *command)
+{
+    char place[400] = "";
+    if (error->source[0] != '\0') {
+        int used = snprintf(place, sizeof place, "%s:", error->source);
+        if (error->line > 0) {
+            used += snprintf(place + used, sizeof place - (size_t)used, "%ld:", error->line);
+        }
+        if (error->column > 0) {
+            used += snprintf(place + used, sizeof place - (size_t)used, "%d:", error->column);
+        }
+        snprintf(place + used, sizeof place - (size_t)used, " ");
+    }
+    bool named = command != NULL && command[0] != '\0';
+    fprintf(stderr, "lenscalc: %s%s%s%s\n", named ? command : "", named ? ": " : "", place,
+            error->message);
+    if (error->caret > 0) {
+        fprintf(stderr, "    %s\n    %*s\n", error->text, error->caret, "^");
+    }
+    if (error->hint[0] != '\0') {
+        fprintf(stderr, "    %s\n", error->hint);
+    }
+}
+
+double progress_now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+void progress_show(double started, size_t rows, bool last)
+{
+    if (rows % PROGRESS_ROWS != 0 && !last) {
+        return;
+    }
+    if (isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO) && progress_now() - started > 0.5) {
+        fprintf(stderr, "\r%zu rows%s", rows, last ? "\n" : "");
+    }
+}
