@@ -9,6 +9,7 @@
 #include "cli/option_glass.h"
 #include "cli/option_lens.h"
 #include "cli/option_light.h"
+#include "cli/option_ray.h"
 #include "file/lensdb.h"
 #include "photo/format.h"
 
@@ -39,7 +40,7 @@ struct option_kind {
 
 extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
     kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass, kind_interval,
-    kind_lens, kind_lens_text, kind_wavelength;
+    kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane, kind_target;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -76,7 +77,11 @@ struct coc_value {
         struct interval_value: &kind_interval,  \
         struct lens_value: &kind_lens, \
         struct lens_text_value: &kind_lens_text, \
-        struct wavelength_value: &kind_wavelength)
+        struct wavelength_value: &kind_wavelength, \
+        struct vector_value: &kind_vector, \
+        struct pupil_value: &kind_pupil, \
+        struct plane_value: &kind_plane, \
+        struct target_value: &kind_target)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
 

@@ -1,0 +1,36 @@
+/* cli/option_ray.h - values of ray commands: points, directions, planes. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_OPTION_RAY_H
+#define LENSCALC_CLI_OPTION_RAY_H
+
+#include <stdbool.h>
+
+/* A point or a direction: x:y:z. */
+struct vector_value {
+    bool is_given;
+    double at[3]; /* mm, or plain numbers */
+};
+
+/* A point of the pupil: x:y, in units of its radius. */
+struct pupil_value {
+    bool is_given;
+    double at[2];
+};
+
+/* Where the image plane stands. */
+enum plane_kind { PLANE_OF_LENS, PLANE_PARAXIAL, PLANE_TABLE, PLANE_BEST, PLANE_AT };
+
+struct plane_value {
+    enum plane_kind kind; /* PLANE_OF_LENS: not given */
+    double distance;      /* PLANE_AT: behind the last vertex, mm */
+};
+
+/* Where rays end. */
+enum target_kind { TARGET_USUAL, TARGET_IMAGE, TARGET_LAST, TARGET_SURFACE };
+
+struct target_value {
+    enum target_kind kind; /* TARGET_USUAL: not given */
+    long surface;          /* TARGET_SURFACE: from 1 */
+};
+
+#endif
