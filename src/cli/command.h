@@ -54,7 +54,7 @@ struct example {
 struct block {
     const char *inputs;   /* count of input_size */
     size_t count;         /* 1 .. BLOCK_INPUTS */
-    char *rows;           /* receives count of the sheet's row_size; zero at first */
+    char *rows;           /* receives count of the sheet's row_size */
     struct error *errors; /* of each; code ERROR_NONE at first: only failures are set */
 };
 

@@ -33,7 +33,6 @@ void queue_add(struct queue *queue, const void *input, const struct batch *batch
 void queue_run(struct queue *queue, const struct command *command, struct run *run)
 {
     if (queue->count > 0) {
-        memset(queue->rows, 0, queue->count * queue->row_size);
         command->run_block(&(struct block){.inputs = queue->inputs,
                                            .count = queue->count,
                                            .rows = queue->rows,

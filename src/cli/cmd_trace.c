@@ -1,0 +1,233 @@
+/* cli/cmd_trace.c - lenscalc trace: exact rays through a lens. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/trace_answer.h"
+#include "optics/wavelength.h"
+
+static const struct word aims[] = {
+    {"stop", "real rays that cross the stop there"},
+    {"entrance", "through the paraxial entrance pupil"},
+    {NULL, NULL},
+};
+
+static const struct word pattern_words[] = {
+    {"few", "the chief ray, both edges of the pupil in the plane of the field, one beside it"},
+    {"gauss", "quadrature: Gauss's points in r^2, equal arms"},
+    {"hexapolar", "centre and rings of 6, 12, 18 ...: as other programs print"},
+    {"square", "a grid"},
+    {"fan", "along x and y"},
+    {"sobol", "a scrambled sequence of low discrepancy"},
+    {NULL, NULL},
+};
+
+#define COORDINATE(member_name)                                                                    \
+    OPTION(struct trace_input, member_name), .dimension = &dimension_length, .unit = "mm",         \
+                                             .flags = OPTION_NO_INFINITY | OPTION_SETTING,         \
+                                             .value = "LENGTH"
+#define COSINE(member_name)                                                                        \
+    OPTION(struct trace_input, member_name), .dimension = &dimension_number,                       \
+                                             .flags = OPTION_NO_INFINITY, .value = "NUMBER"
+
+static const struct option options[] = {
+    LENS_OPTION(struct trace_input, question),
+    {OPTION(struct trace_input, wavelength), .name = "wavelength", .letter = 'w',
+     .column = "wavelength", .dimension = &dimension_wavelength, .unit = "nm",
+     .lowest = WAVELENGTH_SHORTEST * 1e-3, .highest = WAVELENGTH_LONGEST * 1e-3, .value = "WAVE",
+     .help = "wavelength in nm, or a line: d F C e g; default the primary of the lens"},
+    LENS_FNUMBER_OPTION(struct trace_input, question),
+    {OPTION(struct trace_input, field), .name = "field", .column = "field",
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -3.1415, .highest = 3.1415,
+     .flags = OPTION_GOAL, .value = "ANGLE",
+     .help = "field angle in object space; default all fields of the lens"},
+    {OPTION(struct trace_input, height), .name = "height", .column = "height",
+     .dimension = &dimension_length, .unit = "mm", .flags = OPTION_NO_INFINITY | OPTION_GOAL,
+     .value = "LENGTH", .help = "field by the height of its paraxial image"},
+    {OPTION(struct trace_input, pupil), .name = "pupil-point", .dimension = &dimension_number,
+     .value = "X:Y", .help = "one ray of the field, through this point of the pupil of radius 1"},
+    {OPTION(struct trace_input, pattern), .name = "pattern", .words = pattern_words,
+     .fallback = "few", .value = "PATTERN", .help = "rays of each field"},
+    {OPTION(struct trace_input, rays), .name = "rays", .lowest = 1, .highest = 1e9,
+     .fallback = "72", .value = "COUNT",
+     .help = "about how many rays a pattern has: it takes the next number it can"},
+    {OPTION(struct trace_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
+     .value = "NUMBER", .help = "of the pattern sobol"},
+    {OPTION(struct trace_input, aim), .name = "aim", .words = aims, .fallback = "stop",
+     .value = "WHERE", .help = "what the points of the pupil are points of"},
+    {OPTION(struct trace_input, point), .name = "point", .dimension = &dimension_length,
+     .unit = "mm", .value = "X:Y:Z",
+     .help = "one ray that starts here, z from the first vertex; in place of a field"},
+    {OPTION(struct trace_input, direction), .name = "direction", .dimension = &dimension_number,
+     .value = "X:Y:Z", .help = "of that ray, of any length; default 0:0:1"},
+    {COORDINATE(at[0]), .name = "x", .column = "x", .help = "the point in three numbers: its x"},
+    {COORDINATE(at[1]), .name = "y", .column = "y", .help = "its y"},
+    {COORDINATE(at[2]), .name = "z", .column = "z", .help = "its z, from the first vertex"},
+    {COSINE(cosine[0]), .name = "cos-x", .column = "cos_x",
+     .help = "the direction in three numbers: its cosine with the x axis"},
+    {COSINE(cosine[1]), .name = "cos-y", .column = "cos_y", .help = "that with the y axis"},
+    {COSINE(cosine[2]), .name = "cos-z", .column = "cos_z", .help = "that with the z axis"},
+    RAY_POSITION_OPTION(struct trace_input, question),
+    {OPTION(struct trace_input, question.to), .name = "to", .value = "WHERE",
+     .help = "where rays end: image, last (surface), or the number of a surface; default image"},
+    RAY_FOCUS_OPTION(struct trace_input, question),
+    RAY_CLIP_OPTIONS(struct trace_input, question),
+    {OPTION(struct trace_input, all), .name = "all",
+     .help = "a row for every surface, with the angles there"},
+    {OPTION(struct trace_input, paraxial), .name = "paraxial",
+     .help = "heights and slopes of the paraxial ray beside it"},
+    {OPTION(struct trace_input, verify), .name = "verify",
+     .help = "trace again in 80-bit numbers and print by how much the ray is off"},
+};
+
+#define LENGTH(member_name, more)                                                                  \
+    COLUMN(struct trace_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
+                                           .flags = (more)
+#define ANGLE(member_name, more)                                                                   \
+    COLUMN(struct trace_row, member_name), .dimension = &dimension_angle, .unit = "deg",           \
+                                           .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct trace_row, member_name), .flags = (more)
+
+static const struct column columns[] = {
+    LENS_POSITION_COLUMN(struct trace_row, position, COLUMN_BRIEF),
+    {COLUMN(struct trace_row, wavelength), .dimension = &dimension_length, .unit = "nm",
+     .flags = COLUMN_ECHO, .with = "wavelength", .name = "wavelength", .label = "wavelength",
+     .help = "wavelength"},
+    {ANGLE(field, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE), .with = "field", .name = "field",
+     .label = "field", .help = "field angle; absent for a height and for a ray as given"},
+    {LENGTH(height, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE), .with = "height", .name = "height",
+     .label = "field height",
+     .help = "height of the field, at the object or at the image as the lens has it"},
+    {PLAIN(ray, COLUMN_BRIEF | COLUMN_SPARSE), .name = "ray", .label = "ray",
+     .help = "chief, upper, lower or sagittal"},
+    {PLAIN(pupil[0], COLUMN_ECHO | COLUMN_SPARSE), .name = "pupil_x", .label = "pupil x",
+     .help = "where the ray crosses the pupil, in units of its radius"},
+    {PLAIN(pupil[1], COLUMN_ECHO | COLUMN_SPARSE), .name = "pupil_y", .label = "pupil y",
+     .help = "the same upwards"},
+    {PLAIN(weight, COLUMN_EXTRA), .with = "pattern", .name = "weight", .label = "weight",
+     .help = "of the ray in its pattern; they add up to 1"},
+    {LENGTH(start[0], COLUMN_ECHO), .with = "x", .name = "x", .label = "x",
+     .help = "where the ray starts, from the first vertex"},
+    {LENGTH(start[1], COLUMN_ECHO | COLUMN_BRIEF), .with = "y", .name = "y", .label = "y",
+     .help = "upwards"},
+    {LENGTH(start[2], COLUMN_ECHO), .with = "z", .name = "z", .label = "z",
+     .help = "along the axis, with the light"},
+    {PLAIN(start_cosine[0], COLUMN_ECHO), .with = "cos-x", .name = "cos_x", .label = "cos x",
+     .symbol = "L", .help = "direction cosines at the start"},
+    {PLAIN(start_cosine[1], COLUMN_ECHO), .with = "cos-y", .name = "cos_y", .label = "cos y",
+     .symbol = "M", .help = "that with the y axis"},
+    {PLAIN(start_cosine[2], COLUMN_ECHO), .with = "cos-z", .name = "cos_z", .label = "cos z",
+     .symbol = "N", .help = "that with the z axis"},
+    {LENGTH(point[0], COLUMN_BRIEF), .name = "x_out", .label = "x out",
+     .help = "where the ray ends, from the last vertex (--all and --to N: that of the surface); "
+             "absent for a lost ray"},
+    {LENGTH(point[1], COLUMN_BRIEF), .name = "y_out", .label = "y out", .help = "upwards"},
+    {LENGTH(point[2], 0), .name = "z_out", .label = "z out", .help = "along the axis"},
+    {PLAIN(cosine[0], COLUMN_BRIEF), .name = "cos_x_out", .label = "cos x out",
+     .help = "direction cosines at the end"},
+    {PLAIN(cosine[1], COLUMN_BRIEF), .name = "cos_y_out", .label = "cos y out",
+     .help = "that with the y axis"},
+    {PLAIN(cosine[2], 0), .name = "cos_z_out", .label = "cos z out",
+     .help = "that with the z axis"},
+    {LENGTH(path, COLUMN_BRIEF), .name = "path", .symbol = "OPL", .label = "optical path",
+     .help = "n times length: from the point where a ray as given starts; else from the wave "
+             "front through the first vertex"},
+    {ANGLE(incidence, COLUMN_EXTRA | COLUMN_BRIEF), .with = "all", .name = "incidence",
+     .symbol = "I", .label = "incidence", .help = "angle with the normal before the surface"},
+    {ANGLE(refraction, COLUMN_EXTRA | COLUMN_BRIEF), .with = "all", .name = "refraction",
+     .symbol = "I'", .label = "refraction", .help = "the same behind it"},
+    {LENGTH(paraxial[0], COLUMN_EXTRA), .with = "paraxial", .name = "paraxial_x",
+     .label = "paraxial x", .help = "where the paraxial ray is there"},
+    {LENGTH(paraxial[1], COLUMN_EXTRA | COLUMN_BRIEF), .with = "paraxial", .name = "paraxial_y",
+     .label = "paraxial y", .help = "upwards"},
+    {PLAIN(slope[0], COLUMN_EXTRA), .with = "paraxial", .name = "paraxial_slope_x",
+     .label = "paraxial slope x", .help = "dx/dz of the paraxial ray behind the surface"},
+    {PLAIN(slope[1], COLUMN_EXTRA | COLUMN_BRIEF), .with = "paraxial", .name = "paraxial_slope_y",
+     .symbol = "u", .label = "paraxial slope y",
+     .help = "dy/dz of the paraxial ray behind the surface"},
+    {LENGTH(point_error, COLUMN_EXTRA | COLUMN_BRIEF), .with = "verify", .name = "point_error",
+     .label = "point error", .help = "distance from the point that 80-bit numbers give"},
+    {PLAIN(cosine_error, COLUMN_EXTRA | COLUMN_BRIEF), .with = "verify", .name = "cosine_error",
+     .label = "cosine error", .help = "the largest of the three direction cosines"},
+    {LENGTH(path_error, COLUMN_EXTRA | COLUMN_BRIEF), .with = "verify", .name = "path_error",
+     .label = "path error", .help = "of the optical path"},
+    {PLAIN(status, COLUMN_BRIEF), .name = "status", .label = "status",
+     .help = "ok, miss, total_reflection, clipped or not_converged"},
+    {PLAIN(surface, COLUMN_BRIEF | COLUMN_SPARSE), .name = "surface", .label = "surface",
+     .help = "where the ray was lost, from 1, the stop counted; with --all that of the row, the "
+             "image plane last"},
+    {PLAIN(focus, COLUMN_EXTRA | COLUMN_ASSUMED), .depends = "focus", .name = "focus",
+     .label = "focus", .help = "how the image plane was found"},
+    {LENGTH(image, COLUMN_EXTRA | COLUMN_ASSUMED), .depends = "focus", .name = "image",
+     .label = "image plane at", .help = "from the last vertex"},
+    LENS_TITLE_COLUMN(struct trace_row, lens),
+    LENS_WARNING_COLUMN(struct trace_row, warning),
+};
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    return trace_answer(data, run, error);
+}
+
+static bool makes_many(const void *data)
+{
+    const struct trace_input *input = data;
+    bool one = trace_is_explicit(input) || input->pupil.is_given;
+    return !one || input->all ||
+           lens_positions_several(input->question.lens.lens, input->question.position);
+}
+
+/* Rays by point and direction, all through the lens of the command line. */
+static bool takes_blocks(const void *data, const struct asking *asking)
+{
+    static const char *const constant[] = {"position", "paraxial", "verify", "all"};
+    static const char *const single[] = {"field", "height", "pupil-point", "pattern"};
+    const struct trace_input *input = data;
+    bool ray = asking_given(asking, "x") && asking_given(asking, "y") && asking_given(asking, "z");
+    const bool set[] = {input->question.position != NULL, input->paraxial, input->verify,
+                        input->all};
+    bool takes = input->question.lens.lens != NULL && ray && !input->all &&
+                 !lens_positions_several(input->question.lens.lens, input->question.position);
+    for (size_t i = 0; i < sizeof constant / sizeof constant[0]; i++) {
+        takes = takes && (set[i] || !asking_given(asking, constant[i]));
+    }
+    for (size_t i = 0; i < sizeof single / sizeof single[0]; i++) {
+        takes = takes && !asking_given(asking, single[i]);
+    }
+    return takes;
+}
+
+static const struct explanation explanations[] = {
+    {"x_out",
+     "at every surface: the point where (x, y, z) + d (L, M, N) meets it; then n' (L', M', N') = "
+     "n (L, M, N) + g (normal), g = n' cos I' - n cos I: Snell's law in vectors",
+     "[Welford86] 4.2-4.7", "none: exact for every ray that meets the surfaces in their order"},
+    {"path", "{OPL} = sum of n times length", "[Welford86]", NULL},
+    {"incidence", "tan {I} = |N x p|/|N . p|: normal N, direction p", NULL, NULL},
+    {"paraxial_y", "v' = v - y (n' - n)/R, y' = y + t v'/n', {u} = v/n", "[Smith05]",
+     "small angles and heights; decentred parts count as centred"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"trace double-gauss", "four rays of each field of the lens"},
+    {"trace double-gauss --point 0:10:-20 --all",
+     "one ray along the axis, 10 mm above it, at every surface"},
+    {"trace double-gauss --point 0:2:-20 --direction 0:0.24192:0.97030 --no-clip --paraxial",
+     "the same at 14 deg, beside the paraxial ray"},
+    {"trace double-gauss --field 0,7deg,14deg --pattern gauss --rays 18 --csv",
+     "a small spot of rays for three fields"},
+    {"trace double-gauss --batch rays.csv --csv --digits 9",
+     "a filter: columns x_mm,y_mm,z_mm,cos_x,cos_y,cos_z"},
+    {NULL, NULL},
+};
+
+const struct command command_trace = {
+    .name = "trace",
+    .group = "a lens",
+    .summary = "exact rays through a lens: one, a bundle, or a file of them",
+    COMMAND_ASKS(struct trace_input),
+    .sheet = SHEET(columns, struct trace_row),
+    .explanations = explanations,
+    .run = run,
+    .run_block = trace_block,
+    .takes_blocks = takes_blocks,
+    .makes_many = makes_many,
+};

@@ -1,0 +1,91 @@
+/* cli/trace_answer.h - the questions and answers of lenscalc trace. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_TRACE_ANSWER_H
+#define LENSCALC_CLI_TRACE_ANSWER_H
+
+#include "cli/ray_case.h"
+#include "trace/rays.h"
+
+struct trace_input {
+    struct ray_question question;
+    double wavelength;    /* mm; NaN = primary */
+    double field, height; /* rad; mm at the paraxial image; NaN = not given */
+    struct vector_value point, direction;
+    double at[3], cosine[3]; /* the same as six numbers; NaN = not given */
+    struct pupil_value pupil;
+    int aim, pattern;
+    long rays, seed;
+    bool all, paraxial, verify;
+};
+
+enum { AIM_STOP, AIM_ENTRANCE };
+
+/* --pattern: the few rays that everyone wants to see, else 1 + enum pattern. */
+enum { TRACE_FEW };
+
+struct trace_row {
+    const char *position, *ray, *status, *focus, *lens, *warning;
+    double wavelength;                /* mm */
+    double field, height;             /* rad; mm; one of them is absent */
+    double pupil[2], weight;          /* in units of its radius; absent for a ray as given */
+    double start[3], start_cosine[3]; /* mm */
+    double point[3], cosine[3], path; /* mm */
+    double incidence, refraction;     /* rad */
+    double paraxial[2], slope[2];     /* mm */
+    double point_error, cosine_error, path_error;
+    double image; /* mm */
+    long surface;
+};
+
+/* Does the input say where a ray starts? */
+bool trace_is_explicit(const struct trace_input *input);
+
+/*
+ * The ray that the input says.
+ *
+ * Errors    ERROR_USAGE, ERROR_DOMAIN: point and numbers, some of three numbers, a direction of
+ *           length 0, cosines whose squares do not add up to 1 (within 0.001: rounded to three
+ *           decimals), a field beside them
+ */
+bool trace_start(const struct trace_input *input, struct ray *ray, struct error *error);
+
+/* All rows of one input. */
+bool trace_answer(const struct trace_input *input, struct run *run, struct error *error);
+
+/* Many inputs that say one ray each; see struct command. */
+void trace_block(const struct block *block, struct run *run);
+
+/* Internal to trace_answer.c and trace_block.c: rays at one wavelength, and what a row says. */
+struct trace_job {
+    const struct trace_input *input;
+    const struct ray_case *one;
+    struct system system;   /* clipped if the input says so */
+    double wavelength;      /* um */
+    size_t to;              /* place before which rays end */
+    double n_end;           /* index there */
+    struct trace_row blank; /* what is the same in all rows */
+};
+
+bool trace_job_open(const struct trace_input *input, const struct ray_case *one, double wavelength,
+                    struct arena *arena, struct trace_job *job, struct error *error);
+
+/* A row without its results: the blank, and the start. */
+static inline void trace_row_begin(const struct trace_job *job, const struct ray *start,
+                                   struct trace_row *row)
+{
+    *row = job->blank;
+    for (int i = 0; i < 3; i++) {
+        row->start[i] = start->point[i];
+        row->start_cosine[i] = start->cosine[i];
+    }
+}
+
+/* The end of a ray: `block` after the trace to job->to. */
+void trace_row_end(const struct trace_job *job, const struct ray_block *block, size_t lane,
+                   struct trace_row *row);
+
+/* --paraxial and --verify; `place` is the surface of the row. */
+bool trace_row_extras(const struct trace_job *job, const struct ray *start, size_t place,
+                      struct arena *arena, struct trace_row *row, struct error *error);
+
+#endif

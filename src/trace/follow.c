@@ -1,0 +1,104 @@
+/* trace/follow.c - one ray seen at every surface, exact and paraxial. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/follow.h"
+
+#include "optics/paraxial.h"
+#include "trace/dispatch.h"
+
+#include <math.h>
+
+static void turn(const struct frame *frame, const double from[3], double to[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const double *row = &frame->turn[(ptrdiff_t)3 * i];
+        to[i] = row[0] * from[0] + row[1] * from[1] + row[2] * from[2];
+    }
+}
+
+/* Directions of different frames are compared in the frame of the first vertex. */
+static struct ray_angles angles_at(const struct system *system, size_t place,
+                                   const double before[3], const struct ray *after)
+{
+    size_t surface = system_surface(system, place);
+    bool is_image = surface >= system->lens->surface_count;
+    struct frame frame =
+        system_to_first(system, is_image ? system->lens->surface_count - 1 : surface);
+    double normal[3] = {0, 0, 1}, normal_first[3], behind[3];
+    if (!is_image) {
+        system_normal(system, surface, after->point, normal);
+    }
+    turn(&frame, normal, normal_first);
+    turn(&frame, after->cosine, behind);
+    return ray_angles(normal_first, before, behind);
+}
+
+static void lose(struct ray *ray)
+{
+    for (int i = 0; i < 3; i++) {
+        ray->point[i] = ray->cosine[i] = NAN;
+    }
+    ray->path = NAN;
+}
+
+void ray_follow(const struct system *system, const struct ray *start, struct arena *arena,
+                struct ray_meeting *meetings)
+{
+    struct rays rays = rays_new(arena, 1);
+    double before[3] = {start->cosine[0], start->cosine[1], start->cosine[2]};
+    rays_set(&rays, 0, system->index_first, start);
+    for (size_t place = 0; place < system->places; place++) {
+        struct ray_meeting *meeting = &meetings[place];
+        rays_trace_part(system, place, place + 1, &rays, NULL);
+        meeting->ray = rays_get(&rays, 0, system_index_after(system, place));
+        meeting->angles = (struct ray_angles){NAN, NAN};
+        if (meeting->ray.status != RAY_OK) {
+            lose(&meeting->ray);
+            continue;
+        }
+        meeting->angles = angles_at(system, place, before, &meeting->ray);
+        size_t surface = system_surface(system, place);
+        size_t last = system->lens->surface_count - 1;
+        struct frame frame = system_to_first(system, surface < last ? surface : last);
+        turn(&frame, meeting->ray.cosine, before);
+    }
+}
+
+/* One section: heights at the surfaces and slopes behind them. */
+static bool follow_section(const struct lens *lens, double wavelength, enum lens_section section,
+                           double height, double slope, struct arena *arena, double *heights,
+                           double *slopes, struct error *error)
+{
+    struct paraxial_system system;
+    if (!paraxial_compile(lens, wavelength, section, arena, &system, error)) {
+        return false;
+    }
+    struct paraxial_ray *rays = ARENA_ARRAY(arena, system.count, struct paraxial_ray);
+    paraxial_follow(&system, pair_of(height), pair_of(slope * system.index[0].hi), rays);
+    for (size_t i = 0; i < system.count; i++) {
+        heights[i] = rays[i].y;
+        slopes[i] = rays[i].after / system.index[i + 1].hi;
+    }
+    return true;
+}
+
+bool ray_follow_paraxially(const struct lens *lens, double wavelength, const struct ray *start,
+                           struct arena *arena, struct paraxial_meeting *meetings,
+                           struct error *error)
+{
+    size_t count = lens->surface_count;
+    double *values = ARENA_ARRAY(arena, 4 * count, double);
+    for (int i = 0; i < 2; i++) {
+        enum lens_section section = i == 0 ? SECTION_X : SECTION_Y;
+        double n = start->cosine[2], slope = n > 0 ? start->cosine[i] / n : (double)NAN;
+        double *at = values + 2 * (size_t)i * count;
+        if (!follow_section(lens, wavelength, section, start->point[i] - start->point[2] * slope,
+                            slope, arena, at, at + count, error)) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        meetings[i] = (struct paraxial_meeting){values[i], values[2 * count + i], values[count + i],
+                                                values[3 * count + i]};
+    }
+    return true;
+}
