@@ -57,12 +57,12 @@ struct batch {
     size_t passed_count;
     char *buffer;
     size_t capacity;
-    const char *at, *end;              /* what is still to read */
-    bool at_end;                       /* the file has no more */
+    const char *at, *end; /* what is still to read */
+    bool at_end;          /* the file has no more */
     /* called before the file may keep the program waiting: texts of earlier rows end here */
     bool (*before_read)(void *reader, struct error *error);
-    void *waiting;                     /* its argument */
-    long line;                         /* of the present row */
+    void *waiting; /* its argument */
+    long line;     /* of the present row */
     long next_line;
 };
 

@@ -35,8 +35,8 @@ static const struct option options[] = {
      .help = "wavelength in nm, or a line: d F C e g; default the primary of the lens"},
     LENS_FNUMBER_OPTION(struct trace_input, question),
     {OPTION(struct trace_input, field), .name = "field", .column = "field",
-     .dimension = &dimension_angle, .unit = "deg", .lowest = -3.1415, .highest = 3.1415,
-     .flags = OPTION_GOAL, .value = "ANGLE",
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -3.141592653589793,
+     .highest = 3.141592653589793, .flags = OPTION_GOAL, .value = "ANGLE",
      .help = "field angle in object space; default all fields of the lens"},
     {OPTION(struct trace_input, height), .name = "height", .column = "height",
      .dimension = &dimension_length, .unit = "mm", .flags = OPTION_NO_INFINITY | OPTION_GOAL,
@@ -195,10 +195,8 @@ static bool takes_blocks(const void *data, const struct asking *asking)
 }
 
 static const struct explanation explanations[] = {
-    {"x_out",
-     "at every surface: the point where (x, y, z) + d (L, M, N) meets it; then n' (L', M', N') = "
-     "n (L, M, N) + g (normal), g = n' cos I' - n cos I: Snell's law in vectors",
-     "[Welford86] 4.2-4.7", "none: exact for every ray that meets the surfaces in their order"},
+    {"x_out", "n' p' = n p + (n' cos I' - n cos I) N at every surface: p direction, N normal",
+     "Snell's law in vectors, [Welford86]", "light meets the surfaces in their order"},
     {"path", "{OPL} = sum of n times length", "[Welford86]", NULL},
     {"incidence", "tan {I} = |N x p|/|N . p|: normal N, direction p", NULL, NULL},
     {"paraxial_y", "v' = v - y (n' - n)/R, y' = y + t v'/n', {u} = v/n", "[Smith05]",
@@ -214,8 +212,6 @@ static const struct example examples[] = {
      "the same at 14 deg, beside the paraxial ray"},
     {"trace double-gauss --field 0,7deg,14deg --pattern gauss --rays 18 --csv",
      "a small spot of rays for three fields"},
-    {"trace double-gauss --batch rays.csv --csv --digits 9",
-     "a filter: columns x_mm,y_mm,z_mm,cos_x,cos_y,cos_z"},
     {NULL, NULL},
 };
 

@@ -40,7 +40,7 @@ static bool set_table(struct ray_case *one, bool asked, struct error *error)
     return true;
 }
 
-/* What the file asks for but cannot be is replaced with a warning, what the user asks for refused. */
+/* What the file asks for but cannot be is replaced, with a warning; what the user asks for not. */
 static bool set_best(struct ray_case *one, bool asked, struct arena *arena, struct error *error)
 {
     one->focus = "best";

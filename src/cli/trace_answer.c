@@ -319,7 +319,7 @@ static bool emit_edges(struct bundle *bundle, const struct beam *beam, const str
                            : fail(error, ERROR_DOMAIN, "no ray passes all clear apertures");
     }
     double a = clear.centre[0], b = clear.centre[1];
-    a = fabs(a) > 1e-12 * (clear.high[0] - clear.low[0]) ? a : 0; /* nothing but rounding */
+    a = lens_is_round(job->one->lens) ? 0 : a; /* by symmetry: nothing but rounding */
     b = fabs(b) > 1e-12 * (clear.high[1] - clear.low[1]) ? b : 0;
     const double places[FEW][2] = {
         {aim != NULL ? aim->chief[0] : a, aim != NULL ? aim->chief[1] : b},
