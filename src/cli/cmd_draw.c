@@ -44,8 +44,11 @@ static void find_image(struct picture *picture)
 {
     const struct lens *lens = picture->one->lens;
     const struct surface *last = &lens->surfaces[lens->surface_count - 1];
-    bool table = lens->focus == FOCUS_TABLE && last->has_thickness;
-    double distance = table ? last->thickness.value.hi : picture->one->first.image;
+    double best = lens->focus == FOCUS_BEST ? picture_focus(picture) : (double)NAN;
+    bool table = (lens->focus == FOCUS_TABLE || !picture->is_centred) && last->has_thickness;
+    double distance = table         ? last->thickness.value.hi
+                      : isnan(best) ? picture->one->first.image
+                                    : best;
     double reach = 8 * (picture->right - picture->left + 2 * picture->size);
     picture->image = NAN;
     if (distance * picture->heading >= 0 && fabs(distance) <= reach) {
@@ -68,14 +71,20 @@ static void add_image(struct picture *picture)
     double half = 0.2 * picture->size;
     for (size_t i = 0; i < picture->part_count; i++) {
         const struct section_part *part = &picture->parts[i];
-        if (part->kind == SECTION_OBLIQUE || part->kind == SECTION_CHIEF ||
-            part->kind == SECTION_AXIAL) {
+        if (picture->is_centred && (part->kind == SECTION_OBLIQUE || part->kind == SECTION_CHIEF ||
+                                    part->kind == SECTION_AXIAL)) {
             half = fmax(half, 1.1 * fabs(part->y[part->count - 1]));
         }
     }
-    if (isfinite(picture->image)) {
-        picture_line(picture, SECTION_IMAGE, picture->image, -half, picture->image, half, "image");
+    if (!isfinite(picture->image)) {
+        return;
     }
+    size_t last = picture->one->lens->surface_count - 1;
+    const struct picture_frame *axis = &picture->axis[last];
+    double along = picture->image - picture->vertex[last];
+    double z = axis->z + along * cos(axis->angle), y = axis->y + along * sin(axis->angle);
+    double up = half * cos(axis->angle), aside = half * sin(axis->angle);
+    picture_line(picture, SECTION_IMAGE, z + aside, y - up, z - aside, y + up, "image");
 }
 
 /* From vertex to vertex where the axis bends, and a little farther at both ends. */
@@ -145,17 +154,16 @@ static bool draw_case(const struct lens_case *one, struct run *run, const void *
     }
     if (!picture.is_centred) {
         add_bent_axis(&picture);
-        picture_note(&picture, "no rays and no image: parts are decentred, tilted or bent, and "
-                               "paraxial rays are those of the centred lens");
-    } else if (input->construction) {
+    }
+    if (input->construction) {
         picture.image = NAN;
         if (!picture_construction(&picture, error)) {
             return false;
         }
     } else {
         find_image(&picture);
-        if (!input->no_rays) {
-            picture_rays(&picture);
+        if (!input->no_rays && !picture_rays(&picture, error)) {
+            return false;
         }
         add_image(&picture);
         if (input->planes) {

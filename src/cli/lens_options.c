@@ -123,6 +123,7 @@ static bool visit_position(const struct lens_question *question, size_t position
         .position = all->position_count > 0 ? all->positions[position] : NULL,
         .section = (enum lens_section)question->section,
     };
+    one.field = choose_field(question, lens, &one.field_kind);
     /* sources state the figures of the y-z section */
     const char *differs =
         one.section == SECTION_Y ? lens_stated_warning(all, position, &stated, run->arena) : NULL;

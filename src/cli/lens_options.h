@@ -23,6 +23,8 @@ struct lens_case {
     const char *position; /* null = the only one */
     double wavelength;    /* um */
     enum lens_section section;
+    enum field_kind field_kind; /* of the edge of the field: asked for, or that of the lens */
+    double field;               /* rad or mm; NaN = none */
     struct paraxial_system system;
     struct first_order first;
     const char *warning; /* null = all is well */

@@ -63,8 +63,16 @@ bool picture_lens(struct picture *picture, struct error *error);
 
 /* -------- cli/picture_rays.c -------- */
 
-/* Marginal rays and the bundle from the edge of the field, as far as the rims let them pass. */
-void picture_rays(struct picture *picture);
+/*
+ * The beam of the point on the axis and the bundle from the edge of the field, both exact: their
+ * outermost rays that all rims let pass, and the chief ray.
+ *
+ * Errors    as system_compile
+ */
+bool picture_rays(struct picture *picture, struct error *error);
+
+/* Best focus of the exact rays on the axis, behind the last vertex; NaN = none. */
+double picture_focus(const struct picture *picture);
 
 /* -------- cli/picture_planes.c -------- */
 

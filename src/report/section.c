@@ -49,9 +49,9 @@ static const struct svg_style styles[SECTION_KINDS] = {
 };
 
 static const char *const names[SECTION_KINDS] = {
-    [SECTION_AXIAL] = "marginal rays (paraxial)",
-    [SECTION_OBLIQUE] = "rays of the field's edge (paraxial)",
-    [SECTION_CHIEF] = "chief ray (paraxial)",
+    [SECTION_AXIAL] = "rays from the axis",
+    [SECTION_OBLIQUE] = "rays of the field's edge",
+    [SECTION_CHIEF] = "chief ray",
     [SECTION_GAUSS] = "rays of the equivalent lens",
     [SECTION_EXTENDED] = "extended backwards",
     [SECTION_STOP] = "aperture stop",
