@@ -1,4 +1,4 @@
-/* cli/picture_rays.c - exact rays through the drawn surfaces of a lens, as the rims let them pass. */
+/* cli/picture_rays.c - exact rays through the drawn lens, as its rims let them pass. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/picture.h"
 #include "trace/aim.h"

@@ -24,5 +24,5 @@ lenscalc trace double-gauss --field 10 --csv > first.csv
 lenscalc trace double-gauss --batch first.csv --csv > second.csv
 cut -d, -f2,8- first.csv > a; cut -d, -f2,8- second.csv > b; head -2 a b
 printf 'lens,x_mm,y_mm,z_mm\ndouble-gauss,0,1,-5\nquestar-35,0,20,-5\nno-such,0,1,-5\n' | lenscalc trace --batch - --csv --columns x_mm,y_out_mm,status
-printf 'field_deg,w\n0,d\n10,F\n95,d\n' | lenscalc trace double-gauss --batch - --csv --columns field_deg,ray,wavelength_nm,y_out_mm,status
+printf 'field_deg,w\n0,d\n10,F\n95,d\n' | lenscalc trace double-gauss --batch - --csv --digits 9 --columns field_deg,ray,wavelength_nm,y_out_mm,status
 { echo x,y,z; sleep 0.2; echo 0,1,-5; sleep 0.3; echo 0,2,-5; } | lenscalc trace double-gauss --batch - --csv --columns y_out_mm | while read -r line; do echo "got $line"; done

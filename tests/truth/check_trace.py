@@ -228,6 +228,43 @@ def check_lensdb(trace):
     trace.checks.check(seen > 500, f"only {seen} rays of lensdb")
 
 
+# indices before and behind the surfaces of double-gauss at d
+INDICES = (1, 1.67, 1, 1.67, 1.699, 1, 1, 1.603, 1.658, 1, 1.717, 1)
+
+
+def check_surfaces(trace):
+    """--all: Snell's law at every surface, and the last row is the ray; --paraxial: the limit."""
+    start = ["3", "-4", "-20", "-0.2", "0.25", "0.9473647660748199"]
+    words = ("double-gauss", "--point", ":".join(start[:3]), "--direction", ":".join(start[3:]),
+             "--no-clip")
+    rows = trace.rows(*words, "--all")
+    last = trace.rows(*words)[0]
+    trace.checks.check([row["surface"] for row in rows] == [str(i) for i in range(1, 13)], "--all")
+    for i, row in enumerate(rows[:11]):
+        sines = [math.sin(math.radians(float(row[angle]))) * INDICES[i + side]
+                 for side, angle in enumerate(("incidence_deg", "refraction_deg"))]
+        trace.checks.check(abs(sines[0] - sines[1]) < 4e-15,
+                           f"surface {i + 1}: n sin I {sines[0]!r}, n' sin I' {sines[1]!r}")
+        only = trace.rows(*words, "--to", str(i + 1))[0]
+        trace.checks.check(all(only[name] == row[name] for name in OUT), f"--to {i + 1}")
+    trace.checks.check(all(rows[-1][name] == last[name] for name in OUT), "--all ends with the ray")
+    # exact minus paraxial is of third order
+    errors = []
+    for size in (1e-1, 1e-2):
+        row = trace.rows("double-gauss", "--point", f"{2 * size}:{size}:-20", "--direction",
+                         f"{0.01 * size}:{-0.02 * size}:1", "--paraxial")[0]
+        errors.append([abs(float(row[a]) - float(row[b])) for a, b in (
+            ("x_out_mm", "paraxial_x_mm"), ("y_out_mm", "paraxial_y_mm"))])
+    for big, small in zip(*errors):
+        trace.checks.check(0 < big < 1e-6 and small < 2e-3 * big + 1e-14,
+                           f"exact minus paraxial: {big:g}, at a tenth {small:g}")
+    # what 80-bit numbers say of the rays
+    check = trace.rows(*words, "--verify")[0]
+    for name, limit in (("point_error_mm", 1e-12), ("cosine_error", 1e-14),
+                        ("path_error_mm", 1e-12)):
+        trace.checks.check(float(check[name]) <= limit, f"--verify: {name} {check[name]}")
+
+
 def check_focus(trace):
     """
     Best focus. Parallel rays on a sphere of radius R = -2 f: a ray at height h crosses the axis at
@@ -259,6 +296,7 @@ def main():
     traced = sum(check_case(trace, case) for case in cases())
     checks.check(traced > 1800, f"only {traced} rays in the files")
     check_focus(trace)
+    check_surfaces(trace)
     check_lensdb(trace)
     checks.finish()
 
