@@ -65,26 +65,27 @@ static void find_image(struct picture *picture)
     }
 }
 
-/* As high as the rays that arrive there. */
+/* As high as the rays that arrive there, across the axis behind the last surface. */
 static void add_image(struct picture *picture)
 {
-    double half = 0.2 * picture->size;
-    for (size_t i = 0; i < picture->part_count; i++) {
-        const struct section_part *part = &picture->parts[i];
-        if (picture->is_centred && (part->kind == SECTION_OBLIQUE || part->kind == SECTION_CHIEF ||
-                                    part->kind == SECTION_AXIAL)) {
-            half = fmax(half, 1.1 * fabs(part->y[part->count - 1]));
-        }
-    }
+    size_t last = picture->one->lens->surface_count - 1;
+    const struct picture_frame *axis = &picture->axis[last];
+    double along = picture->image - picture->vertex[last], half = 0.2 * picture->size;
+    double ahead = cos(axis->angle), aside = sin(axis->angle);
+    double z = axis->z + along * ahead, y = axis->y + along * aside;
     if (!isfinite(picture->image)) {
         return;
     }
-    size_t last = picture->one->lens->surface_count - 1;
-    const struct picture_frame *axis = &picture->axis[last];
-    double along = picture->image - picture->vertex[last];
-    double z = axis->z + along * cos(axis->angle), y = axis->y + along * sin(axis->angle);
-    double up = half * cos(axis->angle), aside = half * sin(axis->angle);
-    picture_line(picture, SECTION_IMAGE, z + aside, y - up, z - aside, y + up, "image");
+    for (size_t i = 0; i < picture->part_count; i++) {
+        const struct section_part *part = &picture->parts[i];
+        if (part->kind == SECTION_OBLIQUE || part->kind == SECTION_CHIEF ||
+            part->kind == SECTION_AXIAL) {
+            size_t end = part->count - 1;
+            half = fmax(half, 1.1 * fabs((part->y[end] - y) * ahead - (part->z[end] - z) * aside));
+        }
+    }
+    picture_line(picture, SECTION_IMAGE, z + half * aside, y - half * ahead, z - half * aside,
+                 y + half * ahead, "image");
 }
 
 /* From vertex to vertex where the axis bends, and a little farther at both ends. */

@@ -45,7 +45,7 @@ static const struct option options[] = {
      .value = "X:Y", .help = "one ray of the field, through this point of the pupil of radius 1"},
     {OPTION(struct trace_input, pattern), .name = "pattern", .words = pattern_words,
      .fallback = "few", .value = "PATTERN", .help = "rays of each field"},
-    {OPTION(struct trace_input, rays), .name = "rays", .lowest = 1, .highest = 1e9,
+    {OPTION(struct trace_input, rays), .name = "rays", .lowest = 1, .highest = 1e7,
      .fallback = "72", .value = "COUNT",
      .help = "about how many rays a pattern has: it takes the next number it can"},
     {OPTION(struct trace_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
