@@ -32,7 +32,8 @@ LDFLAGS  =
 
 # compiled once for each instruction set; the program chooses when it runs
 kernels := $(wildcard src/trace/kernel*.c)
-sources := $(wildcard src/base/*.c src/photo/*.c src/optics/*.c src/report/*.c src/cli/*.c) \
+sources := $(wildcard src/base/*.c src/photo/*.c src/optics/*.c src/report/*.c src/cli/*.c \
+                       src/analysis/*.c) \
            $(filter-out $(kernels),$(wildcard src/trace/*.c)) \
            $(filter-out src/file/embed.c,$(wildcard src/file/*.c))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \

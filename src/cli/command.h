@@ -92,6 +92,8 @@ struct command {
     const struct explanation *explanations; /* ends with a null column */
     const struct drawing *drawings;         /* ends with a null option */
     size_t lens;      /* offset of a struct photo_lens_question in the input; 0 = no --lens */
+    /* --plot as a picture of its own, of all inputs of the sweep; null: columns are plotted. */
+    bool (*picture)(const void *const *inputs, size_t count, struct svg *svg, struct error *error);
     const char *plot; /* columns to plot, separated by commas; further choices by '|' */
     const char *cell; /* columns in the cells of --table */
 };

@@ -1,6 +1,12 @@
-/* cli/drawings.c - the drawings that options of a command ask for with a file name. */
+/* cli/drawings.c - drawings that commands make themselves. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/drawings.h"
+
+#include "report/output.h"
+
+#include <string.h>
+
+enum { MOST_INPUTS = 100 };
 
 static const char *path_of(const void *input, const struct drawing *drawing)
 {
@@ -36,4 +42,23 @@ bool drawings_write(const struct command *command, const void *input, struct are
         }
     }
     return true;
+}
+
+bool picture_write(const struct command *command, const struct sweep *sweep, void *input,
+                   const char *path, struct arena *arena, struct error *error)
+{
+    if (sweep->total > MOST_INPUTS) {
+        return fail(error, ERROR_USAGE, "--plot would draw %zu questions: at most %d", sweep->total,
+                    MOST_INPUTS);
+    }
+    const void **inputs = ARENA_ARRAY(arena, sweep->total, const void *);
+    for (size_t i = 0; i < sweep->total; i++) {
+        void *copy = arena_array(arena, 1, command->input_size);
+        sweep_set(sweep, i, input);
+        memcpy(copy, input, command->input_size);
+        inputs[i] = copy;
+    }
+    struct svg svg = {.arena = arena};
+    return command->picture(inputs, sweep->total, &svg, error) &&
+           output_file(path, svg.data, svg.length, arena, error);
 }

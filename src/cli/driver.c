@@ -141,10 +141,19 @@ static const char *plot_columns(const struct driver *driver)
     return driver->common.columns != NULL ? driver->common.columns : driver->command->plot;
 }
 
+/* Is --plot a picture of the command's own, instead of curves over what is swept? */
+static bool draws_itself(const struct driver *driver)
+{
+    return driver->command->picture != NULL;
+}
+
 /* Rows of a sweep are kept for --table and --plot. */
 static bool set_up_collection(struct driver *driver, struct error *error)
 {
     const struct common *common = &driver->common;
+    if (draws_itself(driver) && common->table == NULL && !driver->is_batch) {
+        return true;
+    }
     if (common->plot != NULL && driver->sweep.total == 1 && !driver->is_batch) {
         return fail(error, ERROR_USAGE,
                     "--plot wants an option with several values, such as a "
@@ -396,6 +405,10 @@ static const char *plot_subtitle(const struct driver *driver)
 
 static bool write_plot(struct driver *driver, struct error *error)
 {
+    if (draws_itself(driver)) {
+        return picture_write(driver->command, &driver->sweep, driver->input, driver->common.plot,
+                             &driver->arena, error);
+    }
     struct svg svg = {.arena = &driver->arena};
     return collection_plot(&driver->collection, plot_columns(driver),
                            driver->common.columns != NULL, plot_subtitle(driver), &svg, error) &&

@@ -1,0 +1,444 @@
+/* cli/cmd_pupil.c - lenscalc pupil: shapes of the entrance and exit pupil. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/pupil_cases.h"
+#include "report/outlines.h"
+
+enum side { SIDE_BOTH, SIDE_ENTRANCE, SIDE_EXIT };
+
+static const struct word sides[] = {
+    [SIDE_BOTH] = {"both", "a row for each"},
+    [SIDE_ENTRANCE] = {"entrance", "the entrance pupil"},
+    [SIDE_EXIT] = {"exit", "the exit pupil"},
+    {NULL, NULL},
+};
+
+static const struct option options[] = {
+    LENS_OPTION(struct pupil_input, question),
+    LENS_WAVELENGTH_OPTION(struct pupil_input, question),
+    LENS_FNUMBER_OPTION(struct pupil_input, question),
+    {OPTION(struct pupil_input, field), .name = "field", .dimension = &dimension_angle,
+     .unit = "deg", .lowest = -3.1415, .highest = 3.1415, .value = "ANGLE",
+     .help = "field angle in object space, of 90 deg and more too; without it those of the lens"},
+    {OPTION(struct pupil_input, height), .name = "height", .dimension = &dimension_length,
+     .unit = "mm", .lowest = -INFINITY, .highest = INFINITY, .flags = OPTION_NO_INFINITY,
+     .value = "LENGTH", .help = "a point of the film instead, so far from the axis"},
+    {OPTION(struct pupil_input, focus), .name = "focus", .dimension = &dimension_length,
+     .unit = "mm", .value = "PLANE",
+     .help = "where the film is: paraxial, table, best, or so far behind the last vertex"},
+    LENS_POSITION_OPTION(struct pupil_input, question),
+    {OPTION(struct pupil_input, side), .name = "side", .words = sides, .fallback = "both",
+     .value = "SIDE", .help = "which pupil"},
+    {OPTION(struct pupil_input, outline), .name = "outline", .lowest = 3, .highest = 512,
+     .value = "COUNT", .help = "print this many points of the edge instead"},
+};
+
+struct row {
+    const char *pupil, *position, *status, *warning, *lens;
+    double wavelength; /* mm */
+    double field, object, height, film;
+    double z, x_min, x_max, y_min, y_max, x, y, area;
+    double vertex_x_min, vertex_x_max, vertex_y_min, vertex_y_max, vertex_area;
+    double projected, fraction, projected_fraction, irradiance, illumination;
+    double vignetting[PUPIL_ENDS];
+    long limit[PUPIL_ENDS], lost;
+    double chief_x, chief_y, chief_z, cos_x, cos_y, cos_z;
+    long point, rays;
+    double edge_x, edge_y, edge_vertex_x, edge_vertex_y, stop_x, stop_y;
+};
+
+#define LENGTH(member_name, more)                                                                  \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+#define AREA(member_name, more)  COLUMN(struct row, member_name), .unit = "mm2", .flags = (more)
+
+/* What both sheets begin with. */
+#define CASE_COLUMNS                                                                               \
+    {COLUMN(struct row, wavelength),                                                               \
+     .dimension = &dimension_length,                                                               \
+     .unit = "nm",                                                                                 \
+     .name = "wavelength",                                                                         \
+     .flags = COLUMN_ECHO,                                                                         \
+     .with = "wavelength",                                                                         \
+     .label = "wavelength",                                                                        \
+     .help = "wavelength"},                                                                        \
+        LENS_POSITION_COLUMN(struct row, position, COLUMN_BRIEF),                                  \
+        {COLUMN(struct row, field),                                                                \
+         .name = "field",                                                                          \
+         .dimension = &dimension_angle,                                                            \
+         .unit = "deg",                                                                            \
+         .flags = COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE,                                      \
+         .label = "field",                                                                         \
+         .help = "angle of the chief ray as seen from the first vertex; absent from the film"},    \
+        {LENGTH(object, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "object",             \
+         .label = "object", .help = "height of the object point; absent at infinity"},             \
+        {LENGTH(height, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "height",             \
+         .label = "height", .help = "of the point in the film; absent from the object"},           \
+    {                                                                                              \
+        PLAIN(pupil, COLUMN_BRIEF), .name = "pupil", .label = "pupil", .help = "entrance or exit"  \
+    }
+
+static const struct column columns[] = {
+    CASE_COLUMNS,
+    {LENGTH(z, COLUMN_BRIEF | COLUMN_INFINITE), .name = "z", .label = "z",
+     .help = "the paraxial pupil's place, from the first (last) vertex"},
+    {LENGTH(x_min, COLUMN_HIDDEN), .name = "x_min", .label = "x min",
+     .help = "bounds in that plane; absent where the rays do not cross it"},
+    {LENGTH(x_max, COLUMN_BRIEF), .name = "x_max", .label = "x max", .help = "the same"},
+    {LENGTH(y_min, COLUMN_BRIEF), .name = "y_min", .label = "y min", .help = "the same"},
+    {LENGTH(y_max, COLUMN_BRIEF), .name = "y_max", .label = "y max", .help = "the same"},
+    {LENGTH(x, COLUMN_HIDDEN), .name = "x", .label = "x", .help = "centroid there"},
+    {LENGTH(y, COLUMN_HIDDEN), .name = "y", .label = "y", .help = "centroid there"},
+    {AREA(area, COLUMN_BRIEF), .name = "area", .label = "area", .help = "area there, mm^2"},
+    {LENGTH(vertex_x_min, COLUMN_HIDDEN), .name = "vertex_x_min", .label = "vertex x min",
+     .help = "bounds in the plane of the first (last) vertex"},
+    {LENGTH(vertex_x_max, COLUMN_HIDDEN), .name = "vertex_x_max", .label = "vertex x max",
+     .help = "the same"},
+    {LENGTH(vertex_y_min, COLUMN_HIDDEN), .name = "vertex_y_min", .label = "vertex y min",
+     .help = "the same"},
+    {LENGTH(vertex_y_max, COLUMN_HIDDEN), .name = "vertex_y_max", .label = "vertex y max",
+     .help = "the same"},
+    {AREA(vertex_area, COLUMN_HIDDEN), .name = "vertex_area", .label = "vertex area",
+     .help = "area there, mm^2"},
+    {AREA(projected, COLUMN_HIDDEN), .name = "projected", .label = "projected",
+     .help = "area across the beam at the vertex, mm^2: of fields of 90 deg and more too"},
+    {PLAIN(fraction, COLUMN_BRIEF), .name = "fraction", .label = "fraction",
+     .help = "area over that of the point on the axis"},
+    {PLAIN(projected_fraction, COLUMN_HIDDEN), .name = "projected_fraction",
+     .label = "projected fraction", .help = "projected area over that of the point on the axis"},
+    {PLAIN(irradiance, COLUMN_SPARSE), .name = "irradiance_per_radiance", .label = "E/L",
+     .help = "irradiance of the film per radiance of a uniform scene: integral of cos over the "
+             "exit pupil's solid angle; absent for fields"},
+    {PLAIN(illumination, COLUMN_BRIEF | COLUMN_SPARSE), .name = "illumination", .label = "E/E axis",
+     .help = "irradiance over that on the axis"},
+    {PLAIN(vignetting[PUPIL_UPPER], COLUMN_BRIEF), .name = "vignetting_upper", .label = "upper",
+     .help = "1 - y/radius of the uppermost ray in the stop: what vignetting takes there"},
+    {PLAIN(vignetting[PUPIL_LOWER], COLUMN_BRIEF), .name = "vignetting_lower", .label = "lower",
+     .help = "the same below"},
+    {PLAIN(vignetting[PUPIL_LEFT], COLUMN_HIDDEN), .name = "vignetting_left", .label = "left",
+     .help = "the same to -x"},
+    {PLAIN(vignetting[PUPIL_RIGHT], COLUMN_BRIEF), .name = "vignetting_right", .label = "side",
+     .help = "the same to +x"},
+    {PLAIN(limit[PUPIL_UPPER], COLUMN_BRIEF), .name = "upper_surface", .label = "upper by",
+     .help = "number of the surface that ends the pupil at y_max, the stop counted"},
+    {PLAIN(limit[PUPIL_LOWER], COLUMN_BRIEF), .name = "lower_surface", .label = "lower by",
+     .help = "at y_min"},
+    {PLAIN(limit[PUPIL_LEFT], COLUMN_HIDDEN), .name = "left_surface", .label = "left by",
+     .help = "at x_min"},
+    {PLAIN(limit[PUPIL_RIGHT], COLUMN_HIDDEN), .name = "right_surface", .label = "right by",
+     .help = "at x_max"},
+    {LENGTH(chief_x, COLUMN_HIDDEN), .name = "chief_x", .label = "chief x",
+     .help = "chief ray, through the middle of the stop: a point, where it can in the plane of "
+             "the first (last) vertex"},
+    {LENGTH(chief_y, COLUMN_HIDDEN), .name = "chief_y", .label = "chief y", .help = "the same"},
+    {LENGTH(chief_z, COLUMN_HIDDEN), .name = "chief_z", .label = "chief z", .help = "the same"},
+    {PLAIN(cos_x, COLUMN_HIDDEN), .name = "chief_cos_x", .label = "chief cos x",
+     .help = "its direction cosines, as light goes (from the film: backwards)"},
+    {PLAIN(cos_y, COLUMN_HIDDEN), .name = "chief_cos_y", .label = "chief cos y",
+     .help = "the same"},
+    {PLAIN(cos_z, COLUMN_HIDDEN), .name = "chief_cos_z", .label = "chief cos z",
+     .help = "the same"},
+    {PLAIN(status, COLUMN_BRIEF), .name = "status", .label = "status",
+     .help = "ok; chief_lost: rays arrive, not the chief ray; clipped, miss, total_reflection: "
+             "nothing arrives"},
+    {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "lost at",
+     .help = "where the chief ray or all rays are lost"},
+    {LENGTH(film, COLUMN_HIDDEN | COLUMN_ECHO), .name = "film", .label = "film",
+     .help = "where the film stands, from the last vertex; absent for fields"},
+    {PLAIN(rays, COLUMN_EXTRA), .name = "rays", .label = "rays",
+     .help = "about how many were traced"},
+    LENS_TITLE_COLUMN(struct row, lens),
+    LENS_WARNING_COLUMN(struct row, warning),
+};
+
+static const struct column outline_columns[] = {
+    CASE_COLUMNS,
+    {PLAIN(point, COLUMN_BRIEF), .name = "point", .label = "point",
+     .help = "number of the edge point, from 1"},
+    {LENGTH(z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "z", .label = "z",
+     .help = "the paraxial pupil's place, from the first (last) vertex"},
+    {LENGTH(edge_x, COLUMN_BRIEF), .name = "x", .label = "x", .help = "in that plane"},
+    {LENGTH(edge_y, COLUMN_BRIEF), .name = "y", .label = "y", .help = "in that plane"},
+    {LENGTH(edge_vertex_x, COLUMN_BRIEF), .name = "vertex_x", .label = "vertex x",
+     .help = "in the plane of the first (last) vertex"},
+    {LENGTH(edge_vertex_y, COLUMN_BRIEF), .name = "vertex_y", .label = "vertex y",
+     .help = "the same"},
+    {PLAIN(stop_x, COLUMN_BRIEF), .name = "stop_x", .label = "stop x",
+     .help = "in the stop, in units of its radius"},
+    {PLAIN(stop_y, COLUMN_BRIEF), .name = "stop_y", .label = "stop y", .help = "the same"},
+    LENS_TITLE_COLUMN(struct row, lens),
+    LENS_WARNING_COLUMN(struct row, warning),
+};
+
+static const struct sheet outline_sheet = SHEET(outline_columns, struct row);
+static const struct sheet bounds_sheet = SHEET(columns, struct row);
+
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+{
+    (void)asking;
+    return ((const struct pupil_input *)data)->outline > 0 ? &outline_sheet : &bounds_sheet;
+}
+
+/* What a row says of its point, with everything else absent. */
+static struct row row_of(const struct pupil_case *point)
+{
+    const struct pupil_shape *shape = point->shape;
+    struct row row = {
+        .position = point->one->position,
+        .lens = point->one->lens->title,
+        .warning = point->one->warning,
+        .wavelength = lens_wavelength_own(point->one->wavelength),
+        .field = point->angle,
+        .object = point->object,
+        .height = point->height,
+        .film = point->film,
+        .status = shape->is_empty                               ? ray_status_name(shape->status)
+                  : shape->status == RAY_OK && shape->has_chief ? "ok"
+                                                                : "chief_lost",
+        .lost = shape->surface > 0 ? (long)shape->surface : NO_INTEGER,
+        .rays = (long)shape->rays,
+    };
+    double *numbers[] = {&row.x_min,
+                         &row.x_max,
+                         &row.y_min,
+                         &row.y_max,
+                         &row.x,
+                         &row.y,
+                         &row.vertex_x_min,
+                         &row.vertex_x_max,
+                         &row.vertex_y_min,
+                         &row.vertex_y_max,
+                         &row.vertex_area,
+                         &row.irradiance,
+                         &row.illumination,
+                         &row.chief_x,
+                         &row.chief_y,
+                         &row.chief_z,
+                         &row.cos_x,
+                         &row.cos_y,
+                         &row.cos_z,
+                         &row.fraction,
+                         &row.projected_fraction};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        *numbers[i] = NAN;
+    }
+    for (size_t i = 0; i < PUPIL_ENDS; i++) {
+        row.limit[i] = NO_INTEGER;
+        row.vignetting[i] = shape->is_empty ? 1 : shape->vignetting[i];
+    }
+    return row;
+}
+
+static double ratio(double here, double axis, bool is_empty)
+{
+    return is_empty ? 0 : here / axis;
+}
+
+static void fill_bounds(const struct pupil_side *side, struct row *row)
+{
+    const struct pupil_extent *pupil = &side->pupil, *vertex = &side->vertex;
+    row->x_min = pupil->low[0];
+    row->x_max = pupil->high[0];
+    row->y_min = pupil->low[1];
+    row->y_max = pupil->high[1];
+    row->x = pupil->centre[0];
+    row->y = pupil->centre[1];
+    row->area = pupil->area;
+    row->vertex_x_min = vertex->low[0];
+    row->vertex_x_max = vertex->high[0];
+    row->vertex_y_min = vertex->low[1];
+    row->vertex_y_max = vertex->high[1];
+    row->vertex_area = vertex->area;
+    row->chief_x = side->chief.point[0];
+    row->chief_y = side->chief.point[1];
+    row->chief_z = side->chief.point[2];
+    row->cos_x = side->chief.cosine[0];
+    row->cos_y = side->chief.cosine[1];
+    row->cos_z = side->chief.cosine[2];
+    for (size_t i = 0; i < PUPIL_ENDS; i++) {
+        row->limit[i] = side->limit[i] > 0 ? (long)side->limit[i] : NO_INTEGER;
+    }
+}
+
+static struct row bounds_row(const struct pupil_case *point, bool exit)
+{
+    const struct pupil_shape *shape = point->shape, *axis = point->axis;
+    const struct pupil_side *side = exit ? &shape->exit : &shape->entrance;
+    const struct pupil_side *middle = exit ? &axis->exit : &axis->entrance;
+    const struct first_order *first = &point->one->first;
+    struct row row = row_of(point);
+    row.pupil = exit ? "exit" : "entrance";
+    row.z = exit ? first->exit_pupil : first->entrance_pupil;
+    if (!shape->is_empty) {
+        fill_bounds(side, &row);
+    }
+    if (!axis->is_empty) {
+        /* of a telecentric side the plane of the vertex */
+        bool far = isnan(middle->pupil.area);
+        row.fraction = far ? ratio(row.vertex_area, middle->vertex.area, shape->is_empty)
+                           : ratio(row.area, middle->pupil.area, shape->is_empty);
+        row.projected_fraction = ratio(shape->projected, axis->projected, shape->is_empty);
+    }
+    row.projected = shape->projected;
+    if (point->from_film) {
+        double n = first->index_image / first->index_object;
+        row.irradiance = shape->is_empty ? 0 : n * n * shape->cosine_area;
+        row.illumination = axis->is_empty ? (double)NAN : shape->cosine_area / axis->cosine_area;
+    }
+    return row;
+}
+
+static bool emit_outline(const struct pupil_case *point, bool exit, long count, struct run *run)
+{
+    const struct pupil_shape *shape = point->shape;
+    const struct pupil_side *side = exit ? &shape->exit : &shape->entrance;
+    struct row row = row_of(point);
+    row.pupil = exit ? "exit" : "entrance";
+    row.z = exit ? point->one->first.exit_pupil : point->one->first.entrance_pupil;
+    for (long i = 0; i < count && !shape->is_empty; i++) {
+        size_t edge = (size_t)i * shape->count / (size_t)count;
+        const double(*pupil)[2] = side->pupil.outline, (*vertex)[2] = side->vertex.outline;
+        row.point = i + 1;
+        row.edge_x = pupil != NULL ? pupil[edge][0] : (double)NAN;
+        row.edge_y = pupil != NULL ? pupil[edge][1] : (double)NAN;
+        row.edge_vertex_x = vertex != NULL ? vertex[edge][0] : (double)NAN;
+        row.edge_vertex_y = vertex != NULL ? vertex[edge][1] : (double)NAN;
+        row.stop_x = shape->stop[edge][0];
+        row.stop_y = shape->stop[edge][1];
+        if (!run_emit(run, &row)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool emit_rows(const struct pupil_case *point, struct run *run, const void *context,
+                      struct error *error)
+{
+    const struct pupil_input *input = context;
+    (void)error;
+    for (int exit = 0; exit < 2; exit++) {
+        if (input->side == (exit ? SIDE_ENTRANCE : SIDE_EXIT)) {
+            continue;
+        }
+        if (input->outline > 0) {
+            if (!emit_outline(point, exit, input->outline, run)) {
+                break;
+            }
+            continue;
+        }
+        struct row row = bounds_row(point, exit);
+        if (!run_emit(run, &row)) {
+            break;
+        }
+    }
+    return true;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    return pupil_each(data, run, emit_rows, data, error);
+}
+
+static bool makes_many(const void *data)
+{
+    (void)data;
+    return true;
+}
+
+/* -------- the drawing -------- */
+
+struct painter {
+    struct outline *shapes;
+    size_t count, room;
+    const char *title;
+};
+
+/* The point on the axis, for comparison, then each point. */
+static bool add_shape(const struct pupil_case *point, struct run *run, const void *context,
+                      struct error *error)
+{
+    struct painter *painter = run->driver;
+    const struct pupil_shape *shape = point->shape;
+    const struct lens_case *one = point->one;
+    bool several = *(const bool *)context;
+    painter->shapes = arena_grow(run->arena, painter->shapes, painter->count, &painter->room,
+                                 sizeof *painter->shapes);
+    (void)error;
+    const char *words = pupil_point_words(point, run->arena);
+    struct outline outline = {.label = words,
+                              .dashed = point->axis->across,
+                              .dashed_count = point->axis->is_empty ? 0 : point->axis->count};
+    if (several) {
+        outline.label =
+            arena_printf(run->arena, "%s%s%.4g nm, %s", one->position != NULL ? one->position : "",
+                         one->position != NULL ? ", " : "", 1000 * one->wavelength, words);
+    }
+    if (shape->is_empty) {
+        outline.note = arena_printf(run->arena, "nothing arrives: %s at %zu",
+                                    ray_status_name(shape->status), shape->surface);
+    } else {
+        outline.points = shape->across;
+        outline.count = shape->count;
+        outline.note =
+            arena_printf(run->arena, "%.3g mm\xc2\xb2, %.3g %% of the axis", shape->projected,
+                         100 * shape->projected / point->axis->projected);
+    }
+    painter->title = one->lens->title;
+    painter->shapes[painter->count++] = outline;
+    return true;
+}
+
+static bool picture(const void *const *inputs, size_t count, struct svg *svg, struct error *error)
+{
+    struct painter painter = {0};
+    struct run run = {.arena = svg->arena, .driver = &painter};
+    for (size_t i = 0; i < count; i++) {
+        const struct pupil_input *input = inputs[i];
+        bool several = lens_positions_several(input->question.lens.lens, input->question.position);
+        if (!pupil_each(input, &run, add_shape, &several, error)) {
+            return false;
+        }
+    }
+    const struct pupil_input *first = inputs[0];
+    bool film = !isnan(first->height);
+    const struct outlines outlines = {
+        .title = arena_printf(svg->arena, "Pupils of %s", painter.title),
+        .subtitle = film ? "exit pupil as points of the film see it, across the ray to the last "
+                           "vertex; origin: the chief ray"
+                         : "entrance pupil as field points see it, across the ray to the first "
+                           "vertex; origin: the chief ray",
+        .unit = "mm",
+        .legend = {"what arrives", "what arrives from the axis"},
+        .shapes = painter.shapes,
+        .count = painter.count,
+    };
+    return outlines_draw(&outlines, svg, error);
+}
+
+static const struct explanation explanations[] = {
+    {"fraction", "{fraction} = area/area on the axis, in the plane of the paraxial pupil",
+     "edges by bisection of exact rays", "a central obstruction is not modelled"},
+    {"irradiance_per_radiance", "E/L = integral of cos(theta) dw over the clear exit pupil",
+     "[Welford86]", "a uniform scene; no loss in glass"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"pupil double-gauss", "both pupils for the fields of the lens"},
+    {"pupil fisheye-16 --field 75deg", "a fisheye near the edge of its field"},
+    {"pupil double-gauss --height 0..21.6:7.2 --side exit --csv",
+     "bounds of the exit pupil by film radius, for a renderer"},
+    {"pupil nikkor-z-14-24 --position all --plot /tmp/pupils.svg", "cat's eyes, drawn"},
+    {NULL, NULL},
+};
+
+const struct command command_pupil = {
+    .name = "pupil",
+    .group = "a lens",
+    .summary = "shapes and bounds of the entrance and exit pupil",
+    COMMAND_ASKS(struct pupil_input),
+    COMMAND_ANSWERS(struct row),
+    .choose_sheet = choose_sheet,
+    .makes_many = makes_many,
+    .picture = picture,
+};

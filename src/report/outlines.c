@@ -1,0 +1,167 @@
+/* report/outlines.c - a grid of shapes. */
+/* SPDX-License-Identifier: MIT */
+#include "report/outlines.h"
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "report/svg.h"
+
+#include <math.h>
+
+enum { ACROSS = 5, MOST = 100 };
+
+/* Of a cell, and of the page, px. */
+static const double CELL = 180, HEAD = 40, FOOT = 24, TOP = 72, BOTTOM = 64, MARGIN = 20;
+static const double HALF = 76; /* of the largest shape */
+
+static const char *const BLUE = "#0060a0", *const TINT = "#56b4e9", *const GREY = "#888";
+
+struct page {
+    double scale; /* px a unit */
+    double x, y;  /* origin of the cell's shape */
+};
+
+static double farthest(const struct outlines *outlines)
+{
+    double most = 0;
+    for (size_t i = 0; i < outlines->count; i++) {
+        const struct outline *shape = &outlines->shapes[i];
+        for (size_t k = 0; k < shape->count; k++) {
+            most = fmax(most, fmax(fabs(shape->points[k][0]), fabs(shape->points[k][1])));
+        }
+        for (size_t k = 0; k < shape->dashed_count; k++) {
+            most = fmax(most, fmax(fabs(shape->dashed[k][0]), fabs(shape->dashed[k][1])));
+        }
+    }
+    return most;
+}
+
+static void draw_shape(struct svg *svg, const struct page *page, const double (*points)[2],
+                       size_t count)
+{
+    double *x = ARENA_ARRAY(svg->arena, count + 1, double);
+    double *y = ARENA_ARRAY(svg->arena, count + 1, double);
+    for (size_t i = 0; i < count; i++) {
+        x[i] = page->x + page->scale * points[i][0];
+        y[i] = page->y - page->scale * points[i][1];
+    }
+    if (count > 0) {
+        svg_polygon(svg, x, y, count);
+    }
+}
+
+static void draw_words(struct svg *svg, double x, double y, bool bold, const char *words)
+{
+    if (words != NULL) {
+        const struct svg_label label = {.x = x,
+                                        .y = y,
+                                        .size = 13,
+                                        .width = CELL - 8,
+                                        .anchor = SVG_MIDDLE,
+                                        .colour = bold ? "#1d1d1d" : "#444",
+                                        .bold = bold};
+        svg_text(svg, &label, words);
+    }
+}
+
+static void draw_cell(struct svg *svg, const struct page *page, const struct outline *shape)
+{
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#ccc", .width = 1});
+    svg_line(svg, page->x - HALF - 6, page->y, page->x + HALF + 6, page->y);
+    svg_line(svg, page->x, page->y - HALF - 6, page->x, page->y + HALF + 6);
+    svg_group_end(svg);
+    svg_group_begin(
+        svg, &(struct svg_style){.stroke = BLUE, .fill = TINT, .width = 1.4, .opacity = 0.75});
+    draw_shape(svg, page, shape->points, shape->count);
+    svg_group_end(svg);
+    svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1, .dash = "4 3"});
+    draw_shape(svg, page, shape->dashed, shape->dashed_count);
+    svg_group_end(svg);
+    draw_words(svg, page->x, page->y - HALF - 16, true, shape->label);
+    draw_words(svg, page->x, page->y + HALF + 24, false, shape->note);
+}
+
+/* A round length of about half a cell. */
+static double bar_length(double scale)
+{
+    double most = HALF / scale, power = pow(10, floor(log10(most)));
+    return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
+}
+
+static void draw_foot(struct svg *svg, const struct outlines *outlines, double scale, double y)
+{
+    double length = bar_length(scale), x = MARGIN + 10, end = x + length * scale;
+    const struct svg_style *style = &(struct svg_style){.stroke = "#1d1d1d", .width = 1.4};
+    svg_group_begin(svg, style);
+    svg_line(svg, x, y, end, y);
+    svg_line(svg, x, y - 4, x, y + 4);
+    svg_line(svg, end, y - 4, end, y + 4);
+    svg_group_end(svg);
+    const char *words = arena_printf(svg->arena, "%g %s", length, outlines->unit);
+    svg_text(svg, &(struct svg_label){.x = end + 8, .y = y + 5, .size = 13}, words);
+    x = end + 24 + svg_text_width(words, 13);
+    for (int i = 0; i < 2; i++) {
+        if (outlines->legend[i] == NULL) {
+            continue;
+        }
+        const struct svg_style area = {.stroke = BLUE, .fill = TINT, .width = 1.4, .opacity = 0.75};
+        const struct svg_style line = {.stroke = GREY, .width = 1, .dash = "4 3"};
+        svg_group_begin(svg, i == 0 ? &area : &line);
+        svg_circle(svg, x + 7, y, 7);
+        svg_group_end(svg);
+        svg_text(svg, &(struct svg_label){.x = x + 20, .y = y + 5, .size = 13},
+                 outlines->legend[i]);
+        x += 40 + svg_text_width(outlines->legend[i], 13);
+    }
+}
+
+/* At least as wide as what is written below it. */
+static double page_width(const struct outlines *outlines, size_t across)
+{
+    double words = MARGIN + 160 + HALF;
+    for (int i = 0; i < 2; i++) {
+        const char *legend = outlines->legend[i];
+        words += legend != NULL ? 40 + svg_text_width(legend, 13) : 0;
+    }
+    words = fmax(words, 2 * MARGIN + svg_text_width(outlines->title, 17));
+    return fmax(words, 2 * MARGIN + (double)across * CELL);
+}
+
+bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct error *error)
+{
+    double most = farthest(outlines);
+    if (outlines->count > MOST) {
+        return fail(error, ERROR_USAGE, "a drawing of %zu shapes: at most %d can be told apart",
+                    outlines->count, MOST);
+    }
+    if (!(most > 0 && most < 1e12)) {
+        return fail(error, ERROR_DOMAIN, "there is nothing to draw: no ray arrives");
+    }
+    size_t across = outlines->count < ACROSS ? outlines->count : ACROSS;
+    size_t down = (outlines->count + across - 1) / across;
+    double width = page_width(outlines, across), tall = HEAD + 2 * HALF + FOOT + 16;
+    double height = TOP + (double)down * tall + BOTTOM, scale = HALF / most;
+    svg_begin(svg, width, height, outlines->title);
+    svg_text(svg,
+             &(struct svg_label){
+                 .x = MARGIN, .y = 30, .size = 17, .bold = true, .width = width - 2 * MARGIN},
+             outlines->title);
+    if (outlines->subtitle != NULL) {
+        svg_text(
+            svg,
+            &(struct svg_label){
+                .x = MARGIN, .y = 52, .size = 13, .colour = "#444", .width = width - 2 * MARGIN},
+            outlines->subtitle);
+    }
+    for (size_t i = 0; i < outlines->count; i++) {
+        const struct page page = {
+            .scale = scale,
+            .x = MARGIN + ((double)(i % across) + 0.5) * CELL,
+            .y = TOP + (double)(i / across) * tall + HEAD + HALF,
+        };
+        draw_cell(svg, &page, &outlines->shapes[i]);
+    }
+    draw_foot(svg, outlines, scale, height - BOTTOM / 2);
+    svg_end(svg);
+    return true;
+}
