@@ -66,7 +66,7 @@ struct pupil_question {
  *           it, per area of the beam's plane at the distance d: d h^2/(rho^3 cos^3), rho the way to
  *           the beam's plane, cos the direction cosine along z; projected solid angle per area:
  *           cos d/rho^3. Vignetting is measured in the stop, as pupil coordinates are
- * Source    [Welford86] 2.4 and 5.5; derived here: dw = d/rho^3 dA
+ * Source    [Welford86] ch. 5 (pupils); derived here: dw = d/rho^3 dA
  * Errors    ERROR_DOMAIN: no stop, or no radius of it. A point from which nothing arrives is data
  * Limits    1e-5 of the areas with 512 edges (cat's eyes; discs and ellipses 1e-12); a plane that
  *           rays meet at more than 89.9 deg counts as not met. A central obstruction is not

@@ -88,7 +88,7 @@ static const struct column columns[] = {
     {LENGTH(y_max, COLUMN_BRIEF), .name = "y_max", .label = "y max", .help = "the same"},
     {LENGTH(x, COLUMN_HIDDEN), .name = "x", .label = "x", .help = "centroid there"},
     {LENGTH(y, COLUMN_HIDDEN), .name = "y", .label = "y", .help = "centroid there"},
-    {AREA(area, COLUMN_BRIEF), .name = "area", .label = "area", .help = "area there, mm^2"},
+    {AREA(area, COLUMN_HIDDEN), .name = "area", .label = "area", .help = "area there, mm^2"},
     {LENGTH(vertex_x_min, COLUMN_HIDDEN), .name = "vertex_x_min", .label = "vertex x min",
      .help = "bounds in the plane of the first (last) vertex"},
     {LENGTH(vertex_x_max, COLUMN_HIDDEN), .name = "vertex_x_max", .label = "vertex x max",
@@ -116,7 +116,7 @@ static const struct column columns[] = {
      .help = "the same below"},
     {PLAIN(vignetting[PUPIL_LEFT], COLUMN_HIDDEN), .name = "vignetting_left", .label = "left",
      .help = "the same to -x"},
-    {PLAIN(vignetting[PUPIL_RIGHT], COLUMN_BRIEF), .name = "vignetting_right", .label = "side",
+    {PLAIN(vignetting[PUPIL_RIGHT], COLUMN_HIDDEN), .name = "vignetting_right", .label = "side",
      .help = "the same to +x"},
     {PLAIN(limit[PUPIL_UPPER], COLUMN_BRIEF), .name = "upper_surface", .label = "upper by",
      .help = "number of the surface that ends the pupil at y_max, the stop counted"},
@@ -374,14 +374,13 @@ static bool add_shape(const struct pupil_case *point, struct run *run, const voi
                          one->position != NULL ? ", " : "", 1000 * one->wavelength, words);
     }
     if (shape->is_empty) {
-        outline.note = arena_printf(run->arena, "nothing arrives: %s at %zu",
+        outline.note = arena_printf(run->arena, "nothing: %s at %zu",
                                     ray_status_name(shape->status), shape->surface);
     } else {
         outline.points = shape->across;
         outline.count = shape->count;
-        outline.note =
-            arena_printf(run->arena, "%.3g mm\xc2\xb2, %.3g %% of the axis", shape->projected,
-                         100 * shape->projected / point->axis->projected);
+        outline.note = arena_printf(run->arena, "%.3g mm\xc2\xb2, %.3g %%", shape->projected,
+                                    100 * shape->projected / point->axis->projected);
     }
     painter->title = one->lens->title;
     painter->shapes[painter->count++] = outline;
@@ -408,7 +407,7 @@ static bool picture(const void *const *inputs, size_t count, struct svg *svg, st
                          : "entrance pupil as field points see it, across the ray to the first "
                            "vertex; origin: the chief ray",
         .unit = "mm",
-        .legend = {"what arrives", "what arrives from the axis"},
+        .legend = {"what arrives", "from the axis: 100 %"},
         .shapes = painter.shapes,
         .count = painter.count,
     };

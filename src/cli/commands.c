@@ -8,7 +8,7 @@ extern const struct command command_exposure, command_flash, command_bracket, co
 extern const struct command command_focus, command_diffraction, command_equivalent;
 extern const struct command command_tilt, command_panorama;
 extern const struct command command_refract, command_lensmaker;
-extern const struct command command_trace, command_pupil, command_draw;
+extern const struct command command_trace, command_check, command_pupil, command_draw;
 extern const struct command command_lens, command_surfaces, command_matrix, command_conjugate;
 extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_help, command_completion;
@@ -34,6 +34,7 @@ const struct command *const commands[] = {
     &command_matrix,
     &command_conjugate,
     &command_trace,
+    &command_check,
     &command_pupil,
     &command_draw, /* a lens */
     &command_list,

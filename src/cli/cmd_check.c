@@ -1,0 +1,446 @@
+/* cli/cmd_check.c - lenscalc check: paraxial results against exact rays. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/paraxial_check.h"
+#include "cli/lens_options.h"
+#include "report/plot.h"
+
+static const double degrees = 180 / 3.141592653589793;
+
+struct input {
+    struct lens_question question; /* its field stays absent */
+    double field, tolerance;
+    long steps;
+};
+
+static const struct option options[] = {
+    LENS_OPTION(struct input, question),
+    LENS_WAVELENGTH_OPTION(struct input, question),
+    LENS_FNUMBER_OPTION(struct input, question),
+    {OPTION(struct input, field), .name = "field", .column = "largest_field",
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -3.1415, .highest = 3.1415,
+     .value = "ANGLE",
+     .help = "largest field angle, in object space; without it that of the lens, else 5 deg"},
+    LENS_POSITION_OPTION(struct input, question),
+    LENS_SECTION_OPTION(struct input, question),
+    {OPTION(struct input, tolerance), .name = "tolerance", .column = "tolerance",
+     .dimension = &dimension_ratio, .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST,
+     .fallback = "1%", .value = "RATIO", .help = "what the verdict calls trusted"},
+    {OPTION(struct input, steps), .name = "steps", .lowest = 1, .highest = 100, .fallback = "3",
+     .value = "COUNT",
+     .help = "how many apertures, each a stop smaller, and fields, evenly spaced"},
+};
+
+struct row {
+    const char *quantity, *unit, *position, *status, *verdict, *warning, *lens;
+    double wavelength; /* mm */
+    double fraction, fnumber, height, field;
+    double paraxial, exact, difference, relative;
+    double order, local_order, rounding, trusted, trusted_fnumber, trusted_field, tolerance;
+    long lost;
+};
+
+#define LENGTH(member_name, more)                                                                  \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+#define ANGLE(member_name, more)                                                                   \
+    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg", .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+
+static const struct column columns[] = {
+    {COLUMN(struct row, wavelength), .dimension = &dimension_length, .unit = "nm",
+     .flags = COLUMN_ECHO, .name = "wavelength", .with = "wavelength", .label = "wavelength",
+     .help = "wavelength"},
+    LENS_POSITION_COLUMN(struct row, position, 0),
+    {PLAIN(quantity, COLUMN_BRIEF), .name = "quantity", .label = "quantity",
+     .help = "what is compared"},
+    {PLAIN(unit, COLUMN_BRIEF), .name = "unit", .label = "unit",
+     .help = "of paraxial, exact and difference: mm, deg, or 1"},
+    {PLAIN(fraction, COLUMN_HIDDEN | COLUMN_ECHO), .name = "fraction", .label = "fraction",
+     .help = "of the aperture's radius, or of the largest field"},
+    {PLAIN(fnumber, COLUMN_BRIEF | COLUMN_SPARSE), .name = "fnumber", .symbol = "N",
+     .label = "f-number",
+     .help = "of the ray's height: paraxial, near objects: working; absent where a field is"},
+    {LENGTH(height, COLUMN_HIDDEN), .name = "height", .symbol = "h", .label = "height",
+     .help = "of the ray in the paraxial entrance pupil"},
+    {ANGLE(field, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "field", .symbol = "t",
+     .label = "field", .help = "of the chief ray as seen from the first vertex; else absent"},
+    {PLAIN(paraxial, COLUMN_BRIEF | COLUMN_INFINITE), .name = "paraxial", .label = "paraxial",
+     .help = "without aberrations"},
+    {PLAIN(exact, COLUMN_BRIEF), .name = "exact", .label = "exact",
+     .help = "by the exact ray; absent where it is lost"},
+    {PLAIN(difference, COLUMN_BRIEF), .name = "difference", .symbol = "d", .label = "difference",
+     .help = "exact - paraxial"},
+    {COLUMN(struct row, relative), .dimension = &dimension_ratio, .unit = "percent",
+     .flags = COLUMN_BRIEF, .name = "relative", .label = "relative",
+     .help = "difference over the paraxial value, of places over the focal length"},
+    {PLAIN(local_order, COLUMN_BRIEF), .name = "local_order", .label = "order here", .digits = 3,
+     .help = "log2 of the difference here over that at half the aperture or field"},
+    {PLAIN(order, COLUMN_BRIEF), .name = "order", .label = "order", .digits = 3,
+     .help = "of the difference as aperture or field goes to 0: 2 for places, 3 for heights, more "
+             "where the lens is corrected"},
+    {PLAIN(rounding, COLUMN_HIDDEN | COLUMN_ECHO), .name = "rounding", .label = "rounding from",
+     .help = "the fraction from which on the difference is rounding; 0 if never to 2^-16"},
+    {PLAIN(trusted, COLUMN_HIDDEN), .name = "trusted", .label = "trusted to",
+     .help = "fraction up to which the relative difference keeps within the tolerance"},
+    {PLAIN(trusted_fnumber, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "trusted_fnumber",
+     .label = "trusted from", .help = "the same as an f-number"},
+    {ANGLE(trusted_field, COLUMN_HIDDEN), .name = "trusted_field", .label = "trusted to field",
+     .help = "the same as a field angle"},
+    {COLUMN(struct row, tolerance), .dimension = &dimension_ratio, .unit = "percent",
+     .name = "tolerance", .flags = COLUMN_ECHO | COLUMN_HIDDEN, .with = "tolerance",
+     .label = "tolerance", .help = "of the verdict"},
+    {PLAIN(status, COLUMN_HIDDEN), .name = "status", .label = "status",
+     .help = "of the exact ray: ok miss total_reflection not_converged; rims are not looked at"},
+    {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "lost at",
+     .help = "where the exact ray is lost"},
+    {PLAIN(verdict, COLUMN_NOTE), .name = "verdict", .label = "verdict",
+     .help = "how far the paraxial value may be trusted, in words"},
+    LENS_TITLE_COLUMN(struct row, lens),
+    LENS_WARNING_COLUMN(struct row, warning),
+};
+
+/* How a quantity is called, and its unit. */
+static const struct {
+    const char *name, *words, *unit;
+} names[CHECK_QUANTITIES] = {
+    [CHECK_EFL] = {"efl", "focal length", "mm"},
+    [CHECK_BFL] = {"bfl", "back focal length", "mm"},
+    [CHECK_REAR_PRINCIPAL] = {"rear_principal", "rear principal surface", "mm"},
+    [CHECK_FFL] = {"ffl", "front focal point", "mm"},
+    [CHECK_FRONT_PRINCIPAL] = {"front_principal", "front principal surface", "mm"},
+    [CHECK_IMAGE] = {"image", "image distance", "mm"},
+    [CHECK_MAGNIFICATION] = {"magnification", "magnification", "1"},
+    [CHECK_EXIT_ANGLE] = {"exit_angle", "angle of the leaving ray", "deg"},
+    [CHECK_FNUMBER] = {"working_fnumber", "working f-number", "1"},
+    [CHECK_TRANSVERSE] = {"transverse", "height of the axial ray in the image", "mm"},
+    [CHECK_IMAGE_HEIGHT] = {"image_height", "image height", "mm"},
+    [CHECK_ANGULAR_MAGNIFICATION] = {"angular_magnification", "angular magnification", "1"},
+    [CHECK_ENTRANCE_PUPIL] = {"entrance_pupil", "entrance pupil's place", "mm"},
+    [CHECK_EXIT_PUPIL] = {"exit_pupil", "exit pupil's place", "mm"},
+};
+
+/* The lens in one case, ready for comparison. */
+struct bench {
+    const struct input *input;
+    const struct lens_case *one;
+    struct system forward, backward;
+    struct check_problem problem;
+};
+
+static struct field_point largest_field(const struct input *input, const struct lens *lens)
+{
+    size_t axis = input->question.section == SECTION_X ? 0 : 1;
+    struct field_point field = {FIELD_ANGLE, {0, 0}};
+    double largest = isnan(input->field) ? 0 : input->field;
+    if (isnan(input->field) && lens->field_kind != FIELD_NONE) {
+        field.kind = lens->field_kind;
+        for (size_t i = 0; i < lens->field_count; i++) {
+            double value = lens->fields[i].value.hi;
+            largest = fabs(value) > fabs(largest) ? value : largest;
+        }
+    }
+    if (largest == 0) {
+        field.kind = FIELD_ANGLE;
+        largest = 5 / degrees;
+    }
+    field.value[axis] = largest;
+    return field;
+}
+
+static bool set_up(const struct input *input, const struct lens_case *one, struct arena *arena,
+                   struct bench *bench, struct error *error)
+{
+    const struct lens *lens = one->lens;
+    struct system_options system = system_options_default();
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        if (lens->surfaces[i].moved != NULL || lens->surfaces[i].bend != NULL) {
+            return fail(error, ERROR_DOMAIN,
+                        "surface %zu is decentred, tilted or bent, and paraxial results are those "
+                        "of the centred lens: there is nothing to compare",
+                        i + 1);
+        }
+    }
+    if (isnan(one->first.entrance_diameter) || isnan(one->first.marginal_y)) {
+        fail(error, ERROR_DOMAIN, "the lens has no aperture: the height of its rays is not known");
+        return error_hint(error, "give an f-number with -N, or an aperture in the file");
+    }
+    *bench = (struct bench){.input = input, .one = one};
+    system.stop_radius = one->first.stop_radius;
+    if (!system_compile(lens, one->wavelength, &system, arena, &bench->forward, error)) {
+        return false;
+    }
+    system.reverse = true;
+    if (!system_compile(lens, one->wavelength, &system, arena, &bench->backward, error)) {
+        return false;
+    }
+    struct first_order primary;
+    if (!first_order_of_lens(lens, lens_primary_wavelength(lens), one->section, arena, &primary,
+                             error)) {
+        return false;
+    }
+    bench->problem = (struct check_problem){
+        .forward = &bench->forward,
+        .backward = &bench->backward,
+        .first = &one->first,
+        .object = lens_object(lens),
+        .section = one->section,
+        .plane = isfinite(primary.image) ? primary.image : (double)NAN,
+        .field = largest_field(input, lens),
+    };
+    return true;
+}
+
+/* -------- the verdict -------- */
+
+static const char *order_words(const struct check_order *order, struct arena *arena)
+{
+    if (order->is_equal) {
+        return "equal to rounding";
+    }
+    const char *words =
+        isnan(order->order) ? "no order found" : arena_printf(arena, "order %.3g", order->order);
+    return order->rounding > 0
+               ? arena_printf(arena, "%s down to %.2g %% of it, where rounding begins", words,
+                              100 * order->rounding)
+               : words;
+}
+
+static const char *extent_words(const struct row *row, enum check_quantity quantity, double largest,
+                                struct arena *arena)
+{
+    const double whole = 1 - 1e-9;
+    bool field = check_is_of_field(quantity);
+    if (!(row->trusted > 0)) {
+        return arena_printf(arena, "at no %s", field ? "field" : "aperture");
+    }
+    if (field) {
+        return row->trusted >= whole
+                   ? arena_printf(arena, "over the whole field, %.4g deg", largest)
+                   : arena_printf(arena, "up to %.4g deg of %.4g deg", row->trusted_field * degrees,
+                                  largest);
+    }
+    if (isnan(row->trusted_fnumber)) {
+        return arena_printf(arena, "up to %.3g %% of the aperture", 100 * row->trusted);
+    }
+    return arena_printf(arena,
+                        row->trusted >= whole ? "over the whole aperture, f/%.3g" : "up to f/%.3g",
+                        row->trusted_fnumber);
+}
+
+static void judge(const struct bench *bench, enum check_quantity quantity, struct arena *arena,
+                  struct row *row)
+{
+    const struct check_problem *problem = &bench->problem;
+    const struct check_order order = check_order(problem, quantity, arena);
+    struct check_value edge = check_at(problem, quantity, 1, arena);
+    double tolerance = bench->input->tolerance;
+    row->order = order.order;
+    row->rounding = order.rounding;
+    row->tolerance = tolerance;
+    row->trusted = check_trusted(problem, quantity, tolerance, arena);
+    row->trusted_fnumber = row->trusted > 0 ? edge.fnumber / row->trusted : (double)NAN;
+    row->trusted_field = edge.angle * row->trusted;
+    if (row->trusted > 0 && problem->field.kind != FIELD_ANGLE && check_is_of_field(quantity)) {
+        row->trusted_field = check_at(problem, quantity, row->trusted, arena).angle;
+    }
+    if (isnan(row->trusted)) {
+        row->verdict =
+            arena_printf(arena, "%s: %s", names[quantity].words, order_words(&order, arena));
+        return;
+    }
+    row->verdict = arena_printf(
+        arena, "%s: within %.3g %%%s %s (%s)", names[quantity].words, 100 * tolerance,
+        edge.scale == fabs(edge.paraxial) ? "" : " of the focal length",
+        extent_words(row, quantity, edge.angle * degrees, arena), order_words(&order, arena));
+}
+
+/* -------- rows -------- */
+
+static void fill(const struct bench *bench, enum check_quantity quantity, double fraction,
+                 struct arena *arena, struct row *row)
+{
+    struct check_value here = check_at(&bench->problem, quantity, fraction, arena);
+    struct check_value half = check_at(&bench->problem, quantity, fraction / 2, arena);
+    double unit = quantity == CHECK_EXIT_ANGLE ? degrees : 1;
+    row->fraction = fraction;
+    row->fnumber = here.fnumber;
+    row->height = here.height;
+    row->field = here.angle;
+    row->paraxial = unit * here.paraxial + 0.0;
+    row->exact = unit * here.exact + 0.0;
+    row->difference = isfinite(here.paraxial) ? row->exact - row->paraxial : (double)NAN;
+    row->relative = row->difference / here.scale;
+    double before = fabs(half.exact - half.paraxial), now = fabs(here.exact - here.paraxial);
+    bool rounded = fraction / 2 <= row->rounding || isnan(row->order);
+    if (quantity == CHECK_FNUMBER) {
+        before /= half.scale;
+        now /= here.scale;
+    }
+    row->local_order = rounded || !isfinite(now) ? (double)NAN : log2(now / before);
+    row->local_order = isfinite(row->local_order) ? row->local_order : (double)NAN;
+    row->status = ray_status_name(here.status);
+    row->lost = here.surface > 0 ? (long)here.surface : NO_INTEGER;
+}
+
+/* Each aperture a stop smaller; fields evenly spaced; from the edge inwards. */
+static double fraction_of(enum check_quantity quantity, long step, long steps)
+{
+    return check_is_of_field(quantity) ? (double)(steps - step) / (double)steps
+                                       : exp2(-0.5 * (double)step);
+}
+
+static bool compare(const struct lens_case *one, struct run *run, const void *context,
+                    struct error *error)
+{
+    const struct input *input = context;
+    struct bench bench;
+    if (!set_up(input, one, run->arena, &bench, error)) {
+        return false;
+    }
+    for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
+        struct row row = {
+            .quantity = names[quantity].name,
+            .unit = names[quantity].unit,
+            .position = one->position,
+            .lens = one->lens->title,
+            .warning = one->warning,
+            .wavelength = lens_wavelength_own(one->wavelength),
+        };
+        if (!check_applies(&bench.problem, (enum check_quantity)quantity)) {
+            continue;
+        }
+        judge(&bench, (enum check_quantity)quantity, run->arena, &row);
+        for (long step = 0; step < input->steps; step++) {
+            double fraction = fraction_of((enum check_quantity)quantity, step, input->steps);
+            fill(&bench, (enum check_quantity)quantity, fraction, run->arena, &row);
+            if (!run_emit(run, &row)) {
+                return true;
+            }
+        }
+    }
+    return true;
+}
+
+/* The primary wavelength unless another is asked for. */
+static struct lens_question question_of(const struct input *input)
+{
+    struct lens_question question = input->question;
+    question.field = NAN;
+    if (question.wavelength.name == NULL && question.lens.lens != NULL) {
+        question.wavelength =
+            (struct wavelength_value){lens_primary_wavelength(question.lens.lens), "primary"};
+    }
+    return question;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    struct lens_question question = question_of(data);
+    return lens_each(&question, run, compare, data, error);
+}
+
+static bool makes_many(const void *data)
+{
+    (void)data;
+    return true;
+}
+
+/* -------- the plot -------- */
+
+enum { POINTS = 41 };
+
+/* Of the first case only: the curves of one lens fill a page. */
+struct curves {
+    struct plot plot;
+    struct plot_series series[CHECK_QUANTITIES];
+    double x[POINTS];
+};
+
+static bool add_curves(const struct lens_case *one, struct run *run, const void *context,
+                       struct error *error)
+{
+    struct curves *curves = run->driver;
+    struct bench bench;
+    if (!set_up(context, one, run->arena, &bench, error)) {
+        return false;
+    }
+    for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
+        const struct check_problem *problem = &bench.problem;
+        enum check_quantity what = (enum check_quantity)quantity;
+        if (!check_applies(problem, what) ||
+            isnan(check_at(problem, what, 0.5, run->arena).scale)) {
+            continue;
+        }
+        double *y = ARENA_ARRAY(run->arena, POINTS, double);
+        for (size_t i = 0; i < POINTS; i++) {
+            struct check_value value = check_at(problem, what, curves->x[i], run->arena);
+            double relative = fabs(value.exact - value.paraxial) / value.scale;
+            y[i] = relative > 1e-13 ? 100 * relative : (double)NAN;
+        }
+        curves->series[curves->plot.series_count] = (struct plot_series){
+            .label = names[quantity].name, .y = y, .style = curves->plot.series_count};
+        curves->plot.series_count++;
+    }
+    double largest = atan2(sin(bench.problem.field.value[1]), cos(bench.problem.field.value[1]));
+    curves->plot.title =
+        arena_printf(run->arena, "Exact rays against paraxial results: %s", one->lens->title);
+    curves->plot.subtitle = arena_printf(
+        run->arena, "at %.5g nm%s%s; aperture f/%.3g%s", 1000 * one->wavelength,
+        one->position != NULL ? ", position " : "", one->position != NULL ? one->position : "",
+        isfinite(one->first.fnumber) ? one->first.fnumber : one->first.working_fnumber,
+        bench.problem.field.kind == FIELD_ANGLE
+            ? arena_printf(run->arena, ", field %.4g deg", largest * degrees)
+            : "");
+    return true;
+}
+
+static bool picture(const void *const *inputs, size_t count, struct svg *svg, struct error *error)
+{
+    struct curves curves = {.plot = {.x_label = "fraction of the aperture, or of the field",
+                                     .y_label = "difference (% of the value or focal length)",
+                                     .count = POINTS,
+                                     .log_x = true,
+                                     .log_y = true}};
+    struct run run = {.arena = svg->arena, .driver = &curves};
+    struct lens_question question = question_of(inputs[0]);
+    if (count > 1 || lens_positions_several(question.lens.lens, question.position)) {
+        return fail(error, ERROR_USAGE,
+                    "--plot shows one lens in one position at one wavelength: no lists");
+    }
+    for (size_t i = 0; i < POINTS; i++) {
+        curves.x[i] = pow(10, -1.5 * (1 - (double)i / (POINTS - 1)));
+    }
+    curves.plot.x = curves.x;
+    curves.plot.series = curves.series;
+    return lens_each(&question, &run, add_curves, inputs[0], error) &&
+           plot_draw(&curves.plot, svg, error);
+}
+
+static const struct explanation explanations[] = {
+    {"exact",
+     "by the exact ray: efl = -h/(n' sin U'); places where rays cross the axis; principal surfaces "
+     "where entering and leaving ray meet; f-number 1/(2 n' sin U')",
+     "[Welford86]", "rims do not stop these rays"},
+    {"relative", "{relative} = (exact - paraxial)/paraxial, for places over the focal length",
+     "of the image height: distortion", NULL},
+    {"order", "slope of log {d} against log h over the four smallest sound h = 2^-k",
+     "aberration theory: 2 along the axis, 3 across", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"check double-gauss", "how far paraxial results may be trusted for this lens"},
+    {"check double-gauss --tolerance 0.1% -w d,F,C --csv", "by wavelength, for a spreadsheet"},
+    {"check fisheye-16 --field 60deg --steps 6", "a fisheye: no paraxial image height"},
+    {"check double-gauss --plot /tmp/check.svg", "the differences, drawn"},
+    {NULL, NULL},
+};
+
+const struct command command_check = {
+    .name = "check",
+    .group = "a lens",
+    .summary = "paraxial results against exact rays, and how far to trust them",
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
+    .makes_many = makes_many,
+    .picture = picture,
+};
