@@ -49,8 +49,7 @@ struct row {
 #define LENGTH(member_name, more)                                                                  \
     COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
-#define AREA(member_name, more)  COLUMN(struct row, member_name), .unit = "mm2", .flags = (more)
-
+#define AREA(member_name, more)  PLAIN(member_name, more)
 /* What both sheets begin with. */
 #define CASE_COLUMNS                                                                               \
     {COLUMN(struct row, wavelength),                                                               \
@@ -88,7 +87,7 @@ static const struct column columns[] = {
     {LENGTH(y_max, COLUMN_BRIEF), .name = "y_max", .label = "y max", .help = "the same"},
     {LENGTH(x, COLUMN_HIDDEN), .name = "x", .label = "x", .help = "centroid there"},
     {LENGTH(y, COLUMN_HIDDEN), .name = "y", .label = "y", .help = "centroid there"},
-    {AREA(area, COLUMN_HIDDEN), .name = "area", .label = "area", .help = "area there, mm^2"},
+    {AREA(area, COLUMN_HIDDEN), .name = "area_mm2", .label = "area", .help = "area there, mm^2"},
     {LENGTH(vertex_x_min, COLUMN_HIDDEN), .name = "vertex_x_min", .label = "vertex x min",
      .help = "bounds in the plane of the first (last) vertex"},
     {LENGTH(vertex_x_max, COLUMN_HIDDEN), .name = "vertex_x_max", .label = "vertex x max",
@@ -97,9 +96,9 @@ static const struct column columns[] = {
      .help = "the same"},
     {LENGTH(vertex_y_max, COLUMN_HIDDEN), .name = "vertex_y_max", .label = "vertex y max",
      .help = "the same"},
-    {AREA(vertex_area, COLUMN_HIDDEN), .name = "vertex_area", .label = "vertex area",
+    {AREA(vertex_area, COLUMN_HIDDEN), .name = "vertex_area_mm2", .label = "vertex area",
      .help = "area there, mm^2"},
-    {AREA(projected, COLUMN_HIDDEN), .name = "projected", .label = "projected",
+    {AREA(projected, COLUMN_HIDDEN), .name = "projected_mm2", .label = "projected",
      .help = "area across the beam at the vertex, mm^2: of fields of 90 deg and more too"},
     {PLAIN(fraction, COLUMN_BRIEF), .name = "fraction", .label = "fraction",
      .help = "area over that of the point on the axis"},

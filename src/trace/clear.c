@@ -182,9 +182,9 @@ static void find_edges(const struct probe *probe, const double centre[2], double
     }
 }
 
-/* Area and centroid of the polygon, about a point inside. */
-static double polygon(const struct clear_edge *edges, size_t count, const double about[2],
-                      double centroid[2])
+/* Centroid of the polygon, about a point inside. */
+static void find_centroid(const struct clear_edge *edges, size_t count, const double about[2],
+                          double centroid[2])
 {
     double twice = 0, moment[2] = {0, 0};
     for (size_t i = 0; i < count; i++) {
@@ -199,8 +199,17 @@ static double polygon(const struct clear_edge *edges, size_t count, const double
     for (int k = 0; k < 2; k++) {
         centroid[k] = about[k] + (twice > 0 ? moment[k] / (3 * twice) : 0);
     }
-    double turn = 2 * pi / (double)count;
-    return twice / 2 * (turn / sin(turn));
+}
+
+/* Sum of r^2/2 over equal angles: edges are a smooth periodic curve between their corners. */
+static double star_area(const struct clear_edge *edges, size_t count, const double about[2])
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        double x = edges[i].at[0] - about[0], y = edges[i].at[1] - about[1];
+        sum += x * x + y * y;
+    }
+    return pi * sum / (double)count;
 }
 
 /* The largest of sign * coordinate: the neighbourhood of the extreme edge, in 128 directions. */
@@ -237,13 +246,13 @@ void clear_find(const struct system *system, const struct beam *beam,
         return;
     }
     find_edges(&probe, inside, guess->radius, directions, edges);
-    polygon(edges, directions, inside, centroid);
+    find_centroid(edges, directions, inside, centroid);
     if (passes_one(&probe, centroid)) {
         inside[0] = fabs(centroid[0]) < 1e-12 * guess->radius ? 0 : centroid[0];
         inside[1] = centroid[1];
         find_edges(&probe, inside, guess->radius, directions, edges);
     }
-    pupil->area = polygon(edges, directions, inside, centroid);
+    pupil->area = star_area(edges, directions, inside);
     for (int k = 0; k < 2; k++) {
         pupil->centre[k] = inside[k];
     }

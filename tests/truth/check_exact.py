@@ -1,0 +1,273 @@
+#!/usr/bin/env python3
+"""tests/truth/check_exact.py - lenscalc check and lenscalc pupil against numbers from outside:
+check_exact.py BUILD_DIR
+
+check.json: axis crossings, apertures, image heights and relative illumination by an independent
+program of 50 digits. Closed forms: the spherical mirror, the ball lens, stigmatic surfaces. The
+irradiance over the film of four camera lenses is an independent quadrature on a grid of 3000^2.
+"""
+# SPDX-License-Identifier: MIT
+
+import csv
+import io
+import json
+import math
+import os
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import Checks, Program
+
+worst = {}
+
+# film radius in mm: irradiance per unit radiance, good to about 1e-4
+IRRADIANCE = {
+    "cs348b-dgauss-50": {0: .192512, 5: .167216, 10: .125716, 15: .082428, 18: .057826,
+                         20: .042577, 21.633: .031036},
+    "cs348b-dgauss-50@4.275": {0: .011921, 10: .011215, 20: .009499, 21.633: .009179},
+    "cs348b-wide-22": {0: .101025, 5: .086408, 10: .062632, 13.5: .045164, 17: .029989},
+    "cs348b-telephoto-250": {0: .025110, 10: .024934, 20: .024410, 21.633: .024148},
+    "cs348b-fisheye-10": {0: .049239, 4: .041914, 8: .027329, 12: .012785},
+}
+
+
+def rows(program, *words, text=None):
+    result = subprocess.run(program.command + list(words) + ["--csv"], input=text, text=True,
+                            capture_output=True, env=program.environment())
+    if result.returncode != 0:
+        return result.stderr
+    return list(csv.DictReader(io.StringIO(result.stdout)))
+
+
+def near(checks, kind, name, actual, expected, allowed):
+    if actual == "":
+        return checks.check(False, f"{name} is absent, expected {expected}")
+    error = abs(float(actual) - float(expected))
+    worst[kind] = max(worst.get(kind, (0, "")), (error / allowed, name))
+    return checks.check(error <= allowed, f"{name} is {actual}, expected {expected} "
+                                          f"within {allowed:.3g}")
+
+
+def pick(table, quantity, fraction):
+    for row in table:
+        if row["quantity"] == quantity and abs(float(row["fraction"]) - fraction) < 1e-9:
+            return row
+    return None
+
+
+def check_aperture(checks, program, case):
+    table = rows(program, "check", "-", text=case["lens"])
+    name = case["name"]
+    if not checks.check(isinstance(table, list), f"{name}: {table}"):
+        return
+    for pupil, truth in case["lsa"].items():
+        h = float(pupil)
+        place = pick(table, "bfl", h) or pick(table, "image", h)
+        if place is not None:
+            z = float(truth["z_axis"])
+            near(checks, "axis", f"{name}: axis at {pupil}", place["exact"], z,
+                 1e-13 * (abs(z) + 100) / min(1, 10 * abs(float(truth["NA"]))))
+        speed = pick(table, "working_fnumber", h)
+        if speed is not None:
+            expected = 1 / (2 * abs(float(truth["NA"])))
+            near(checks, "f-number", f"{name}: f-number at {pupil}", speed["exact"], expected,
+                 1e-11 * expected)
+        height = pick(table, "transverse", h)
+        if height is not None and case["focus"] == "paraxial":
+            near(checks, "transverse", f"{name}: transverse at {pupil}", height["exact"],
+                 truth["ty"], 2e-12)
+
+
+def field_words(case, fraction):
+    return ["--field", f"{case['field']['value'] * fraction!r}deg"]
+
+
+def check_fields(checks, program, case):
+    name = case["name"]
+    if case["focus"] != "paraxial":
+        return
+    angle = case["field"]["type"] == "angle_deg"
+    for field in case["fields"]:
+        fraction = float(field["fraction"])
+        words = field_words(case, fraction) if angle else []
+        if not angle and fraction != 1:
+            continue
+        table = rows(program, "check", "-", "--steps", "1", *words, text=case["lens"])
+        if not checks.check(isinstance(table, list), f"{name}: {table}"):
+            continue
+        row = pick(table, "image_height", 1)
+        if not checks.check(row is not None, f"{name}: no image height"):
+            continue
+        near(checks, "height", f"{name}: height at {fraction}", row["exact"], field["y"],
+             1e-13 * (abs(float(field["y"])) + 10))
+        near(checks, "paraxial", f"{name}: paraxial height at {fraction}", row["paraxial"],
+             field["y_parax"], 1e-13 * (abs(float(field["y_parax"])) + 10))
+
+
+def check_illumination(checks, program, case):
+    """Relative illumination at the image of the chief ray; only the stop limits there."""
+    name = case["name"]
+    lines = [line.split() for line in case["lens"].splitlines()]
+    rimless = "".join(" ".join(line[:4] + ["-"] + line[5:] if line[0] == "surface" else line) + "\n"
+                      for line in lines)
+    for field in case["fields"]:
+        if field["rel_illum_point"] is None or float(case["plane"]) < 0:
+            continue
+        table = rows(program, "pupil", "-", "--height", field["y"], "--focus", case["plane"],
+                     "--side", "exit", text=rimless)
+        if not checks.check(isinstance(table, list), f"{name}: {table}"):
+            continue
+        near(checks, "illumination", f"{name}: illumination at {field['fraction']}",
+             table[0]["illumination"], field["rel_illum_point"], 1e-12)
+
+
+def check_irradiance(checks, program):
+    for key, truth in IRRADIANCE.items():
+        lens, _, stop = key.partition("@")
+        words, text = [lens], None
+        if stop:
+            shown = subprocess.run(program.command + ["convert", lens, "--to", "lens"], text=True,
+                                   capture_output=True, env=program.environment())
+            lines = [line if not line.startswith("stop") else
+                     " ".join(line.split()[:-1] + [stop]) for line in shown.stdout.splitlines()]
+            if not checks.check(shown.returncode == 0, f"{lens}: {shown.stderr}"):
+                continue
+            words, text = ["-"], "\n".join(lines) + "\n"
+        heights = ",".join(str(radius) for radius in truth)
+        table = rows(program, "pupil", *words, "--height", heights, "--focus", "paraxial",
+                     "--side", "exit", text=text)
+        if not checks.check(isinstance(table, list), f"{key}: {table}"):
+            continue
+        for row in table:
+            expected = truth[float(row["height_mm"])]
+            near(checks, "irradiance", f"{key}: E/L at {row['height_mm']}",
+                 row["irradiance_per_radiance"], expected, 2e-4 * expected)
+
+
+def check_mirror(checks, program):
+    """R(1 - 1/(2 sqrt(1 - (y/R)^2))) from the vertex; the principal surface is the mirror."""
+    R, D = 400.0, 300.0
+    text = f"lens mirror\nobject inf\naperture epd {D}\nstop - 0 air {D}\nsurface -{R} -200 mirror {D}\n"
+    table = rows(program, "check", "-", "--steps", "5", text=text)
+    if not checks.check(isinstance(table, list), f"mirror: {table}"):
+        return
+    for row in table:
+        if row["quantity"] != "bfl":
+            continue
+        y = float(row["fraction"]) * D / 2
+        focus = -(R - R / (2 * math.sqrt(1 - (y / R) ** 2)))
+        near(checks, "mirror", f"mirror at {y}", row["exact"], focus, 1e-14 * R)
+        near(checks, "mirror", "mirror, paraxial", row["paraxial"], -R / 2, 1e-13 * R)
+        checks.check(abs(float(row["order"]) - 2) < 0.02, f"mirror: order {row['order']}")
+    row = pick(table, "transverse", 1)
+    checks.check(abs(float(row["order"]) - 3) < 0.02, f"mirror, across: order {row['order']}")
+
+
+def check_ball(checks, program):
+    """By angles: I = asin(y/R), the ray is turned by 2 (I - I'), f = nD/(4(n - 1))."""
+    n, R = 1.5, 10.0
+    text = (f"lens ball\nobject inf\naperture epd 12\nstop - 0 air 12\nsurface {R} {2 * R} {n} -\n"
+            f"surface -{R} 5 air -\n")
+    table = rows(program, "check", "-", "--steps", "5", text=text)
+    if not checks.check(isinstance(table, list), f"ball: {table}"):
+        return
+    for row in table:
+        y = float(row["fraction"]) * 6
+        turn = 2 * (math.asin(y / R) - math.asin(y / (n * R)))
+        if row["quantity"] == "efl":
+            near(checks, "ball", f"ball: efl at {y}", row["exact"], y / math.sin(turn), 1e-14 * R)
+            near(checks, "ball", "ball: efl", row["paraxial"], n * 2 * R / (4 * (n - 1)), 1e-13 * R)
+        if row["quantity"] == "bfl":
+            near(checks, "ball", f"ball: bfl at {y}", row["exact"], y / math.sin(turn) - R,
+                 1e-14 * R)
+        if row["quantity"] == "rear_principal":
+            # both lines pass the centre at y: they meet on the line that halves their angle
+            z = y * math.tan(turn / 2) - R
+            near(checks, "ball", f"ball: principal surface at {y}", row["exact"], z, 1e-13 * R)
+        if row["quantity"] in ("efl", "bfl", "rear_principal", "ffl", "front_principal"):
+            checks.check(abs(float(row["order"]) - 2) < 0.02, f"ball: order {row['order']}")
+
+
+def check_stigmatic(checks, program):
+    """A parabola and a plano-hyperboloid have no spherical aberration at all."""
+    for name, text in (
+            ("parabola", "lens parabola\nobject inf\naperture epd 150\nstop - 0 air 150\n"
+                         "surface -400 -200 mirror 150 k=-1\n"),
+            ("hyperboloid", "lens hyperboloid\nobject inf\naperture epd 40\nstop - 0 air 40\n"
+                            "surface - 20 1.5 -\nsurface -50 100 air - k=-2.25\n")):
+        table = rows(program, "check", "-", text=text)
+        if not checks.check(isinstance(table, list), f"{name}: {table}"):
+            continue
+        for row in table:
+            if row["quantity"] == "bfl":
+                near(checks, "stigmatic", f"{name}: bfl", row["exact"], row["paraxial"], 1e-12)
+                checks.check(row["order"] == "" and "equal to rounding" in row["verdict"],
+                             f"{name}: {row['verdict']}")
+
+
+def check_orders(checks, program):
+    """Third-order theory: 2 along the axis, 3 across, for a lens that is not corrected."""
+    expected = {"efl": 2, "bfl": 2, "rear_principal": 2, "ffl": 2, "front_principal": 2,
+                "working_fnumber": 2, "transverse": 3, "image_height": 3, "entrance_pupil": 2,
+                "exit_pupil": 2}
+    for lens in ("double-gauss", "cooke-triplet-50", "telephoto-200", "wide-35"):
+        for row in rows(program, "check", lens, "--steps", "1"):
+            checks.check(row["order"] != "" and
+                         abs(float(row["order"]) - expected[row["quantity"]]) < 0.06,
+                         f"{lens}: order of {row['quantity']} is {row['order']}")
+
+
+def check_shapes(checks, program):
+    """A stop alone: discs, seen at an angle; a second rim cuts a lens of two arcs from it."""
+    a = 5.0
+    text = "lens stop\nobject inf\naperture stop\nstop - 10 air 10\nsurface - 10 air -\n"
+    for t in (0, 30, 60):
+        row = rows(program, "pupil", "-", "--field", f"{t}deg", text=text)[0]
+        disc = math.pi * a * a
+        near(checks, "disc", f"disc at {t}", row["area_mm2"], disc, 1e-12 * disc)
+        near(checks, "disc", f"disc at {t}", row["projected_mm2"],
+             disc * math.cos(math.radians(t)), 1e-12 * disc)
+        for end in ("x_max", "y_max"):
+            near(checks, "disc", f"disc at {t}: {end}", row[f"{end}_mm"], a, 1e-9)
+    text = "lens two rims\nobject inf\naperture stop\nstop - 10 air 10\nsurface - 10 air 10\n"
+    t = math.atan(0.4)  # the rims are seen 4 mm apart
+    row = rows(program, "pupil", "-", "--field", f"{math.degrees(t)!r}deg", text=text)[0]
+    d = 4.0
+    eye = 2 * a * a * math.acos(d / (2 * a)) - d / 2 * math.sqrt(4 * a * a - d * d)
+    near(checks, "eye", "cat's eye: area", row["area_mm2"], eye, 2e-5 * eye)
+    near(checks, "eye", "cat's eye: top", row["y_max_mm"], a - d, 1e-9)
+    near(checks, "eye", "cat's eye: bottom", row["y_min_mm"], -a, 1e-9)
+    near(checks, "eye", "cat's eye: side", row["x_max_mm"], math.sqrt(a * a - d * d / 4), 2e-4)
+    near(checks, "eye", "cat's eye: vignetting", row["vignetting_upper"], d / a, 1e-9)
+    checks.check((row["upper_surface"], row["lower_surface"]) == ("2", "1"),
+                 f"cat's eye: limits {row['upper_surface']} {row['lower_surface']}")
+    row = rows(program, "pupil", "-", "--field", "60deg", text=text)[0]
+    checks.check(row["status"] == "clipped" and row["surface"] == "2" and
+                 float(row["fraction"]) == 0, f"nothing arrives: {row['status']} {row['surface']}")
+
+
+def main():
+    program = Program(sys.argv[1])
+    checks = Checks()
+    with open("tests/truth/check.json", encoding="utf-8") as file:
+        cases = json.load(file)["cases"]
+    for case in cases:
+        check_aperture(checks, program, case)
+        check_fields(checks, program, case)
+        check_illumination(checks, program, case)
+    check_irradiance(checks, program)
+    check_mirror(checks, program)
+    check_ball(checks, program)
+    check_stigmatic(checks, program)
+    check_orders(checks, program)
+    check_shapes(checks, program)
+    if os.environ.get("SHOW"):
+        for kind, (used, name) in worst.items():
+            print(f"{kind}: {used:.3g} of what is allowed, {name}")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
