@@ -23,8 +23,10 @@ static bool in_stop(const struct system *system, const struct beam *beam, const 
     struct ray ray = beam_ray(beam, at[0], at[1]);
     rays_set(work, 0, beam->n, &ray);
     rays_trace_part(system, 0, system_place(system, system->stop) + 1, work, NULL);
-    point[0] = work->blocks->x[0];
-    point[1] = work->blocks->y[0];
+    double own[3] = {work->blocks->x[0], work->blocks->y[0], work->blocks->z[0]};
+    system_to_own(system, system->stop, own);
+    point[0] = own[0];
+    point[1] = own[1];
     return ray_block_status(work->blocks, 0) == RAY_OK;
 }
 
@@ -275,8 +277,10 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
     double(*points)[2] = arena_array(arena, count, sizeof *points);
     double(*across)[2] = arena_array(arena, count, sizeof *across);
     for (size_t i = 0; i < count; i++) {
+        double own[3] = {rays[i].point[0], rays[i].point[1], rays[i].point[2]};
+        system_to_own(system, system->stop, own);
         for (int k = 0; k < 2; k++) {
-            points[i][k] = rays[i].point[k] / system->stop_radius;
+            points[i][k] = own[k] / system->stop_radius;
             across[i][k] = clear->edges[i].at[k] - chief[k];
         }
     }

@@ -154,7 +154,6 @@ static bool refresh(const struct aim *aim, struct search *search)
 static bool advance_block(const struct aim *aim, const struct pupil_point *points, size_t count,
                           struct search *searches)
 {
-    const struct system *system = aim->system;
     bool busy = false;
     for (size_t i = 0; i < count; i++) {
         const struct search *search = &searches[i];
@@ -167,7 +166,7 @@ static bool advance_block(const struct aim *aim, const struct pupil_point *point
     if (!busy) {
         return false;
     }
-    rays_trace_part(system, 0, system_place(system, system->stop) + 1, &aim->work, NULL);
+    chief_to_stop(aim);
     for (size_t i = 0; i < count; i++) {
         if (!searches[i].done) {
             judge(aim, &points[i], i, &searches[i]);

@@ -25,7 +25,8 @@ struct aim {
 };
 
 /*
- * Find the chief ray: the one through the centre of the stop.
+ * Find the chief ray: the one through the centre of the stop, which moves with it where the stop is
+ * decentred or tilted.
  *
  * Given     system  compiled with clip off, forward
  *           aim     receives the beam and its chief ray

@@ -16,14 +16,30 @@ struct region {
     double finest; /* what is called the same place, mm */
 };
 
-void chief_trace(const struct aim *aim, const double (*at)[2], size_t count)
+void chief_to_stop(const struct aim *aim)
 {
     const struct system *system = aim->system;
+    struct ray_block *block = aim->work.blocks;
+    rays_trace_part(system, 0, system_place(system, system->stop) + 1, &aim->work, NULL);
+    if (system->lens->surfaces[system->stop].moved == NULL) {
+        return;
+    }
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        double point[3] = {block->x[i], block->y[i], block->z[i]};
+        system_to_own(system, system->stop, point);
+        block->x[i] = point[0];
+        block->y[i] = point[1];
+        block->z[i] = point[2];
+    }
+}
+
+void chief_trace(const struct aim *aim, const double (*at)[2], size_t count)
+{
     for (size_t i = 0; i < count; i++) {
         struct ray ray = beam_ray(&aim->beam, at[i][0], at[i][1]);
         rays_set(&aim->work, i, aim->beam.n, &ray);
     }
-    rays_trace_part(system, 0, system_place(system, system->stop) + 1, &aim->work, NULL);
+    chief_to_stop(aim);
 }
 
 static bool arrived(const struct aim *aim, size_t lane)

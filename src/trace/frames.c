@@ -123,6 +123,19 @@ struct frame system_to_first(const struct system *system, size_t surface)
     return result;
 }
 
+void system_to_own(const struct system *system, size_t surface, double point[3])
+{
+    const struct displacement *moved =
+        surface < system->lens->surface_count ? system->lens->surfaces[surface].moved : NULL;
+    if (moved != NULL) {
+        struct frame frame = frame_of(moved, 0);
+        for (int i = 0; i < 3; i++) {
+            point[i] -= frame.shift[i];
+        }
+        turn(frame.turn, point, point);
+    }
+}
+
 void system_normal(const struct system *system, size_t surface, const double point[3],
                    double normal[3])
 {
@@ -136,10 +149,7 @@ void system_normal(const struct system *system, size_t surface, const double poi
     double at[3] = {point[0], point[1], point[2]};
     if (s->moved != NULL) {
         frame = frame_of(s->moved, 0);
-        for (int i = 0; i < 3; i++) {
-            at[i] -= frame.shift[i];
-        }
-        turn(frame.turn, at, at);
+        system_to_own(system, surface, at);
     }
     if (s->kind != SURFACE_STOP) {
         double c = system_base_curvature(s).hi, k = s->conic.value.hi;

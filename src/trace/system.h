@@ -110,6 +110,12 @@ struct frame {
 struct frame system_to_first(const struct system *system, size_t surface);
 
 /*
+ * A point in the frame of the axis at a surface, as rays are given there, into the surface's own:
+ * about its shifted vertex, turned with its tilt. Surfaces that are not moved leave it as it is.
+ */
+void system_to_own(const struct system *system, size_t surface, double point[3]);
+
+/*
  * The unit normal of a surface at a point of it.
  *
  * Given     point   in the frame of the surface (own decenter and tilt are looked after)
