@@ -106,7 +106,10 @@ static void cross(const struct ray *ray, double z, double heading, double point[
     }
 }
 
-/* The largest of sign * coordinate: a parabola through the extreme point and its neighbours. */
+/*
+ * The largest of sign * coordinate: a parabola through the extreme point and its neighbours, or one
+ * of the extreme edges behind them, which find corners.
+ */
 static double extreme(const double (*points)[2], size_t count, int axis, double sign, size_t *which)
 {
     size_t best = 0;
@@ -119,7 +122,11 @@ static double extreme(const double (*points)[2], size_t count, int axis, double 
     *which = best;
     /* at a corner the neighbours say nothing of the peak */
     bool smooth = isfinite(more) && fabs(slope) <= 0.5000001 * fabs(bend) && sign * more > 0;
-    return smooth ? here + more : here;
+    here = smooth ? here + more : here;
+    for (size_t i = count; i < count + PUPIL_ENDS; i++) {
+        here = sign * points[i][axis] > sign * here ? points[i][axis] : here;
+    }
+    return here;
 }
 
 /* Bounds, area and centroid of an outline. */
@@ -153,10 +160,10 @@ static void measure(const double (*points)[2], size_t count, struct pupil_extent
 static void look_at(const struct ray *rays, size_t count, double z, double heading,
                     struct arena *arena, struct pupil_extent *extent, size_t limit[PUPIL_ENDS])
 {
-    double(*points)[2] = arena_array(arena, count, sizeof *points);
+    double(*points)[2] = arena_array(arena, count + PUPIL_ENDS, sizeof *points);
     bool met = isfinite(z);
     *extent = (struct pupil_extent){.z = z};
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count + PUPIL_ENDS; i++) {
         cross(&rays[i], met ? z : 0, heading, points[i]);
         met = met && isfinite(points[i][0]) && isfinite(points[i][1]);
     }
@@ -213,18 +220,32 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
 
 /* -------- both sides -------- */
 
+/* Behind the edges come the extreme ones, found in finer steps, and last the chief ray. */
+static size_t ray_count(const struct clear_pupil *clear)
+{
+    return clear->edge_count + PUPIL_ENDS + 1;
+}
+
+static const double *place_of(const struct clear_pupil *clear, const double chief[2], size_t i)
+{
+    size_t count = clear->edge_count;
+    return i < count                ? clear->edges[i].at
+           : i < count + PUPIL_ENDS ? clear->ends[i - count].at
+                                    : chief;
+}
+
 /* All edges and the chief ray, through to the stop or to the other side. */
 static struct ray *trace_edges(const struct pupil_question *question,
                                const struct clear_pupil *clear, const double chief[2], size_t to,
                                struct arena *arena)
 {
     const struct system *system = question->open;
-    size_t count = clear->edge_count + 1;
+    size_t count = ray_count(clear);
     struct rays rays = rays_new(arena, count);
     struct ray *out = ARENA_ARRAY(arena, count, struct ray);
     double n = to == 0 ? question->beam->n : system_index_after(system, to - 1);
     for (size_t i = 0; i < count; i++) {
-        const double *at = i < clear->edge_count ? clear->edges[i].at : chief;
+        const double *at = place_of(clear, chief, i);
         struct ray ray = beam_ray(question->beam, at[0], at[1]);
         rays_set(&rays, i, question->beam->n, &ray);
     }
@@ -248,11 +269,11 @@ static void fill_side(const struct clear_pupil *clear, const struct ray *rays, b
         size_t edge = ends[i] < count ? ends[i] : vertex[i];
         side->limit[i] = edge < count ? clear->edges[edge].surface : 0;
     }
-    side->chief = rays[count];
+    side->chief = rays[count + PUPIL_ENDS];
     if (!has_chief || side->chief.status == RAY_MISS) {
         side->chief = (struct ray){.point = {NAN, NAN, NAN}, .cosine = {NAN, NAN, NAN}};
     } else if (side->chief.cosine[2] * heading > ALONG) {
-        cross(&rays[count], 0, heading, side->chief.point);
+        cross(&rays[count + PUPIL_ENDS], 0, heading, side->chief.point);
         side->chief.point[2] = 0;
     }
 }
@@ -274,14 +295,14 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
     const struct system *system = question->open;
     size_t count = clear->edge_count, which, to = system_place(system, system->stop) + 1;
     const struct ray *rays = trace_edges(question, clear, chief, to, arena);
-    double(*points)[2] = arena_array(arena, count, sizeof *points);
-    double(*across)[2] = arena_array(arena, count, sizeof *across);
-    for (size_t i = 0; i < count; i++) {
+    double(*points)[2] = arena_array(arena, count + PUPIL_ENDS, sizeof *points);
+    double(*across)[2] = arena_array(arena, count + PUPIL_ENDS, sizeof *across);
+    for (size_t i = 0; i < count + PUPIL_ENDS; i++) {
         double own[3] = {rays[i].point[0], rays[i].point[1], rays[i].point[2]};
         system_to_own(system, system->stop, own);
         for (int k = 0; k < 2; k++) {
             points[i][k] = own[k] / system->stop_radius;
-            across[i][k] = clear->edges[i].at[k] - chief[k];
+            across[i][k] = place_of(clear, chief, i)[k] - chief[k];
         }
     }
     shape->stop = (const double(*)[2])points;
@@ -328,8 +349,8 @@ bool pupil_shape(const struct pupil_question *question, struct arena *arena,
     guess.centre[0] = chief[0];
     guess.centre[1] = chief[1];
     clear_find(question->clipped, beam, &guess, question->directions, arena, &clear);
-    /* two rounds of bisection and the bounds, 60 steps each */
-    shape->rays = 60 * (2 * question->directions + 4 * RAYS_BLOCK);
+    /* the centre, the edges and four bounds, by bisection in about 60 steps */
+    shape->rays = 60 * (question->directions + 5 * RAYS_BLOCK);
     shape->is_empty = clear.is_empty;
     if (clear.is_empty) {
         return true;

@@ -126,10 +126,12 @@ static bool find_centre(const struct probe *probe, const struct clear_guess *gue
 static void bisect(const struct probe *probe, const double centre[2], double radius,
                    const double *angles, size_t count, struct clear_edge *edges)
 {
-    double low[RAYS_BLOCK], high[RAYS_BLOCK], at[RAYS_BLOCK][2];
+    double low[RAYS_BLOCK], high[RAYS_BLOCK], at[RAYS_BLOCK][2], way[RAYS_BLOCK][2];
     for (size_t i = 0; i < count; i++) {
         low[i] = 0;
         high[i] = INFINITY;
+        way[i][0] = cos(angles[i]);
+        way[i][1] = sin(angles[i]);
     }
     for (int step = 0; step < 140; step++) {
         bool busy = false;
@@ -138,8 +140,8 @@ static void bisect(const struct probe *probe, const double centre[2], double rad
             double t = isfinite(high[i]) ? (low[i] + high[i]) / 2
                                          : (low[i] > 0 ? 2 * low[i] : radius / 64);
             busy = busy || high[i] - low[i] > 2e-16 * high[i] || !isfinite(high[i]);
-            at[i][0] = centre[0] + t * cos(angles[i]);
-            at[i][1] = centre[1] + t * sin(angles[i]);
+            at[i][0] = centre[0] + t * way[i][0];
+            at[i][1] = centre[1] + t * way[i][1];
         }
         if (!busy) {
             break;
@@ -158,8 +160,8 @@ static void bisect(const struct probe *probe, const double centre[2], double rad
         }
     }
     for (size_t i = 0; i < count; i++) {
-        edges[i].at[0] = centre[0] + low[i] * cos(angles[i]);
-        edges[i].at[1] = centre[1] + low[i] * sin(angles[i]);
+        edges[i].at[0] = centre[0] + low[i] * way[i][0];
+        edges[i].at[1] = centre[1] + low[i] * way[i][1];
     }
 }
 
@@ -213,8 +215,8 @@ static double star_area(const struct clear_edge *edges, size_t count, const doub
 }
 
 /* The largest of sign * coordinate: the neighbourhood of the extreme edge, in 128 directions. */
-static double extreme(const struct probe *probe, const struct clear_pupil *pupil, double radius,
-                      int axis, double sign)
+static struct clear_edge extreme(const struct probe *probe, const struct clear_pupil *pupil,
+                                 double radius, int axis, double sign)
 {
     size_t best = 0, count = pupil->edge_count;
     double angles[RAYS_BLOCK], step = 2 * pi / (double)count;
@@ -222,13 +224,13 @@ static double extreme(const struct probe *probe, const struct clear_pupil *pupil
     for (size_t i = 1; i < count; i++) {
         best = sign * pupil->edges[i].at[axis] > sign * pupil->edges[best].at[axis] ? i : best;
     }
-    double found = pupil->edges[best].at[axis];
+    struct clear_edge found = pupil->edges[best];
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         angles[i] = angle_of(best, count) + step * (2 * (double)i / (RAYS_BLOCK - 1) - 1);
     }
     bisect(probe, pupil->centre, radius, angles, RAYS_BLOCK, edges);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        found = sign * edges[i].at[axis] > sign * found ? edges[i].at[axis] : found;
+        found = sign * edges[i].at[axis] > sign * found.at[axis] ? edges[i] : found;
     }
     return found;
 }
@@ -245,20 +247,24 @@ void clear_find(const struct system *system, const struct beam *beam,
     if (pupil->is_empty) {
         return;
     }
-    find_edges(&probe, inside, guess->radius, directions, edges);
-    find_centroid(edges, directions, inside, centroid);
+    /* a centre needs no more directions than one block has */
+    size_t few = directions < RAYS_BLOCK ? directions : RAYS_BLOCK;
+    find_edges(&probe, inside, guess->radius, few, edges);
+    find_centroid(edges, few, inside, centroid);
     if (passes_one(&probe, centroid)) {
         inside[0] = fabs(centroid[0]) < 1e-12 * guess->radius ? 0 : centroid[0];
         inside[1] = centroid[1];
-        find_edges(&probe, inside, guess->radius, directions, edges);
     }
+    find_edges(&probe, inside, guess->radius, directions, edges);
     pupil->area = star_area(edges, directions, inside);
     for (int k = 0; k < 2; k++) {
         pupil->centre[k] = inside[k];
     }
     for (int k = 0; k < 2; k++) {
-        pupil->low[k] = extreme(&probe, pupil, guess->radius, k, -1);
-        pupil->high[k] = extreme(&probe, pupil, guess->radius, k, 1);
+        pupil->ends[k] = extreme(&probe, pupil, guess->radius, k, 1);
+        pupil->ends[k + 2] = extreme(&probe, pupil, guess->radius, k, -1);
+        pupil->low[k] = pupil->ends[k + 2].at[k];
+        pupil->high[k] = pupil->ends[k].at[k];
     }
 }
 

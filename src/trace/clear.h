@@ -23,6 +23,7 @@ struct clear_pupil {
     bool is_empty; /* nothing arrives: the rest is not set */
     double centre[2];
     double low[2], high[2];         /* bounds along the two axes of the beam, mm */
+    struct clear_edge ends[4];      /* where they are: the largest a, b, the least a, b */
     double area;                    /* in the plane of the beam, mm^2 */
     const struct clear_edge *edges; /* counterclockwise, the first at -90 degrees: below */
     size_t edge_count;

@@ -45,7 +45,7 @@ struct sample {
  *           points each, the centre in both
  *           square: (2 i + 1 - k)/k, those inside the disc
  * Source    [Forbes88] (Gauss in the pupil); Sobol' sequence, first two dimensions, with Owen's
- *           scrambling by hashing [Burley20]
+ *           scrambling by hashing [Burley20]; its multipliers are those of [Vegdahl21]
  * Errors    ERROR_USAGE: no rays, or more than 1e9
  */
 bool sample_make(enum pattern pattern, size_t rays, uint64_t seed, struct arena *arena,
