@@ -81,9 +81,9 @@ struct check_order {
 /*
  * Order of a difference.
  *
- * Formula   differences d (of the f-number relative ones) at fractions 2^-k, k = 0 .. 16; of all four consecutive ones whose three
- *           slopes log2(d_k/d_(k+1)) agree within 0.1 those of the smallest fraction: the slope of
- *           the straight line through log d against log h
+ * Formula   differences d (of the f-number relative ones) at fractions 2^-k, k = 0 .. 16; of all
+ *           four consecutive ones whose three slopes log2(d_k/d_(k+1)) agree within 0.1 those of
+ *           the smallest fraction: the slope of the straight line through log d against log h
  * Limits    2 for places and ratios, 3 for heights; more where a lens is corrected
  */
 struct check_order check_order(const struct check_problem *problem, enum check_quantity quantity,

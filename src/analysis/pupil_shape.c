@@ -310,8 +310,8 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
     for (int k = 0; k < 2; k++) {
         double high = extreme(shape->stop, count, k, 1, &which);
         double low = extreme(shape->stop, count, k, -1, &which);
-        shape->vignetting[k] = fabs(1 - high) < 1e-7 ? 0 : 1 - high;
-        shape->vignetting[k + 2] = fabs(1 + low) < 1e-7 ? 0 : 1 + low;
+        shape->vignetting[k] = fabs(1 - high) < 1e-6 ? 0 : 1 - high;
+        shape->vignetting[k + 2] = fabs(1 + low) < 1e-6 ? 0 : 1 + low;
     }
 }
 

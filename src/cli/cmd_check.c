@@ -17,7 +17,7 @@ static const struct option options[] = {
     LENS_WAVELENGTH_OPTION(struct input, question),
     LENS_FNUMBER_OPTION(struct input, question),
     {OPTION(struct input, field), .name = "field", .dimension = &dimension_angle, .unit = "deg",
-     .lowest = -3.1415, .highest = 3.1415, .value = "ANGLE",
+     .lowest = -3.141592653589793, .highest = 3.141592653589793, .value = "ANGLE",
      .help = "largest field angle, in object space; without it that of the lens, else 5 deg"},
     LENS_POSITION_OPTION(struct input, question),
     LENS_SECTION_OPTION(struct input, question),
@@ -221,7 +221,7 @@ static const char *extent_words(const struct row *row, enum check_quantity quant
         return arena_printf(arena, "up to %.3g %% of the aperture", 100 * row->trusted);
     }
     return arena_printf(arena,
-                        row->trusted >= whole ? "over the whole aperture, f/%.3g" : "up to f/%.3g",
+                        row->trusted >= whole ? "over the whole aperture, f/%.4g" : "up to f/%.4g",
                         row->trusted_fnumber);
 }
 
@@ -430,7 +430,7 @@ static const struct example examples[] = {
     {"check double-gauss", "how far paraxial results may be trusted for this lens"},
     {"check double-gauss --tolerance 0.1% -w d,F,C --csv", "by wavelength, for a spreadsheet"},
     {"check fisheye-16 --field 60deg --steps 6", "a fisheye: no paraxial image height"},
-    {"check double-gauss --plot /tmp/check.svg", "the differences, drawn"},
+    {"check double-gauss --plot check.svg", "the differences, drawn"},
     {NULL, NULL},
 };
 

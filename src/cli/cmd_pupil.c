@@ -17,8 +17,8 @@ static const struct option options[] = {
     LENS_WAVELENGTH_OPTION(struct pupil_input, question),
     LENS_FNUMBER_OPTION(struct pupil_input, question),
     {OPTION(struct pupil_input, field), .name = "field", .column = "field",
-     .dimension = &dimension_angle, .unit = "deg", .lowest = -3.1415, .highest = 3.1415,
-     .value = "ANGLE",
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -3.141592653589793,
+     .highest = 3.141592653589793, .value = "ANGLE",
      .help = "field angle in object space, of 90 deg and more too; without it those of the lens"},
     {OPTION(struct pupil_input, height), .name = "height", .column = "height",
      .dimension = &dimension_length, .unit = "mm", .lowest = -INFINITY, .highest = INFINITY,
@@ -428,7 +428,7 @@ static const struct example examples[] = {
     {"pupil fisheye-16 --field 75deg", "a fisheye near the edge of its field"},
     {"pupil double-gauss --height 0..21.6:7.2 --side exit --csv",
      "bounds of the exit pupil by film radius, for a renderer"},
-    {"pupil nikkor-z-14-24 --position all --plot /tmp/pupils.svg", "cat's eyes, drawn"},
+    {"pupil nikkor-z-14-24 --position all --plot pupils.svg", "cat's eyes, drawn"},
     {NULL, NULL},
 };
 

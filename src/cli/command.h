@@ -91,7 +91,7 @@ struct command {
     bool (*print)(const void *input, struct output *output, struct error *error);
     const struct explanation *explanations; /* ends with a null column */
     const struct drawing *drawings;         /* ends with a null option */
-    size_t lens;      /* offset of a struct photo_lens_question in the input; 0 = no --lens */
+    size_t lens; /* offset of a struct photo_lens_question in the input; 0 = no --lens */
     /* --plot as a picture of its own, of all inputs of the sweep; null: columns are plotted. */
     bool (*picture)(const void *const *inputs, size_t count, struct svg *svg, struct error *error);
     const char *plot; /* columns to plot, separated by commas; further choices by '|' */

@@ -1,4 +1,4 @@
-/* tests/unit/test_aim_truth.c - aiming and vignetting against an independent program of 50 digits. */
+/* tests/unit/test_aim_truth.c - aiming and vignetting against a program of 50 digits. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "file/lens_file.h"

@@ -1,4 +1,4 @@
-/* tests/unit/test_pupil.c - beams, chief rays and clear pupils where closed forms say what is right. */
+/* tests/unit/test_pupil.c - beams, chief rays and clear pupils against closed forms. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "file/lens_db.h"
@@ -262,7 +262,7 @@ static void test_virtual(struct arena *arena)
     }
 }
 
-/* From the axis to far behind the lens in steps of a degree: chief rays that move without a jump. */
+/* From the axis to beyond 90 degrees in steps of one: chief rays that move without a jump. */
 static void test_wide_fields(struct arena *arena)
 {
     static const struct {
