@@ -14,7 +14,7 @@ struct input {
 
 static const struct option options[] = {
     LENS_OPTION(struct input, question),
-    LENS_WAVELENGTH_OPTION(struct input, question),
+    LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct input, question),
     {OPTION(struct input, field), .name = "field", .dimension = &dimension_angle, .unit = "deg",
      .lowest = -3.141592653589793, .highest = 3.141592653589793, .value = "ANGLE",

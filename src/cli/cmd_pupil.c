@@ -14,7 +14,7 @@ static const struct word sides[] = {
 
 static const struct option options[] = {
     LENS_OPTION(struct pupil_input, question),
-    LENS_WAVELENGTH_OPTION(struct pupil_input, question),
+    LENS_WAVELENGTH_OPTION(struct pupil_input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct pupil_input, question),
     {OPTION(struct pupil_input, field), .name = "field", .column = "field",
      .dimension = &dimension_angle, .unit = "deg", .lowest = -3.141592653589793,

@@ -119,7 +119,8 @@ static void to_square(const struct pupil_point *point, double square[2])
 
 /*
  * 2^m points are a (0, m, 2)-net in base 2: one in each of the 2^m boxes of sides 2^-i and
- * 2^-(m-i), for every i; scrambling keeps that, for every seed, and so do later stretches of 2^m points.
+ * 2^-(m-i), for every i; scrambling keeps that, for every seed, and so do later stretches of 2^m
+ * points.
  */
 static void test_nets(struct arena *arena)
 {
