@@ -68,7 +68,7 @@ struct pupil_question {
  *           cos d/rho^3. Vignetting is measured in the stop, as pupil coordinates are
  * Source    [Welford86] ch. 5 (pupils); derived here: dw = d/rho^3 dA
  * Errors    ERROR_DOMAIN: no stop, or no radius of it. A point from which nothing arrives is data
- *           about 7e4 rays with 512 edges: 3 ms for a lens of 12 surfaces
+ *           about 7e4 rays with 512 edges: 5 ms for a lens of 12 surfaces
  * Limits    1e-5 of the areas with 512 edges (cat's eyes; discs and ellipses 1e-12); a plane that
  *           rays meet at more than 89.9 deg counts as not met. A central obstruction is not
  *           modelled: the pupil of a mirror telescope has no hole
