@@ -1,5 +1,5 @@
 # lenscalc: optics in a shell. Targets:
-#   all        build/lenscalc (the default)          demo       the main job, explained
+#   all        build/lenscalc and lenscalc-ceres        demo       the main job, explained
 #   check      build and all fast tests              check-all  clang, sanitizers, valgrind, fuzzing
 #   bench      time, as ratios within one run        deps       install what build and tests need
 #   install    into PREFIX (and DESTDIR)             uninstall  take it away again
@@ -11,7 +11,10 @@ PREFIX  = /usr/local
 DESTDIR =
 # STATIC=0 for distributions that forbid static programs (starts slower)
 STATIC  = 1
+# CERES=0 builds without the commands that need the solver Ceres (fit)
+CERES   = 1
 CC      = cc
+CXX     = c++
 BUILD   = build
 SECONDS = 60
 JOBS    = 2
@@ -26,6 +29,9 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow -Wstrict-prototypes -pedantic -We
 FLOATING = -ffp-contract=off -fno-math-errno -fno-trapping-math -fno-tree-slp-vectorize
 CFLAGS   = -O2
 ALL_CFLAGS = $(STANDARD) $(WARNINGS) $(FLOATING) $(CFLAGS) -Isrc
+CXX_FLAGS = -std=c++17 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wconversion -pedantic -Werror \
+            $(FLOATING) $(CFLAGS) -Isrc -isystem $(EIGEN)
+EIGEN    = /usr/include/eigen3
 LINK_1   = -static
 LINK_0   =
 LDFLAGS  =
@@ -35,13 +41,19 @@ kernels := $(wildcard src/trace/kernel*.c)
 sources := $(wildcard src/base/*.c src/photo/*.c src/optics/*.c src/report/*.c src/cli/*.c \
                        src/analysis/*.c) \
            $(filter-out $(kernels),$(wildcard src/trace/*.c)) \
-           $(filter-out src/file/embed.c,$(wildcard src/file/*.c))
+           $(filter-out src/file/embed.c,$(wildcard src/file/*.c)) \
+           $(filter-out src/design/solver_none.c,$(wildcard src/design/*.c))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \
            $(foreach set,sse2 avx2 avx512,$(kernels:src/%.c=$(BUILD)/%_$(set).o))
+none    := $(BUILD)/design/solver_none.o
+ceres   := $(BUILD)/design/solver_ceres.o
 units   := $(patsubst tests/unit/%.c,$(BUILD)/unit/%,$(wildcard tests/unit/test_*.c))
+units_1 := $(patsubst tests/ceres/%.c,$(BUILD)/ceres/%,$(wildcard tests/ceres/test_*.c))
+units   += $(units_$(CERES))
 lensdb  := $(sort $(wildcard lensdb/*.tsv lensdb/lenses/*.lens lensdb/glass/*.tsv))
 
-all: $(BUILD)/lenscalc
+programs_1 = $(BUILD)/lenscalc-ceres
+all: $(BUILD)/lenscalc $(programs_$(CERES))
 
 # V=1 shows the commands
 Q_1 =
@@ -49,7 +61,7 @@ Q_  = @
 Q   = $(Q_$(V))
 
 # the linker writes in pieces, which lie scattered in the page cache: a copy starts a tenth faster
-$(BUILD)/lenscalc: $(BUILD)/main.o $(objects)
+$(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(none)
 	@echo link $@
 	$(Q)$(CC) $(ALL_CFLAGS) $(LINK_$(STATIC)) $(LDFLAGS) -o $@.linked $^ -lm
 	$(Q)cp $@.linked $@.copy && mv $@.copy $@ && rm $@.linked
@@ -57,6 +69,23 @@ $(BUILD)/lenscalc: $(BUILD)/main.o $(objects)
 # its rays lie side by side and are never stored in between; vectors are passed to inlined functions
 # only, so that it does not matter how others would pass them
 $(BUILD)/optics/paraxial.o: FLOATING += -ftree-slp-vectorize -Wno-psabi
+
+# the same program with Ceres, which lenscalc becomes when a command needs it
+$(BUILD)/lenscalc-ceres: $(BUILD)/main.o $(objects) $(ceres)
+	@echo link $@
+	$(Q)$(CXX) $(CXX_FLAGS) $(LDFLAGS) -o $@.linked $^ -lceres -lglog -lm
+	$(Q)mv $@.linked $@
+
+ceres_header = __has_include(<ceres/ceres.h>) && __has_include(<Eigen/Core>)
+$(BUILD)/%.o: src/%.cc
+	@mkdir -p $(@D)
+	@printf '\043if !($(ceres_header))\n\043error\n\043endif\n' | \
+	    $(CXX) -std=c++17 -isystem $(EIGEN) -E -x c++ - > /dev/null 2>&1 || { \
+	    echo "The solver Ceres (libceres-dev) or a C++ compiler is not here. Either 'make deps'"; \
+	    echo "installs them, or 'make CERES=0' builds lenscalc without the commands that fit."; \
+	    exit 1; } >&2
+	@echo c++ $<
+	$(Q)$(CXX) $(CXX_FLAGS) -MMD -MP -c -o $@ $<
 
 $(BUILD)/%.o: src/%.c
 	@mkdir -p $(@D)
@@ -88,14 +117,21 @@ $(BUILD)/lensdb.c: $(BUILD)/embed $(lensdb)
 $(BUILD)/lensdb.o: $(BUILD)/lensdb.c
 	$(Q)$(CC) $(ALL_CFLAGS) -c -o $@ $<
 
-$(BUILD)/unit/%: tests/unit/%.c $(objects)
+$(BUILD)/unit/%: tests/unit/%.c $(objects) $(none)
 	@mkdir -p $(@D)
 	@echo test $<
-	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP $(LDFLAGS) -o $@ $< $(objects) -lm
+	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP $(LDFLAGS) -o $@ $< $(objects) $(none) -lm
+
+$(BUILD)/ceres/%: tests/ceres/%.c $(objects) $(ceres)
+	@mkdir -p $(@D)
+	@echo test $<
+	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP -c -o $@.o $<
+	$(Q)$(CXX) $(CXX_FLAGS) $(LDFLAGS) -o $@ $@.o $(objects) $(ceres) -lceres -lglog -lm
 
 -include $(wildcard $(BUILD)/*.d $(BUILD)/*/*.d)
 
-build_packages = gcc make libc6-dev
+ceres_packages_1 = g++ libceres-dev
+build_packages = gcc make libc6-dev $(ceres_packages_$(CERES))
 check_packages = $(build_packages) python3 binutils librsvg2-bin
 all_packages   = $(check_packages) clang clang-format libclang-rt-14-dev valgrind mawk mandoc \
                  zsh fish
@@ -133,9 +169,10 @@ stress: all
 	@tests/stress/run $(SECONDS) $(BUILD) $(SEED)
 
 format:
-	clang-format -i $(shell find src tests -name '*.[ch]')
+	clang-format -i $(shell find src tests -name '*.[ch]' -o -name '*.cc')
 
 bindir  = $(DESTDIR)$(PREFIX)/bin
+execdir = $(DESTDIR)$(PREFIX)/libexec/lenscalc
 mandir  = $(DESTDIR)$(PREFIX)/share/man
 bashdir = $(DESTDIR)$(PREFIX)/share/bash-completion/completions
 zshdir  = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
@@ -144,6 +181,7 @@ fishdir = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 install: all
 	install -d $(bindir) $(mandir)/man1 $(mandir)/man5 $(mandir)/man7 $(bashdir) $(zshdir) $(fishdir)
 	install $(BUILD)/lenscalc $(bindir)/lenscalc
+	$(if $(programs_$(CERES)),install -d $(execdir) && install $(programs_$(CERES)) $(execdir))
 	install -m 644 $(wildcard man/*.1) $(mandir)/man1
 	install -m 644 $(wildcard man/*.5) $(mandir)/man5
 	install -m 644 $(wildcard man/*.7) $(mandir)/man7
@@ -152,6 +190,7 @@ install: all
 	$(BUILD)/lenscalc completion fish > $(fishdir)/lenscalc.fish
 
 uninstall:
+	rm -f $(execdir)/lenscalc-ceres && { [ ! -d $(execdir) ] || rmdir $(execdir); }
 	rm -f $(bindir)/lenscalc $(bashdir)/lenscalc $(zshdir)/_lenscalc $(fishdir)/lenscalc.fish
 	rm -f $(patsubst man/%,$(mandir)/man1/%,$(wildcard man/*.1))
 	rm -f $(patsubst man/%,$(mandir)/man5/%,$(wildcard man/*.5))

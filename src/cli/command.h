@@ -96,6 +96,7 @@ struct command {
     bool (*picture)(const void *const *inputs, size_t count, struct svg *svg, struct error *error);
     const char *plot; /* columns to plot, separated by commas; further choices by '|' */
     const char *cell; /* columns in the cells of --table */
+    bool needs_ceres; /* runs in lenscalc-ceres, the program with the solver */
 };
 
 /* What all command files have by the same names: `examples`, `options`, the struct they fill. */

@@ -9,6 +9,8 @@
 #include "cli/help.h"
 #include "cli/photo_lens.h"
 #include "cli/queue.h"
+#include "cli/relay.h"
+#include "design/solver.h"
 #include "report/explain.h"
 
 #include <stdio.h>
@@ -576,16 +578,20 @@ static int compute(struct driver *driver)
     return status_of(driver);
 }
 
-int command_execute(const struct command *command, int count, char **words, const char *database)
+int command_execute(const struct command *command, int argc, char **argv, const char *database)
 {
     struct driver driver = {.command = command, .database = database};
     struct error error = {0};
     int status;
-    if (!prepare(&driver, count, words, &error)) {
+    if (!prepare(&driver, argc - 2, argv + 2, &error)) {
         error_print(&error, command->name);
         status = (int)error.code;
     } else if (driver.common.help) {
         status = help_command(command, &driver.arena);
+    } else if (command->needs_ceres && !solver_is_present &&
+               !relay_to_ceres(argv, &driver.arena, &error)) {
+        error_print(&error, command->name);
+        status = (int)error.code;
     } else {
         status = command->print != NULL ? print_text(&driver, &error) : compute(&driver);
         fwrite(driver.db.losses.data, 1, driver.db.losses.length, stderr);

@@ -8,10 +8,10 @@
 /*
  * Run a command.
  *
- * Given     count, words  what follows the command's name
- *           database      LENSCALC_DB, or null
+ * Given     argc, argv  of the program; argv[1] is the command's name
+ *           database    LENSCALC_DB, or null
  * Result    the exit status; anything wrong has been said on standard error
  */
-int command_execute(const struct command *command, int count, char **words, const char *database);
+int command_execute(const struct command *command, int argc, char **argv, const char *database);
 
 #endif

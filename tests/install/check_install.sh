@@ -45,7 +45,9 @@ lint() {
 }
 
 root=$stage/usr
-check "make install" make -s install BUILD="$build" DESTDIR="$stage" PREFIX=/usr
+ceres=1
+[ -x "$build/lenscalc-ceres" ] || ceres=0
+check "make install" make -s install BUILD="$build" CERES=$ceres DESTDIR="$stage" PREFIX=/usr
 check "the program is installed" test -x "$root/bin/lenscalc"
 check "the installed program answers" "$root/bin/lenscalc" dof -f 50mm -N 2.8 -s 3m
 check "the installed program is the built one" same_help
@@ -75,7 +77,7 @@ check "everything is readable by all" test ! -s "$stage.modes"
 rm -f "$stage.modes"
 check "no trace of the stage in text files" sh -c \
     "! grep -rIl '$stage' '$root/share' 2> /dev/null | grep ."
-check "make uninstall" make -s uninstall BUILD="$build" DESTDIR="$stage" PREFIX=/usr
+check "make uninstall" make -s uninstall BUILD="$build" CERES=$ceres DESTDIR="$stage" PREFIX=/usr
 left=$(find "$stage" ! -type d)
 check "uninstall leaves nothing: $left" test -z "$left"
 echo "$passed passed, $failed failed"

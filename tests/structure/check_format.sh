@@ -13,7 +13,7 @@ if [ ! -f .clang-format ]; then
 fi
 passed=0
 failed=0
-for file in $(find src tests -name '*.[ch]' | sort); do
+for file in $(find src tests -name '*.[ch]' -o -name '*.cc' | sort); do
     if clang-format --dry-run -Werror "$file" > /dev/null 2>&1; then
         passed=$((passed + 1))
     else

@@ -41,7 +41,13 @@ FORBIDDEN_CALLS = re.compile(
 ALLOWED_CALLS = {"base/arena.c": {"abort"}}
 # Object -> symbols that may be writable data: none. Const tables of pointers lie in .data.rel.ro,
 # which is read-only once the program is loaded; nm calls it "d", objdump names the section.
-WRITABLE = {}
+WRITABLE = {
+    # the C++ library's own: its streams' constructor, and where an unwinding exception looks
+    "design/solver_ceres.o": {"_ZStL8__ioinit", "DW.ref.__gxx_personality_v0",
+                              "DW.ref._ZTISt9exception"},
+}
+# The one source in C++; what it may call of stdio only formats into buffers.
+CXX_SOURCES = ["src/design/solver_ceres.cc"]
 LONGEST_FUNCTION, LONGEST_FILE, LONGEST_LINE = 60, 600, 100
 # Sources that are one table or one idea and may be longer, with the reason.
 LONG_FILES = {}
@@ -174,7 +180,7 @@ def check_objects(checks, build):
     objects = sorted(glob.glob(os.path.join(build, "*.o")) +
                      glob.glob(os.path.join(build, "*", "*.o")))
     sources = {os.path.splitext(os.path.relpath(path, "src"))[0]
-               for path in glob.glob("src/**/*.c", recursive=True)} | {"lensdb"}
+               for path in glob.glob("src/**/*.c*", recursive=True)} | {"lensdb"}
     objects = [path for path in objects
                if os.path.splitext(os.path.relpath(path, build))[0] in sources]
     checks.check(objects != [], f"no objects in {build}")
@@ -216,7 +222,8 @@ def check_words(checks):
 def main():
     os.chdir(ROOT)
     checks = Checks()
-    sources = sorted(glob.glob("src/**/*.[ch]", recursive=True))
+    checks.check(glob.glob("src/**/*.c?*", recursive=True) == CXX_SOURCES, "sources in C++")
+    sources = sorted(glob.glob("src/**/*.[ch]", recursive=True) + CXX_SOURCES)
     programs = sorted(glob.glob("tests/**/*.[ch]", recursive=True))
     checks.check(len(sources) > 40, "src is not here")
     for path in sources + programs:

@@ -1,0 +1,182 @@
+/* base/linear.c - least squares of small dense systems, by orthogonal factors. */
+/* SPDX-License-Identifier: MIT */
+#include "base/linear.h"
+
+#include <math.h>
+
+/* Length of what is below and at row `first` of a column, without overflow. */
+static double column_length(const struct linear_factors *all, size_t column, size_t first)
+{
+    double largest = 0, sum = 0;
+    for (size_t i = first; i < all->rows; i++) {
+        largest = fmax(largest, fabs(all->a[i * all->columns + column]));
+    }
+    if (!(largest > 0)) {
+        return 0;
+    }
+    for (size_t i = first; i < all->rows; i++) {
+        double part = all->a[i * all->columns + column] / largest;
+        sum += part * part;
+    }
+    return largest * sqrt(sum);
+}
+
+static void scale_columns(struct linear_factors *all)
+{
+    for (size_t j = 0; j < all->columns; j++) {
+        double length = column_length(all, j, 0);
+        all->scale[j] = length > 0 ? length : 1;
+        all->order[j] = j;
+        for (size_t i = 0; i < all->rows; i++) {
+            all->a[i * all->columns + j] /= all->scale[j];
+        }
+    }
+}
+
+/* Bring the column of which most is left to place k; returns that rest. */
+static double pivot(struct linear_factors *all, size_t k)
+{
+    size_t n = all->columns, best = k;
+    double longest = -1;
+    for (size_t j = k; j < n; j++) {
+        double length = column_length(all, j, k);
+        if (length > longest) {
+            longest = length;
+            best = j;
+        }
+    }
+    for (size_t i = 0; i < all->rows && best != k; i++) {
+        double kept = all->a[i * n + k];
+        all->a[i * n + k] = all->a[i * n + best];
+        all->a[i * n + best] = kept;
+    }
+    size_t kept = all->order[k];
+    all->order[k] = all->order[best];
+    all->order[best] = kept;
+    return longest;
+}
+
+/* v^T x over the rows from k on, where v is reflection k: its head apart, its tail below R. */
+static double reflect_product(const struct linear_factors *all, size_t k, const double *x,
+                              size_t stride)
+{
+    double sum = all->reflector[k] * x[k * stride];
+    for (size_t i = k + 1; i < all->rows; i++) {
+        sum += all->a[i * all->columns + k] * x[i * stride];
+    }
+    return sum;
+}
+
+/* x -= v (v^T x) / v0, with v scaled so that |v|^2 = 2 v0 */
+static void reflect(const struct linear_factors *all, size_t k, double *x, size_t stride)
+{
+    double factor = reflect_product(all, k, x, stride) / all->reflector[k];
+    x[k * stride] -= factor * all->reflector[k];
+    for (size_t i = k + 1; i < all->rows; i++) {
+        x[i * stride] -= factor * all->a[i * all->columns + k];
+    }
+}
+
+/* Make the reflection that turns column k into (r, 0 ..), and apply it to those behind. */
+static void eliminate(struct linear_factors *all, size_t k, double length)
+{
+    size_t n = all->columns;
+    double head = all->a[k * n + k];
+    double r = head > 0 ? -length : length;
+    for (size_t i = k; i < all->rows; i++) {
+        all->a[i * n + k] /= -r;
+    }
+    all->reflector[k] = all->a[k * n + k] + 1;
+    all->a[k * n + k] = r;
+    for (size_t j = k + 1; j < n; j++) {
+        reflect(all, k, all->a + j, n);
+    }
+}
+
+struct linear_factors linear_factor(double *a, size_t rows, size_t columns, double tolerance,
+                                    struct arena *arena)
+{
+    struct linear_factors all = {.rows = rows, .columns = columns, .a = a};
+    all.reflector = ARENA_ARRAY(arena, columns, double);
+    all.scale = ARENA_ARRAY(arena, columns, double);
+    all.order = ARENA_ARRAY(arena, columns, size_t);
+    scale_columns(&all);
+    for (size_t k = 0; k < columns && k < rows; k++) {
+        double length = pivot(&all, k);
+        if (!(length > tolerance)) {
+            break;
+        }
+        eliminate(&all, k, length);
+        all.rank = k + 1;
+    }
+    return all;
+}
+
+void linear_reflect(const struct linear_factors *factors, double *b)
+{
+    for (size_t k = 0; k < factors->rank; k++) {
+        reflect(factors, k, b, 1);
+    }
+}
+
+void linear_substitute(const struct linear_factors *factors, double *b, double *x)
+{
+    size_t n = factors->columns;
+    for (size_t j = 0; j < n; j++) {
+        x[j] = 0;
+    }
+    for (size_t k = factors->rank; k-- > 0;) {
+        double sum = b[k];
+        for (size_t j = k + 1; j < factors->rank; j++) {
+            sum -= factors->a[k * n + j] * b[j];
+        }
+        b[k] = sum / factors->a[k * n + k];
+    }
+    for (size_t k = 0; k < factors->rank; k++) {
+        x[factors->order[k]] = b[k] / factors->scale[factors->order[k]];
+    }
+}
+
+void linear_solve(const struct linear_factors *factors, double *b, double *x)
+{
+    linear_reflect(factors, b);
+    linear_substitute(factors, b, x);
+}
+
+/* R^-1 of the leading `rank` columns, rank x rank, upper. */
+static double *invert_triangle(const struct linear_factors *factors, struct arena *arena)
+{
+    size_t n = factors->columns, rank = factors->rank;
+    double *inverse = ARENA_ARRAY(arena, rank * rank + 1, double);
+    for (size_t j = 0; j < rank; j++) {
+        inverse[j * rank + j] = 1 / factors->a[j * n + j];
+        for (size_t i = j; i-- > 0;) {
+            double sum = 0;
+            for (size_t k = i + 1; k <= j; k++) {
+                sum += factors->a[i * n + k] * inverse[k * rank + j];
+            }
+            inverse[i * rank + j] = -sum / factors->a[i * n + i];
+        }
+    }
+    return inverse;
+}
+
+void linear_normal_inverse(const struct linear_factors *factors, double *inverse,
+                           struct arena *arena)
+{
+    size_t n = factors->columns, rank = factors->rank;
+    const double *triangle = invert_triangle(factors, arena);
+    for (size_t i = 0; i < n * n; i++) {
+        inverse[i] = NAN;
+    }
+    for (size_t i = 0; i < rank; i++) {
+        for (size_t j = 0; j < rank; j++) {
+            double sum = 0;
+            for (size_t k = i > j ? i : j; k < rank; k++) {
+                sum += triangle[i * rank + k] * triangle[j * rank + k];
+            }
+            size_t row = factors->order[i], column = factors->order[j];
+            inverse[row * n + column] = sum / (factors->scale[row] * factors->scale[column]);
+        }
+    }
+}

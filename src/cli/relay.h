@@ -1,0 +1,21 @@
+/* cli/relay.h - hand a command over to lenscalc-ceres, the program with the solver. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_RELAY_H
+#define LENSCALC_CLI_RELAY_H
+
+#include "base/arena.h"
+#include "base/error.h"
+
+#include <stdbool.h>
+
+/*
+ * Become lenscalc-ceres with the same arguments. It is looked for beside this program, then in
+ * ../libexec/lenscalc from there. Nothing may have been read from standard input before.
+ *
+ * Given     argv  of this program, ends with null
+ * Result    only comes back with an error
+ * Errors    ERROR_DOMAIN: there is none, or what goes by that name is without Ceres
+ */
+bool relay_to_ceres(char **argv, struct arena *arena, struct error *error);
+
+#endif

@@ -1,0 +1,477 @@
+/* design/solver.c - bounds, checks and statistics around the minimiser. */
+/* SPDX-License-Identifier: MIT */
+#include "design/solver.h"
+
+#include "base/linear.h"
+#include "design/solver_engine.h"
+
+#include <math.h>
+#include <string.h>
+
+static const struct solver_options usual = {
+    .iterations = 200,
+    .function = 1e-15,
+    .gradient = 1e-30,
+    .parameter = 1e-13,
+    .initial_trust = 1e4,
+    .dependent = 1e-11,
+};
+
+/* A problem being solved. */
+struct solving {
+    const struct solver_problem *problem;
+    struct solver_options options;
+    struct arena *arena;
+    double *residuals, *jacobian, *gradient, *weights; /* at the parameters last looked at */
+    bool *held;   /* at a bound, for as long as the cost falls beyond it */
+    bool *on;     /* lay on a bound when this round began */
+    bool stopped; /* by the caller */
+    int done;     /* iterations of earlier rounds */
+};
+
+static double low_of(const struct solver_problem *problem, size_t i)
+{
+    return problem->low != NULL ? problem->low[i] : -INFINITY;
+}
+
+static double high_of(const struct solver_problem *problem, size_t i)
+{
+    return problem->high != NULL ? problem->high[i] : INFINITY;
+}
+
+static bool check_blocks(const struct solver_problem *problem, struct error *error)
+{
+    size_t sum = 0;
+    if (problem->blocks == NULL) {
+        return true;
+    }
+    for (size_t i = 0; i < problem->block_count; i++) {
+        const struct solver_block *block = &problem->blocks[i];
+        if (block->loss != LOSS_NONE && !(block->scale > 0 && isfinite(block->scale))) {
+            return fail(error, ERROR_DOMAIN, "the scale %.6g of a loss is not above 0",
+                        block->scale);
+        }
+        sum += block->residuals;
+    }
+    return sum == problem->residual_count ||
+           fail(error, ERROR_DOMAIN, "the blocks have %zu residuals, the problem has %zu", sum,
+                problem->residual_count);
+}
+
+static bool check_bounds(const struct solver_problem *problem, const double *parameters,
+                         struct error *error)
+{
+    for (size_t i = 0; i < problem->parameter_count; i++) {
+        double low = low_of(problem, i), high = high_of(problem, i);
+        if (!isfinite(parameters[i])) {
+            return fail(error, ERROR_DOMAIN, "parameter %zu begins at %.6g", i + 1, parameters[i]);
+        }
+        if (!(low < high)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the bounds %.10g to %.10g of parameter %zu leave "
+                        "nothing between them",
+                        low, high, i + 1);
+        }
+        if (!(low <= parameters[i] && parameters[i] <= high)) {
+            return fail(error, ERROR_DOMAIN,
+                        "parameter %zu begins at %.10g, outside its bounds %.10g to %.10g", i + 1,
+                        parameters[i], low, high);
+        }
+    }
+    return true;
+}
+
+static bool check_problem(const struct solver_problem *problem, const double *parameters,
+                          struct error *error)
+{
+    size_t n = problem->parameter_count, m = problem->residual_count;
+    if (!solver_is_present) {
+        return fail(error, ERROR_DOMAIN, "this program is without the solver");
+    }
+    if (n == 0 || m == 0) {
+        return fail(error, ERROR_DOMAIN, "there is nothing to fit: %zu parameters, %zu residuals",
+                    n, m);
+    }
+    if (m < n) {
+        return fail(error, ERROR_DOMAIN, "%zu residuals do not fix %zu parameters", m, n);
+    }
+    if (n > 1000 || m > 100000000 / n) {
+        return fail(error, ERROR_DOMAIN, "%zu residuals of %zu parameters are too many", m, n);
+    }
+    return check_bounds(problem, parameters, error) && check_blocks(problem, error);
+}
+
+/* rho and its slope */
+static double loss_value(const struct solver_block *block, double s, double *slope)
+{
+    double a2 = block->scale * block->scale;
+    switch (block->loss) {
+    case LOSS_HUBER:
+        *slope = s <= a2 ? 1 : block->scale / sqrt(s);
+        return s <= a2 ? s : 2 * block->scale * sqrt(s) - a2;
+    case LOSS_SOFT_L1:
+        *slope = 1 / sqrt(1 + s / a2);
+        return 2 * s / (1 + sqrt(1 + s / a2));
+    case LOSS_CAUCHY:
+        *slope = 1 / (1 + s / a2);
+        return a2 * log1p(s / a2);
+    case LOSS_NONE:
+        break;
+    }
+    *slope = 1;
+    return s;
+}
+
+static bool all_finite(const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(values[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Weight of each residual, and the cost. */
+static double weigh(struct solving *solving)
+{
+    const struct solver_problem *problem = solving->problem;
+    const struct solver_block whole = {problem->residual_count, LOSS_NONE, 0};
+    const struct solver_block *blocks = problem->blocks != NULL ? problem->blocks : &whole;
+    size_t count = problem->blocks != NULL ? problem->block_count : 1, at = 0;
+    double cost = 0;
+    for (size_t i = 0; i < count; i++) {
+        double s = 0, slope;
+        for (size_t j = 0; j < blocks[i].residuals; j++) {
+            s += solving->residuals[at + j] * solving->residuals[at + j];
+        }
+        cost += loss_value(&blocks[i], s, &slope) / 2;
+        for (size_t j = 0; j < blocks[i].residuals; j++) {
+            solving->weights[at++] = slope;
+        }
+    }
+    return cost;
+}
+
+/* Residuals, derivatives, weights and the gradient at these parameters; false: not all finite. */
+static bool look(struct solving *solving, const double *parameters, double *cost)
+{
+    const struct solver_problem *problem = solving->problem;
+    size_t n = problem->parameter_count, m = problem->residual_count;
+    if (!problem->evaluate(problem->context, parameters, solving->residuals, solving->jacobian) ||
+        !all_finite(solving->residuals, m) || !all_finite(solving->jacobian, m * n)) {
+        return false;
+    }
+    *cost = weigh(solving);
+    memset(solving->gradient, 0, n * sizeof(double));
+    for (size_t i = 0; i < m; i++) {
+        double r = solving->weights[i] * solving->residuals[i];
+        for (size_t j = 0; j < n; j++) {
+            solving->gradient[j] += r * solving->jacobian[i * n + j];
+        }
+    }
+    return isfinite(*cost) && all_finite(solving->gradient, n);
+}
+
+static bool is_on_bound(const struct solver_problem *problem, const double *parameters, size_t i)
+{
+    return parameters[i] <= low_of(problem, i) || parameters[i] >= high_of(problem, i);
+}
+
+/* Would the cost fall beyond the bound? */
+static bool falls_outwards(const struct solving *solving, const double *parameters, size_t i)
+{
+    const struct solver_problem *problem = solving->problem;
+    return (parameters[i] <= low_of(problem, i) && solving->gradient[i] > 0) ||
+           (parameters[i] >= high_of(problem, i) && solving->gradient[i] < 0);
+}
+
+/* Ends a round when the caller wants it, or when a parameter arrives at a bound. */
+static bool watch(void *context, int iteration, double cost, const double *parameters)
+{
+    struct solving *solving = context;
+    const struct solver_problem *problem = solving->problem;
+    const struct solver_progress progress = {solving->done + iteration, cost, parameters};
+    if (solving->options.progress != NULL &&
+        !solving->options.progress(solving->options.progress_context, &progress)) {
+        solving->stopped = true;
+        return false;
+    }
+    for (size_t i = 0; i < problem->parameter_count; i++) {
+        if (!solving->on[i] && is_on_bound(problem, parameters, i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Hold what lies on a bound and is pushed against it. Result: how many are held newly. */
+static size_t hold(struct solving *solving, const double *parameters)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < solving->problem->parameter_count; i++) {
+        bool on = is_on_bound(solving->problem, parameters, i);
+        bool held = on && (solving->held[i] || falls_outwards(solving, parameters, i));
+        count += held && !solving->held[i];
+        solving->held[i] = held;
+        solving->on[i] = on;
+    }
+    return count;
+}
+
+/* Let go what is held although the cost falls inwards. Result: how many. */
+static size_t release(struct solving *solving, const double *parameters)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < solving->problem->parameter_count; i++) {
+        if (solving->held[i] && !falls_outwards(solving, parameters, i) &&
+            fabs(solving->gradient[i]) > 0) {
+            solving->held[i] = false;
+            count++;
+        }
+    }
+    return count;
+}
+
+static size_t count_free(const struct solving *solving)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < solving->problem->parameter_count; i++) {
+        count += !solving->held[i];
+    }
+    return count;
+}
+
+/* One round over the parameters that are not held. */
+static void run_round(struct solving *solving, double *parameters, struct solver_summary *summary,
+                      struct engine_run *run)
+{
+    size_t n = solving->problem->parameter_count;
+    bool *is_free = ARENA_ARRAY(solving->arena, n, bool);
+    for (size_t i = 0; i < n; i++) {
+        is_free[i] = !solving->held[i];
+    }
+    *run = (struct engine_run){.problem = solving->problem,
+                               .options = solving->options,
+                               .is_free = is_free,
+                               .parameters = parameters,
+                               .watch = watch,
+                               .watch_context = solving};
+    run->options.iterations = solving->options.iterations - summary->iterations;
+    engine_minimize(run);
+    summary->iterations += run->iterations;
+    summary->evaluations += run->evaluations;
+    summary->derivatives += run->derivatives;
+    solving->done = summary->iterations;
+}
+
+static enum solver_status status_of(const struct solving *solving, const struct engine_run *run)
+{
+    return solving->stopped            ? SOLVER_STOPPED
+           : run->end == ENGINE_FAILED ? SOLVER_STUCK
+           : run->end == ENGINE_LIMIT  ? SOLVER_LIMIT
+                                       : SOLVER_CONVERGED;
+}
+
+/* Rounds until no parameter is newly held and none wants to be let go. */
+static void run_rounds(struct solving *solving, double *parameters, struct solver_summary *summary)
+{
+    struct engine_run run = {.end = ENGINE_CONVERGED};
+    double best = summary->initial_cost, cost = best;
+    size_t releases = 0, n = solving->problem->parameter_count;
+    hold(solving, parameters);
+    while (summary->iterations < solving->options.iterations) {
+        if (count_free(solving) > 0) {
+            run_round(solving, parameters, summary, &run);
+        } else {
+            run = (struct engine_run){.end = ENGINE_CONVERGED, .message = "all is at its bounds"};
+        }
+        if (solving->stopped || run.end == ENGINE_FAILED || !look(solving, parameters, &cost)) {
+            break;
+        }
+        if (hold(solving, parameters) > 0 || run.end == ENGINE_WATCHED) {
+            continue;
+        }
+        if (run.end == ENGINE_LIMIT || releases++ > 4 * n || release(solving, parameters) == 0) {
+            break;
+        }
+        if (releases > 1 && !(cost < best)) {
+            break; /* what was let go brought nothing */
+        }
+        best = cost;
+    }
+    run.end = run.end == ENGINE_WATCHED && !solving->stopped ? ENGINE_LIMIT : run.end;
+    summary->status = status_of(solving, &run);
+    summary->message = arena_printf(solving->arena, "%s", run.message);
+}
+
+/* Derivatives by the parameters that are free, weighted: what the errors follow from. */
+static struct linear_factors factor_free(struct solving *solving, const size_t *free_of,
+                                         size_t count)
+{
+    size_t n = solving->problem->parameter_count, m = solving->problem->residual_count;
+    double *a = ARENA_ARRAY(solving->arena, m * count + 1, double);
+    for (size_t i = 0; i < m; i++) {
+        double root = sqrt(solving->weights[i]);
+        for (size_t j = 0; j < count; j++) {
+            a[i * count + j] = root * solving->jacobian[i * n + free_of[j]];
+        }
+    }
+    return linear_factor(a, m, count, solving->options.dependent, solving->arena);
+}
+
+static size_t list_free(const struct solving *solving, size_t *free_of)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < solving->problem->parameter_count; i++) {
+        if (!solving->held[i]) {
+            free_of[count++] = i;
+        }
+    }
+    return count;
+}
+
+/*
+ * The undamped step from where the solver looked last, inside the bounds.
+ *
+ * Result    what it promises to take off the sum of squares; NaN where there is no such step
+ */
+static double newton_step(struct solving *solving, double *parameters)
+{
+    const struct solver_problem *problem = solving->problem;
+    size_t n = problem->parameter_count, m = problem->residual_count;
+    size_t *free_of = ARENA_ARRAY(solving->arena, n, size_t);
+    size_t count = list_free(solving, free_of);
+    double *b = ARENA_ARRAY(solving->arena, m, double);
+    double *step = ARENA_ARRAY(solving->arena, count + 1, double), promise = 0;
+    const struct linear_factors factors = factor_free(solving, free_of, count);
+    for (size_t i = 0; i < m; i++) {
+        b[i] = -sqrt(solving->weights[i]) * solving->residuals[i];
+    }
+    linear_reflect(&factors, b);
+    for (size_t k = 0; k < factors.rank; k++) {
+        promise += b[k] * b[k];
+    }
+    linear_substitute(&factors, b, step);
+    for (size_t i = 0; i < count; i++) {
+        size_t at = free_of[i];
+        parameters[at] =
+            fmin(fmax(parameters[at] + step[i], low_of(problem, at)), high_of(problem, at));
+    }
+    return factors.rank == count ? promise : NAN;
+}
+
+/*
+ * Near the end the cost no longer tells better from worse, but the gradient does: a few undamped
+ * steps, for as long as what the next one promises gets smaller.
+ */
+static void polish(struct solving *solving, double *parameters, double cost)
+{
+    size_t n = solving->problem->parameter_count;
+    double *next = ARENA_ARRAY(solving->arena, n, double), promised = INFINITY, there = cost;
+    for (int i = 0; i < 20; i++) {
+        memcpy(next, parameters, n * sizeof(double));
+        double promise = newton_step(solving, next);
+        if (!(promise < 0.5 * promised) || !look(solving, next, &there) ||
+            !(there <= cost * (1 + 1e-12))) {
+            break;
+        }
+        promised = promise;
+        memcpy(parameters, next, n * sizeof(double));
+    }
+}
+
+static void set_errors(struct solving *solving, struct solver_summary *summary)
+{
+    size_t n = solving->problem->parameter_count, m = solving->problem->residual_count;
+    struct arena *arena = solving->arena;
+    size_t *free_of = ARENA_ARRAY(arena, n, size_t), count = list_free(solving, free_of);
+    const struct linear_factors factors = factor_free(solving, free_of, count);
+    double *inverse = ARENA_ARRAY(arena, count * count + 1, double);
+    linear_normal_inverse(&factors, inverse, arena);
+    summary->rank = factors.rank;
+    for (size_t k = factors.rank; k < count; k++) {
+        summary->undetermined[free_of[factors.order[k]]] = true;
+    }
+    double squares = 0, plain = 0;
+    for (size_t i = 0; i < m; i++) {
+        double r = solving->residuals[i];
+        squares += solving->weights[i] * r * r;
+        plain += r * r;
+    }
+    summary->rms = sqrt(plain / (double)m);
+    summary->degrees_of_freedom = m - factors.rank;
+    double variance =
+        summary->degrees_of_freedom > 0 ? squares / (double)summary->degrees_of_freedom : NAN;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t j = 0; j < count; j++) {
+            summary->covariance[free_of[i] * n + free_of[j]] = variance * inverse[i * count + j];
+        }
+        summary->standard_error[free_of[i]] = sqrt(variance * inverse[i * count + i]);
+    }
+}
+
+static void open_summary(struct solver_summary *summary, size_t n, struct arena *arena)
+{
+    *summary = (struct solver_summary){.at_bound = ARENA_ARRAY(arena, n, bool),
+                                       .undetermined = ARENA_ARRAY(arena, n, bool),
+                                       .covariance = ARENA_ARRAY(arena, n * n, double),
+                                       .standard_error = ARENA_ARRAY(arena, n, double)};
+    for (size_t i = 0; i < n * n; i++) {
+        summary->covariance[i] = NAN;
+    }
+    for (size_t i = 0; i < n; i++) {
+        summary->standard_error[i] = NAN;
+    }
+}
+
+static double or_usual(double value, double otherwise)
+{
+    return value > 0 ? value : otherwise;
+}
+
+static struct solver_options complete(const struct solver_options *options)
+{
+    struct solver_options all = options != NULL ? *options : usual;
+    all.iterations = all.iterations > 0 ? all.iterations : usual.iterations;
+    all.function = or_usual(all.function, usual.function);
+    all.gradient = or_usual(all.gradient, usual.gradient);
+    all.parameter = or_usual(all.parameter, usual.parameter);
+    all.initial_trust = or_usual(all.initial_trust, usual.initial_trust);
+    all.dependent = or_usual(all.dependent, usual.dependent);
+    return all;
+}
+
+bool solver_run(const struct solver_problem *problem, const struct solver_options *options,
+                double *parameters, struct arena *arena, struct solver_summary *summary,
+                struct error *error)
+{
+    size_t n = problem->parameter_count, m = problem->residual_count;
+    if (!check_problem(problem, parameters, error)) {
+        return false;
+    }
+    struct solving solving = {.problem = problem,
+                              .options = complete(options),
+                              .arena = arena,
+                              .residuals = ARENA_ARRAY(arena, m, double),
+                              .jacobian = ARENA_ARRAY(arena, m * n, double),
+                              .gradient = ARENA_ARRAY(arena, n, double),
+                              .weights = ARENA_ARRAY(arena, m, double),
+                              .held = ARENA_ARRAY(arena, n, bool),
+                              .on = ARENA_ARRAY(arena, n, bool)};
+    open_summary(summary, n, arena);
+    if (!look(&solving, parameters, &summary->initial_cost)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the fit cannot begin: not all residuals and derivatives are numbers there");
+    }
+    run_rounds(&solving, parameters, summary);
+    if (summary->status == SOLVER_CONVERGED && look(&solving, parameters, &summary->final_cost)) {
+        polish(&solving, parameters, summary->final_cost);
+    }
+    if (!look(&solving, parameters, &summary->final_cost)) {
+        return fail(error, ERROR_DOMAIN, "the fit ended where it has no value");
+    }
+    memcpy(summary->at_bound, solving.held, n * sizeof(bool));
+    set_errors(&solving, summary);
+    return true;
+}

@@ -1,0 +1,30 @@
+/* design/solver_engine.h - one run of the minimiser over some of the parameters. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DESIGN_SOLVER_ENGINE_H
+#define LENSCALC_DESIGN_SOLVER_ENGINE_H
+
+#include "design/solver.h"
+
+enum engine_end { ENGINE_CONVERGED, ENGINE_LIMIT, ENGINE_WATCHED, ENGINE_FAILED };
+
+/* Given, and what comes back. All has been checked: the run cannot abort on it. */
+struct engine_run {
+    const struct solver_problem *problem;
+    struct solver_options options; /* complete; `iterations` are those left */
+    const bool *is_free;           /* the others stay as they are */
+    double *parameters;            /* all of them: the start; receives the best */
+    /* once an iteration, with all parameters; false ends the run */
+    bool (*watch)(void *context, int iteration, double cost, const double *parameters);
+    void *watch_context;
+    enum engine_end end;
+    int iterations, evaluations, derivatives;
+    char message[200];
+};
+
+#ifdef __cplusplus
+extern "C"
+#endif
+    void
+    engine_minimize(struct engine_run *run);
+
+#endif
