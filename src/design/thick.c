@@ -1,0 +1,370 @@
+/* design/thick.c - the thick lens that equals a bundle of rays best. */
+/* SPDX-License-Identifier: MIT */
+#include "design/thick.h"
+
+#include "base/linear.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { BASE = 3, PER_RAY = 4 };
+
+static double weight_of(const struct thick_rays *rays, size_t i)
+{
+    return rays->weight != NULL ? rays->weight[i] : 1;
+}
+
+static size_t group_of(const struct thick_rays *rays, size_t i)
+{
+    return rays->group != NULL ? rays->group[i] : 0;
+}
+
+static size_t base_of(const struct thick_task *task, size_t group)
+{
+    return task->separate ? BASE * group : 0;
+}
+
+static size_t base_count(const struct thick_task *task)
+{
+    return BASE * (task->separate ? task->group_count : 1);
+}
+
+static struct thick_lens lens_of(const struct thick_task *task, const double *parameters,
+                                 size_t group)
+{
+    const double *base = parameters + base_of(task, group);
+    struct thick_lens lens = {.focal = base[0],
+                              .front = base[1],
+                              .rear = base[2],
+                              .index_object = task->index_object[group],
+                              .index_image = task->index_image[group],
+                              .object = task->object};
+    for (size_t j = 0; j < task->distortions; j++) {
+        lens.distortion[j] = parameters[base_count(task) + j];
+    }
+    return lens;
+}
+
+/* One section of a ray: height and slope behind, and both by f, H, H', d1, d2, d3. */
+struct section_slopes {
+    double height, slope; /* at the rear reference plane */
+    double dheight[BASE + THICK_DISTORTIONS], dslope[BASE + THICK_DISTORTIONS];
+};
+
+/* The slope w of the line from the object point through H, and its derivative by H. */
+static double field_slope(const struct thick_lens *lens, double x, double p, double *by_front)
+{
+    if (!isfinite(lens->object)) {
+        *by_front = 0;
+        return p;
+    }
+    double reach = lens->object + lens->front, w = (p * lens->object - x) / reach;
+    *by_front = -w / reach;
+    return w;
+}
+
+/* The distortion d and its derivative by s. */
+static double distort(const struct thick_lens *lens, double s, double *by_s)
+{
+    const double *d = lens->distortion;
+    *by_s = d[0] + s * (2 * d[1] + s * 3 * d[2]);
+    return s * (d[0] + s * (d[1] + s * d[2]));
+}
+
+/* w is of this section, s and its derivative by H of both. */
+static void differentiate(const struct thick_lens *lens, double x, double p, double w,
+                          double w_front, double s, double s_front, struct section_slopes *out)
+{
+    double power = 1 / lens->focal, n = lens->index_object, m = lens->index_image, by_s;
+    double h = x + lens->front * p, d = distort(lens, s, &by_s), term = s;
+    out->slope = (n * (p + w * d) - power * h) / m;
+    out->dslope[0] = power * power * h / m;
+    out->dslope[1] = (n * (w_front * d + w * by_s * s_front) - power * p) / m;
+    out->dslope[2] = 0;
+    for (size_t j = 0; j < THICK_DISTORTIONS; j++, term *= s) {
+        out->dslope[BASE + j] = n * w * term / m;
+    }
+    out->height = h - lens->rear * out->slope;
+    for (size_t j = 0; j < BASE + THICK_DISTORTIONS; j++) {
+        out->dheight[j] = -lens->rear * out->dslope[j];
+    }
+    out->dheight[1] += p;
+    out->dheight[2] -= out->slope;
+}
+
+static void follow(const struct thick_lens *lens, const struct thick_rays *rays, size_t i,
+                   struct section_slopes out[2])
+{
+    double u_front, v_front;
+    double u = field_slope(lens, rays->x[i], rays->p[i], &u_front);
+    double v = field_slope(lens, rays->y[i], rays->q[i], &v_front);
+    double s = u * u + v * v, s_front = 2 * (u * u_front + v * v_front);
+    differentiate(lens, rays->x[i], rays->p[i], u, u_front, s, s_front, &out[0]);
+    differentiate(lens, rays->y[i], rays->q[i], v, v_front, s, s_front, &out[1]);
+}
+
+/* Four residuals of a ray: x and y in the image, x and y in the pupil. */
+static void fill_ray(const struct thick_task *task, size_t i, const struct section_slopes out[2],
+                     double *residuals, double *jacobian, size_t columns)
+{
+    const struct thick_rays *rays = &task->rays;
+    const double height[2] = {rays->x_out[i], rays->y_out[i]};
+    const double slope[2] = {rays->p_out[i], rays->q_out[i]};
+    double weight = sqrt(weight_of(rays, i));
+    size_t base = base_of(task, group_of(rays, i)), terms = base_count(task);
+    for (size_t k = 0; k < PER_RAY; k++) {
+        const struct section_slopes *one = &out[k % 2];
+        double z = task->planes[k / 2], w = weight * task->plane_weights[k / 2];
+        residuals[k] = w * (one->height - height[k % 2] + z * (one->slope - slope[k % 2]));
+        if (jacobian == NULL) {
+            continue;
+        }
+        double *row = jacobian + k * columns;
+        memset(row, 0, columns * sizeof(double));
+        for (size_t j = 0; j < BASE; j++) {
+            row[base + j] = w * (one->dheight[j] + z * one->dslope[j]);
+        }
+        for (size_t j = 0; j < task->distortions; j++) {
+            row[terms + j] = w * (one->dheight[BASE + j] + z * one->dslope[BASE + j]);
+        }
+    }
+}
+
+bool thick_residuals(void *context, const double *parameters, double *residuals, double *jacobian)
+{
+    const struct thick_task *task = context;
+    size_t columns = base_count(task) + task->distortions;
+    struct thick_lens lenses[THICK_GROUPS];
+    for (size_t g = 0; g < task->group_count; g++) {
+        lenses[g] = lens_of(task, parameters, g);
+        if (!(fabs(lenses[g].focal) > 0)) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < task->rays.count; i++) {
+        struct section_slopes out[2];
+        follow(&lenses[group_of(&task->rays, i)], &task->rays, i, out);
+        fill_ray(task, i, out, residuals + PER_RAY * i,
+                 jacobian != NULL ? jacobian + PER_RAY * i * columns : NULL, columns);
+    }
+    return true;
+}
+
+static bool is_finite_ray(const struct thick_rays *rays, size_t i)
+{
+    return isfinite(rays->x[i]) && isfinite(rays->y[i]) && isfinite(rays->p[i]) &&
+           isfinite(rays->q[i]) && isfinite(rays->x_out[i]) && isfinite(rays->y_out[i]) &&
+           isfinite(rays->p_out[i]) && isfinite(rays->q_out[i]);
+}
+
+static bool check_rays(const struct thick_task *task, struct error *error)
+{
+    const struct thick_rays *rays = &task->rays;
+    double sum = 0;
+    if (rays->count == 0) {
+        return fail(error, ERROR_DOMAIN, "there are no rays to fit to");
+    }
+    for (size_t i = 0; i < rays->count; i++) {
+        if (!is_finite_ray(rays, i)) {
+            return fail(error, ERROR_DOMAIN, "ray %zu is not all numbers", i + 1);
+        }
+        if (!(weight_of(rays, i) >= 0 && isfinite(weight_of(rays, i)))) {
+            return fail(error, ERROR_DOMAIN, "ray %zu has the weight %.6g: it is 0 or more", i + 1,
+                        weight_of(rays, i));
+        }
+        if (group_of(rays, i) >= task->group_count) {
+            return fail(error, ERROR_DOMAIN, "ray %zu is of wavelength %zu, there are %zu", i + 1,
+                        group_of(rays, i) + 1, task->group_count);
+        }
+        sum += weight_of(rays, i);
+    }
+    return sum > 0 || fail(error, ERROR_DOMAIN, "all rays have the weight 0");
+}
+
+static bool check_task(const struct thick_task *task, struct error *error)
+{
+    const struct thick_lens *start = &task->start;
+    if (task->group_count == 0 || task->group_count > THICK_GROUPS) {
+        return fail(error, ERROR_DOMAIN, "%zu wavelengths: 1 to %d can be fitted at once",
+                    task->group_count, THICK_GROUPS);
+    }
+    if (!isfinite(start->focal) || !(fabs(start->focal) > 0) || !isfinite(start->front) ||
+        !isfinite(start->rear)) {
+        return fail(error, ERROR_DOMAIN,
+                    "an afocal lens has no principal planes: no thick lens equals it");
+    }
+    if (!isfinite(task->planes[0]) || !isfinite(task->planes[1])) {
+        return fail(error, ERROR_DOMAIN,
+                    "an image or exit pupil at infinity: rays cannot be "
+                    "compared there");
+    }
+    if (!(fabs(task->planes[0] - task->planes[1]) > 1e-9 * fabs(start->focal))) {
+        return fail(error, ERROR_DOMAIN,
+                    "image and exit pupil lie in one plane, %.6g mm from the last vertex: it "
+                    "leaves the principal planes open",
+                    task->planes[0]);
+    }
+    if (isfinite(task->object) && !(fabs(task->object + start->front) > 0)) {
+        return fail(error, ERROR_DOMAIN, "the object lies in the principal plane");
+    }
+    return check_rays(task, error);
+}
+
+static void name_parameters(const struct thick_task *task, struct arena *arena,
+                            struct thick_fit *fit)
+{
+    static const char *const base[BASE] = {"f", "H", "H'"};
+    for (size_t i = 0; i < fit->parameter_count; i++) {
+        size_t terms = base_count(task);
+        fit->names[i] = i >= terms ? arena_printf(arena, "d%zu", i - terms + 1)
+                        : i < BASE ? base[i]
+                                   : arena_printf(arena, "%s %zu", base[i % BASE], i / BASE + 1);
+    }
+}
+
+/* What the rays leave open is an error: its value would be a guess. */
+static bool check_determined(const struct thick_task *task, const struct thick_fit *fit,
+                             struct error *error)
+{
+    double steepest = 0;
+    for (size_t i = 0; i < task->rays.count; i++) {
+        steepest = fmax(steepest, hypot(task->rays.p[i], task->rays.q[i]));
+    }
+    for (size_t i = 0; i < fit->parameter_count; i++) {
+        if (!fit->summary.undetermined[i]) {
+            continue;
+        }
+        if (steepest < 1e-9) {
+            return fail(error, ERROR_DOMAIN,
+                        "all rays come along the axis: they do not fix %s; add a field off the "
+                        "axis",
+                        fit->names[i]);
+        }
+        return fail(error, ERROR_DOMAIN, "the rays do not fix %s: add fields or rays",
+                    fit->names[i]);
+    }
+    return true;
+}
+
+double thick_errors(const struct thick_rays *rays, const struct thick_lens *lenses, double plane,
+                    double *dx, double *dy)
+{
+    double sum = 0, weights = 0;
+    for (size_t i = 0; i < rays->count; i++) {
+        const struct slope_ray in = {rays->x[i], rays->y[i], rays->p[i], rays->q[i]};
+        const struct slope_ray out = thick_lens_map(&lenses[group_of(rays, i)], in);
+        dx[i] = out.x - rays->x_out[i] + plane * (out.p - rays->p_out[i]);
+        dy[i] = out.y - rays->y_out[i] + plane * (out.q - rays->q_out[i]);
+        sum += weight_of(rays, i) * (dx[i] * dx[i] + dy[i] * dy[i]);
+        weights += weight_of(rays, i);
+    }
+    return sqrt(sum / weights);
+}
+
+static void set_result(const struct thick_task *task, struct arena *arena, struct thick_fit *fit)
+{
+    size_t count = task->rays.count;
+    double *dx = ARENA_ARRAY(arena, count, double), *dy = ARENA_ARRAY(arena, count, double);
+    for (size_t g = 0; g < task->group_count; g++) {
+        fit->lenses[g] = lens_of(task, fit->parameters, g);
+    }
+    fit->rms_second = thick_errors(&task->rays, fit->lenses, task->planes[1], dx, dy);
+    fit->rms = thick_errors(&task->rays, fit->lenses, task->planes[0], dx, dy);
+    for (size_t i = 0; i < count; i++) {
+        fit->largest = fmax(fit->largest, hypot(dx[i], dy[i]));
+    }
+}
+
+bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_fit *fit,
+               struct error *error)
+{
+    if (!check_task(task, error)) {
+        return false;
+    }
+    struct thick_task own = *task;
+    size_t terms = base_count(task);
+    *fit = (struct thick_fit){.parameter_count = terms + task->distortions};
+    fit->lenses = ARENA_ARRAY(arena, task->group_count, struct thick_lens);
+    fit->parameters = ARENA_ARRAY(arena, fit->parameter_count, double);
+    fit->names = ARENA_ARRAY(arena, fit->parameter_count, const char *);
+    for (size_t i = 0; i < terms; i += BASE) {
+        fit->parameters[i] = task->start.focal;
+        fit->parameters[i + 1] = task->start.front;
+        fit->parameters[i + 2] = task->start.rear;
+    }
+    name_parameters(task, arena, fit);
+    const struct solver_problem problem = {.parameter_count = fit->parameter_count,
+                                           .residual_count = PER_RAY * task->rays.count,
+                                           .evaluate = thick_residuals,
+                                           .context = &own};
+    if (!solver_run(&problem, &task->options, fit->parameters, arena, &fit->summary, error) ||
+        !check_determined(task, fit, error)) {
+        return false;
+    }
+    set_result(task, arena, fit);
+    return true;
+}
+
+/* One equation of a pupil: -p place + s_x radius + s_x s (radius growth) = x. */
+static void pupil_row(double x, double p, double stop, double s, double weight, bool growth,
+                      double *row, double *right)
+{
+    row[0] = -p * weight;
+    row[1] = stop * weight;
+    if (growth) {
+        row[2] = stop * s * weight;
+    }
+    *right = x * weight;
+}
+
+/* From the solution of the linear system to a pupil with its errors. */
+static void set_pupil(const double *solution, const double *covariance, double variance,
+                      size_t columns, struct thick_pupil *pupil)
+{
+    double r = solution[1], g = columns > 2 ? solution[2] / r : 0;
+    pupil->place = solution[0];
+    pupil->radius = r;
+    pupil->growth = g;
+    pupil->place_error = sqrt(variance * covariance[0]);
+    pupil->radius_error = sqrt(variance * covariance[columns + 1]);
+    pupil->growth_error = 0;
+    if (columns > 2) {
+        /* g = b/r: dg = (db - g dr)/r */
+        double spread = covariance[8] - 2 * g * covariance[5] + g * g * covariance[4];
+        pupil->growth_error = sqrt(variance * spread) / fabs(r);
+    }
+}
+
+bool thick_fit_pupil(const struct thick_rays *rays, bool exit, bool growth, struct arena *arena,
+                     struct thick_pupil *pupil, struct error *error)
+{
+    size_t columns = growth ? 3 : 2, rows = 2 * rays->count;
+    double *a = ARENA_ARRAY(arena, rows * columns + 1, double);
+    double *b = ARENA_ARRAY(arena, rows + 1, double), solution[3], covariance[9];
+    const double *x = exit ? rays->x_out : rays->x, *p = exit ? rays->p_out : rays->p;
+    const double *y = exit ? rays->y_out : rays->y, *q = exit ? rays->q_out : rays->q;
+    double weights = 0, squares = 0;
+    for (size_t i = 0; i < rays->count; i++) {
+        double s = p[i] * p[i] + q[i] * q[i], weight = sqrt(weight_of(rays, i));
+        double *row = a + 2 * i * columns;
+        pupil_row(x[i], p[i], rays->stop_x[i], s, weight, growth, row, &b[2 * i]);
+        pupil_row(y[i], q[i], rays->stop_y[i], s, weight, growth, row + columns, &b[2 * i + 1]);
+        weights += weight * weight;
+    }
+    const struct linear_factors factors = linear_factor(a, rows, columns, 1e-11, arena);
+    if (factors.rank < columns) {
+        return fail(error, ERROR_DOMAIN,
+                    "the rays do not fix the %s pupil: add fields off the axis",
+                    exit ? "exit" : "entrance");
+    }
+    linear_reflect(&factors, b);
+    for (size_t i = columns; i < rows; i++) {
+        squares += b[i] * b[i];
+    }
+    linear_substitute(&factors, b, solution);
+    linear_normal_inverse(&factors, covariance, arena);
+    set_pupil(solution, covariance, rows > columns ? squares / (double)(rows - columns) : NAN,
+              columns, pupil);
+    pupil->rms = sqrt(squares / weights);
+    return true;
+}

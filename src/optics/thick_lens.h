@@ -1,0 +1,73 @@
+/* optics/thick_lens.h - the thick lens: a focal length and two principal planes, for any ray. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_OPTICS_THICK_LENS_H
+#define LENSCALC_OPTICS_THICK_LENS_H
+
+#include <math.h>
+
+/* A ray where it crosses a plane: place in mm, and slopes dx/dz and dy/dz (not sines). */
+struct slope_ray {
+    double x, y, p, q;
+};
+
+enum { THICK_DISTORTIONS = 3 };
+
+/* Signs as for surfaces: n is negative where light runs to the left. */
+struct thick_lens {
+    double focal;                         /* 1/power, mm, in any media */
+    double front;                         /* H from the front reference plane, mm */
+    double rear;                          /* H' from the rear reference plane, mm */
+    double index_object, index_image;     /* n, n' */
+    double distortion[THICK_DISTORTIONS]; /* d1, d2, d3 */
+    double object; /* distance of the object to the left of the front reference plane, mm; infinite
+                      for distant ones; only distortion asks for it */
+};
+
+/*
+ * Slopes behind the principal planes.
+ *
+ * Given     power   1/focal, 1/mm
+ *           n, m    index before and behind
+ *           slope   before, in one section
+ *           height  at H, in that section; the ray leaves H' at the same height
+ * Formula   n' u' = n u - P h with u the tangent, for rays of any height and slope: it takes
+ *           points to points, lines to lines and planes to planes (a collineation), and is the
+ *           paraxial lens wherever that is
+ * Source    [BornWolf99] 4.3
+ */
+static inline double thick_lens_slope(double power, double n, double m, double slope, double height)
+{
+    return (n * slope - power * height) / m;
+}
+
+/*
+ * The same for a ray with n times its direction cosines: what an exact tracer does at a thick lens,
+ * once it has brought the ray to the plane of H. It goes on from the same x, y in the plane of H'.
+ *
+ * Given     x, y        in the plane of H, mm
+ *           P, Q, R     n times the direction cosines; receive them behind
+ * Limits    |R| > 0. There is no optical path: a collineation has none for all rays at once, except
+ *           at unit magnification; a path through a thick lens is absent, not 0
+ */
+static inline void thick_lens_turn(double power, double n, double m, double x, double y, double *P,
+                                   double *Q, double *R)
+{
+    double u = thick_lens_slope(power, n, m, *P / *R, x);
+    double v = thick_lens_slope(power, n, m, *Q / *R, y);
+    double forward = m / sqrt(1 + u * u + v * v);
+    *P = u * forward;
+    *Q = v * forward;
+    *R = forward;
+}
+
+/*
+ * A ray from the front to the rear reference plane.
+ *
+ * Formula   h = x + H p; s = p^2 + q^2 for an object at infinity, else of the line from the object
+ *           point through H on the axis; n' p' = n (p + w d) - P h with w that line's slope and
+ *           d = d1 s + d2 s^2 + d3 s^3: all rays of a point meet again in one point, whose
+ *           height is that of the perspective image times 1 + d
+ */
+struct slope_ray thick_lens_map(const struct thick_lens *lens, struct slope_ray ray);
+
+#endif
