@@ -39,7 +39,7 @@ static const struct column columns[] = {
     {PLAIN(surface, COLUMN_BRIEF), .name = "surface", .head = "surf", .label = "surface",
      .help = "number of the surface, from 1, the stop counted"},
     {PLAIN(kind, COLUMN_BRIEF), .name = "kind", .label = "kind",
-     .help = "plane, sphere, conic, asphere, cylinder, mirror or stop"},
+     .help = "plane, sphere, conic, asphere, cylinder, mirror, thick or stop"},
     {PLAIN(name, 0), .name = "name", .label = "name", .help = "its name in the file"},
     {LENGTH(radius, COLUMN_BRIEF | COLUMN_INFINITE), .name = "radius", .symbol = "R",
      .label = "radius",
@@ -57,7 +57,7 @@ static const struct column columns[] = {
     {PLAIN(conic, COLUMN_ECHO), .name = "conic", .symbol = "k", .label = "conic",
      .help = "conic constant; absent for a sphere or plane"},
     {PER_LENGTH(power, COLUMN_BRIEF), .name = "power", .symbol = "P", .label = "power",
-     .help = "surface power (n' - n)/R in dioptres"},
+     .help = "surface power (n' - n)/R in dioptres; of a thick lens 1/f"},
     {PER_LENGTH(vergence_before, COLUMN_INFINITE), .name = "vergence_before", .symbol = "V",
      .label = "vergence before the surface",
      .help = "n over the distance to where the axial beam meets, before the surface"},
@@ -83,6 +83,7 @@ static const char *kind_of(const struct surface *surface)
     bool flat = surface->is_plane && !surface->has_curvature;
     return surface->kind == SURFACE_STOP      ? "stop"
            : surface->kind == SURFACE_REFLECT ? "mirror"
+           : surface->kind == SURFACE_THICK   ? "thick"
            : surface->curved != CURVED_BOTH   ? "cylinder"
            : surface->coefficients != 0       ? "asphere"
            : surface->conic.value.hi != 0     ? "conic"

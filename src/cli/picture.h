@@ -48,6 +48,13 @@ void picture_put(const struct picture *picture, size_t surface, double *z, doubl
 /* Sag in the section drawn. */
 double picture_sag(const struct picture *picture, size_t surface, double r);
 
+/* From where a ray met the surface to where it leaves: 0, or from H to H' of a thick lens. */
+static inline double picture_hiatus(const struct picture *picture, size_t surface)
+{
+    const struct surface *one = &picture->one->lens->surfaces[surface];
+    return one->kind == SURFACE_THICK ? one->hiatus.value.hi : 0;
+}
+
 /* -------- cli/picture_lens.c -------- */
 
 /*

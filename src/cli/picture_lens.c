@@ -89,10 +89,10 @@ static void find_places(struct picture *picture)
         const struct surface *surface = &lens->surfaces[i];
         picture->vertex[i] = z;
         picture->direction[i] = direction;
-        z += surface->has_thickness ? surface->thickness.value.hi : 0;
+        z += surface_advance(surface).hi;
         direction = surface->kind == SURFACE_REFLECT ? -direction : direction;
-        picture->is_drawn[i] = surface->kind == SURFACE_REFLECT || is_glass(picture, i) ||
-                               (i > 0 && is_glass(picture, i - 1));
+        picture->is_drawn[i] = surface->kind == SURFACE_REFLECT || surface->kind == SURFACE_THICK ||
+                               is_glass(picture, i) || (i > 0 && is_glass(picture, i - 1));
     }
     picture->heading = direction;
 }
@@ -151,8 +151,10 @@ void picture_put(const struct picture *picture, size_t surface, double *z, doubl
 /* Is there room between two neighbouring surfaces, each with a flat beyond its diameter, to r? */
 static bool is_apart(const struct picture *picture, size_t i, double r)
 {
+    const struct surface *surface = &picture->one->lens->surfaces[i];
     bool both = i + 1 < picture->one->lens->surface_count && picture->is_drawn[i] &&
-                picture->is_drawn[i + 1];
+                picture->is_drawn[i + 1] && surface->kind != SURFACE_THICK &&
+                surface[1].kind != SURFACE_THICK;
     for (int k = 1; both && k <= SAMPLES; k++) {
         double h = r * k / SAMPLES;
         double left = picture_sag(picture, i, fmin(h, picture->semi[i]));
@@ -348,6 +350,16 @@ static void add_stroke(struct picture *picture, size_t stop, double z1, double y
     picture_line(picture, SECTION_STOP, z1, y1, z2, y2, NULL);
 }
 
+/* Its two principal planes. */
+static void add_thick(struct picture *picture, size_t i)
+{
+    double at = picture->vertex[i], r = picture->semi[i], behind = at + picture_hiatus(picture, i);
+    picture_line(picture, SECTION_PLANE, at, -r, at, r, "thick lens");
+    picture_line(picture, SECTION_PLANE, behind, -r, behind, r, NULL);
+    reach(picture, at);
+    reach(picture, behind);
+}
+
 static void add_stop(struct picture *picture)
 {
     size_t stop = picture->one->lens->stop;
@@ -394,6 +406,9 @@ bool picture_lens(struct picture *picture, struct error *error)
         }
         if (lens->surfaces[i].kind == SURFACE_REFLECT) {
             add_mirror(picture, i);
+        }
+        if (lens->surfaces[i].kind == SURFACE_THICK) {
+            add_thick(picture, i);
         }
     }
     if (!(picture->left <= picture->right)) {

@@ -99,7 +99,7 @@ extern const bool solver_is_present;
  *           cut); where nothing more is gained and the cost falls inwards, it is let go.
  *           Covariance s^2 (J^T W J)^-1 at the end, s^2 = sum rho' r^2/(degrees of freedom), W =
  *           diag rho', over the parameters that are free and determined
- * Source    [Ceres]; [Nocedal06] 10.3 (Levenberg-Marquardt), 16.5 (active sets)
+ * Source    [Ceres22]; [Nocedal06] 10.3 (Levenberg-Marquardt), 16.5 (active sets)
  * Errors    ERROR_DOMAIN: fewer residuals than parameters, bounds that contradict each other, a
  *           start outside of them or without finite residuals and derivatives, a loss without
  *           scale; and this program is without Ceres

@@ -407,7 +407,7 @@ static bool read_stated(struct parser *parser, struct error *error)
 }
 
 /* One surface more, with the bend before it. */
-static bool add_surface(struct parser *parser, bool is_stop, struct error *error)
+static bool add_surface(struct parser *parser, enum surface_kind kind, struct error *error)
 {
     struct lens *lens = parser->lens;
     struct text word = {parser->words.line.start, 0};
@@ -421,8 +421,7 @@ static bool add_surface(struct parser *parser, bool is_stop, struct error *error
     struct surface *surface = &lens->surfaces[last];
     const struct medium *before =
         last > 0 ? &lens->surfaces[last - 1].medium : &lens->object_medium;
-    if (!lens_surface_read(&parser->words, is_stop, before, find_variable, parser, surface,
-                           error) ||
+    if (!lens_surface_read(&parser->words, kind, before, find_variable, parser, surface, error) ||
         !find_glass(parser, &surface->medium, error)) {
         return false;
     }
@@ -441,12 +440,17 @@ static bool add_surface(struct parser *parser, bool is_stop, struct error *error
 
 static bool read_surface(struct parser *parser, struct error *error)
 {
-    return add_surface(parser, false, error);
+    return add_surface(parser, SURFACE_REFRACT, error);
 }
 
 static bool read_stop(struct parser *parser, struct error *error)
 {
-    return add_surface(parser, true, error);
+    return add_surface(parser, SURFACE_STOP, error);
+}
+
+static bool read_thick(struct parser *parser, struct error *error)
+{
+    return add_surface(parser, SURFACE_THICK, error);
 }
 
 static bool read_bend(struct parser *parser, struct error *error)
@@ -480,6 +484,7 @@ static const struct {
     {"stated", 16, read_stated},
     {"surface", 0, read_surface},
     {"stop", 0, read_stop},
+    {"thick", 0, read_thick},
     {"bend", 0, read_bend},
 };
 

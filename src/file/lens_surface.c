@@ -14,6 +14,8 @@ struct reading {
     struct surface *surface;
     struct displacement *moved;
     struct vary *varies;
+    lens_variable_function *variable;
+    void *context;
 };
 
 static bool is_name(struct text text)
@@ -133,11 +135,37 @@ static bool read_name(struct reading *reading, struct text value, struct error *
     return true;
 }
 
+static bool read_hiatus(struct reading *reading, struct text value, struct error *error)
+{
+    struct surface *surface = reading->surface;
+    if (is_name(value)) {
+        surface->hiatus =
+            (struct figure){.typed = value, .variable = reading->variable(reading->context, value)};
+        return true;
+    }
+    return lens_words_figure(reading->words, value, reading->words->scale, "hiatus",
+                             &surface->hiatus, error);
+}
+
+static bool read_distortion(struct reading *reading, struct text value, struct error *error)
+{
+    return lens_words_vector(reading->words, value, NUMBER_UNSCALED, 1, "distortion",
+                             reading->surface->distortion, 3, error);
+}
+
+/* What may stand behind the diameter; of a thick lens only what is `thick`. */
 static const struct {
     const char *key;
     bool (*read)(struct reading *reading, struct text value, struct error *error);
-} extras[] = {{"c", read_curvature}, {"k", read_conic},      {"decenter", read_decenter},
-              {"tilt", read_tilt},   {"cyl", read_cylinder}, {"name", read_name}};
+    enum { OF_SURFACE = 1, OF_THICK = 2 } of;
+} extras[] = {{"c", read_curvature, OF_SURFACE},
+              {"k", read_conic, OF_SURFACE},
+              {"decenter", read_decenter, OF_SURFACE | OF_THICK},
+              {"tilt", read_tilt, OF_SURFACE | OF_THICK},
+              {"cyl", read_cylinder, OF_SURFACE},
+              {"name", read_name, OF_SURFACE | OF_THICK},
+              {"hiatus", read_hiatus, OF_THICK},
+              {"distortion", read_distortion, OF_THICK}};
 
 /* A2 .. A20: the index of the coefficient, -1 for other words. */
 static int coefficient_of(struct text key)
@@ -166,8 +194,11 @@ static bool read_vary(struct reading *reading, struct text what, struct text bou
 {
     struct surface *surface = reading->surface;
     struct lens_words *words = reading->words;
-    bool known = text_equal(what, "R") || text_equal(what, "t") || text_equal(what, "c") ||
-                 text_equal(what, "k") || text_equal(what, "glass") || coefficient_of(what) >= 0;
+    bool is_thick = surface->kind == SURFACE_THICK;
+    bool known = is_thick ? text_equal(what, "f") || text_equal(what, "t")
+                          : text_equal(what, "R") || text_equal(what, "t") ||
+                                text_equal(what, "c") || text_equal(what, "k") ||
+                                text_equal(what, "glass") || coefficient_of(what) >= 0;
     if (!known) {
         return lens_words_fail(words, what, error, "'%.*s~' cannot vary: R, c, t, k, A4 or glass",
                                (int)(what.length < 20 ? what.length : 20), what.start);
@@ -190,7 +221,7 @@ static bool read_vary(struct reading *reading, struct text what, struct text bou
         memchr(bounds.start, ',', bounds.length) == NULL) {
         return lens_words_fail(words, bounds, error, "bounds are written [low,high]");
     }
-    bool is_length = text_equal(what, "R") || text_equal(what, "t");
+    bool is_length = text_equal(what, "R") || text_equal(what, "t") || text_equal(what, "f");
     if (!lens_words_vector(words, inside, is_length ? words->scale : NUMBER_UNSCALED, 1, "bounds",
                            both, 2, error)) {
         return false;
@@ -215,13 +246,17 @@ static bool read_extra(struct reading *reading, struct text word, struct error *
                          text_between(tilde + 1, word.start + word.length), error);
     }
     struct nearest nearest = {.typed = key};
+    bool is_thick = reading->surface->kind == SURFACE_THICK;
     for (size_t i = 0; i < sizeof extras / sizeof extras[0]; i++) {
+        if ((extras[i].of & (is_thick ? OF_THICK : OF_SURFACE)) == 0) {
+            continue;
+        }
         if (value.start != NULL && text_equal(key, extras[i].key)) {
             return extras[i].read(reading, value, error);
         }
         nearest_offer(&nearest, text_of(extras[i].key));
     }
-    if (value.start != NULL && coefficient_of(key) >= 0) {
+    if (value.start != NULL && coefficient_of(key) >= 0 && !is_thick) {
         return read_coefficient(reading, coefficient_of(key), value, error);
     }
     lens_words_fail(words, word, error, "unknown word '%.*s' after the diameter",
@@ -239,28 +274,48 @@ static bool read_medium(struct lens_words *words, const struct medium *before,
     if (!text_equal(word, "mirror")) {
         return lens_words_medium(words, word, &surface->medium, error);
     }
-    if (surface->kind == SURFACE_STOP) {
+    if (surface->kind == SURFACE_STOP || surface->kind == SURFACE_THICK) {
         return lens_words_fail(words, word, error,
-                               "a stop that is a mirror: write it as a surface "
-                               "with the word stop behind its diameter");
+                               surface->kind == SURFACE_STOP
+                                   ? "a stop that is a mirror: write it as a surface "
+                                     "with the word stop behind its diameter"
+                                   : "a thick lens is no mirror");
     }
     surface->kind = SURFACE_REFLECT;
     surface->medium = *before;
     return true;
 }
 
-bool lens_surface_read(struct lens_words *words, bool is_stop, const struct medium *before,
-                       lens_variable_function *variable, void *context, struct surface *surface,
-                       struct error *error)
+/* The cell in place of the radius: a number or a variable, not 0. */
+static bool read_focal(struct lens_words *words, lens_variable_function *variable, void *context,
+                       struct surface *surface, struct error *error)
 {
-    struct reading reading = {words, surface, NULL, NULL};
-    *surface =
-        (struct surface){.kind = is_stop ? SURFACE_STOP : SURFACE_REFRACT, .is_stop = is_stop};
+    bool is_given;
+    surface->is_plane = true;
+    surface->radius = (struct figure){.variable = LENS_NONE};
+    if (!read_cell(words, "focal length", variable, context, &surface->focal, &is_given, error)) {
+        return false;
+    }
+    bool is_number = surface->focal.variable == LENS_NONE;
+    return (is_given && !(is_number && surface->focal.value.hi == 0)) ||
+           lens_words_fail(words, surface->focal.typed, error,
+                           "a thick lens has a focal length other than 0");
+}
+
+bool lens_surface_read(struct lens_words *words, enum surface_kind kind,
+                       const struct medium *before, lens_variable_function *variable, void *context,
+                       struct surface *surface, struct error *error)
+{
+    struct reading reading = {words, surface, NULL, NULL, variable, context};
+    bool is_stop = kind == SURFACE_STOP;
+    *surface = (struct surface){.kind = kind, .is_stop = is_stop};
     surface->curvature.variable = surface->conic.variable = LENS_NONE;
+    surface->focal.variable = surface->hiatus.variable = LENS_NONE;
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         surface->coefficient[i].variable = LENS_NONE;
     }
-    if (!read_radius(words, surface, error)) {
+    if (kind == SURFACE_THICK ? !read_focal(words, variable, context, surface, error)
+                              : !read_radius(words, surface, error)) {
         return false;
     }
     if (is_stop && !surface->is_plane) {

@@ -9,15 +9,15 @@
 typedef size_t lens_variable_function(void *context, struct text name);
 
 /*
- * Read what follows the word `surface` or `stop`.
+ * Read what follows the word `surface`, `stop` or `thick`.
  *
- * Given     is_stop   the line began with `stop`
+ * Given     kind      SURFACE_REFRACT for `surface`, SURFACE_STOP, SURFACE_THICK
  *           before    the medium before the surface; what a mirror leaves it in
  *           variable  for cells that are names
  */
-bool lens_surface_read(struct lens_words *words, bool is_stop, const struct medium *before,
-                       lens_variable_function *variable, void *context, struct surface *surface,
-                       struct error *error);
+bool lens_surface_read(struct lens_words *words, enum surface_kind kind,
+                       const struct medium *before, lens_variable_function *variable, void *context,
+                       struct surface *surface, struct error *error);
 
 /* Read what follows `bend`. */
 bool lens_bend_read(struct lens_words *words, const struct displacement **bend,

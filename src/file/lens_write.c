@@ -71,8 +71,27 @@ static void put_displacement(struct writer *writer, const struct displacement *a
     put_vector(writer, " tilt=", all->tilt, turns, 0.017453292519943295);
 }
 
+/* Of a thick lens, where they are not 0. */
+static void put_thick(struct writer *writer, const struct surface *surface)
+{
+    size_t terms = 3;
+    while (terms > 0 && surface->distortion[terms - 1].value.hi == 0) {
+        terms--;
+    }
+    if (surface->hiatus.variable != LENS_NONE || surface->hiatus.value.hi != 0) {
+        put_string(writer, " hiatus=");
+        put_cell(writer, true, &surface->hiatus);
+    }
+    if (terms > 0) {
+        put_vector(writer, " distortion=", surface->distortion, terms, 1);
+    }
+}
+
 static void put_extras(struct writer *writer, const struct surface *surface)
 {
+    if (surface->kind == SURFACE_THICK) {
+        put_thick(writer, surface);
+    }
     if (surface->has_curvature) {
         put_string(writer, " c=");
         put_figure(writer, &surface->curvature, 1 / writer->unit);
@@ -120,9 +139,10 @@ static void put_surface(struct writer *writer, const struct surface *surface)
         put(writer, "\n", 1);
     }
     size_t start = writer->text.length;
-    put_string(writer, surface->kind == SURFACE_STOP ? "stop" : "surface");
+    bool is_thick = surface->kind == SURFACE_THICK;
+    put_string(writer, is_thick ? "thick" : surface->kind == SURFACE_STOP ? "stop" : "surface");
     put_tab(writer, start, 12);
-    put_cell(writer, !surface->is_plane, &surface->radius);
+    put_cell(writer, is_thick || !surface->is_plane, is_thick ? &surface->focal : &surface->radius);
     put_tab(writer, start, 26);
     put_cell(writer, surface->has_thickness, &surface->thickness);
     put_tab(writer, start, 38);

@@ -26,6 +26,8 @@ const struct lens *lens_at_position(const struct lens *lens, size_t position, st
         copy->surfaces[i] = lens->surfaces[i];
         substitute(lens, &copy->surfaces[i].thickness, position);
         substitute(lens, &copy->surfaces[i].diameter, position);
+        substitute(lens, &copy->surfaces[i].focal, position);
+        substitute(lens, &copy->surfaces[i].hiatus, position);
     }
     if (lens->objects != NULL) {
         copy->object = lens->objects[position];
@@ -63,6 +65,13 @@ struct pair surface_curvature(const struct surface *surface, enum lens_section s
     return pair_add(curvature, pair_add(a2, a2));
 }
 
+struct pair surface_advance(const struct surface *surface)
+{
+    return surface->kind == SURFACE_THICK
+               ? pair_add(surface->thickness.value, surface->hiatus.value)
+               : surface->thickness.value;
+}
+
 double lens_stated(const struct lens *lens, int what, size_t position)
 {
     if (lens->stated[what] == NULL) {
@@ -95,6 +104,7 @@ struct check {
     struct arena *arena;
     struct lens_warnings *warnings;
     const char *position; /* null = the only one */
+    bool has_thick;       /* a thick lens is among the surfaces */
 };
 
 enum { MOST_WARNINGS = 20 };
@@ -121,8 +131,13 @@ static bool check_numbers(const struct surface *surface, size_t number, struct e
 {
     if (!is_sound(surface->radius.value) || !is_sound(surface->curvature.value) ||
         !is_sound(surface->thickness.value) || !is_sound(surface->diameter.value) ||
-        !is_sound(surface->conic.value)) {
+        !is_sound(surface->conic.value) || !is_sound(surface->focal.value) ||
+        !is_sound(surface->hiatus.value)) {
         return fail(error, ERROR_DATA, "surface %zu has a number beyond 1e100", number);
+    }
+    if (surface->kind == SURFACE_THICK && !(fabs(surface->focal.value.hi) > 1e-100)) {
+        return fail(error, ERROR_DATA, "surface %zu is a thick lens with the focal length 0",
+                    number);
     }
     if (!surface->is_plane && !surface->has_curvature &&
         !(fabs(surface->radius.value.hi) > 1e-100)) {
@@ -157,6 +172,9 @@ static void check_gap(const struct check *check, size_t i, double direction)
 {
     const struct surface *left = &check->lens->surfaces[i], *right = left + 1;
     bool air = medium_is_air(&left->medium);
+    if (check->has_thick) {
+        return; /* planes before and behind an ideal lens may lie on either side of it */
+    }
     double gap = direction * left->thickness.value.hi;
     if (gap < 0) {
         warn(check, arena_printf(check->arena, "the %s after surface %zu is negative: %.6g mm",
@@ -240,7 +258,10 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
     size_t positions = lens->position_count > 0 ? lens->position_count : 1;
     for (size_t i = 0; i < positions; i++) {
         struct check check = {lens_at_position(lens, i, arena), arena, warnings,
-                              lens->position_count > 0 ? lens->positions[i] : NULL};
+                              lens->position_count > 0 ? lens->positions[i] : NULL, false};
+        for (size_t j = 0; j < lens->surface_count; j++) {
+            check.has_thick = check.has_thick || lens->surfaces[j].kind == SURFACE_THICK;
+        }
         if (!check_position(&check, error)) {
             return false;
         }

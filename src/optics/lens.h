@@ -25,7 +25,8 @@ struct figure {
 enum surface_kind {
     SURFACE_REFRACT,
     SURFACE_REFLECT,
-    SURFACE_STOP /* a plane of its own that only limits the rays */
+    SURFACE_STOP, /* a plane of its own that only limits the rays */
+    SURFACE_THICK /* a thick lens: its vertex is H, and what follows is counted from H' */
 };
 
 enum curved { CURVED_BOTH, CURVED_X, CURVED_Y }; /* a cylinder is curved in one section only */
@@ -53,6 +54,9 @@ struct surface {
     bool has_diameter;
     struct figure radius, curvature; /* as given: mm, 1/mm; centre to the right is positive */
     struct figure thickness;         /* to the next vertex, mm; negative after a mirror */
+    struct figure focal;             /* of a thick lens: 1/power, mm */
+    struct figure hiatus;            /* of a thick lens: from H to H', mm */
+    struct figure distortion[3];     /* of a thick lens: optics/thick_lens */
     struct figure diameter;          /* full clear aperture, mm */
     struct figure conic;             /* k */
     unsigned coefficients;           /* bit i: coefficient[i] was given */
@@ -127,6 +131,9 @@ size_t lens_position_find(const struct lens *lens, struct text name);
 /* The curvature at the vertex in the y-z (or x-z) section, 1/mm, with 2 A2; 0 is a plane. */
 enum lens_section { SECTION_Y, SECTION_X };
 struct pair surface_curvature(const struct surface *surface, enum lens_section section);
+
+/* From the vertex to the next one, mm: the thickness, and the hiatus of a thick lens. */
+struct pair surface_advance(const struct surface *surface);
 
 /* The number in effect where the source states one for this position; NaN where it does not. */
 double lens_stated(const struct lens *lens, int what, size_t position);

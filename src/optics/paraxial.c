@@ -39,13 +39,21 @@ bool paraxial_compile(const struct lens *lens, double wavelength, enum lens_sect
             return error_prefix(error, "surface %zu: ", i + 1);
         }
         curvature[i] = surface_curvature(surface, section);
-        surfaces[i].power = pair_multiply(pair_subtract(index[i + 1], index[i]), curvature[i]);
+        surfaces[i].power =
+            surface->kind == SURFACE_THICK
+                ? pair_divide(pair_of(1), surface->focal.value)
+                : pair_multiply(pair_subtract(index[i + 1], index[i]), curvature[i]);
         strongest = fmax(strongest, fabs(surfaces[i].power.hi));
-        petzval = pair_add(petzval,
-                           pair_divide(surfaces[i].power, pair_multiply(index[i], index[i + 1])));
+        if (surface->kind != SURFACE_THICK) { /* whose image of a plane is a plane */
+            petzval = pair_add(
+                petzval, pair_divide(surfaces[i].power, pair_multiply(index[i], index[i + 1])));
+        }
         if (i + 1 < count) {
             surfaces[i].reduced = pair_divide(surface->thickness.value, index[i + 1]);
             length = pair_add(length, surface->thickness.value);
+        }
+        if (surface->kind == SURFACE_THICK) {
+            length = pair_add(length, surface->hiatus.value);
         }
     }
     *system = (struct paraxial_system){.surfaces = surfaces,

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "file/lens_file.h"
+#include "optics/first_order.h"
 
 #include <stdlib.h>
 
@@ -43,6 +44,15 @@ static void check_errors(void)
         {"surface 5 - air 4\nsurface 5 - air 4\n", 2, 1, "without a thickness"},
         {"lens a\nlens b\n", 2, 1, "twice"},
         {"focus near\n", 1, 7, "paraxial, table or best"},
+        {"thick - 5 air 4\n", 1, 7, "other than 0"},
+        {"thick 0 5 air 4\n", 1, 7, "other than 0"},
+        {"thick 50 5 mirror 4\n", 1, 12, "no mirror"},
+        {"thick 50 5 air 4 k=1\n", 1, 18, "unknown word"},
+        {"thick 50 5 air 4 A4=1\n", 1, 18, "unknown word"},
+        {"surface 50 5 air 4 hiatus=1\n", 1, 20, "unknown word"},
+        {"thick 50 5 air 4 hiatus=1..2\n", 1, 27, "no number"},
+        {"thick 50 5 air 4 distortion=1,2,3,4\n", 1, 35, "more than 3"},
+        {"thick f1 5 air 4\n", 1, 7, "'f1' gets no numbers"},
         {"", 0, 0, "no surface"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -175,8 +185,50 @@ static void check_long_lines(void)
     arena_free(&arena);
 }
 
+/*
+ * A zoom of two positions as thick lenses: read, written, read again, and of the power, the
+ * principal planes and the pupil that stand in it.
+ */
+static void check_thick(void)
+{
+    static const char text[] = "lens thick\nposition wide tele\nlet f1 24 70\nlet d1 30 -5\n"
+                               "let h1 -12.5 3\naperture stop\n"
+                               "surface - 20 air -\nstop - -4 air 10\n"
+                               "thick f1 d1 air 30 hiatus=h1 distortion=-0.1,0.02 name=zoom\n"
+                               "surface - - air -\n";
+    const double focal[2] = {24, 70}, gap[2] = {30, -5}, hiatus[2] = {-12.5, 3};
+    struct arena arena = {0};
+    struct lens lens;
+    struct error error = {0};
+    struct lens_warnings warnings;
+    CHECK(read_text(text, &arena, &lens, &error));
+    struct text written = lens_write(&lens, &arena);
+    CHECK(lens_read("again.lens", written, NULL, &arena, &lens, &error));
+    CHECK(lens_check(&lens, &arena, &warnings, &error) && warnings.count == 0);
+    for (size_t i = 0; i < 2; i++) {
+        struct first_order first;
+        const struct lens *one = lens_at_position(&lens, i, &arena);
+        CHECK(first_order_of_lens(one, 0.55, SECTION_Y, &arena, &first, &error));
+        CHECK_RELATIVE(first.efl, focal[i], 1e-15, "focal length");
+        CHECK_NEAR(first.front_principal, 16, 1e-13, "H");
+        CHECK_NEAR(first.rear_principal, -gap[i], 1e-13, "H'");
+        CHECK_NEAR(first.length, 16 + hiatus[i] + gap[i], 1e-13, "length");
+        CHECK_NEAR(first.entrance_pupil, 20, 1e-13, "entrance pupil");
+        CHECK_NEAR(first.petzval_sum, 0, 0, "a flat field");
+        CHECK_NEAR(one->surfaces[2].distortion[1].value.hi, 0.02, 0, "distortion");
+        CHECK_NEAR(surface_advance(&one->surfaces[2]).hi, gap[i] + hiatus[i], 1e-14, "advance");
+    }
+    /* read in inches: lengths scale, the distortion does not */
+    CHECK(read_text("unit in\nthick 2 1 1.5 - hiatus=0.5 distortion=0.3\n", &arena, &lens, &error));
+    CHECK_RELATIVE(lens.surfaces[0].focal.value.hi, 50.8, 1e-15, "inches");
+    CHECK_RELATIVE(lens.surfaces[0].hiatus.value.hi, 12.7, 1e-15, "inches");
+    CHECK_NEAR(lens.surfaces[0].distortion[0].value.hi, 0.3, 0, "a number");
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    check_thick();
     check_errors();
     check_decimals();
     check_model();
