@@ -30,21 +30,23 @@ static bool next_line(struct tsv *tsv, struct text *line)
 }
 
 /* Cut a line into cells; false if there are more than a table can have. */
-static bool split(struct text line, struct text *cells, size_t *count)
+static bool split(struct text line, char separator, struct text *cells, size_t *count)
 {
     *count = 0;
     while (line.start != NULL) {
         if (*count == TSV_MOST_COLUMNS) {
             return false;
         }
-        cells[(*count)++] = text_cut(&line, '\t');
+        struct text cell = text_cut(&line, separator);
+        cells[(*count)++] = separator == '\t' ? cell : text_trim(cell);
     }
     return true;
 }
 
-bool tsv_open(struct tsv *tsv, const char *source, struct text content, struct error *error)
+static bool open_table(struct tsv *tsv, const char *source, struct text content, bool foreign,
+                       struct error *error)
 {
-    *tsv = (struct tsv){.source = source, .rest = content};
+    *tsv = (struct tsv){.source = source, .rest = content, .separator = '\t'};
     if (content.length >= 3 && memcmp(content.start, "\xef\xbb\xbf", 3) == 0) {
         tsv->rest = (struct text){content.start + 3, content.length - 3};
     }
@@ -56,7 +58,10 @@ bool tsv_open(struct tsv *tsv, const char *source, struct text content, struct e
     if (!next_line(tsv, &line)) {
         return fail_line(tsv, error, "the table has no line of column names");
     }
-    if (!split(line, tsv->names, &tsv->columns)) {
+    if (foreign && memchr(line.start, '\t', line.length) == NULL) {
+        tsv->separator = ',';
+    }
+    if (!split(line, tsv->separator, tsv->names, &tsv->columns)) {
         return fail_line(tsv, error, "the table has more than 32 columns");
     }
     for (size_t i = 0; i < tsv->columns; i++) {
@@ -67,6 +72,16 @@ bool tsv_open(struct tsv *tsv, const char *source, struct text content, struct e
         }
     }
     return true;
+}
+
+bool tsv_open(struct tsv *tsv, const char *source, struct text content, struct error *error)
+{
+    return open_table(tsv, source, content, false, error);
+}
+
+bool tsv_open_foreign(struct tsv *tsv, const char *source, struct text content, struct error *error)
+{
+    return open_table(tsv, source, content, true, error);
 }
 
 bool tsv_column(const struct tsv *tsv, const char *name, size_t *column, struct error *error)
@@ -89,7 +104,7 @@ bool tsv_next(struct tsv *tsv, struct error *error)
     if (!next_line(tsv, &line)) {
         return false;
     }
-    if (!split(line, tsv->cells, &count) || count != tsv->columns) {
+    if (!split(line, tsv->separator, tsv->cells, &count) || count != tsv->columns) {
         fail(error, ERROR_DATA, "the row has %zu cells where there are %zu column names", count,
              tsv->columns);
         return error_locate(error, tsv->source, tsv->line, 0);

@@ -19,6 +19,7 @@ struct tsv {
     struct text names[TSV_MOST_COLUMNS];
     struct text cells[TSV_MOST_COLUMNS];
     size_t columns;
+    char separator;
 };
 
 /*
@@ -28,6 +29,13 @@ struct tsv {
  *           bytes (a file in UTF-16)
  */
 bool tsv_open(struct tsv *tsv, const char *source, struct text content, struct error *error);
+
+/*
+ * The same for a table that somebody else wrote: where the names have no tab, commas separate, and
+ * cells may have blanks around them.
+ */
+bool tsv_open_foreign(struct tsv *tsv, const char *source, struct text content,
+                      struct error *error);
 
 /*
  * The column of this name.

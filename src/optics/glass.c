@@ -148,6 +148,35 @@ static struct value resonances(const struct glass *glass, const struct light *li
     return value;
 }
 
+/* A polynomial by Horner's rule, and its derivative. */
+static struct value polynomial(const struct pair *c, size_t count, struct pair x)
+{
+    struct value value = {c[count - 1], 0};
+    for (size_t i = count - 1; i-- > 0;) {
+        value.dy = value.dy * x.hi + value.y.hi;
+        value.y = pair_add(pair_multiply(value.y, x), c[i]);
+    }
+    return value;
+}
+
+static struct value cauchy(const struct glass *glass, const struct light *light)
+{
+    struct pair x = pair_divide(pair_of(1), light->square);
+    struct value value = polynomial(glass->coefficients, glass->count, x);
+    value.dy *= -2 * x.hi / light->l.hi;
+    return value;
+}
+
+static struct value buchdahl(const struct glass *glass, const struct light *light)
+{
+    const struct pair *c = glass->coefficients;
+    struct pair step = pair_subtract(light->l, c[0]);
+    struct pair bottom = pair_add(pair_of(1), pair_multiply(step, pair_of(2.5)));
+    struct value value = polynomial(c + 1, glass->count - 1, pair_divide(step, bottom));
+    value.dy /= bottom.hi * bottom.hi;
+    return value;
+}
+
 /* Where the entries that serve a wavelength begin: two on each side of it, if there are so many. */
 static size_t first_entry(const struct glass *glass, double l, size_t wanted)
 {
@@ -203,6 +232,7 @@ static const struct {
     {"schott", 6, 6, 1, true, schott},          {"power", 1, 17, 2, true, power},
     {"conrady", 3, 3, 1, false, conrady},       {"herzberger", 6, 6, 1, false, herzberger},
     {"resonances", 5, 17, 3, true, resonances}, {"table", 0, 0, 1, false, table},
+    {"cauchy", 1, 6, 1, false, cauchy},         {"buchdahl", 3, 8, 1, false, buchdahl},
 };
 
 enum glass_formula glass_formula_of(struct text name)

@@ -21,6 +21,8 @@ enum glass_formula {
     GLASS_HERZBERGER,
     GLASS_RESONANCES,
     GLASS_TABLE,
+    GLASS_CAUCHY,
+    GLASS_BUCHDAHL,
     GLASS_FORMULAS
 };
 
@@ -92,9 +94,13 @@ struct glass_index {
  *           GLASS_CONRADY       n = n0 + A/l + B/l^3.5
  *           GLASS_HERZBERGER    n = A + B z + C z^2 + D l^2 + E l^4 + F l^6, z = 1/(l^2 - 0.028)
  *           GLASS_RESONANCES    n^2 = a + b l^2 + sum (p l^2 + q)/(l^2 - c)      a b p1 q1 c1 ..
+ *           GLASS_CAUCHY        n = A + B/l^2 + C/l^4 + ..
+ *           GLASS_BUCHDAHL      n = n0 + v1 w + v2 w^2 + .., w = (l - l0)/(1 + 2.5 (l - l0));
+ *                               l0 n0 v1 v2 ..
  *           GLASS_TABLE         the polynomial in 1/l^2 through the four nearest entries (two on
  *                               each side; fewer where there are fewer): exact at the entries
- * Source    [Schott16]; the forms are those of the makers' AGF catalogues
+ * Source    [Schott16]; [Buchdahl68] for his coordinate w; the other forms are those of the makers'
+ *           AGF catalogues
  * Limits    the slope has ordinary double precision; of a table it jumps at the entries
  */
 struct glass_index glass_index(const struct glass *glass, struct pair wavelength);
