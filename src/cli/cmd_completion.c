@@ -32,7 +32,9 @@ static void each_option(const struct command *command, option_writer *write, str
         write(command, &command->options[i], output);
     }
     for (size_t i = 0; i < common_option_count; i++) {
-        write(command, &common_options[i], output);
+        if (!command_overrides(command, &common_options[i])) {
+            write(command, &common_options[i], output);
+        }
     }
 }
 

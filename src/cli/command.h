@@ -120,6 +120,9 @@ struct common {
     long digits;
 };
 
+/* Does the command have an option of its own in place of this common one? */
+bool command_overrides(const struct command *command, const struct option *common);
+
 extern const struct option common_options[];
 extern const size_t common_option_count;
 

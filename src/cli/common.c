@@ -72,6 +72,16 @@ const struct option common_options[] = {
 
 const size_t common_option_count = sizeof common_options / sizeof common_options[0];
 
+bool command_overrides(const struct command *command, const struct option *common)
+{
+    for (size_t i = 0; i < command->option_count; i++) {
+        if (text_equal(text_of(command->options[i].name), common->name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 const struct command *command_find(struct text name)
 {
     for (size_t i = 0; commands[i] != NULL; i++) {

@@ -69,7 +69,9 @@ void help_write(const struct command *command, struct output *output, struct are
     }
     output_string(output, "\nOptions of every command:\n");
     for (size_t i = 0; i < common_option_count; i++) {
-        write_option(&common_options[i], output, arena);
+        if (!command_overrides(command, &common_options[i])) {
+            write_option(&common_options[i], output, arena);
+        }
     }
     output_printf(output,
                   "\nUnits may always be written (50mm 10ft 5ft6in 1/125s); a list 1.4,2,2.8 "

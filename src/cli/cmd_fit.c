@@ -1,0 +1,124 @@
+/* cli/cmd_fit.c - lenscalc fit: thick lenses from exact rays, glasses from indices. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/fit.h"
+
+static const struct word shows[] = {
+    [FIT_ANSWER] = {"answer", "what was found, one row a lens or glass"},
+    [FIT_PARAMETERS] = {"parameters", "each parameter with its standard error"},
+    [FIT_CORRELATIONS] = {"correlations", "each pair of parameters"},
+    [FIT_RESIDUALS] = {"residuals", "each ray or measured index: where the fit fails"},
+    [FIT_MATRIX] = {"matrix", "the thick lens as a 4x4 matrix"},
+    {NULL, NULL},
+};
+
+static const struct option options[] = {
+    LENS_OPTION(struct fit_input, question),
+    {OPTION(struct fit_input, show), .name = "show", .words = shows, .fallback = "answer",
+     .value = "WHAT", .help = "which rows"},
+    {OPTION(struct fit_input, output), .name = "output", .letter = 'o', .value = "FILE",
+     .flags = OPTION_FILE,
+     .help = "write the thick lens to FILE.lens, or the glass to FILE.tsv; rows go to standard "
+             "output"},
+    {OPTION(struct fit_input, fields), .name = "field", .value = "ANGLES",
+     .help = "fields of the bundle, each with a weight if you like: 0,10:2,14deg; for an object "
+             "nearby heights in mm; otherwise those of the lens"},
+    LENS_FNUMBER_OPTION(struct fit_input, question),
+    {OPTION(struct fit_input, object), .name = "object", .column = "object",
+     .dimension = &dimension_length, .unit = "mm", .lowest = 0, .highest = INFINITY,
+     .flags = OPTION_ABOVE_LOWEST, .value = "LENGTH",
+     .help = "distance of the object from the first vertex, in place of the lens's"},
+    LENS_WAVELENGTH_OPTION(struct fit_input, question),
+    LENS_POSITION_OPTION(struct fit_input, question),
+    LENS_SECTION_OPTION(struct fit_input, question),
+    {OPTION(struct fit_input, distortion), .name = "distortion", .dimension = &dimension_number,
+     .lowest = 0, .highest = 3, .fallback = "0", .value = "TERMS",
+     .help = "terms of distortion to fit"},
+    {OPTION(struct fit_input, chromatic), .name = "chromatic",
+     .help = "f, H and H' of each wavelength instead of one lens for all"},
+    {OPTION(struct fit_input, rings), .name = "rings", .dimension = &dimension_number, .lowest = 1,
+     .highest = 32, .fallback = "6", .value = "COUNT", .help = "rings of rays in the pupil"},
+    {OPTION(struct fit_input, arms), .name = "arms", .dimension = &dimension_number, .lowest = 2,
+     .highest = 360, .fallback = "12", .value = "COUNT", .help = "rays on each ring"},
+    {OPTION(struct fit_input, glass), .name = "glass", .value = "FILE", .flags = OPTION_FILE,
+     .help = "fit a dispersion formula to the measured indices of FILE (csv or tsv: wavelength_nm "
+             "or wavelength_um, index, perhaps deviation)"},
+    {OPTION(struct fit_input, formula), .name = "formula", .words = fit_formulas,
+     .fallback = "sellmeier", .value = "FORMULA", .help = "form of the dispersion"},
+    {OPTION(struct fit_input, terms), .name = "terms", .dimension = &dimension_number, .lowest = 1,
+     .highest = 7, .value = "COUNT",
+     .help = "resonances of sellmeier (usually 3), coefficients of cauchy (3) or buchdahl (4)"},
+    {OPTION(struct fit_input, name), .name = "name", .value = "NAME",
+     .help = "name of the glass in the file that is written"},
+};
+
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+{
+    const struct fit_input *input = data;
+    const struct sheet *const sheets[] = {
+        [FIT_ANSWER] = input->glass != NULL ? &fit_glass_sheet : &fit_lens_sheet,
+        [FIT_PARAMETERS] = &fit_parameter_sheet,
+        [FIT_CORRELATIONS] = &fit_correlation_sheet,
+        [FIT_RESIDUALS] = input->glass != NULL ? &fit_index_sheet : &fit_ray_sheet,
+        [FIT_MATRIX] = &fit_matrix_sheet,
+    };
+    (void)asking;
+    return sheets[input->show];
+}
+
+static bool makes_many(const void *data)
+{
+    const struct fit_input *input = data;
+    const struct lens *lens = input->question.lens.lens;
+    bool all =
+        input->question.position != NULL && text_same(text_of(input->question.position), "all");
+    return input->show != FIT_ANSWER || (input->chromatic && input->glass == NULL) ||
+           (all && lens != NULL && lens->position_count > 1);
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct fit_input *input = data;
+    if (input->glass != NULL && input->question.lens.lens != NULL) {
+        return fail(error, ERROR_USAGE, "a lens and --glass: one of them is fitted");
+    }
+    if (input->glass != NULL && input->show == FIT_MATRIX) {
+        return fail(error, ERROR_USAGE, "a glass has no matrix: --show matrix is of a lens");
+    }
+    return input->glass != NULL ? fit_glass(input, run, error) : fit_lens(input, run, error);
+}
+
+static const struct explanation explanations[] = {
+    {"efl",
+     "smallest sum over rays of |exact ray - ray of the thick lens|^2, in the image and in "
+     "the exit pupil; n' u' = n u - h/{f}, u a tangent",
+     "[BornWolf99] 4.3; [Ceres22]",
+     "for fields below 90 degrees; the errors tell how well the rays agree with any thick lens"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"fit double-gauss", "the thick lens that equals the double Gauss over its fields"},
+    {"fit double-gauss --show parameters", "with standard errors"},
+    {"fit nikkor-z-14-24 --position all", "a zoom in each position"},
+    {"fit double-gauss -N 2,4,8 --columns fnumber,efl_mm,rms_um", "how it changes stopped down"},
+    {"fit double-gauss -o equal.lens", "as a lens that every command takes"},
+    {"fit --glass indices.csv --formula schott", "a glass from measured indices"},
+    {NULL, NULL},
+};
+
+const struct command command_fit = {
+    .name = "fit",
+    .group = "design",
+    .summary = "the thick lens that equals a real one; a glass from measured indices",
+    .examples = examples,
+    .options = options,
+    .option_count = sizeof options / sizeof options[0],
+    .input_size = sizeof(struct fit_input),
+    .choose_sheet = choose_sheet,
+    .makes_many = makes_many,
+    .run = run,
+    .explanations = explanations,
+    .plot = "rms_um|distance_um|index",
+    .cell = "efl_mm",
+    .needs_ceres = true,
+};

@@ -1,0 +1,55 @@
+/* cli/fit.h - what the three kinds of fit share: input, rows of parameters. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_FIT_H
+#define LENSCALC_CLI_FIT_H
+
+#include "cli/lens_options.h"
+#include "design/solver.h"
+
+enum fit_show { FIT_ANSWER, FIT_PARAMETERS, FIT_CORRELATIONS, FIT_RESIDUALS, FIT_MATRIX };
+
+struct fit_input {
+    struct lens_question question;
+    const char *glass, *fields, *output, *name, *targets, *vary;
+    double object;                /* mm; NaN = the lens's own */
+    double efl, bfl, ffl, length; /* mm: goals of --prescription; NaN = none */
+    int show, formula;
+    long terms, distortion, rings, arms;
+    bool chromatic, prescription;
+};
+
+/* One row of parameters or correlations, whatever was fitted. */
+struct fit_row {
+    const char *position, *parameter, *with;
+    double value, error, correlation;
+    const char *note; /* "at its bound", "not determined"; null = nothing */
+};
+
+extern const struct sheet fit_parameter_sheet, fit_correlation_sheet;
+
+/* What a fit found, for the rows above. */
+struct fit_found {
+    const char *position;
+    size_t count;
+    const char *const *names;
+    const double *values;
+    const struct solver_summary *summary;
+};
+
+/* Hand out the rows of FIT_PARAMETERS or FIT_CORRELATIONS. */
+void fit_emit(const struct fit_found *found, enum fit_show show, struct run *run);
+
+/* "converged", or in words why the fit ended otherwise. */
+const char *fit_status(const struct solver_summary *summary);
+
+/* -------- cli/fit_glass.c, cli/fit_lens.c, cli/fit_prescription.c -------- */
+
+extern const struct sheet fit_glass_sheet, fit_index_sheet;
+bool fit_glass(const struct fit_input *input, struct run *run, struct error *error);
+
+extern const struct sheet fit_lens_sheet, fit_ray_sheet, fit_matrix_sheet;
+bool fit_lens(const struct fit_input *input, struct run *run, struct error *error);
+
+extern const struct word fit_formulas[];
+
+#endif

@@ -1,0 +1,176 @@
+/* cli/fit_glass.c - a dispersion formula from measured indices. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/fit.h"
+#include "design/dispersion.h"
+#include "file/index_table.h"
+#include "report/output.h"
+
+static const enum glass_formula formulas[] = {GLASS_SELLMEIER, GLASS_SCHOTT, GLASS_CAUCHY,
+                                              GLASS_BUCHDAHL, GLASS_CONRADY};
+const struct word fit_formulas[] = {
+    {"sellmeier", "n^2 = 1 + sum B l^2/(l^2 - C)"},
+    {"schott", "n^2 = a0 + a1 l^2 + a2/l^2 + a3/l^4 + a4/l^6 + a5/l^8"},
+    {"cauchy", "n = A + B/l^2 + C/l^4 + .."},
+    {"buchdahl", "n = n0 + v1 w + v2 w^2 + .., w = (l - ld)/(1 + 2.5 (l - ld))"},
+    {"conrady", "n = n0 + A/l + B/l^3.5"},
+    {NULL, NULL},
+};
+
+struct glass_row {
+    const char *formula, *coefficients, *status;
+    double rms, largest, from, to; /* mm */
+    double nd, Vd;
+    long indices, iterations;
+};
+
+#define PLAIN(S, member_name) COLUMN(S, member_name), .flags = COLUMN_BRIEF
+
+static const struct column glass_columns[] = {
+    {PLAIN(struct glass_row, formula), .name = "formula", .label = "formula",
+     .help = "form of the dispersion, l in um"},
+    {PLAIN(struct glass_row, coefficients), .name = "coefficients", .label = "coefficients",
+     .help = "in the order of the formula, as catalogues have them"},
+    {COLUMN(struct glass_row, from), .dimension = &dimension_length, .unit = "nm", .name = "from",
+     .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "from", .help = "shortest measured wavelength"},
+    {COLUMN(struct glass_row, to), .dimension = &dimension_length, .unit = "nm", .name = "to",
+     .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "to",
+     .help = "longest measured wavelength: the formula holds between the two"},
+    {PLAIN(struct glass_row, rms), .name = "rms", .label = "error of the index, rms",
+     .help = "difference from the measured indices, root mean square"},
+    {PLAIN(struct glass_row, largest), .name = "largest", .label = "largest error",
+     .help = "the largest of these differences"},
+    {COLUMN(struct glass_row, nd), .name = "nd", .digits = 7, .label = "nd",
+     .help = "index at the d line; absent where the range does not reach"},
+    {COLUMN(struct glass_row, Vd), .name = "vd", .label = "Vd", .help = "Abbe number"},
+    {COLUMN(struct glass_row, indices), .name = "indices", .label = "measured indices",
+     .help = "how many there are"},
+    {COLUMN(struct glass_row, iterations), .name = "iterations", .label = "iterations",
+     .help = "of the solver, from the best start"},
+    {COLUMN(struct glass_row, status), .name = "status", .label = "status",
+     .help = "converged, or why the fit ended otherwise"},
+};
+
+const struct sheet fit_glass_sheet = {glass_columns, sizeof glass_columns / sizeof glass_columns[0],
+                                      sizeof(struct glass_row)};
+
+struct index_row {
+    double wavelength; /* mm */
+    double measured, fitted, residual;
+};
+
+static const struct column index_columns[] = {
+    {COLUMN(struct index_row, wavelength), .dimension = &dimension_length, .unit = "nm",
+     .name = "wavelength", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "wavelength",
+     .help = "wavelength"},
+    {PLAIN(struct index_row, measured), .name = "measured", .digits = 8, .label = "measured",
+     .help = "measured index"},
+    {PLAIN(struct index_row, fitted), .name = "index", .digits = 8, .label = "index",
+     .help = "index by the formula"},
+    {PLAIN(struct index_row, residual), .name = "residual", .label = "residual",
+     .help = "index by the formula less the measured one"},
+};
+
+const struct sheet fit_index_sheet = {index_columns, sizeof index_columns / sizeof index_columns[0],
+                                      sizeof(struct index_row)};
+
+static bool read_indices(const struct fit_input *input, struct run *run, struct index_table *table,
+                         struct error *error)
+{
+    struct text content;
+    if (!lensdb_read_file(run->db, input->glass, &content, error)) {
+        return error->code != ERROR_NONE
+                   ? false
+                   : fail(error, ERROR_IO, "cannot read %s: there is no such file", input->glass);
+    }
+    return index_table_read(run->db, input->glass, content, run->arena, table, error);
+}
+
+/* "1.03961212 0.00600069867 .." */
+static const char *coefficients_of(const struct glass *glass, struct arena *arena)
+{
+    const char *all = "";
+    for (size_t i = 0; i < glass->count; i++) {
+        char number[NUMBER_LENGTH];
+        char *end = number_write_shortest(number, glass->coefficients[i].hi);
+        all = arena_printf(arena, "%s%s%.*s", all, i > 0 ? " " : "", (int)(end - number), number);
+    }
+    return all;
+}
+
+/* A catalogue of one glass, for DIR/glass/NAME.tsv of --lensdb DIR. */
+static bool save_glass(const struct fit_input *input, const struct dispersion_fit *fit,
+                       struct run *run, struct error *error)
+{
+    struct arena *arena = run->arena;
+    const char *name = input->name != NULL ? input->name : "FITTED";
+    for (const char *at = name; *at != '\0'; at++) {
+        if (*at == '\t' || *at == '\n' || *at == ':') {
+            return fail(error, ERROR_USAGE, "--name has a tab, a line feed or a colon");
+        }
+    }
+    const char *text = arena_printf(
+        arena,
+        "# fitted by lenscalc to the measured indices of %s: rms %.3g, largest %.3g\n"
+        "name\tformula\tcoefficients\tfrom_um\tto_um\tsource\n"
+        "%s\t%s\t%s\t%.10g\t%.10g\tfitted to %s\n",
+        input->glass, fit->rms, fit->largest, name, glass_formula_name(fit->glass.formula),
+        coefficients_of(&fit->glass, arena), fit->glass.shortest, fit->glass.longest, input->glass);
+    return output_file(input->output, text, text_of(text).length, arena, error);
+}
+
+static void emit_indices(const struct index_table *table, const struct dispersion_fit *fit,
+                         struct run *run)
+{
+    for (size_t i = 0; i < table->count; i++) {
+        const struct index_row row = {lens_wavelength_own(table->wavelength[i]), table->index[i],
+                                      table->index[i] + fit->residuals[i], fit->residuals[i]};
+        if (!run_emit(run, &row)) {
+            return;
+        }
+    }
+}
+
+static void emit_glass(const struct index_table *table, const struct dispersion_fit *fit,
+                       struct run *run)
+{
+    const struct glass_summary summary = glass_summary(&fit->glass);
+    const struct glass_row row = {
+        .formula = glass_formula_name(fit->glass.formula),
+        .coefficients = coefficients_of(&fit->glass, run->arena),
+        .status = fit_status(&fit->summary),
+        .rms = fit->rms,
+        .largest = fit->largest,
+        .from = lens_wavelength_own(fit->glass.shortest),
+        .to = lens_wavelength_own(fit->glass.longest),
+        .nd = summary.nd,
+        .Vd = summary.Vd,
+        .indices = (long)table->count,
+        .iterations = fit->summary.iterations,
+    };
+    run_emit(run, &row);
+}
+
+bool fit_glass(const struct fit_input *input, struct run *run, struct error *error)
+{
+    struct index_table table;
+    struct dispersion_fit fit;
+    if (!read_indices(input, run, &table, error)) {
+        return false;
+    }
+    const struct dispersion_data data = {table.count, table.wavelength, table.index,
+                                         table.deviation};
+    size_t terms = input->terms > 0 ? (size_t)input->terms : 0;
+    if (!dispersion_fit(&data, formulas[input->formula], terms, run->arena, &fit, error)) {
+        return false;
+    }
+    const struct fit_found found = {NULL, fit.parameter_count, fit.names, fit.parameters,
+                                    &fit.summary};
+    if (input->show == FIT_ANSWER) {
+        emit_glass(&table, &fit, run);
+    } else if (input->show == FIT_RESIDUALS) {
+        emit_indices(&table, &fit, run);
+    } else {
+        fit_emit(&found, (enum fit_show)input->show, run);
+    }
+    return input->output == NULL || save_glass(input, &fit, run, error);
+}

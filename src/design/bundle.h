@@ -1,0 +1,55 @@
+/* design/bundle.h - exact rays through a lens: fields, pupil, wavelengths. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DESIGN_BUNDLE_H
+#define LENSCALC_DESIGN_BUNDLE_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "design/thick.h"
+#include "optics/first_order.h"
+#include "optics/lens.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { BUNDLE_FIELDS = 64 };
+
+/* Which rays are wanted. */
+struct bundle_request {
+    const struct lens *lens;         /* in one position */
+    const struct first_order *first; /* at the first wavelength, with the aperture */
+    const double *wavelengths;       /* um; the pupil is that of the first */
+    const double *wavelength_weights;
+    size_t wavelength_count;
+    const double *fields; /* rad for distant objects, else mm of the object; signed along y */
+    const double *field_weights; /* null = 1 */
+    size_t field_count;
+    size_t rings, arms; /* of the pupil */
+};
+
+/* The rays that came through, and what became of the others. */
+struct bundle {
+    struct thick_rays rays;
+    size_t *field;       /* of each ray */
+    double *columns[11]; /* what `rays` points to: x y p q, the same behind, weight, stop x y */
+    size_t *groups;
+    size_t wanted, unreachable, clipped; /* no ray to that point of the stop; stopped by a rim */
+    double *index_object, *index_image;  /* one a wavelength; negative where light runs to -z */
+};
+
+/*
+ * Trace a bundle.
+ *
+ * Result    rays with place and slopes at the first and the last vertex; each weighted by its part
+ *           of the pupil, by its field and its wavelength
+ * Formula   rings at the nodes of Gauss' quadrature in r^2, arms at equal angles: integrals over the
+ *           pupil converge at once; the points are those of the stop, to which each ray is aimed
+ *           at the first wavelength by Newton's method, outwards from the axis field by field.
+ *           A lens without a stop: points of its entrance beam at the first vertex
+ * Errors    ERROR_DOMAIN: no beam (neither stop nor aperture), a field at 90 degrees or beyond,
+ *           no ray left; as system_compile
+ */
+bool bundle_trace(const struct bundle_request *request, struct arena *arena, struct bundle *bundle,
+                  struct error *error);
+
+#endif
