@@ -3,6 +3,7 @@
 #include "cli/fit.h"
 #include "design/bundle.h"
 #include "design/thick.h"
+#include "design/thick_element.h"
 #include "file/lens_file.h"
 #include "optics/wavelength.h"
 #include "report/output.h"
@@ -207,6 +208,23 @@ static bool read_fields(struct job *job, struct error *error)
     return true;
 }
 
+/* Up to the corner of 35 mm film, if a lens of straight lines would reach it below 60 degrees. */
+static bool assume_fields(struct job *job, struct error *error)
+{
+    static const double shares[] = {0, 0.5, 0.75, 1};
+    double tangent = 21.633 / fabs(job->first.efl);
+    if (!job->lens->object_is_infinite || !(tangent < 1.732)) {
+        return fail(error, ERROR_DOMAIN, "the lens states no fields: give --field");
+    }
+    for (size_t i = 0; i < sizeof shares / sizeof shares[0]; i++) {
+        job->field[i] = atan(shares[i] * tangent);
+        job->field_weights[i] = 1;
+    }
+    job->field_count = sizeof shares / sizeof shares[0];
+    job->fields = "0, 1/2, 3/4 and 1 of the half diagonal of 35 mm film, as the lens states none";
+    return true;
+}
+
 /* The fields of the file, as angles or heights of the object. */
 static bool take_fields(struct job *job, struct error *error)
 {
@@ -216,7 +234,7 @@ static bool take_fields(struct job *job, struct error *error)
         return read_fields(job, error);
     }
     if (lens->field_count == 0) {
-        return fail(error, ERROR_DOMAIN, "the lens states no fields: give --field");
+        return assume_fields(job, error);
     }
     if (lens->field_count > BUNDLE_FIELDS) {
         return fail(error, ERROR_DOMAIN, "the lens has more than %d fields", BUNDLE_FIELDS);
@@ -323,7 +341,7 @@ static bool fit_position(struct job *job, struct error *error)
         .index_image = job->bundle.index_image,
         .separate = input->chromatic,
         .planes = {image_place(job), has_pupil ? job->first.exit_pupil : job->first.rear_principal},
-        .plane_weights = {1, 1e-3},
+        .plane_weights = {1, THICK_PUPIL_WEIGHT},
         .distortions = (size_t)input->distortion,
         .start = thick_of(&job->first, job->lens)};
     job->task.object = job->task.start.object;
@@ -351,6 +369,31 @@ static void set_pupils(const struct job *job, struct lens_row *row)
     row->exit_diameter = 2 * fabs(row->exit.radius);
 }
 
+/* Fields of which no ray came through. */
+static const char *missing_fields(const struct job *job)
+{
+    struct arena *arena = job->run->arena;
+    const char *list = NULL;
+    for (size_t f = 0; f < job->field_count; f++) {
+        bool found = false;
+        for (size_t i = 0; i < job->bundle.rays.count && !found; i++) {
+            found = job->bundle.field[i] == f;
+        }
+        double shown =
+            job->lens->object_is_infinite ? job->field[f] * 57.29577951308232 : job->field[f];
+        if (!found) {
+            list = arena_printf(arena, "%s%s%.6g", list != NULL ? list : "",
+                                list != NULL ? ", " : "", shown);
+        }
+    }
+    if (list == NULL) {
+        return job->warning;
+    }
+    const char *text = arena_printf(arena, "no ray of the field %s %s came through the rims", list,
+                                    job->lens->object_is_infinite ? "deg" : "mm");
+    return job->warning == NULL ? text : arena_printf(arena, "%s; %s", job->warning, text);
+}
+
 /* Of group g, or of all rays. */
 static void emit_answer(struct job *job, size_t g)
 {
@@ -365,7 +408,7 @@ static void emit_answer(struct job *job, size_t g)
         .lens = job->lens->title,
         .fields = job->fields,
         .status = fit_status(summary),
-        .warning = job->warning,
+        .warning = missing_fields(job),
         .wavelength = one ? lens_wavelength_own(job->wavelengths[g]) : NAN,
         .fnumber = job->first.fnumber,
         .object = job->task.object,
@@ -433,80 +476,27 @@ static void emit_matrix(struct job *job)
     }
 }
 
-static struct figure figure_of(double value)
-{
-    return (struct figure){{value, 0}, {NULL, 0}, LENS_NONE};
-}
-
-/* A plane in air that is only there to count from. */
-static struct surface plane_surface(double thickness, const struct medium *medium)
-{
-    struct surface surface = {.is_plane = true, .has_thickness = true, .medium = *medium};
-    surface.radius = surface.curvature = surface.conic = figure_of(0);
-    surface.diameter = surface.focal = surface.hiatus = figure_of(0);
-    surface.thickness = figure_of(thickness);
-    return surface;
-}
-
-/* First vertex, entrance pupil, thick lens, last vertex. */
-static void set_surfaces(const struct job *job, const struct lens_row *row, struct lens *lens)
-{
-    const struct thick_lens *thick = &job->fit.lenses[0];
-    const struct medium *before = &job->lens->object_medium;
-    const struct medium *behind = &job->lens->surfaces[job->lens->surface_count - 1].medium;
-    bool has_stop = isfinite(row->entrance.place) && isfinite(row->entrance.radius);
-    double pupil = has_stop ? row->entrance.place : thick->front;
-    size_t count = 0;
-    lens->surfaces[count++] = plane_surface(pupil, before);
-    if (has_stop) {
-        struct surface stop = plane_surface(thick->front - pupil, before);
-        stop.kind = SURFACE_STOP;
-        stop.is_stop = stop.has_diameter = true;
-        stop.diameter = figure_of(row->entrance_diameter);
-        lens->stop = count;
-        lens->surfaces[count++] = stop;
-    }
-    struct surface one = plane_surface(-thick->rear, behind);
-    one.kind = SURFACE_THICK;
-    one.focal = figure_of(thick->focal);
-    one.hiatus = figure_of(job->first.length + thick->rear - thick->front);
-    for (size_t j = 0; j < job->task.distortions; j++) {
-        one.distortion[j] = figure_of(thick->distortion[j]);
-    }
-    lens->surfaces[count++] = one;
-    lens->surfaces[count++] = plane_surface(job->task.planes[0], behind);
-    lens->surface_count = count;
-    lens->aperture_kind = has_stop ? APERTURE_STOP : APERTURE_FNUMBER;
-    lens->aperture = figure_of(has_stop ? 0 : job->first.fnumber);
-}
-
 static bool save_lens(struct job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
-    struct lens lens = *job->lens;
     struct lens_row row;
     set_pupils(job, &row);
-    lens.title = arena_printf(arena, "thick lens that equals %s%s%s", job->lens->title,
+    const struct thick_stand_in stand_in = {
+        .thick = job->fit.lenses[0],
+        .length = job->first.length,
+        .pupil = row.entrance.place,
+        .pupil_diameter = row.entrance_diameter,
+        .fnumber = job->first.fnumber,
+        .image = job->task.planes[0],
+        .title = arena_printf(arena, "thick lens that equals %s%s%s",
+                              job->lens->title != NULL ? job->lens->title : "a lens",
                               job->position != NULL ? " at " : "",
-                              job->position != NULL ? job->position : "");
-    lens.kind = NULL;
-    lens.unit = "mm";
-    lens.notes = ARENA_ARRAY(arena, 1, const char *);
-    lens.notes[0] = arena_printf(arena,
-                                 "fitted by lenscalc to %zu exact rays, rms %.4g um in the "
-                                 "image",
-                                 job->bundle.rays.count, 1000 * job->fit.rms);
-    lens.note_count = 1;
-    lens.position_count = lens.variable_count = 0;
-    lens.objects = lens.apertures = NULL;
-    memset(lens.stated, 0, sizeof lens.stated);
-    lens.stop = LENS_NONE;
-    lens.surfaces = ARENA_ARRAY(arena, 4, struct surface);
-    lens.object.typed = (struct text){NULL, 0};
-    for (size_t i = 0; i < lens.field_count; i++) {
-        lens.fields[i].typed = (struct text){NULL, 0};
-    }
-    set_surfaces(job, &row, &lens);
+                              job->position != NULL ? job->position : ""),
+        .note =
+            arena_printf(arena, "fitted by lenscalc to %zu exact rays, rms %.4g um in the image",
+                         job->bundle.rays.count, 1000 * job->fit.rms),
+    };
+    const struct lens lens = thick_element_lens(job->lens, &stand_in, arena);
     struct text text = lens_write(&lens, arena);
     return output_file(job->input->output, text.start, text.length, arena, error);
 }
@@ -555,7 +545,7 @@ bool fit_lens(const struct fit_input *input, struct run *run, struct error *erro
     if (!isnan(input->object)) {
         lens = ARENA_NEW(run->arena, struct lens);
         *lens = *question.lens.lens;
-        lens->object = figure_of(input->object);
+        lens->object = (struct figure){{input->object, 0}, {NULL, 0}, LENS_NONE};
         lens->object_is_infinite = isinf(input->object);
         lens->objects = NULL;
         question.lens.lens = lens;

@@ -275,6 +275,64 @@ static void set_result(const struct thick_task *task, struct arena *arena, struc
     }
 }
 
+/* Mean square of the residuals in each plane, as if no parameter had been fitted. */
+static void plane_variances(const struct thick_task *task, const double *residuals,
+                            double variance[2])
+{
+    size_t count = task->rays.count;
+    variance[0] = variance[1] = 0;
+    for (size_t i = 0; i < PER_RAY * count; i++) {
+        variance[i % PER_RAY / 2] += residuals[i] * residuals[i] / (2 * (double)count);
+    }
+}
+
+/* a = b c, n x n; b or c may be on the other side of its diagonal: all are symmetric. */
+static void multiply(const double *b, const double *c, size_t n, double *a)
+{
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < n; j++) {
+            double sum = 0;
+            for (size_t k = 0; k < n; k++) {
+                sum += b[i * n + k] * c[k * n + j];
+            }
+            a[i * n + j] = sum;
+        }
+    }
+}
+
+/*
+ * Errors where the two planes have residuals of different size: (J^T J)^-1 J^T V J (J^T J)^-1 with
+ * V the variance in each plane.
+ */
+static void set_errors(const struct thick_task *task, struct arena *arena, struct thick_fit *fit)
+{
+    size_t n = fit->parameter_count, m = PER_RAY * task->rays.count;
+    double *residuals = ARENA_ARRAY(arena, m, double), *j = ARENA_ARRAY(arena, m * n, double);
+    double *inverse = ARENA_ARRAY(arena, n * n, double), *inner = ARENA_ARRAY(arena, n * n, double);
+    double *half = ARENA_ARRAY(arena, n * n, double), variance[2];
+    struct thick_task own = *task;
+    thick_residuals(&own, fit->parameters, residuals, j);
+    plane_variances(task, residuals, variance);
+    for (size_t i = 0; i < m; i++) {
+        for (size_t k = 0; k < n; k++) {
+            for (size_t l = 0; l < n; l++) {
+                inner[k * n + l] += variance[i % PER_RAY / 2] * j[i * n + k] * j[i * n + l];
+            }
+        }
+    }
+    const struct linear_factors factors = linear_factor(j, m, n, 1e-12, arena);
+    linear_normal_inverse(&factors, inverse, arena);
+    multiply(inverse, inner, n, half);
+    multiply(half, inverse, n, fit->summary.covariance);
+    double share = (double)m / (double)fit->summary.degrees_of_freedom;
+    for (size_t k = 0; k < n * n; k++) {
+        fit->summary.covariance[k] *= share;
+    }
+    for (size_t k = 0; k < n; k++) {
+        fit->summary.standard_error[k] = sqrt(fit->summary.covariance[k * n + k]);
+    }
+}
+
 bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_fit *fit,
                struct error *error)
 {
@@ -301,6 +359,7 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
         !check_determined(task, fit, error)) {
         return false;
     }
+    set_errors(task, arena, fit);
     set_result(task, arena, fit);
     return true;
 }

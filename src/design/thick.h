@@ -52,13 +52,20 @@ struct thick_fit {
 };
 
 /*
+ * Weight of the exit pupil where the image matters: it settles what the image leaves open, and takes
+ * nothing from the image.
+ */
+#define THICK_PUPIL_WEIGHT 1e-3
+
+/*
  * Fit a thick lens to rays.
  *
  * Given     task  the rays: the ones that came through
  * Result    fit, in the arena
  * Formula   smallest sum over rays of weight times the squared distance between the ray and what
- *           thick_lens_map makes of it, in the image plane and in the exit pupil: one plane alone
- *           leaves f, H and H' of distant objects open. Starts at the paraxial lens, which it is
+ *           thick_lens_map makes of it, in the image plane and, with its own weight, in the exit
+ *           pupil: the image alone leaves one of f, H and H' open. Standard errors allow for
+ *           residuals of different size in the two planes. Starts at the paraxial lens, which it is
  *           in the limit of small apertures and fields; derivatives in closed form
  * Errors    ERROR_DOMAIN: no rays, rays that are no numbers, weights below 0 or all 0, a start
  *           without focal length, planes that are not finite or that are one, object in H;

@@ -225,7 +225,7 @@ static void test_derivatives(void)
 }
 
 /* The spread of 400 fits to noisy rays is what each of them states. */
-static void test_standard_errors(void)
+static void test_standard_errors(double pupil_weight, double pupil_noise)
 {
     enum { FITS = 400, RAYS = 60 };
     static struct bundle all;
@@ -238,14 +238,15 @@ static void test_standard_errors(void)
         make_rays(&all, &plain_lens, 1, RAYS, 0.3, 1);
         for (size_t i = 0; i < RAYS; i++) {
             /* independent in both planes: 70 and -30 */
-            double image = 0.01 * noise(&state), pupil = 0.01 * noise(&state);
+            double image = 0.01 * noise(&state), pupil = pupil_noise * noise(&state);
             all.p_out[i] += (image - pupil) / 100;
             all.x_out[i] += (image * 30 + pupil * 70) / 100;
-            image = 0.01 * noise(&state), pupil = 0.01 * noise(&state);
+            image = 0.01 * noise(&state), pupil = pupil_noise * noise(&state);
             all.q_out[i] += (image - pupil) / 100;
             all.y_out[i] += (image * 30 + pupil * 70) / 100;
         }
-        const struct thick_task task = task_of(&all);
+        struct thick_task task = task_of(&all);
+        task.plane_weights[1] = pupil_weight;
         CHECK(thick_fit(&task, &arena, &fit, &error));
         const double truth[3] = {100.7163, 58.3, -28.5};
         for (int j = 0; j < 3; j++) {
@@ -373,7 +374,8 @@ int main(void)
     test_recovered_more();
     test_nested();
     test_derivatives();
-    test_standard_errors();
+    test_standard_errors(1, 0.01);
+    test_standard_errors(THICK_PUPIL_WEIGHT, 0.3);
     test_pupil();
     test_refusals();
     return check_report();
