@@ -89,7 +89,7 @@ struct frame system_to_first(const struct system *system, size_t surface)
     size_t last = surface < lens->surface_count ? surface : lens->surface_count - 1;
     /* of X in this frame: all.turn^-1 X + all.shift, with turn the rows of its axes */
     for (size_t i = 0; i <= last; i++) {
-        double way[3] = {0, 0, i > 0 ? lens->surfaces[i - 1].thickness.value.hi : 0}, moved[3];
+        double way[3] = {0, 0, i > 0 ? surface_advance(&lens->surfaces[i - 1]).hi : 0}, moved[3];
         const struct displacement *bend = lens->surfaces[i].bend;
         struct frame frame;
         if (bend != NULL) {

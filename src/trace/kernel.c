@@ -125,6 +125,26 @@ INLINE void plane(struct ray_block *block, const struct step *s, bool path, bool
     }
 }
 
+/* In the plane of H: the slopes of the collineation, and on in the plane of H'. */
+INLINE void thick(struct ray_block *block, const struct step *s)
+{
+    const double near = s->near_object, ratio = s->ratio, bend = s->bend;
+    const double d1 = s->coefficient[0], d2 = s->coefficient[1], d3 = s->coefficient[2];
+    const double forward = s->direction * sqrt(s->n22);
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        double u = block->p[i] / block->r[i], v = block->q[i] / block->r[i];
+        double wu = u - block->x[i] * near, wv = v - block->y[i] * near;
+        double w2 = wu * wu + wv * wv, d = w2 * (d1 + w2 * (d2 + w2 * d3));
+        u = ratio * (u + wu * d) - bend * block->x[i];
+        v = ratio * (v + wv * d) - bend * block->y[i];
+        double r = forward / sqrt(1 + (u * u + v * v));
+        block->p[i] = u * r;
+        block->q[i] = v * r;
+        block->r[i] = r;
+        block->z[i] = s->leave;
+    }
+}
+
 INLINE void plane_mirror(struct ray_block *block, const struct step *s, bool path)
 {
     plane(block, s, path, false);
@@ -442,6 +462,10 @@ INLINE void take(struct ray_block *block, const struct step *s, bool path)
         break;
     case STEP_PLANE:
         step_plane(block, s, path);
+        break;
+    case STEP_THICK:
+        plane(block, s, path, false);
+        thick(block, s);
         break;
     case STEP_SPHERE:
         step_sphere(block, s, path);

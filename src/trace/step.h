@@ -15,7 +15,8 @@ enum step_kind {
     STEP_CONIC,    /* k */
     STEP_CYLINDER, /* curved in one section, conic */
     STEP_ASPHERE,  /* conic and a polynomial of r^2 */
-    STEP_TROUGH    /* the same, curved in one section */
+    STEP_TROUGH,   /* the same, curved in one section */
+    STEP_THICK     /* an ideal thick lens: optics/thick_lens */
 };
 
 enum step_action { ACTION_PASS, ACTION_REFRACT, ACTION_REFLECT };
@@ -44,6 +45,9 @@ struct step {
     double coefficient[STEP_TERMS];               /* A2, A4 ..: S = sum of A_2i u^i, u = r^2 */
     double slope[STEP_TERMS];                     /* of dS/du: i A_2i */
     double turn[9], shift[3];                     /* STEP_MOVE: X' = turn (X - shift) */
+    /* STEP_THICK, with `coefficient` as d1 .. d3: slopes behind are ratio (u + w d) - bend h, with
+       w = u - h near_object; the ray goes on at z = leave */
+    double ratio, bend, near_object, leave;
 };
 
 /*

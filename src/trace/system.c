@@ -207,7 +207,7 @@ static double put_transfer(struct writing *writing, size_t place)
         return 0;
     }
     size_t left = reverse ? lens->surface_count - 1 - place : place - 1;
-    double t = lens->surfaces[left].thickness.value.hi;
+    double t = surface_advance(&lens->surfaces[left]).hi;
     const struct displacement *bend = lens->surfaces[left + 1].bend;
     if (bend == NULL) {
         return reverse ? -t : t;
@@ -218,6 +218,35 @@ static double put_transfer(struct writing *writing, size_t place)
     }
     put_move(writing, &frame, place);
     return 0;
+}
+
+/* How far the object is from H along the axis; infinite for a distant one. */
+static double object_to(const struct lens *lens, size_t surface)
+{
+    double distance = lens->object.value.hi;
+    for (size_t i = 0; i < surface; i++) {
+        distance += surface_advance(&lens->surfaces[i]).hi;
+    }
+    return lens->object_is_infinite ? (double)INFINITY : distance;
+}
+
+/* Backwards the same lens takes light from H' to H: the other sign of the power. */
+static void set_thick(struct step *step, const struct system *system, size_t i)
+{
+    const struct surface *surface = &system->lens->surfaces[i];
+    bool reverse = system->options.reverse;
+    double hiatus = surface->hiatus.value.hi, before = system->n[i].hi, after = system->n[i + 1].hi;
+    double behind = reverse ? before : after;
+    step->kind = STEP_THICK;
+    step->action = ACTION_PASS;
+    step->ratio = (reverse ? after : before) / behind;
+    step->bend = (reverse ? -1 : 1) * system->direction[i] / (surface->focal.value.hi * behind);
+    step->near_object = 1 / object_to(system->lens, i);
+    step->leave = reverse ? 0 : hiatus;
+    step->t += reverse ? hiatus : 0;
+    for (int k = 0; k < 3; k++) {
+        step->coefficient[k] = surface->distortion[k].value.hi;
+    }
 }
 
 static void put_surface(struct writing *writing, size_t place)
@@ -247,6 +276,9 @@ static void put_surface(struct writing *writing, size_t place)
     if (reverse && surface->kind != SURFACE_REFLECT) {
         step->direction = -step->direction;
     }
+    if (surface->kind == SURFACE_THICK) {
+        set_thick(step, system, i);
+    }
     step->hop = place == 0 || writing->count - before > 1 || !(fabs(step->c * t) <= 1);
     if (surface->moved != NULL) {
         put_move(writing, &back, place);
@@ -258,10 +290,12 @@ static void put_image(struct writing *writing)
     const struct system *system = writing->system;
     size_t last = system->lens->surface_count;
     bool reverse = system->options.reverse;
+    const struct surface *end = &system->lens->surfaces[last - 1];
+    double behind = end->kind == SURFACE_THICK && !reverse ? end->hiatus.value.hi : 0;
     struct step *step = &writing->steps[writing->count++];
     *step = (struct step){.kind = STEP_PLANE,
                           .action = ACTION_PASS,
-                          .t = system->options.image,
+                          .t = system->options.image + behind,
                           .hop = true,
                           .clear2 = (double)INFINITY};
     set_media(step, system->n[reverse ? 0 : last], system->n[reverse ? 0 : last]);
@@ -280,6 +314,16 @@ bool system_compile(const struct lens *lens, double wavelength,
     if (!find_indices(lens, wavelength, n, error) ||
         !find_stop_radius(lens, arena, system, error)) {
         return false;
+    }
+    for (size_t i = 0; i < count && options->reverse; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        if (surface->kind == SURFACE_THICK &&
+            (surface->distortion[0].value.hi != 0 || surface->distortion[1].value.hi != 0 ||
+             surface->distortion[2].value.hi != 0)) {
+            return fail(error, ERROR_DOMAIN,
+                        "surface %zu: a thick lens with distortion cannot be traced backwards",
+                        i + 1);
+        }
     }
     system->index_first = n[options->reverse ? count : 0].hi;
     system->index_last = n[options->reverse ? 0 : count].hi;

@@ -42,6 +42,8 @@
  *           a mirror has g = -2 s D. Conic: with K = 1 + k for Z^2 and the normal N not of unit
  *           length, E^2 = D^2 + (n'^2 - n^2) N^2, g = s (E - D)/N^2. Asphere: Newton on
  *           F = c (r^2 + K w^2)/2 - w, w = Z - S(r^2), from the conic on
+ *           a thick lens: see optics/thick_lens; the ray goes on in the plane of H', which lies at
+ *           z = hiatus in the frame of that surface; the path from H to H' is not counted
  * Source    [Welford86] 4.2-4.7 in the form without angles; the hop to the vertex plane and F
  *           are derived in lenscalc.7
  * Limits    the intersection is the one where light meets the front of the surface (N.p s > 0),
