@@ -89,8 +89,8 @@ static bool run(const void *data, struct run *run, struct error *error)
 
 static const struct explanation explanations[] = {
     {"efl",
-     "smallest sum over rays of |exact ray - ray of the thick lens|^2, in the image and in "
-     "the exit pupil; n' u' = n u - h/{f}, u a tangent",
+     "the f, H and H' that make the distances between exact rays and those of a thick lens "
+     "smallest in the image, rms",
      "[BornWolf99] 4.3; [Ceres22]",
      "for fields below 90 degrees; the errors tell how well the rays agree with any thick lens"},
     {NULL, NULL, NULL, NULL},
@@ -102,7 +102,7 @@ static const struct example examples[] = {
     {"fit nikkor-z-14-24 --position all", "a zoom in each position"},
     {"fit double-gauss -N 2,4,8 --columns fnumber,efl_mm,rms_um", "how it changes stopped down"},
     {"fit double-gauss -o equal.lens", "as a lens that every command takes"},
-    {"fit --glass indices.csv --formula schott", "a glass from measured indices"},
+    {"fit double-gauss --rings 2 --show residuals", "where in field and pupil it fails"},
     {NULL, NULL},
 };
 

@@ -91,7 +91,7 @@ static struct ray start_ray(const struct tracing *tracing, const struct system *
     return ray_from_point(object, target, system->index_first);
 }
 
-/* Where three rays an aim (itself, a bit to x, a bit to y) meet the stop, in shares of its radius. */
+/* Where three rays an aim (itself, a bit to x, a bit to y) meet the stop, in its radii. */
 static void trace_to_stop(const struct tracing *tracing, const struct pupil *pupil, double field,
                           double step, double (*at)[2])
 {
@@ -260,6 +260,9 @@ static void trace_pupil(const struct tracing *tracing, const struct system *syst
             start_ray(tracing, system, request->fields[field], pupil->aims[k].x, pupil->aims[k].y);
         rays_set(&rays, k, system->index_first, &starts[k]);
     }
+    /* places behind a thick lens that comes last count from its H' */
+    const struct surface *last = &request->lens->surfaces[request->lens->surface_count - 1];
+    double behind = last->kind == SURFACE_THICK ? last->hiatus.value.hi : 0;
     rays_trace(system, &rays, NULL);
     for (size_t k = 1; k < pupil->count; k++) {
         struct ray ray = rays_get(&rays, k, system->index_last);
@@ -272,6 +275,7 @@ static void trace_pupil(const struct tracing *tracing, const struct system *syst
             continue;
         }
         size_t i = bundle->rays.count++;
+        ray.point[2] -= behind;
         store(to, i, &starts[k]);
         store(to + 4, i, &ray);
         to[8][i] = weight * pupil->aims[k].weight;

@@ -184,8 +184,8 @@ static void solve_linear(const struct fitting *fitting, double *c, struct arena 
 /* Resonances in the ultraviolet as shares of the shortest wavelength, in the infrared as
    multiples of the longest; one more start a row. */
 static const double resonances[][3] = {
-    {0.25, 0.5, 4}, {0.3, 0.6, 6}, {0.2, 0.7, 10}, {0.4, 0.8, 3},
-    {0.1, 0.4, 5},  {0.5, 0.3, 8}, {0.3, 0.45, 2}, {0.6, 0.9, 5},
+    {0.25, 0.5, 4}, {0.3, 0.6, 6}, {0.2, 0.7, 10}, {0.4, 0.7, 3},
+    {0.1, 0.4, 5},  {0.5, 0.3, 8}, {0.3, 0.45, 2}, {0.6, 0.8, 5},
 };
 
 /* Bounds of the resonances: not in the range of the data. */
@@ -193,8 +193,8 @@ static void bound(const struct dispersion_data *data, double resonance, double *
 {
     double first = data->wavelength[0], last = data->wavelength[data->count - 1];
     bool ultraviolet = resonance < first * first;
-    *low = ultraviolet ? 0 : 1.02 * last * last;
-    *high = ultraviolet ? 0.98 * first * first : 1e6 * last * last;
+    *low = ultraviolet ? 0 : 1.5 * last * last;
+    *high = ultraviolet ? 0.7 * first * first : 1e6 * last * last;
 }
 
 static bool fit_from(struct fitting *fitting, double *c, struct arena *arena,

@@ -52,8 +52,8 @@ struct thick_fit {
 };
 
 /*
- * Weight of the exit pupil where the image matters: it settles what the image leaves open, and takes
- * nothing from the image.
+ * Weight of the exit pupil where the image matters: it settles what the image leaves open, and
+ * takes nothing from the image.
  */
 #define THICK_PUPIL_WEIGHT 1e-3
 

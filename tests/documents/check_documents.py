@@ -101,6 +101,12 @@ def examples_of(start, block):
     return found
 
 
+def runs_here(program, command):
+    """Is the solver there, if the command needs it? What follows in its block may need its files."""
+    return not command.startswith("lenscalc fit") or \
+        os.path.exists(os.path.join(program.build, "lenscalc-ceres"))
+
+
 def check_examples(checks, program, path, blocks):
     count = 0
     for start, block in blocks:
@@ -108,6 +114,9 @@ def check_examples(checks, program, path, blocks):
             for number, command, expected in examples_of(start, block):
                 if command.split()[0] in NOT_RUN:
                     continue
+                if not runs_here(program, command):
+                    print(f"{path}:{number}: $ {command}: skipped, CERES=0")
+                    break
                 count += 1
                 result = program.shell(command, folder)
                 actual = result.stdout.decode("utf-8", "replace").rstrip("\n").split("\n")

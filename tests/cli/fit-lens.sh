@@ -1,0 +1,20 @@
+# the thick lens that equals a real one
+lenscalc fit double-gauss
+lenscalc fit double-gauss --show parameters
+lenscalc fit double-gauss --show correlations
+lenscalc fit double-gauss --show matrix
+lenscalc fit double-gauss --chromatic --columns wavelength_nm,efl_mm,front_principal_mm,rms_um
+lenscalc fit double-gauss -N 2..8 --columns fnumber,efl_mm,rms_um,rms_paraxial_um
+lenscalc fit double-gauss --object 1000,inf --field 0,50 2>&1
+lenscalc fit double-gauss --object 1000,2000 --field 0,50:2 --columns object_mm,efl_mm,rms_um,lost
+lenscalc fit double-gauss --distortion 1 --columns d1,rms_um --digits 3
+lenscalc fit nikkor-z-14-24 --position all
+lenscalc fit fisheye-16 --field 0,20,40,60,70 --columns efl_mm,rms_um,rms_paraxial_um,largest_um,lost
+lenscalc fit double-gauss -w d --show residuals --rings 1 --arms 2
+lenscalc fit double-gauss -w d --field 0,5 -o equal.lens --columns efl_mm,rms_um
+cat equal.lens
+# a thick lens is found again
+lenscalc fit equal.lens --columns efl_mm,front_principal_mm,rear_principal_mm --digits 9
+lenscalc surfaces equal.lens --columns surface,kind,thickness_mm,power_per_m
+lenscalc fit double-gauss --json --digits 5 --columns efl,front_principal,rear_principal,efl_stderr,rms,rms_paraxial
+lenscalc fit double-gauss --columns efl --explain

@@ -1,0 +1,33 @@
+# what cannot be fitted is said, with its reason
+say() { lenscalc "$@"; echo "status $?"; }
+exec 2>&1
+say fit
+say fit double-gauss --field 0
+say fit double-gauss --field 0,100
+say fit double-gauss --field 0,x
+say fit fisheye-16 --field 77.95
+say fit double-gauss --position wide
+say fit double-gauss --glass x.csv
+say fit --glass none.csv
+say fit double-gauss --distortion 3
+say fit double-gauss --rings 0
+printf 'lens afocal\nfield angle 0 1\naperture epd 10\nsurface - 5 1.5 -\nsurface - 50 air -\n' > afocal.lens
+say fit afocal.lens
+printf 'lens bare\nfield angle 0 5\nsurface 50 5 1.5 -\nsurface -50 50 air -\n' > bare.lens
+say fit bare.lens
+say fit bare.lens -N 8 --columns efl_mm,rms_um
+printf 'wavelength_nm,index\n500,1.5\n600,abc\n' > bad.csv
+say fit --glass bad.csv
+printf 'wavelength_nm,index\n500,1.5\n500,1.5\n' > twice.csv
+say fit --glass twice.csv
+printf 'a,b\n500,1.5\n' > other.csv
+say fit --glass other.csv
+printf 'wavelength_nm,index\n500,1.5\n600,1.49\n' > few.csv
+say fit --glass few.csv
+say fit --glass few.csv --formula cauchy --terms 7
+say fit --glass few.csv --formula cauchy --terms 2 --show matrix
+say fit double-gauss -o /nowhere/x.lens --columns efl_mm
+# without the solver
+LENSCALC_RELAYED=1 lenscalc fit double-gauss
+echo "status $?"
+lenscalc fit --help > help.txt && head -n 1 help.txt
