@@ -39,6 +39,12 @@ static const struct option options[] = {
      .highest = 32, .fallback = "6", .value = "COUNT", .help = "rings of rays in the pupil"},
     {OPTION(struct fit_input, arms), .name = "arms", .dimension = &dimension_number, .lowest = 2,
      .highest = 360, .fallback = "12", .value = "COUNT", .help = "rays on each ring"},
+    {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS",
+     .help = "change the lens until it has what was measured: efl=50.2,bfl@F=38.1:0.02, ffl, "
+             "length, height@10deg=8.8; the deviation stands behind a colon"},
+    {OPTION(struct fit_input, vary), .name = "vary", .value = "PARTS",
+     .help = "what may change: R1,t3[2,10],n2 (radius, gap, index, with bounds); otherwise the "
+             "marks R~ and t~ in the lens"},
     {OPTION(struct fit_input, glass), .name = "glass", .value = "FILE", .flags = OPTION_FILE,
      .help = "fit a dispersion formula to the measured indices of FILE (csv or tsv: wavelength_nm "
              "or wavelength_um, index, perhaps deviation)"},
@@ -55,10 +61,14 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
 {
     const struct fit_input *input = data;
     const struct sheet *const sheets[] = {
-        [FIT_ANSWER] = input->glass != NULL ? &fit_glass_sheet : &fit_lens_sheet,
+        [FIT_ANSWER] = input->glass != NULL   ? &fit_glass_sheet
+                       : input->goals != NULL ? &fit_goal_sheet
+                                              : &fit_lens_sheet,
         [FIT_PARAMETERS] = &fit_parameter_sheet,
         [FIT_CORRELATIONS] = &fit_correlation_sheet,
-        [FIT_RESIDUALS] = input->glass != NULL ? &fit_index_sheet : &fit_ray_sheet,
+        [FIT_RESIDUALS] = input->glass != NULL   ? &fit_index_sheet
+                          : input->goals != NULL ? &fit_goal_sheet
+                                                 : &fit_ray_sheet,
         [FIT_MATRIX] = &fit_matrix_sheet,
     };
     (void)asking;
@@ -71,20 +81,29 @@ static bool makes_many(const void *data)
     const struct lens *lens = input->question.lens.lens;
     bool all =
         input->question.position != NULL && text_same(text_of(input->question.position), "all");
-    return input->show != FIT_ANSWER || (input->chromatic && input->glass == NULL) ||
+    return input->show != FIT_ANSWER || input->goals != NULL ||
+           (input->chromatic && input->glass == NULL) ||
            (all && lens != NULL && lens->position_count > 1);
 }
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct fit_input *input = data;
+    if (input->goals != NULL && input->glass != NULL) {
+        return fail(error, ERROR_USAGE, "--prescription and --glass: one of them is fitted");
+    }
+    if (input->vary != NULL && input->goals == NULL) {
+        return fail(error, ERROR_USAGE, "--vary wants --prescription");
+    }
     if (input->glass != NULL && input->question.lens.lens != NULL) {
         return fail(error, ERROR_USAGE, "a lens and --glass: one of them is fitted");
     }
     if (input->glass != NULL && input->show == FIT_MATRIX) {
         return fail(error, ERROR_USAGE, "a glass has no matrix: --show matrix is of a lens");
     }
-    return input->glass != NULL ? fit_glass(input, run, error) : fit_lens(input, run, error);
+    return input->glass != NULL   ? fit_glass(input, run, error)
+           : input->goals != NULL ? fit_prescription(input, run, error)
+                                  : fit_lens(input, run, error);
 }
 
 static const struct explanation explanations[] = {
@@ -101,6 +120,8 @@ static const struct example examples[] = {
     {"fit double-gauss --show parameters", "with standard errors"},
     {"fit nikkor-z-14-24 --position all", "a zoom in each position"},
     {"fit double-gauss -N 2,4,8 --columns fnumber,efl_mm,rms_um", "how it changes stopped down"},
+    {"fit double-gauss --prescription efl=101,bfl=72.5 --vary R1,R11",
+     "radii that give the measured focal length and back focus"},
     {"fit double-gauss -o equal.lens", "as a lens that every command takes"},
     {"fit double-gauss --rings 2 --show residuals", "where in field and pupil it fails"},
     {NULL, NULL},

@@ -10,12 +10,11 @@ enum fit_show { FIT_ANSWER, FIT_PARAMETERS, FIT_CORRELATIONS, FIT_RESIDUALS, FIT
 
 struct fit_input {
     struct lens_question question;
-    const char *glass, *fields, *output, *name, *targets, *vary;
-    double object;                /* mm; NaN = the lens's own */
-    double efl, bfl, ffl, length; /* mm: goals of --prescription; NaN = none */
+    const char *glass, *fields, *output, *name, *goals, *vary;
+    double object; /* mm; NaN = the lens's own */
     int show, formula;
     long terms, distortion, rings, arms;
-    bool chromatic, prescription;
+    bool chromatic;
 };
 
 /* One row of parameters or correlations, whatever was fitted. */
@@ -49,6 +48,9 @@ bool fit_glass(const struct fit_input *input, struct run *run, struct error *err
 
 extern const struct sheet fit_lens_sheet, fit_ray_sheet, fit_matrix_sheet;
 bool fit_lens(const struct fit_input *input, struct run *run, struct error *error);
+
+extern const struct sheet fit_goal_sheet;
+bool fit_prescription(const struct fit_input *input, struct run *run, struct error *error);
 
 extern const struct word fit_formulas[];
 

@@ -5,7 +5,7 @@
 
 enum { POINTS = 30 };
 
-/* SCHOTT N-BK7, data sheet 2014: Sellmeier coefficients. */
+/* SCHOTT N-BK7: Sellmeier coefficients of its data sheet. */
 static double n_bk7(double l)
 {
     double x = l * l;
@@ -13,58 +13,153 @@ static double n_bk7(double l)
                 1.01046945 * x / (x - 103.560653));
 }
 
+/* The older formula, with coefficients of the size of BK7's. */
+static double by_schott(double l)
+{
+    double x = 1 / (l * l);
+    return sqrt(2.2718929 - 1.0108077e-2 * l * l + 1.0592509e-2 * x + 2.0816965e-4 * x * x -
+                7.6472538e-6 * x * x * x + 4.9240991e-7 * x * x * x * x);
+}
+
+static double by_cauchy(double l)
+{
+    return 1.5046 + 0.0042 / (l * l) - 1e-4 / (l * l * l * l);
+}
+
+static double by_buchdahl(double l)
+{
+    double w = (l - 0.5875618) / (1 + 2.5 * (l - 0.5875618));
+    return 1.62 + w * (-0.06 + w * (0.05 - 0.1 * w));
+}
+
+static double by_conrady(double l)
+{
+    return 1.6 + 0.009 / l + 0.0008 / (l * l * l * sqrt(l));
+}
+
 static double table_l[POINTS], table_n[POINTS];
 
-static struct dispersion_data bk7_data(double from, double to)
+static struct dispersion_data data_of(double (*index)(double), double from, double to)
 {
     for (int i = 0; i < POINTS; i++) {
         table_l[i] = from + (to - from) * i / (POINTS - 1);
-        table_n[i] = n_bk7(table_l[i]);
+        table_n[i] = index(table_l[i]);
     }
     return (struct dispersion_data){POINTS, table_l, table_n, NULL};
 }
 
-/* Between the points too. */
-static double worst(const struct glass *glass, double from, double to)
+/* Between the points too: the formula as the program evaluates it. */
+static double worst(const struct glass *glass, double (*index)(double), double from, double to)
 {
     double largest = 0;
     for (int i = 0; i <= 500; i++) {
         double l = from + (to - from) * i / 500;
-        largest = fmax(largest, fabs(glass_n(glass, l) - n_bk7(l)));
+        largest = fmax(largest, fabs(glass_n(glass, l) - index(l)));
     }
     return largest;
 }
 
-static void test_sellmeier(void)
+static void test_recovered(void)
+{
+    static const struct {
+        enum glass_formula formula;
+        size_t terms;
+        double (*index)(double);
+        double from, to;
+    } cases[] = {
+        {GLASS_SELLMEIER, 3, n_bk7, 0.33, 2.3},     {GLASS_SCHOTT, 6, by_schott, 0.35, 1.1},
+        {GLASS_CAUCHY, 3, by_cauchy, 0.4, 0.8},     {GLASS_CAUCHY, 6, by_cauchy, 0.4, 0.8},
+        {GLASS_BUCHDAHL, 4, by_buchdahl, 0.4, 0.8}, {GLASS_CONRADY, 3, by_conrady, 0.4, 0.8},
+        {GLASS_SCHOTT, 0, by_schott, 0.4, 0.7},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct arena arena = {0};
+        struct dispersion_fit fit;
+        struct error error;
+        const struct dispersion_data data = data_of(cases[i].index, cases[i].from, cases[i].to);
+        CHECK(dispersion_fit(&data, cases[i].formula, cases[i].terms, &arena, &fit, &error));
+        CHECK_NEAR(worst(&fit.glass, cases[i].index, cases[i].from, cases[i].to), 0, 1e-10,
+                   "indices of the formula's own");
+        CHECK(fit.rms < 1e-10 && fit.largest >= fit.rms);
+        CHECK(fit.glass.shortest == data.wavelength[0]);
+        CHECK(fit.glass.longest == data.wavelength[POINTS - 1]);
+        arena_free(&arena);
+    }
+}
+
+/* The coefficients themselves, where they are well determined. */
+static void test_coefficients(void)
 {
     struct arena arena = {0};
     struct dispersion_fit fit;
     struct error error;
-    const struct dispersion_data data = bk7_data(0.33, 2.3);
-    CHECK(dispersion_fit(&data, GLASS_SELLMEIER, 3, &arena, &fit, &error));
-    CHECK_NEAR(worst(&fit.glass, 0.33, 2.3), 0, 1e-10, "N-BK7 from its own indices");
-    printf("worst %.3g rms %.3g iterations %d status %d\n", worst(&fit.glass, 0.33, 2.3), fit.rms,
-           fit.summary.iterations, fit.summary.status);
-    CHECK(fit.glass.shortest == 0.33 && fit.glass.longest == 2.3);
+    const struct dispersion_data data = data_of(by_cauchy, 0.4, 0.8);
+    CHECK(dispersion_fit(&data, GLASS_CAUCHY, 3, &arena, &fit, &error));
+    CHECK_RELATIVE(fit.parameters[0], 1.5046, 1e-12, "A");
+    CHECK_RELATIVE(fit.parameters[1], 0.0042, 1e-10, "B");
+    CHECK_RELATIVE(fit.parameters[2], -1e-4, 1e-9, "C");
+    CHECK_TEXT(fit.names[2], "C");
     arena_free(&arena);
+}
+
+/* A term more never makes it worse; weights pull the fit to where they are. */
+static void test_terms_and_weights(void)
+{
+    struct arena arena = {0};
+    struct dispersion_fit fit;
+    struct error error;
+    double before = INFINITY, deviation[POINTS];
+    struct dispersion_data data = data_of(n_bk7, 0.4, 1.0);
+    for (size_t terms = 1; terms <= 6; terms++) {
+        CHECK(dispersion_fit(&data, GLASS_CAUCHY, terms, &arena, &fit, &error));
+        CHECK(fit.rms < before);
+        before = fit.rms;
+    }
+    for (int i = 0; i < POINTS; i++) {
+        deviation[i] = i == 0 ? 1e-9 : 1e-4;
+    }
+    data.deviation = deviation;
+    CHECK(dispersion_fit(&data, GLASS_CAUCHY, 2, &arena, &fit, &error));
+    CHECK_NEAR(fit.residuals[0], 0, 1e-8, "the certain one is met");
+    CHECK(fabs(fit.residuals[1]) > 1e-6);
+    arena_free(&arena);
+}
+
+static void check_refused(struct dispersion_data data, enum glass_formula formula, size_t terms,
+                          const char *word)
+{
+    struct arena arena = {0};
+    struct dispersion_fit fit;
+    struct error error;
+    CHECK(!dispersion_fit(&data, formula, terms, &arena, &fit, &error));
+    CHECK(error.code == ERROR_DOMAIN && strstr(error.message, word) != NULL);
+    arena_free(&arena);
+}
+
+static void test_refusals(void)
+{
+    struct dispersion_data data = data_of(n_bk7, 0.4, 0.7);
+    const double zero[POINTS] = {0};
+    check_refused(data, GLASS_SCHOTT, 5, "6 to 6 terms");
+    check_refused(data, GLASS_TABLE, 0, "cannot be fitted");
+    data.count = 4;
+    check_refused(data, GLASS_SCHOTT, 0, "there are 4");
+    data.count = POINTS;
+    data.deviation = zero;
+    check_refused(data, GLASS_CAUCHY, 0, "deviation");
+    data.deviation = NULL;
+    table_n[3] = NAN;
+    check_refused(data, GLASS_CAUCHY, 0, "index nan");
+    table_n[3] = 1.5;
+    table_l[3] = table_l[2];
+    check_refused(data, GLASS_CAUCHY, 0, "twice");
 }
 
 int main(void)
 {
-    test_sellmeier();
-    for (int f = 0; f < 5; f++) {
-        const enum glass_formula all[] = {GLASS_SELLMEIER, GLASS_SCHOTT, GLASS_CAUCHY,
-                                          GLASS_BUCHDAHL, GLASS_CONRADY};
-        for (size_t terms = 1; terms < 8; terms++) {
-            struct arena arena = {0};
-            struct dispersion_fit fit;
-            struct error error;
-            const struct dispersion_data data = bk7_data(0.4, 0.7);
-            if (dispersion_fit(&data, all[f], terms, &arena, &fit, &error)) {
-                printf("%d %zu worst %.3g\n", all[f], terms, worst(&fit.glass, 0.4, 0.7));
-            }
-            arena_free(&arena);
-        }
-    }
+    test_recovered();
+    test_coefficients();
+    test_terms_and_weights();
+    test_refusals();
     return check_report();
 }

@@ -13,7 +13,7 @@ g, 1.52668
 2325.42, 1.48921
 1529.58, 1.50091
 END
-lenscalc fit --glass bk7.csv
+lenscalc fit --glass bk7.csv --columns formula,from,to,rms,largest,nd,vd,indices,status
 lenscalc fit --glass bk7.csv --show residuals
 lenscalc fit --glass bk7.csv --formula schott --show parameters
 lenscalc fit --glass bk7.csv --formula cauchy --terms 2 --show correlations

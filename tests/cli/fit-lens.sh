@@ -10,9 +10,9 @@ lenscalc fit double-gauss --object 1000,2000 --field 0,50:2 --columns object_mm,
 lenscalc fit double-gauss --distortion 1 --columns d1,rms_um --digits 3
 lenscalc fit nikkor-z-14-24 --position all
 lenscalc fit fisheye-16 --field 0,20,40,60,70 --columns efl_mm,rms_um,rms_paraxial_um,largest_um,lost
-lenscalc fit double-gauss -w d --show residuals --rings 1 --arms 2
+lenscalc fit double-gauss -w d --show residuals --rings 1 --arms 2 --columns field_deg,stop_y,dy_um,distance_um
 lenscalc fit double-gauss -w d --field 0,5 -o equal.lens --columns efl_mm,rms_um
-cat equal.lens
+sed 's/\(\.[0-9]\{5\}\)[0-9]*/\1/g' equal.lens
 # a thick lens is found again
 lenscalc fit equal.lens --columns efl_mm,front_principal_mm,rear_principal_mm --digits 9
 lenscalc surfaces equal.lens --columns surface,kind,thickness_mm,power_per_m

@@ -31,3 +31,12 @@ say fit double-gauss -o /nowhere/x.lens --columns efl_mm
 LENSCALC_RELAYED=1 lenscalc fit double-gauss
 echo "status $?"
 lenscalc fit --help > help.txt && head -n 1 help.txt
+say fit double-gauss --vary R1
+say fit double-gauss --prescription efl=100
+say fit double-gauss --prescription efl=100,xfl=3 --vary R1
+say fit double-gauss --prescription height=3 --vary R1
+say fit double-gauss --prescription efl=100 --vary R1,R1
+say fit double-gauss --prescription efl=100 --vary 'R1[5'
+say fit double-gauss --prescription efl=100 --vary R12
+say fit double-gauss --prescription efl=100 --vary n5 --columns goal,reached_mm
+say fit nikkor-z-14-24 --prescription efl=15 --vary R1
