@@ -10,7 +10,6 @@
 #include "cli/photo_lens.h"
 #include "cli/queue.h"
 #include "cli/relay.h"
-#include "design/solver.h"
 #include "report/explain.h"
 
 #include <stdio.h>
@@ -583,15 +582,13 @@ int command_execute(const struct command *command, int argc, char **argv, const 
     struct driver driver = {.command = command, .database = database};
     struct error error = {0};
     int status;
-    if (!prepare(&driver, argc - 2, argv + 2, &error)) {
+    if (!prepare(&driver, argc - 2, argv + 2, &error) ||
+        (command->needs_ceres && !driver.common.help &&
+         !relay_to_ceres(argv, &driver.arena, &error))) {
         error_print(&error, command->name);
         status = (int)error.code;
     } else if (driver.common.help) {
         status = help_command(command, &driver.arena);
-    } else if (command->needs_ceres && !solver_is_present &&
-               !relay_to_ceres(argv, &driver.arena, &error)) {
-        error_print(&error, command->name);
-        status = (int)error.code;
     } else {
         status = command->print != NULL ? print_text(&driver, &error) : compute(&driver);
         fwrite(driver.db.losses.data, 1, driver.db.losses.length, stderr);

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/relay.h"
 
+#include "design/solver.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,6 +30,9 @@ static char *own_folder(struct arena *arena)
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
 {
     static const char *const places[] = {"lenscalc-ceres", "../libexec/lenscalc/lenscalc-ceres"};
+    if (solver_is_present) {
+        return true;
+    }
     const char *folder = own_folder(arena);
     bool relayed = getenv(marker) != NULL;
     for (size_t i = 0; i < 2 && folder != NULL && !relayed; i++) {

@@ -13,7 +13,7 @@
  * ../libexec/lenscalc from there. Nothing may have been read from standard input before.
  *
  * Given     argv  of this program, ends with null
- * Result    only comes back with an error
+ * Result    true: this program has the solver. Else it only comes back with an error
  * Errors    ERROR_DOMAIN: there is none, or what goes by that name is without Ceres
  */
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error);

@@ -43,8 +43,8 @@ struct bundle {
  * Result    rays with place and slopes at the first and the last vertex; each weighted by its part
  *           of the pupil, by its field and its wavelength
  * Formula   rings at the nodes of Gauss' quadrature in r^2, arms at equal angles: integrals over
- *           the pupil converge at once; the points are those of the stop, to which each ray is aimed
- *           at the first wavelength by Newton's method, outwards from the axis field by field.
+ *           the pupil converge at once; the points are those of the stop, to which each ray is
+ *           aimed at the first wavelength by Newton's method, field by field from the axis
  *           A lens without a stop: points of its entrance beam at the first vertex
  * Errors    ERROR_DOMAIN: no beam (neither stop nor aperture), a field at 90 degrees or beyond,
  *           no ray left; as system_compile

@@ -1,4 +1,4 @@
-/* design/prescription.c - radii, gaps and indices that give a lens the measured paraxial figures. */
+/* design/prescription.c - radii, gaps, indices that give a lens what was measured. */
 /* SPDX-License-Identifier: MIT */
 #include "design/prescription.h"
 

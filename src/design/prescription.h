@@ -1,4 +1,4 @@
-/* design/prescription.h - radii, gaps and indices that give a lens the measured paraxial figures. */
+/* design/prescription.h - radii, gaps, indices that give a lens what was measured. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_DESIGN_PRESCRIPTION_H
 #define LENSCALC_DESIGN_PRESCRIPTION_H

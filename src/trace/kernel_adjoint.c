@@ -198,6 +198,15 @@ static void move(const struct step *s, struct ray_block *adjoint, const struct a
     }
 }
 
+/* A thick lens has no derivatives here yet: NaN, so that nobody takes them for numbers. */
+static void no_derivatives(struct ray_block *adjoint)
+{
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        adjoint->x[i] = adjoint->y[i] = adjoint->z[i] = (double)NAN;
+        adjoint->p[i] = adjoint->q[i] = adjoint->r[i] = (double)NAN;
+    }
+}
+
 void NAME(kernel_adjoint, KERNEL)(const struct step *s, const struct ray_block *before,
                                   const struct ray_block *after, struct ray_block *adjoint,
                                   const struct adjoint_rows *rows)
@@ -205,6 +214,8 @@ void NAME(kernel_adjoint, KERNEL)(const struct step *s, const struct ray_block *
     bool reflects = s->action == ACTION_REFLECT;
     if (s->kind == STEP_MOVE) {
         move(s, adjoint, rows);
+    } else if (s->kind == STEP_THICK) {
+        no_derivatives(adjoint);
     } else if (s->kind >= STEP_ASPHERE || rows->coefficient != NULL) {
         if (reflects) {
             surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS, true);

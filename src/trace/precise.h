@@ -167,12 +167,44 @@ static inline bool precise_bend(struct precise_ray *ray, const REAL N[3], bool r
     return true;
 }
 
+/* The slopes behind a thick lens, and on to the plane of H'; see optics/thick_lens. */
+static inline void precise_thick(struct precise_ray *ray, const struct system *system, size_t i,
+                                 REAL n1, REAL n2)
+{
+    const struct lens *lens = system->lens;
+    const struct surface *surface = &lens->surfaces[i];
+    REAL direction = (REAL)system->direction[i], power = 1 / precise_of(surface->focal.value);
+    REAL u[2], w[2], square = 0, d = 0, near = 0;
+    if (!lens->object_is_infinite) {
+        REAL distance = precise_of(lens->object.value);
+        for (size_t k = 0; k < i; k++) {
+            distance += precise_of(surface_advance(&lens->surfaces[k]));
+        }
+        near = 1 / distance;
+    }
+    for (int k = 0; k < 2; k++) {
+        u[k] = ray->p[k] / ray->p[2];
+        w[k] = u[k] - ray->x[k] * near;
+        square += w[k] * w[k];
+    }
+    for (int k = 2; k >= 0; k--) {
+        d = square * (d + precise_of(surface->distortion[k].value));
+    }
+    for (int k = 0; k < 2; k++) {
+        u[k] = (n1 * (u[k] + w[k] * d) - direction * power * ray->x[k]) / n2;
+    }
+    ray->p[2] = direction * n2 / precise_root(1 + u[0] * u[0] + u[1] * u[1]);
+    ray->p[0] = u[0] * ray->p[2];
+    ray->p[1] = u[1] * ray->p[2];
+    ray->x[2] = precise_of(surface->hiatus.value);
+}
+
 static inline bool precise_surface(struct precise_ray *ray, const struct system *system, size_t i)
 {
     const struct surface *surface = &system->lens->surfaces[i];
     struct precise_shape shape = precise_shape_of(surface);
     REAL n1 = precise_of(system->n[i]), n2 = precise_of(system->n[i + 1]), N[3];
-    REAL z = i > 0 ? precise_of(system->lens->surfaces[i - 1].thickness.value) : 0;
+    REAL z = i > 0 ? precise_of(surface_advance(&system->lens->surfaces[i - 1])) : 0;
     if (surface->bend != NULL) {
         precise_move(ray, surface->bend, z);
         z = 0;
@@ -184,7 +216,11 @@ static inline bool precise_surface(struct precise_ray *ray, const struct system 
     bool reflects = surface->kind == SURFACE_REFLECT;
     REAL direction = (REAL)system->direction[i];
     bool met = precise_meet(ray, &shape, direction, n1 * n1, N);
-    bool good = met && precise_bend(ray, N, reflects, direction, n1, n2);
+    bool is_thick = surface->kind == SURFACE_THICK;
+    bool good = met && (is_thick || precise_bend(ray, N, reflects, direction, n1, n2));
+    if (met && is_thick) {
+        precise_thick(ray, system, i, n1, n2);
+    }
     if (!good && ray->status == RAY_OK) {
         ray->status = met ? RAY_TOTAL_REFLECTION : RAY_MISS;
         ray->surface = i + 1;
