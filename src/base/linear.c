@@ -7,7 +7,14 @@
 /* Length of what is below and at row `first` of a column, without overflow. */
 static double column_length(const struct linear_factors *all, size_t column, size_t first)
 {
-    double largest = 0, sum = 0;
+    double largest = 0, sum = 0, plain = 0;
+    for (size_t i = first; i < all->rows; i++) {
+        double part = all->a[i * all->columns + column];
+        plain += part * part;
+    }
+    if (plain > 1e-200 && plain < 1e200) {
+        return sqrt(plain);
+    }
     for (size_t i = first; i < all->rows; i++) {
         largest = fmax(largest, fabs(all->a[i * all->columns + column]));
     }

@@ -378,6 +378,9 @@ static void polish(struct solving *solving, double *parameters, double cost)
         }
         promised = promise;
         memcpy(parameters, next, n * sizeof(double));
+        if (promise <= 1e-24 * cost) {
+            break; /* far below the errors */
+        }
     }
 }
 

@@ -341,6 +341,11 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
     }
     struct thick_task own = *task;
     size_t terms = base_count(task);
+    /* nearly linear: the solver only has to come near, its last undamped steps do the rest */
+    struct solver_options options = task->options;
+    options.function = options.function > 0 ? options.function : 1e-8;
+    options.parameter = options.parameter > 0 ? options.parameter : 1e-8;
+    options.initial_trust = options.initial_trust > 0 ? options.initial_trust : 1e8;
     *fit = (struct thick_fit){.parameter_count = terms + task->distortions};
     fit->lenses = ARENA_ARRAY(arena, task->group_count, struct thick_lens);
     fit->parameters = ARENA_ARRAY(arena, fit->parameter_count, double);
@@ -355,7 +360,7 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
                                            .residual_count = PER_RAY * task->rays.count,
                                            .evaluate = thick_residuals,
                                            .context = &own};
-    if (!solver_run(&problem, &task->options, fit->parameters, arena, &fit->summary, error) ||
+    if (!solver_run(&problem, &options, fit->parameters, arena, &fit->summary, error) ||
         !check_determined(task, fit, error)) {
         return false;
     }

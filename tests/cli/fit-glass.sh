@@ -14,8 +14,8 @@ g, 1.52668
 1529.58, 1.50091
 END
 lenscalc fit --glass bk7.csv --columns formula,from,to,rms,largest,nd,vd,indices,status
-lenscalc fit --glass bk7.csv --show residuals
-lenscalc fit --glass bk7.csv --formula schott --show parameters
+lenscalc fit --glass bk7.csv --show residuals --columns wavelength,measured,index
+lenscalc fit --glass bk7.csv --formula schott --show parameters --csv --digits 4
 lenscalc fit --glass bk7.csv --formula cauchy --terms 2 --show correlations
 lenscalc fit --glass bk7.csv --formula buchdahl --columns formula,rms,largest,nd,vd
 lenscalc fit --glass bk7.csv --formula conrady --csv --columns from_nm,to_nm,rms --digits 4
