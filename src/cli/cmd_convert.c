@@ -194,7 +194,7 @@ static bool convert(struct conversion *conversion, struct output *output, struct
     }
     if (format == NULL) {
         text = lens_write(conversion->lens, arena);
-    } else if (!format->write(&conversion->job, conversion->lens, &text, error)) {
+    } else if (!foreign_write(&conversion->job, format, conversion->lens, &text, error)) {
         return false;
     }
     output_text(output, text.start, text.length);

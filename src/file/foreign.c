@@ -236,3 +236,16 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
     }
     return format->read(job, text, lens, error);
 }
+
+bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
+                   const struct lens *lens, struct text *text, struct error *error)
+{
+    for (size_t i = 0; i < lens->surface_count && !format->has_thick; i++) {
+        if (lens->surfaces[i].kind == SURFACE_THICK) {
+            return fail(error, ERROR_DATA,
+                        "surface %zu is a thick lens: a %s file has none, only .lens and .json",
+                        i + 1, format->ending);
+        }
+    }
+    return format->write(job, lens, text, error);
+}

@@ -52,6 +52,7 @@ struct foreign_format {
      */
     bool (*write)(struct foreign_job *job, const struct lens *lens, struct text *text,
                   struct error *error);
+    bool has_thick; /* it can hold a thick lens among the surfaces */
 };
 
 /* All of them; ends with null. */
@@ -105,6 +106,15 @@ void foreign_losses(const struct foreign_job *job, struct growing *list);
 bool foreign_glass(struct foreign_job *job, const struct lens_words *words, struct text name,
                    const struct text *catalogs, size_t count, struct medium *medium,
                    struct error *error);
+
+/*
+ * Write a lens in a format.
+ *
+ * Errors    ERROR_DATA: a thick lens that the format has not, which cannot be left out even when
+ *           lossy; as the format's writer
+ */
+bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
+                   const struct lens *lens, struct text *text, struct error *error);
 
 /*
  * Read a lens in whichever format it is, a .lens file included.

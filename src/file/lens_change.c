@@ -135,6 +135,10 @@ static void change_surface(const struct change *change, struct surface *surface)
     if (surface->has_diameter) {
         change_figure(change, 1, &surface->diameter);
     }
+    if (surface->kind == SURFACE_THICK) {
+        change_figure(change, 1, &surface->focal);
+        change_figure(change, 1, &surface->hiatus);
+    }
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         if ((surface->coefficients >> i & 1) != 0) {
             change_figure(change, -(2 * i + 1), &surface->coefficient[i]);

@@ -289,9 +289,25 @@ static bool put_medium(struct writer *writer, const struct surface *surface, str
     return true;
 }
 
+/* What only a thick lens has. */
+static void put_thick(struct writer *writer, const struct surface *surface)
+{
+    if (surface->kind != SURFACE_THICK) {
+        return;
+    }
+    put_optional(writer, "focal_mm", true, &surface->focal);
+    put_optional(writer, "hiatus_mm", true, &surface->hiatus);
+    put_key(writer, "distortion");
+    for (int i = 0; i < 3; i++) {
+        put(writer, i == 0 ? "[" : ",");
+        put_number(writer, surface->distortion[i].value.hi);
+    }
+    put(writer, "]");
+}
+
 static bool put_surface(struct writer *writer, size_t i, struct error *error)
 {
-    static const char *const kinds[] = {"refract", "reflect", "stop"};
+    static const char *const kinds[] = {"refract", "reflect", "stop", "thick"};
     static const char *const curved[] = {"", "x", "y"};
     const struct surface *surface = &writer->lens->surfaces[i];
     bool is_plane = surface->is_plane && !surface->has_curvature;
@@ -313,6 +329,7 @@ static bool put_surface(struct writer *writer, size_t i, struct error *error)
     put_optional(writer, "diameter_mm", surface->has_diameter, &surface->diameter);
     put_optional(writer, "conic", true, &surface->conic);
     put_coefficients(writer, surface);
+    put_thick(writer, surface);
     if (surface->curved != CURVED_BOTH) {
         put_key(writer, "cylinder");
         put_string(writer, curved[surface->curved]);
@@ -394,4 +411,5 @@ const struct foreign_format lens_json_format = {
     .is_like = is_like,
     .read = lens_json_read,
     .write = write_json,
+    .has_thick = true,
 };

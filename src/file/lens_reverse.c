@@ -199,6 +199,15 @@ static bool turn_aperture(struct turn *turn, struct error *error)
     return true;
 }
 
+static bool surface_distorts(const struct surface *surface)
+{
+    bool distorts = false;
+    for (int i = 0; i < 3 && surface->kind == SURFACE_THICK; i++) {
+        distorts = distorts || fabs(surface->distortion[i].value.hi) > 0;
+    }
+    return distorts;
+}
+
 static bool check(const struct turn *turn, struct error *error)
 {
     const struct lens *from = turn->from;
@@ -212,6 +221,12 @@ static bool check(const struct turn *turn, struct error *error)
             return fail(error, ERROR_DOMAIN,
                         "--reverse: distances beside an odd number of mirrors change between the "
                         "positions: choose one with --position");
+        }
+        if (surface_distorts(&from->surfaces[i])) {
+            return fail(error, ERROR_DOMAIN,
+                        "--reverse: surface %zu is a thick lens with distortion, which has no "
+                        "reverse",
+                        i + 1);
         }
     }
     return true;

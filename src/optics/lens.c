@@ -26,8 +26,10 @@ const struct lens *lens_at_position(const struct lens *lens, size_t position, st
         copy->surfaces[i] = lens->surfaces[i];
         substitute(lens, &copy->surfaces[i].thickness, position);
         substitute(lens, &copy->surfaces[i].diameter, position);
-        substitute(lens, &copy->surfaces[i].focal, position);
-        substitute(lens, &copy->surfaces[i].hiatus, position);
+        if (copy->surfaces[i].kind == SURFACE_THICK) {
+            substitute(lens, &copy->surfaces[i].focal, position);
+            substitute(lens, &copy->surfaces[i].hiatus, position);
+        }
     }
     if (lens->objects != NULL) {
         copy->object = lens->objects[position];
