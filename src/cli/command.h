@@ -19,6 +19,7 @@ struct run {
     struct lensdb *db;
     bool (*emit)(struct run *run, const void *row);
     void *driver; /* the driver's own */
+    bool force;   /* files may be replaced */
 };
 
 /* Hand out one row; false when no more are wanted (then return true). */

@@ -58,7 +58,9 @@ const struct option common_options[] = {
     {COMMON(batch_format), .name = "batch-format", .value = "FORMAT", .words = batch_format_words,
      .fallback = "auto", .help = "what the rows of --batch are"},
     {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},
-    {COMMON(force), .name = "force", .help = "sweep even over more than a million rows"},
+    {COMMON(force), .name = "force",
+     .help = "sweep even over more than a million rows; "
+             "replace the file of fit --output"},
     {COMMON(output), .name = "output", .letter = 'o', .value = "FILE", .flags = OPTION_FILE,
      .help = "write to FILE, which appears only when it is complete"},
     {COMMON(lensdb), .name = "lensdb", .value = "DIR", .flags = OPTION_FILE,

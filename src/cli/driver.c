@@ -444,11 +444,6 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     driver->lenses.arena = &driver->arena;
     driver->reader =
         (struct reader){.db = &driver->db, .arena = &driver->arena, .lenses = &driver->lenses};
-    driver->run = (struct run){.arena = &driver->row_arena,
-                               .kept = &driver->kept,
-                               .db = &driver->db,
-                               .emit = emit,
-                               .driver = driver};
     if (!arguments_parse(&driver->arguments, command, count, words, &driver->arena, error) ||
         !read_common(driver, error)) {
         return false;
@@ -456,6 +451,12 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     driver->db.directory = driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
     driver->db.agf = driver->common.agf;
     driver->db.lossy = driver->common.lossy;
+    driver->run = (struct run){.arena = &driver->row_arena,
+                               .kept = &driver->kept,
+                               .db = &driver->db,
+                               .emit = emit,
+                               .driver = driver,
+                               .force = driver->common.force};
     driver->reader.nominal = driver->common.nominal;
     driver->input = arena_array(&driver->arena, 1, command->input_size);
     return true;
