@@ -23,6 +23,7 @@ struct solving {
     struct solver_options options;
     struct arena *arena;
     double *residuals, *jacobian, *gradient, *weights; /* at the parameters last looked at */
+    double *seen, seen_cost;                           /* those; NaN = none yet */
     bool *held;   /* at a bound, for as long as the cost falls beyond it */
     bool *on;     /* lay on a bound when this round began */
     bool stopped; /* by the caller */
@@ -158,19 +159,32 @@ static bool look(struct solving *solving, const double *parameters, double *cost
 {
     const struct solver_problem *problem = solving->problem;
     size_t n = problem->parameter_count, m = problem->residual_count;
+    if (memcmp(parameters, solving->seen, n * sizeof(double)) == 0 &&
+        isfinite(solving->seen_cost)) {
+        *cost = solving->seen_cost;
+        return true;
+    }
+    memcpy(solving->seen, parameters, n * sizeof(double));
+    solving->seen_cost = NAN;
     if (!problem->evaluate(problem->context, parameters, solving->residuals, solving->jacobian) ||
         !all_finite(solving->residuals, m) || !all_finite(solving->jacobian, m * n)) {
         return false;
     }
     *cost = weigh(solving);
     memset(solving->gradient, 0, n * sizeof(double));
+    double *gradient = solving->gradient;
     for (size_t i = 0; i < m; i++) {
         double r = solving->weights[i] * solving->residuals[i];
+        const double *row = solving->jacobian + i * n;
         for (size_t j = 0; j < n; j++) {
-            solving->gradient[j] += r * solving->jacobian[i * n + j];
+            gradient[j] += r * row[j];
         }
     }
-    return isfinite(*cost) && all_finite(solving->gradient, n);
+    if (!isfinite(*cost) || !all_finite(solving->gradient, n)) {
+        return false;
+    }
+    solving->seen_cost = *cost;
+    return true;
 }
 
 static bool is_on_bound(const struct solver_problem *problem, const double *parameters, size_t i)
@@ -408,7 +422,9 @@ static void set_errors(struct solving *solving, struct solver_summary *summary)
         summary->degrees_of_freedom > 0 ? squares / (double)summary->degrees_of_freedom : NAN;
     for (size_t i = 0; i < count; i++) {
         for (size_t j = 0; j < count; j++) {
-            summary->covariance[free_of[i] * n + free_of[j]] = variance * inverse[i * count + j];
+            double element = inverse[i * count + j];
+            summary->inverse[free_of[i] * n + free_of[j]] = element;
+            summary->covariance[free_of[i] * n + free_of[j]] = variance * element;
         }
         summary->standard_error[free_of[i]] = sqrt(variance * inverse[i * count + i]);
     }
@@ -419,9 +435,10 @@ static void open_summary(struct solver_summary *summary, size_t n, struct arena 
     *summary = (struct solver_summary){.at_bound = ARENA_ARRAY(arena, n, bool),
                                        .undetermined = ARENA_ARRAY(arena, n, bool),
                                        .covariance = ARENA_ARRAY(arena, n * n, double),
+                                       .inverse = ARENA_ARRAY(arena, n * n, double),
                                        .standard_error = ARENA_ARRAY(arena, n, double)};
     for (size_t i = 0; i < n * n; i++) {
-        summary->covariance[i] = NAN;
+        summary->covariance[i] = summary->inverse[i] = NAN;
     }
     for (size_t i = 0; i < n; i++) {
         summary->standard_error[i] = NAN;
@@ -458,6 +475,8 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
                               .arena = arena,
                               .residuals = ARENA_ARRAY(arena, m, double),
                               .jacobian = ARENA_ARRAY(arena, m * n, double),
+                              .seen = ARENA_ARRAY(arena, n, double),
+                              .seen_cost = NAN,
                               .gradient = ARENA_ARRAY(arena, n, double),
                               .weights = ARENA_ARRAY(arena, m, double),
                               .held = ARENA_ARRAY(arena, n, bool),
@@ -474,6 +493,8 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
     if (!look(&solving, parameters, &summary->final_cost)) {
         return fail(error, ERROR_DOMAIN, "the fit ended where it has no value");
     }
+    summary->residuals = solving.residuals;
+    summary->jacobian = solving.jacobian;
     memcpy(summary->at_bound, solving.held, n * sizeof(bool));
     set_errors(&solving, summary);
     return true;

@@ -82,7 +82,9 @@ struct solver_summary {
     size_t rank;                     /* of the derivatives by the free parameters */
     double *covariance;              /* n x n, scaled by the variance of the residuals; NaN where
                                         there is none */
-    double *standard_error;          /* n */
+    const double *residuals, *jacobian; /* at the end */
+    double *inverse;                    /* n x n: (J^T W J)^-1, of which that is a multiple */
+    double *standard_error;             /* n */
 };
 
 /* Is the solver part of this program? */

@@ -45,10 +45,10 @@ static struct thick_lens lens_of(const struct thick_task *task, const double *pa
     return lens;
 }
 
-/* One section of a ray: height and slope behind, and both by f, H, H', d1, d2, d3. */
-struct section_slopes {
-    double height, slope; /* at the rear reference plane */
-    double dheight[BASE + THICK_DISTORTIONS], dslope[BASE + THICK_DISTORTIONS];
+/* One section of a ray: height at H and H', slope behind, and what f, H and distortion do to it. */
+struct section_slope {
+    double height, slope;
+    double by_focal, by_front, by_distortion[THICK_DISTORTIONS];
 };
 
 /* The slope w of the line from the object point through H, and its derivative by H. */
@@ -71,61 +71,74 @@ static double distort(const struct thick_lens *lens, double s, double *by_s)
     return s * (d[0] + s * (d[1] + s * d[2]));
 }
 
-/* w is of this section, s and its derivative by H of both. */
-static void differentiate(const struct thick_lens *lens, double x, double p, double w,
-                          double w_front, double s, double s_front, struct section_slopes *out)
+/* Without distortion: power and index apart, for they are the same for all rays. */
+static inline struct section_slope follow_section(const struct thick_lens *lens, double power,
+                                                  double per_index, double x, double p)
 {
-    double power = 1 / lens->focal, n = lens->index_object, m = lens->index_image, by_s;
-    double h = x + lens->front * p, d = distort(lens, s, &by_s), term = s;
-    out->slope = (n * (p + w * d) - power * h) / m;
-    out->dslope[0] = power * power * h / m;
-    out->dslope[1] = (n * (w_front * d + w * by_s * s_front) - power * p) / m;
-    out->dslope[2] = 0;
-    for (size_t j = 0; j < THICK_DISTORTIONS; j++, term *= s) {
-        out->dslope[BASE + j] = n * w * term / m;
-    }
-    out->height = h - lens->rear * out->slope;
-    for (size_t j = 0; j < BASE + THICK_DISTORTIONS; j++) {
-        out->dheight[j] = -lens->rear * out->dslope[j];
-    }
-    out->dheight[1] += p;
-    out->dheight[2] -= out->slope;
+    double h = x + lens->front * p;
+    return (struct section_slope){.height = h,
+                                  .slope = (lens->index_object * p - power * h) * per_index,
+                                  .by_focal = power * power * h * per_index,
+                                  .by_front = -power * p * per_index,
+                                  .by_distortion = {0}};
 }
 
-static void follow(const struct thick_lens *lens, const struct thick_rays *rays, size_t i,
-                   struct section_slopes out[2])
+/* What distortion adds to both sections. */
+static void add_distortion(const struct thick_lens *lens, double x, double y, double p, double q,
+                           struct section_slope out[2])
 {
-    double u_front, v_front;
-    double u = field_slope(lens, rays->x[i], rays->p[i], &u_front);
-    double v = field_slope(lens, rays->y[i], rays->q[i], &v_front);
-    double s = u * u + v * v, s_front = 2 * (u * u_front + v * v_front);
-    differentiate(lens, rays->x[i], rays->p[i], u, u_front, s, s_front, &out[0]);
-    differentiate(lens, rays->y[i], rays->q[i], v, v_front, s, s_front, &out[1]);
+    double front[2], by_s, factor = lens->index_object / lens->index_image;
+    const double w[2] = {field_slope(lens, x, p, &front[0]), field_slope(lens, y, q, &front[1])};
+    double s = w[0] * w[0] + w[1] * w[1], s_front = 2 * (w[0] * front[0] + w[1] * front[1]);
+    double d = distort(lens, s, &by_s);
+    for (int k = 0; k < 2; k++) {
+        double term = s;
+        out[k].slope += factor * w[k] * d;
+        out[k].by_front += factor * (front[k] * d + w[k] * by_s * s_front);
+        for (size_t j = 0; j < THICK_DISTORTIONS; j++, term *= s) {
+            out[k].by_distortion[j] = factor * w[k] * term;
+        }
+    }
+}
+
+/* Derivatives of one residual, with z' the plane from H'; p is the slope before. */
+static inline void fill_row(const struct section_slope *one, double w, double reach, double p,
+                            double *row)
+{
+    row[0] = w * reach * one->by_focal;
+    row[1] = w * (p + reach * one->by_front);
+    row[2] = -w * one->slope;
 }
 
 /* Four residuals of a ray: x and y in the image, x and y in the pupil. */
-static void fill_ray(const struct thick_task *task, size_t i, const struct section_slopes out[2],
-                     double *residuals, double *jacobian, size_t columns)
+static inline void fill_ray(const struct thick_task *task, const struct thick_lens *lens, size_t i,
+                            double *residuals, double *jacobian, size_t columns)
 {
     const struct thick_rays *rays = &task->rays;
+    double power = 1 / lens->focal, per_index = 1 / lens->index_image;
+    double x = rays->x[i], y = rays->y[i], weight = sqrt(weight_of(rays, i));
+    const double p[2] = {rays->p[i], rays->q[i]};
     const double height[2] = {rays->x_out[i], rays->y_out[i]};
     const double slope[2] = {rays->p_out[i], rays->q_out[i]};
-    double weight = sqrt(weight_of(rays, i));
-    size_t base = base_of(task, group_of(rays, i)), terms = base_count(task);
+    size_t base = base_of(task, group_of(rays, i)), terms = columns - task->distortions;
+    struct section_slope out[2] = {follow_section(lens, power, per_index, x, p[0]),
+                                   follow_section(lens, power, per_index, y, p[1])};
+    if (task->distortions > 0) {
+        add_distortion(lens, x, y, p[0], p[1], out);
+    }
+    if (jacobian != NULL && columns > BASE) {
+        memset(jacobian, 0, PER_RAY * columns * sizeof(double));
+    }
     for (size_t k = 0; k < PER_RAY; k++) {
-        const struct section_slopes *one = &out[k % 2];
+        const struct section_slope *one = &out[k % 2];
         double z = task->planes[k / 2], w = weight * task->plane_weights[k / 2];
-        residuals[k] = w * (one->height - height[k % 2] + z * (one->slope - slope[k % 2]));
-        if (jacobian == NULL) {
-            continue;
+        double reach = z - lens->rear;
+        residuals[k] = w * (one->height - height[k % 2] + reach * one->slope - z * slope[k % 2]);
+        if (jacobian != NULL) {
+            fill_row(one, w, reach, p[k % 2], jacobian + k * columns + base);
         }
-        double *row = jacobian + k * columns;
-        memset(row, 0, columns * sizeof(double));
-        for (size_t j = 0; j < BASE; j++) {
-            row[base + j] = w * (one->dheight[j] + z * one->dslope[j]);
-        }
-        for (size_t j = 0; j < task->distortions; j++) {
-            row[terms + j] = w * (one->dheight[BASE + j] + z * one->dslope[BASE + j]);
+        for (size_t j = 0; jacobian != NULL && j < task->distortions; j++) {
+            jacobian[k * columns + terms + j] = w * reach * one->by_distortion[j];
         }
     }
 }
@@ -142,9 +155,7 @@ bool thick_residuals(void *context, const double *parameters, double *residuals,
         }
     }
     for (size_t i = 0; i < task->rays.count; i++) {
-        struct section_slopes out[2];
-        follow(&lenses[group_of(&task->rays, i)], &task->rays, i, out);
-        fill_ray(task, i, out, residuals + PER_RAY * i,
+        fill_ray(task, &lenses[group_of(&task->rays, i)], i, residuals + PER_RAY * i,
                  jacobian != NULL ? jacobian + PER_RAY * i * columns : NULL, columns);
     }
     return true;
@@ -246,33 +257,79 @@ static bool check_determined(const struct thick_task *task, const struct thick_f
     return true;
 }
 
+static struct slope_ray map_ray(const struct thick_rays *rays, const struct thick_lens *lenses,
+                                size_t i)
+{
+    const struct slope_ray in = {rays->x[i], rays->y[i], rays->p[i], rays->q[i]};
+    return thick_lens_map(&lenses[group_of(rays, i)], in);
+}
+
 double thick_errors(const struct thick_rays *rays, const struct thick_lens *lenses, double plane,
                     double *dx, double *dy)
 {
     double sum = 0, weights = 0;
     for (size_t i = 0; i < rays->count; i++) {
-        const struct slope_ray in = {rays->x[i], rays->y[i], rays->p[i], rays->q[i]};
-        const struct slope_ray out = thick_lens_map(&lenses[group_of(rays, i)], in);
-        dx[i] = out.x - rays->x_out[i] + plane * (out.p - rays->p_out[i]);
-        dy[i] = out.y - rays->y_out[i] + plane * (out.q - rays->q_out[i]);
-        sum += weight_of(rays, i) * (dx[i] * dx[i] + dy[i] * dy[i]);
+        const struct slope_ray out = map_ray(rays, lenses, i);
+        double x = out.x - rays->x_out[i] + plane * (out.p - rays->p_out[i]);
+        double y = out.y - rays->y_out[i] + plane * (out.q - rays->q_out[i]);
+        sum += weight_of(rays, i) * (x * x + y * y);
         weights += weight_of(rays, i);
+        if (dx != NULL) {
+            dx[i] = x;
+            dy[i] = y;
+        }
     }
     return sqrt(sum / weights);
 }
 
-static void set_result(const struct thick_task *task, struct arena *arena, struct thick_fit *fit)
+/* The angle between directions of slopes p, q and u, v; sine and cosine with the same factor. */
+static double angle_between(double p, double q, double u, double v)
 {
-    size_t count = task->rays.count;
-    double *dx = ARENA_ARRAY(arena, count, double), *dy = ARENA_ARRAY(arena, count, double);
+    double a = q - v, b = u - p, c = p * v - q * u;
+    return atan2(sqrt(a * a + b * b + c * c), 1 + p * u + q * v);
+}
+
+struct thick_score thick_score(const struct thick_rays *rays, const struct thick_lens *lenses,
+                               const double planes[2])
+{
+    struct thick_score score = {.largest = 0};
+    double sums[3] = {0}, weights = 0;
+    for (size_t i = 0; i < rays->count; i++) {
+        const struct slope_ray out = map_ray(rays, lenses, i);
+        double w = weight_of(rays, i), x = out.x - rays->x_out[i], y = out.y - rays->y_out[i];
+        for (int k = 0; k < 2; k++) {
+            double off = hypot(x + planes[k] * (out.p - rays->p_out[i]),
+                               y + planes[k] * (out.q - rays->q_out[i]));
+            sums[k] += w * off * off;
+            score.largest = k == 0 ? fmax(score.largest, off) : score.largest;
+        }
+        double turn = angle_between(out.p, out.q, rays->p_out[i], rays->q_out[i]);
+        sums[2] += w * turn * turn;
+        weights += w;
+    }
+    score.rms[0] = sqrt(sums[0] / weights);
+    score.rms[1] = sqrt(sums[1] / weights);
+    score.direction = sqrt(sums[2] / weights);
+    return score;
+}
+
+static void set_result(const struct thick_task *task, struct thick_fit *fit)
+{
     for (size_t g = 0; g < task->group_count; g++) {
         fit->lenses[g] = lens_of(task, fit->parameters, g);
     }
-    fit->rms_second = thick_errors(&task->rays, fit->lenses, task->planes[1], dx, dy);
-    fit->rms = thick_errors(&task->rays, fit->lenses, task->planes[0], dx, dy);
-    for (size_t i = 0; i < count; i++) {
-        fit->largest = fmax(fit->largest, hypot(dx[i], dy[i]));
+    double sums[2] = {0}, largest = 0, weights = 0;
+    for (size_t i = 0; i < task->rays.count; i++) {
+        const double *r = fit->summary.residuals + PER_RAY * i;
+        double weight = weight_of(&task->rays, i), square = r[0] * r[0] + r[1] * r[1];
+        sums[0] += square;
+        sums[1] += r[2] * r[2] + r[3] * r[3];
+        weights += weight;
+        largest = weight > 0 ? fmax(largest, square / weight) : largest;
     }
+    fit->rms = sqrt(sums[0] / weights) / task->plane_weights[0];
+    fit->largest = sqrt(largest) / task->plane_weights[0];
+    fit->rms_second = sqrt(sums[1] / weights) / task->plane_weights[1];
 }
 
 /* Mean square of the residuals in each plane, as if no parameter had been fitted. */
@@ -307,21 +364,20 @@ static void multiply(const double *b, const double *c, size_t n, double *a)
 static void set_errors(const struct thick_task *task, struct arena *arena, struct thick_fit *fit)
 {
     size_t n = fit->parameter_count, m = PER_RAY * task->rays.count;
-    double *residuals = ARENA_ARRAY(arena, m, double), *j = ARENA_ARRAY(arena, m * n, double);
-    double *inverse = ARENA_ARRAY(arena, n * n, double), *inner = ARENA_ARRAY(arena, n * n, double);
+    const double *j = fit->summary.jacobian;
+    double *inner = ARENA_ARRAY(arena, n * n, double);
     double *half = ARENA_ARRAY(arena, n * n, double), variance[2];
-    struct thick_task own = *task;
-    thick_residuals(&own, fit->parameters, residuals, j);
-    plane_variances(task, residuals, variance);
+    plane_variances(task, fit->summary.residuals, variance);
     for (size_t i = 0; i < m; i++) {
+        const double *row = j + i * n;
         for (size_t k = 0; k < n; k++) {
-            for (size_t l = 0; l < n; l++) {
-                inner[k * n + l] += variance[i % PER_RAY / 2] * j[i * n + k] * j[i * n + l];
+            double factor = variance[i % PER_RAY / 2] * row[k];
+            for (size_t l = 0; l < n && factor != 0; l++) {
+                inner[k * n + l] += factor * row[l];
             }
         }
     }
-    const struct linear_factors factors = linear_factor(j, m, n, 1e-12, arena);
-    linear_normal_inverse(&factors, inverse, arena);
+    const double *inverse = fit->summary.inverse;
     multiply(inverse, inner, n, half);
     multiply(half, inverse, n, fit->summary.covariance);
     double share = (double)m / (double)fit->summary.degrees_of_freedom;
@@ -365,7 +421,7 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
         return false;
     }
     set_errors(task, arena, fit);
-    set_result(task, arena, fit);
+    set_result(task, fit);
     return true;
 }
 

@@ -86,11 +86,26 @@ solver_function thick_residuals;
  * Distance in a plane between rays and what a thick lens makes of them.
  *
  * Given     plane  from the rear reference plane, mm
- *           dx, dy  receive the lens's ray less the given one, mm
+ *           dx, dy  receive the lens's ray less the given one, mm; or null
  * Result    root mean square of the distances, weighted
  */
 double thick_errors(const struct thick_rays *rays, const struct thick_lens *lenses, double plane,
                     double *dx, double *dy);
+
+/* How far a thick lens is off. */
+struct thick_score {
+    double rms[2];    /* in each of the two planes, mm */
+    double largest;   /* in the first, mm */
+    double direction; /* angle between the rays behind the lens, rms, rad */
+};
+
+/*
+ * Compare a thick lens with rays in two planes, and by direction.
+ *
+ * Given     planes  from the rear reference plane, mm
+ */
+struct thick_score thick_score(const struct thick_rays *rays, const struct thick_lens *lenses,
+                               const double planes[2]);
 
 /* A pupil: the picture of the stop from one side. */
 struct thick_pupil {
