@@ -70,7 +70,8 @@ const struct ray_block *derivative_trace(const struct system *system, const stru
  *                     the member of that name, for each ray: x = 1 and the rest 0 asks for dx;
  *                     receives the derivatives by the starting x, y, z, p, q, r and path
  *           gradient  layout.rows rows of RAYS_BLOCK; receives the derivatives
- * Result    NaN in every row for rays that are lost, but for clipped ones that arrive
+ * Result    NaN in every row for rays that are lost, but for clipped ones that arrive; and in all
+ *           that lies before a thick lens, which has no derivatives
  * Formula   for a surface with normal N, M = N^2, D = N.p, E = N.p', p' = p + g N,
  *           g = (E - D)/M, a and b the adjoints of point and direction:
  *           g~ = N.b, D~ = -(g/E) g~, N~ = g b + D~ p + 2 M~ N, b += D~ N; a and the shape gain

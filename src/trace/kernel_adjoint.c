@@ -198,7 +198,7 @@ static void move(const struct step *s, struct ray_block *adjoint, const struct a
     }
 }
 
-/* A thick lens has no derivatives here yet: NaN, so that nobody takes them for numbers. */
+/* A thick lens has no derivatives here: NaN, so that nobody takes them for numbers. */
 static void no_derivatives(struct ray_block *adjoint)
 {
     for (int i = 0; i < RAYS_BLOCK; i++) {
