@@ -1,13 +1,21 @@
 /* cli/cmd_fit.c - lenscalc fit: thick lenses from exact rays, glasses from indices. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/fit.h"
+#include "trace/sample.h"
 
 static const struct word shows[] = {
     [FIT_ANSWER] = {"answer", "what was found, one row a lens or glass"},
     [FIT_PARAMETERS] = {"parameters", "each parameter with its standard error"},
     [FIT_CORRELATIONS] = {"correlations", "each pair of parameters"},
     [FIT_RESIDUALS] = {"residuals", "each ray or measured index: where the fit fails"},
+    [FIT_MODELS] = {"models", "the fitted, the paraxial and the thin lens beside each other"},
     [FIT_MATRIX] = {"matrix", "the thick lens as a 4x4 matrix"},
+    {NULL, NULL},
+};
+
+static const struct word matches[] = {
+    [FIT_IMAGE] = {"image", "the distance of rays in the image; the exit pupil settles the rest"},
+    [FIT_RAYS] = {"rays", "place and direction: distances in image and exit pupil alike"},
     {NULL, NULL},
 };
 
@@ -35,10 +43,20 @@ static const struct option options[] = {
      .help = "terms of distortion to fit"},
     {OPTION(struct fit_input, chromatic), .name = "chromatic",
      .help = "f, H and H' of each wavelength instead of one lens for all"},
-    {OPTION(struct fit_input, rings), .name = "rings", .dimension = &dimension_number, .lowest = 1,
-     .highest = 32, .fallback = "6", .value = "COUNT", .help = "rings of rays in the pupil"},
-    {OPTION(struct fit_input, arms), .name = "arms", .dimension = &dimension_number, .lowest = 2,
-     .highest = 360, .fallback = "12", .value = "COUNT", .help = "rays on each ring"},
+    {OPTION(struct fit_input, match), .name = "match", .words = matches, .fallback = "image",
+     .value = "WHAT", .help = "what is made smallest"},
+    {OPTION(struct fit_input, pattern), .name = "pattern", .words = patterns, .fallback = "gauss",
+     .value = "PATTERN", .help = "rays of each field"},
+    {OPTION(struct fit_input, rays), .name = "rays", .lowest = 1, .highest = 1e5, .fallback = "72",
+     .value = "COUNT",
+     .help = "about how many rays a field has: the pattern takes the next number it can"},
+    {OPTION(struct fit_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
+     .value = "NUMBER", .help = "of the pattern sobol"},
+    {OPTION(struct fit_input, clip), .name = "clip",
+     .help = "clear apertures and the stop lose rays (so they do anyway)"},
+    {OPTION(struct fit_input, no_clip), .name = "no-clip", .help = "rays pass beyond all rims"},
+    {OPTION(struct fit_input, map), .name = "map", .value = "FILE.svg", .flags = OPTION_FILE,
+     .help = "draw where in field and pupil the thick lens fails"},
     {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS",
      .help = "change the lens until it has what was measured: efl=50.2,bfl@F=38.1:0.02, ffl, "
              "length, height@10deg=8.8; the deviation stands behind a colon"},
@@ -69,6 +87,7 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
         [FIT_RESIDUALS] = input->glass != NULL   ? &fit_index_sheet
                           : input->goals != NULL ? &fit_goal_sheet
                                                  : &fit_ray_sheet,
+        [FIT_MODELS] = &fit_model_sheet,
         [FIT_MATRIX] = &fit_matrix_sheet,
     };
     (void)asking;
@@ -101,6 +120,15 @@ static bool run(const void *data, struct run *run, struct error *error)
     if (input->glass != NULL && input->show == FIT_MATRIX) {
         return fail(error, ERROR_USAGE, "a glass has no matrix: --show matrix is of a lens");
     }
+    if (input->clip && input->no_clip) {
+        return fail(error, ERROR_USAGE, "--clip and --no-clip: one of them");
+    }
+    if (input->map != NULL && (input->glass != NULL || input->goals != NULL)) {
+        return fail(error, ERROR_USAGE, "--map is of the thick lens of a lens");
+    }
+    if (input->show == FIT_MODELS && (input->glass != NULL || input->goals != NULL)) {
+        return fail(error, ERROR_USAGE, "--show models is of the thick lens of a lens");
+    }
     return input->glass != NULL   ? fit_glass(input, run, error)
            : input->goals != NULL ? fit_prescription(input, run, error)
                                   : fit_lens(input, run, error);
@@ -108,8 +136,8 @@ static bool run(const void *data, struct run *run, struct error *error)
 
 static const struct explanation explanations[] = {
     {"efl",
-     "the f, H and H' that make the distances between exact rays and those of a thick lens "
-     "smallest in the image, rms",
+     "f, H, H' = argmin sum w (|e in the image|^2 + 10^-6 |e in the exit pupil|^2), e the exact "
+     "ray less that of the thick lens, n' u' = n u - h/f from H to H'",
      "[BornWolf99] 4.3; [Ceres22]",
      "for fields below 90 degrees; the errors tell how well the rays agree with any thick lens"},
     {NULL, NULL, NULL, NULL},
@@ -123,7 +151,7 @@ static const struct example examples[] = {
     {"fit double-gauss --prescription efl=101,bfl=72.5 --vary R1,R11",
      "radii that give the measured focal length and back focus"},
     {"fit double-gauss -o equal.lens", "as a lens that every command takes"},
-    {"fit double-gauss --rings 2 --show residuals", "where in field and pupil it fails"},
+    {"fit double-gauss --map map.svg", "where in field and pupil it fails"},
     {NULL, NULL},
 };
 

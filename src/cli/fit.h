@@ -6,15 +6,25 @@
 #include "cli/lens_options.h"
 #include "design/solver.h"
 
-enum fit_show { FIT_ANSWER, FIT_PARAMETERS, FIT_CORRELATIONS, FIT_RESIDUALS, FIT_MATRIX };
+enum fit_show {
+    FIT_ANSWER,
+    FIT_PARAMETERS,
+    FIT_CORRELATIONS,
+    FIT_RESIDUALS,
+    FIT_MODELS,
+    FIT_MATRIX
+};
+
+/* What rays are compared by: their place in the image, or place and direction. */
+enum fit_match { FIT_IMAGE, FIT_RAYS };
 
 struct fit_input {
     struct lens_question question;
-    const char *glass, *fields, *output, *name, *goals, *vary;
+    const char *glass, *fields, *output, *map, *name, *goals, *vary;
     double object; /* mm; NaN = the lens's own */
-    int show, formula;
-    long terms, distortion, rings, arms;
-    bool chromatic;
+    int show, formula, match, pattern;
+    long terms, distortion, rays, seed;
+    bool chromatic, clip, no_clip;
 };
 
 /* One row of parameters or correlations, whatever was fitted. */
@@ -38,6 +48,14 @@ struct fit_found {
 /* Hand out the rows of FIT_PARAMETERS or FIT_CORRELATIONS. */
 void fit_emit(const struct fit_found *found, enum fit_show show, struct run *run);
 
+/*
+ * Write a file that --output or --map names.
+ *
+ * Errors    ERROR_IO: it is there already and --force is not given; as output_file
+ */
+bool fit_write(const char *path, const char *data, size_t length, struct run *run,
+               struct error *error);
+
 /* "converged", or in words why the fit ended otherwise. */
 const char *fit_status(const struct solver_summary *summary);
 
@@ -46,7 +64,7 @@ const char *fit_status(const struct solver_summary *summary);
 extern const struct sheet fit_glass_sheet, fit_index_sheet;
 bool fit_glass(const struct fit_input *input, struct run *run, struct error *error);
 
-extern const struct sheet fit_lens_sheet, fit_ray_sheet, fit_matrix_sheet;
+extern const struct sheet fit_lens_sheet, fit_ray_sheet, fit_model_sheet, fit_matrix_sheet;
 bool fit_lens(const struct fit_input *input, struct run *run, struct error *error);
 
 extern const struct sheet fit_goal_sheet;

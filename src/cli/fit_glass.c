@@ -115,7 +115,7 @@ static bool save_glass(const struct fit_input *input, const struct dispersion_fi
         "%s\t%s\t%s\t%.10g\t%.10g\tfitted to %s\n",
         input->glass, fit->rms, fit->largest, name, glass_formula_name(fit->glass.formula),
         coefficients_of(&fit->glass, arena), fit->glass.shortest, fit->glass.longest, input->glass);
-    return output_file(input->output, text, text_of(text).length, arena, error);
+    return fit_write(input->output, text, text_of(text).length, run, error);
 }
 
 static void emit_indices(const struct index_table *table, const struct dispersion_fit *fit,

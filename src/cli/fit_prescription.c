@@ -244,7 +244,7 @@ static bool save(const struct fit_input *input, const struct lens *lens,
         return error_prefix(error, "the fitted lens: ");
     }
     struct text text = lens_write(&all, run->arena);
-    return output_file(input->output, text.start, text.length, run->arena, error);
+    return fit_write(input->output, text.start, text.length, run, error);
 }
 
 static bool visit(const struct lens_case *one, struct run *run, const void *context,

@@ -1,12 +1,15 @@
 /* cli/fit_rows.c - parameters of a fit, their errors and correlations, as rows. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/fit.h"
+#include "report/output.h"
+
+#include <sys/stat.h>
 
 #define PLAIN(member_name) COLUMN(struct fit_row, member_name), .flags = COLUMN_BRIEF
 
 static const struct column parameter_columns[] = {
-    {COLUMN(struct fit_row, position), .name = "position", .label = "position",
-     .help = "zoom or focus position"},
+    {COLUMN(struct fit_row, position), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "position",
+     .label = "position", .help = "zoom or focus position"},
     {PLAIN(parameter), .name = "parameter", .label = "parameter", .help = "what was fitted"},
     {PLAIN(value), .name = "value", .digits = 9, .label = "value",
      .help = "its value; lengths in mm"},
@@ -17,8 +20,8 @@ static const struct column parameter_columns[] = {
 };
 
 static const struct column correlation_columns[] = {
-    {COLUMN(struct fit_row, position), .name = "position", .label = "position",
-     .help = "zoom or focus position"},
+    {COLUMN(struct fit_row, position), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "position",
+     .label = "position", .help = "zoom or focus position"},
     {PLAIN(parameter), .name = "parameter", .label = "parameter", .help = "one parameter"},
     {PLAIN(with), .name = "with", .label = "with", .help = "another"},
     {PLAIN(correlation), .name = "correlation", .label = "correlation",
@@ -73,6 +76,16 @@ void fit_emit(const struct fit_found *found, enum fit_show show, struct run *run
     } else {
         emit_parameters(found, run);
     }
+}
+
+bool fit_write(const char *path, const char *data, size_t length, struct run *run,
+               struct error *error)
+{
+    struct stat found;
+    if (!run->force && stat(path, &found) == 0 && S_ISREG(found.st_mode)) {
+        return fail(error, ERROR_IO, "%s is there already: --force replaces it", path);
+    }
+    return output_file(path, data, length, run->arena, error);
 }
 
 const char *fit_status(const struct solver_summary *summary)

@@ -8,9 +8,11 @@
 #include "design/thick.h"
 #include "optics/first_order.h"
 #include "optics/lens.h"
+#include "trace/sample.h"
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 enum { BUNDLE_FIELDS = 64 };
 
@@ -24,7 +26,16 @@ struct bundle_request {
     const double *fields; /* rad for distant objects, else mm of the object; signed along y */
     const double *field_weights; /* null = 1 */
     size_t field_count;
-    size_t rings, arms; /* of the pupil */
+    enum pattern pattern; /* of the pupil, with about so many rays */
+    size_t ray_count;
+    uint64_t seed;
+    bool no_clip; /* rays pass beyond rims */
+};
+
+/* A ray that did not come through: its place in the stop. */
+struct bundle_loss {
+    double stop_x, stop_y;
+    size_t field, group;
 };
 
 /* The rays that came through, and what became of the others. */
@@ -33,6 +44,8 @@ struct bundle {
     size_t *field;       /* of each ray */
     double *columns[11]; /* what `rays` points to: x y p q, the same behind, weight, stop x y */
     size_t *groups;
+    struct bundle_loss *lost; /* those of them whose field has a chief ray */
+    size_t lost_count;
     size_t wanted, unreachable, clipped; /* no ray to that point of the stop; stopped by a rim */
     double *index_object, *index_image;  /* one a wavelength; negative where light runs to -z */
 };
@@ -42,12 +55,10 @@ struct bundle {
  *
  * Result    rays with place and slopes at the first and the last vertex; each weighted by its part
  *           of the pupil, by its field and its wavelength
- * Formula   rings at the nodes of Gauss' quadrature in r^2, arms at equal angles: integrals over
- *           the pupil converge at once; the points are those of the stop, to which each ray is
- *           aimed at the first wavelength by Newton's method, field by field from the axis
- *           A lens without a stop: points of its entrance beam at the first vertex
+ * Formula   the pattern's points are those of the stop, to which each ray is aimed at the first
+ *           wavelength (trace/aim); a lens without a stop: of its entrance beam at the first vertex
  * Errors    ERROR_DOMAIN: no beam (neither stop nor aperture), a field at 90 degrees or beyond,
- *           no ray left; as system_compile
+ *           no ray left, with the reason; as system_compile
  */
 bool bundle_trace(const struct bundle_request *request, struct arena *arena, struct bundle *bundle,
                   struct error *error);

@@ -9,8 +9,13 @@ say fit fisheye-16 --field 77.95
 say fit double-gauss --position wide
 say fit double-gauss --glass x.csv
 say fit --glass none.csv
-say fit double-gauss --distortion 3
-say fit double-gauss --rings 0
+say fit double-gauss --field 0,5 --distortion 3
+say fit double-gauss --field 0,50
+say fit double-gauss --rays 0
+say fit double-gauss --clip --no-clip
+say fit double-gauss --chromatic -o x.lens
+say fit nikkor-z-14-24 --position all -o x.lens
+say fit fisheye-16 --field 120
 printf 'lens afocal\nfield angle 0 1\naperture epd 10\nsurface - 5 1.5 -\nsurface - 50 air -\n' > afocal.lens
 say fit afocal.lens
 printf 'lens bare\nfield angle 0 5\nsurface 50 5 1.5 -\nsurface -50 50 air -\n' > bare.lens
@@ -27,9 +32,18 @@ say fit --glass few.csv
 say fit --glass few.csv --formula cauchy --terms 7
 say fit --glass few.csv --formula cauchy --terms 2 --show matrix
 say fit double-gauss -o /nowhere/x.lens --columns efl_mm
+touch there.lens
+say fit double-gauss -o there.lens --columns efl_mm
+printf 'wavelength_nm,index\n500,nan\n600,1.5\n700,1.4\n' > nan.csv
+say fit --glass nan.csv
+say fit --glass few.csv --map x.svg
 # without the solver
 LENSCALC_RELAYED=1 lenscalc fit double-gauss
 echo "status $?"
+# with the solver, but not its library
+cp "$(command -v lenscalc)" lenscalc
+printf '#!/bin/sh\nexit 127\n' > lenscalc-ceres && chmod +x lenscalc-ceres
+./lenscalc fit double-gauss 2>&1 | sed 's|: /.*/lenscalc-ceres|: lenscalc-ceres|'
 lenscalc fit --help > help.txt && head -n 1 help.txt
 say fit double-gauss --vary R1
 say fit double-gauss --prescription efl=100
@@ -40,3 +54,4 @@ say fit double-gauss --prescription efl=100 --vary 'R1[5'
 say fit double-gauss --prescription efl=100 --vary R12
 say fit double-gauss --prescription efl=100 --vary n5 --columns goal,reached_mm
 say fit nikkor-z-14-24 --prescription efl=15 --vary R1
+say fit double-gauss --prescription efl=100 --vary 'R1[60,50]'

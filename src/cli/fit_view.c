@@ -1,0 +1,257 @@
+/* cli/fit_view.c - what a fit found: its rays, its matrix, its rivals, as rows and files. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/fit_job.h"
+#include "design/thick_element.h"
+#include "file/lens_file.h"
+#include "report/ray_map.h"
+#include "report/svg.h"
+
+/* One ray: where in field and pupil the equivalent fails. */
+struct ray_row {
+    const char *position;
+    double wavelength; /* mm */
+    double field;      /* rad, or mm */
+    double object_height, stop_x, stop_y, dx, dy, distance;
+};
+
+#define RAY(member_name, more) COLUMN(struct ray_row, member_name), .flags = (more)
+
+static const struct column ray_columns[] = {
+    {RAY(position, COLUMN_BRIEF | COLUMN_SPARSE), .name = "position", .label = "position",
+     .help = "zoom or focus position"},
+    {RAY(wavelength, COLUMN_ECHO | COLUMN_BRIEF), .dimension = &dimension_length, .unit = "nm",
+     .name = "wavelength", .label = "wavelength", .help = "wavelength"},
+    {RAY(field, COLUMN_BRIEF), .dimension = &dimension_angle, .unit = "deg", .name = "field",
+     .label = "field", .help = "field angle; absent for an object nearby"},
+    {RAY(object_height, 0), .dimension = &dimension_length, .unit = "mm", .name = "object_height",
+     .label = "object height", .help = "height of the object point; absent for a distant object"},
+    {RAY(stop_x, COLUMN_BRIEF), .name = "stop_x", .label = "stop x",
+     .help = "where the ray crosses the stop, in shares of its radius"},
+    {RAY(stop_y, COLUMN_BRIEF), .name = "stop_y", .label = "stop y", .help = "the same"},
+    {RAY(dx, COLUMN_BRIEF), .dimension = &dimension_length, .unit = "um", .name = "dx",
+     .label = "dx", .help = "the thick lens's ray less the exact one, in the image"},
+    {RAY(dy, COLUMN_BRIEF), .dimension = &dimension_length, .unit = "um", .name = "dy",
+     .label = "dy", .help = "the same along y"},
+    {RAY(distance, COLUMN_BRIEF), .dimension = &dimension_length, .unit = "um", .name = "distance",
+     .label = "distance", .help = "length of (dx, dy)"},
+};
+
+const struct sheet fit_ray_sheet = {ray_columns, sizeof ray_columns / sizeof ray_columns[0],
+                                    sizeof(struct ray_row)};
+
+/* A thick lens beside its rivals. */
+struct model_row {
+    const char *position, *model;
+    double efl, front, rear, rms, largest, rms_pupil; /* mm */
+    double rms_direction;                             /* rad */
+};
+
+#define MODEL(member_name, in_unit)                                                                \
+    COLUMN(struct model_row, member_name), .dimension = &dimension_length, .unit = in_unit,        \
+                                           .flags = COLUMN_BRIEF
+
+static const struct column model_columns[] = {
+    {COLUMN(struct model_row, position), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "position",
+     .label = "position", .help = "zoom or focus position"},
+    {COLUMN(struct model_row, model), .flags = COLUMN_BRIEF, .name = "model", .label = "model",
+     .help = "fitted, paraxial, or thin: the paraxial f at H', where it focuses alike"},
+    {MODEL(efl, "mm"), .name = "efl", .label = "f", .digits = 7, .help = "its focal length"},
+    {MODEL(front, "mm"), .name = "front_principal", .label = "H", .digits = 6,
+     .help = "its H, from the first vertex"},
+    {MODEL(rear, "mm"), .name = "rear_principal", .label = "H'", .digits = 6,
+     .help = "its H', from the last vertex"},
+    {MODEL(rms, "um"), .name = "rms", .label = "image rms",
+     .help = "distance of its rays from the exact ones in the image, root mean square"},
+    {MODEL(largest, "um"), .name = "largest", .label = "largest",
+     .help = "largest of these distances"},
+    {MODEL(rms_pupil, "um"), .name = "rms_pupil", .label = "exit pupil rms",
+     .help = "the same in the exit pupil"},
+    {COLUMN(struct model_row, rms_direction), .dimension = &dimension_angle, .unit = "deg",
+     .flags = COLUMN_BRIEF, .name = "rms_direction", .label = "direction rms",
+     .help = "angle between its rays and the exact ones behind the lens, root mean square"},
+};
+
+const struct sheet fit_model_sheet = {model_columns, sizeof model_columns / sizeof model_columns[0],
+                                      sizeof(struct model_row)};
+
+struct matrix_row {
+    const char *position, *row;
+    double x, y, z, w;
+};
+
+#define CELL(member_name)                                                                          \
+    COLUMN(struct matrix_row, member_name), .name = #member_name, .flags = COLUMN_BRIEF,           \
+                                            .label = #member_name
+
+static const struct column matrix_columns[] = {
+    {COLUMN(struct matrix_row, position), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "position",
+     .label = "position", .help = "zoom or focus position"},
+    {CELL(row), .help = "row of the matrix, from H to H'"},
+    {CELL(x), .help = "times x of the object point"},
+    {CELL(y), .help = "times y"},
+    {CELL(z), .help = "times z in mm from H, negative in front of it"},
+    {CELL(w), .help = "times 1; the image point's z is from H too"},
+};
+
+const struct sheet fit_matrix_sheet = {
+    matrix_columns, sizeof matrix_columns / sizeof matrix_columns[0], sizeof(struct matrix_row)};
+void fit_show_rays(const struct fit_job *job)
+{
+    const struct thick_rays *rays = &job->bundle.rays;
+    struct arena *arena = job->run->arena;
+    double *dx = ARENA_ARRAY(arena, rays->count, double);
+    double *dy = ARENA_ARRAY(arena, rays->count, double);
+    thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
+    for (size_t i = 0; i < rays->count; i++) {
+        double field = job->field[job->bundle.field[i]];
+        bool angle = job->lens->object_is_infinite;
+        const struct ray_row row = {.position = job->position,
+                                    .wavelength =
+                                        lens_wavelength_own(job->wavelengths[rays->group[i]]),
+                                    .field = angle ? field : NAN,
+                                    .object_height = angle ? NAN : field,
+                                    .stop_x = rays->stop_x[i],
+                                    .stop_y = rays->stop_y[i],
+                                    .dx = dx[i],
+                                    .dy = dy[i],
+                                    .distance = hypot(dx[i], dy[i])};
+        if (!run_emit(job->run, &row)) {
+            return;
+        }
+    }
+}
+
+/* Fitted, paraxial and thin beside each other. */
+void fit_show_models(const struct fit_job *job)
+{
+    const struct {
+        const char *name;
+        const struct thick_lens *lenses;
+    } models[] = {{"fitted", job->fit.lenses}, {"paraxial", job->paraxial}, {"thin", job->thin}};
+    for (size_t i = 0; i < sizeof models / sizeof models[0]; i++) {
+        const struct thick_lens *lens = &models[i].lenses[0];
+        struct thick_score score =
+            thick_score(&job->bundle.rays, models[i].lenses, job->task.planes);
+        const struct model_row row = {.position = job->position,
+                                      .model = models[i].name,
+                                      .efl = lens->focal,
+                                      .front = lens->front,
+                                      .rear = lens->rear,
+                                      .rms = score.rms[0],
+                                      .largest = score.largest,
+                                      .rms_pupil = score.rms[1],
+                                      .rms_direction = score.direction};
+        if (!run_emit(job->run, &row)) {
+            return;
+        }
+    }
+}
+
+/* As of lenscalc matrix --perspective: z from H before and behind. */
+void fit_show_matrix(const struct fit_job *job)
+{
+    const struct thick_lens *lens = &job->fit.lenses[0];
+    double n = lens->index_object, m = lens->index_image, power = 1 / lens->focal;
+    double t = job->first.length + lens->rear - lens->front;
+    const struct matrix_row rows[4] = {
+        {job->position, "x", 1, 0, 0, 0},
+        {job->position, "y", 0, 1, 0, 0},
+        {job->position, "z", 0, 0, m / n + t * power / n, t},
+        {job->position, "w", 0, 0, power / n, 1},
+    };
+    for (int i = 0; i < 4 && run_emit(job->run, &rows[i]); i++) {
+    }
+}
+
+/* Labels of the columns and rows of the map. */
+static void label_map(const struct fit_job *job, struct ray_map *map)
+{
+    struct arena *arena = job->run->arena;
+    bool angle = job->lens->object_is_infinite;
+    const char **columns = ARENA_ARRAY(arena, job->field_count, const char *);
+    const char **rows = ARENA_ARRAY(arena, job->wavelength_count, const char *);
+    for (size_t i = 0; i < job->field_count; i++) {
+        columns[i] = angle ? arena_printf(arena, "%.4g°", job->field[i] * 57.29577951308232)
+                           : arena_printf(arena, "%.4g mm", job->field[i]);
+    }
+    for (size_t i = 0; i < job->wavelength_count; i++) {
+        rows[i] = arena_printf(arena, "%.4g nm", 1000 * job->wavelengths[i]);
+    }
+    map->columns = columns;
+    map->column_count = job->field_count;
+    map->rows = rows;
+    map->row_count = job->wavelength_count;
+}
+
+static void place_points(const struct fit_job *job, struct ray_map *map)
+{
+    const struct bundle *bundle = &job->bundle;
+    const struct thick_rays *rays = &bundle->rays;
+    struct arena *arena = job->run->arena;
+    size_t count = rays->count + bundle->lost_count;
+    struct ray_map_point *points = ARENA_ARRAY(arena, count, struct ray_map_point);
+    double *dx = ARENA_ARRAY(arena, rays->count, double);
+    double *dy = ARENA_ARRAY(arena, rays->count, double);
+    thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
+    for (size_t i = 0; i < rays->count; i++) {
+        points[i] = (struct ray_map_point){bundle->field[i], rays->group[i], rays->stop_x[i],
+                                           rays->stop_y[i],  1000 * dx[i],   1000 * dy[i]};
+    }
+    for (size_t i = 0; i < bundle->lost_count; i++) {
+        const struct bundle_loss *lost = &bundle->lost[i];
+        points[rays->count + i] =
+            (struct ray_map_point){lost->field, lost->group, lost->stop_x, lost->stop_y, NAN, NAN};
+    }
+    map->points = points;
+    map->count = count;
+}
+
+bool fit_draw_map(const struct fit_job *job, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const struct thick_lens *lens = &job->fit.lenses[0];
+    const char *title = job->lens->title != NULL ? job->lens->title : "lens";
+    struct ray_map map = {
+        .title = arena_printf(arena, "%s%s%s: exact rays against the fitted thick lens", title,
+                              job->position != NULL ? ", " : "",
+                              job->position != NULL ? job->position : ""),
+        .subtitle = job->task.separate
+                        ? arena_printf(arena,
+                                       "a thick lens for each wavelength; rms %.4g um, "
+                                       "largest %.4g um",
+                                       1000 * job->fit.rms, 1000 * job->fit.largest)
+                        : arena_printf(arena,
+                                       "f %.7g mm, H %.6g mm, H' %.6g mm; rms %.4g um, "
+                                       "largest %.4g um",
+                                       lens->focal, lens->front, lens->rear, 1000 * job->fit.rms,
+                                       1000 * job->fit.largest),
+        .unit = "um"};
+    struct svg svg = {.arena = arena};
+    label_map(job, &map);
+    place_points(job, &map);
+    return ray_map_draw(&map, &svg, error) &&
+           fit_write(job->input->map, svg.data, svg.length, job->run, error);
+}
+
+bool fit_save_lens(const struct fit_job *job, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const struct thick_stand_in stand_in = {
+        .thick = job->fit.lenses[0],
+        .length = job->first.length,
+        .pupil = job->entrance.place,
+        .pupil_diameter = 2 * fabs(job->entrance.radius),
+        .fnumber = job->first.fnumber,
+        .image = job->task.planes[0],
+        .title = arena_printf(arena, "thick lens that equals %s%s%s",
+                              job->lens->title != NULL ? job->lens->title : "a lens",
+                              job->position != NULL ? " at " : "",
+                              job->position != NULL ? job->position : ""),
+        .note =
+            arena_printf(arena, "fitted by lenscalc to %zu exact rays, rms %.4g um in the image",
+                         job->bundle.rays.count, 1000 * job->fit.rms),
+    };
+    const struct lens lens = thick_element_lens(job->lens, &stand_in, arena);
+    struct text text = lens_write(&lens, arena);
+    return fit_write(job->input->output, text.start, text.length, job->run, error);
+}
