@@ -1,0 +1,155 @@
+/* tests/bench/fit.c - a thick lens fitted to 1000 exact rays; what a ray costs by each model. */
+/* SPDX-License-Identifier: MIT */
+#include "design/bundle.h"
+#include "design/thick.h"
+#include "file/lens_db.h"
+#include "trace/dispatch.h"
+#include "trace/system.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+/* Prints one figure a line, "name value"; times are the best of TURNS. */
+enum { TURNS = 200 };
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static void need(bool good, const struct error *error)
+{
+    if (!good) {
+        fprintf(stderr, "fit: %s\n", error->message);
+        exit(1);
+    }
+}
+
+/* ns a ray by a thick lens's map; the thin lens is the same map with H and H' in one plane. */
+static double time_map(const struct bundle *bundle, const struct thick_lens *lens)
+{
+    double best = INFINITY, sum = 0;
+    for (int turn = 0; turn < TURNS; turn++) {
+        double start = now();
+        for (size_t i = 0; i < bundle->rays.count; i++) {
+            const struct slope_ray in = {bundle->rays.x[i], bundle->rays.y[i], bundle->rays.p[i],
+                                         bundle->rays.q[i]};
+            const struct slope_ray out = thick_lens_map(lens, in);
+            sum += out.x + out.y + out.p + out.q;
+        }
+        best = fmin(best, now() - start);
+    }
+    if (!isfinite(sum)) {
+        puts("not finite");
+    }
+    return 1e9 * best / (double)bundle->rays.count;
+}
+
+/* ns a ray by exact tracing, with clear apertures. */
+static double time_exact(const struct lens *lens, const struct first_order *first,
+                         struct arena *arena)
+{
+    struct error error;
+    struct system system;
+    struct system_options options = system_options_default();
+    options.clip = true;
+    options.stop_radius = first->stop_radius;
+    need(system_compile(lens, 0.5875618, &options, arena, &system, &error), &error);
+    double best = INFINITY;
+    enum { COUNT = 1024 };
+    for (int turn = 0; turn < TURNS; turn++) {
+        struct arena_mark mark = arena_mark(arena);
+        struct rays rays = rays_new(arena, COUNT);
+        for (size_t i = 0; i < COUNT; i++) {
+            const struct ray ray = {.point = {0, (double)i * 20 / COUNT, 0}, .cosine = {0, 0, 1}};
+            rays_set(&rays, i, system.index_first, &ray);
+        }
+        double start = now();
+        rays_trace(&system, &rays, NULL);
+        best = fmin(best, now() - start);
+        arena_reset(arena, mark);
+    }
+    return 1e9 * best / COUNT;
+}
+
+/* The double Gauss at the d line, fields to 14 degrees, nothing clipped. */
+struct subject {
+    struct lens lens;
+    struct first_order first;
+    struct bundle_request request;
+    struct bundle bundle;
+    struct thick_fit fit;
+    double trace_time, fit_time; /* s */
+};
+
+static void open_subject(struct subject *subject, struct arena *arena)
+{
+    static const double wavelengths[] = {0.5875618}, fields[] = {0, 0.06, 0.12, 0.18, 0.24};
+    struct error error;
+    struct lensdb db = {.arena = arena};
+    need(lens_db_find(&db, text_of("double-gauss"), arena, &subject->lens, &error), &error);
+    const struct conjugate_object object = lens_object(&subject->lens);
+    const struct aperture_setting aperture = lens_aperture(&subject->lens);
+    need(first_order_of_lens(&subject->lens, wavelengths[0], SECTION_Y, arena, &subject->first,
+                             &error) &&
+             first_order_aperture(&subject->first, &object, &aperture, FIELD_NONE, NAN, &error),
+         &error);
+    subject->request = (struct bundle_request){.lens = &subject->lens,
+                                               .first = &subject->first,
+                                               .wavelengths = wavelengths,
+                                               .wavelength_count = 1,
+                                               .fields = fields,
+                                               .field_count = 5,
+                                               .pattern = PATTERN_SQUARE,
+                                               .ray_count = 200,
+                                               .no_clip = true};
+    subject->trace_time = subject->fit_time = INFINITY;
+}
+
+/* Trace and fit once; what is in the arena stays until the next turn. */
+static void run_once(struct subject *subject, struct arena *work)
+{
+    const struct first_order *first = &subject->first;
+    struct error error;
+    double start = now();
+    need(bundle_trace(&subject->request, work, &subject->bundle, &error), &error);
+    subject->trace_time = fmin(subject->trace_time, now() - start);
+    struct thick_task task = {
+        .rays = subject->bundle.rays,
+        .group_count = 1,
+        .index_object = subject->bundle.index_object,
+        .index_image = subject->bundle.index_image,
+        .planes = {first->image, first->exit_pupil},
+        .plane_weights = {1, THICK_PUPIL_WEIGHT},
+        .object = INFINITY,
+        .start = {first->efl, first->front_principal, first->rear_principal, 1, 1, {0}, INFINITY}};
+    task.rays.count = (size_t)fmin((double)task.rays.count, 1000);
+    start = now();
+    need(thick_fit(&task, work, &subject->fit, &error), &error);
+    subject->fit_time = fmin(subject->fit_time, now() - start);
+    subject->bundle.rays.count = task.rays.count;
+}
+
+int main(void)
+{
+    struct arena arena = {0}, work = {0};
+    struct subject subject;
+    open_subject(&subject, &arena);
+    for (int turn = 0; turn < TURNS; turn++) {
+        arena_reset(&work, (struct arena_mark){0});
+        run_once(&subject, &work);
+    }
+    const struct thick_lens *thick = &subject.fit.lenses[0];
+    struct thick_lens thin = *thick;
+    thin.front = subject.first.length + thin.rear;
+    printf("rays %zu\niterations %d\n", subject.bundle.rays.count, subject.fit.summary.iterations);
+    printf("fit %.1f\nbundle %.1f\n", 1e6 * subject.fit_time, 1e6 * subject.trace_time);
+    printf("exact %.2f\n", time_exact(&subject.lens, &subject.first, &arena));
+    printf("thick %.2f\nthin %.2f\n", time_map(&subject.bundle, thick),
+           time_map(&subject.bundle, &thin));
+    return 0;
+}
