@@ -52,7 +52,7 @@ static void find_image(struct picture *picture)
     double reach = 8 * (picture->right - picture->left + 2 * picture->size);
     picture->image = NAN;
     if (distance * picture->heading >= 0 && fabs(distance) <= reach) {
-        picture->image = picture->vertex[lens->surface_count - 1] + distance;
+        picture->image = picture_rear(picture) + distance;
     } else if (isfinite(distance)) {
         picture_note(picture,
                      arena_printf(picture->arena, "the image is not shown: it lies %.5g mm %s",

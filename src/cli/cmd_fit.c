@@ -35,7 +35,7 @@ static const struct option options[] = {
      .dimension = &dimension_length, .unit = "mm", .lowest = 0, .highest = INFINITY,
      .flags = OPTION_ABOVE_LOWEST, .value = "LENGTH",
      .help = "distance of the object from the first vertex, in place of the lens's"},
-    LENS_WAVELENGTH_OPTION(struct fit_input, question),
+    LENS_WAVELENGTH_OPTION(struct fit_input, question, LENS_ALL_WAVELENGTHS),
     LENS_POSITION_OPTION(struct fit_input, question),
     LENS_SECTION_OPTION(struct fit_input, question),
     {OPTION(struct fit_input, distortion), .name = "distortion", .dimension = &dimension_number,

@@ -31,6 +31,7 @@ struct driver {
     struct batch batch;
     struct run run;
     struct report report;
+    struct selection selection;
     struct output output;
     struct collection collection;
     struct arena kept;         /* of the command, until the end */
@@ -126,15 +127,15 @@ static bool set_up_report(struct driver *driver, struct error *error)
     report->passed_names = driver->batch.passed_names;
     report->passed_count = driver->batch.passed_count;
     report->passed_bare = driver->batch.passed_bare;
-    struct selection selection = {.columns = driver->common.columns,
-                                  .many = driver->is_batch || driver->sweep.total > 1,
-                                  .layout = !is_for_people(report) ? SELECT_ALL
-                                            : report->many         ? SELECT_TABLE
-                                                                   : SELECT_LIST,
-                                  .given = asked_given,
-                                  .varied = asked_varied,
-                                  .asked = driver};
-    return report_select(report, &selection, error);
+    driver->selection = (struct selection){.columns = driver->common.columns,
+                                           .many = driver->is_batch || driver->sweep.total > 1,
+                                           .layout = !is_for_people(report) ? SELECT_ALL
+                                                     : report->many         ? SELECT_TABLE
+                                                                            : SELECT_LIST,
+                                           .given = asked_given,
+                                           .varied = asked_varied,
+                                           .asked = driver};
+    return report_select(report, &driver->selection, error);
 }
 
 static const char *plot_columns(const struct driver *driver)
@@ -365,45 +366,6 @@ static bool run_batch(struct driver *driver, struct error *error)
     return flush_queue(driver, error);
 }
 
-/* Add the value of a column to a line of words, while the line is short enough for a plot. */
-static const char *add_words(const struct report *report, const char *line,
-                             const struct shown *shown, const void *row)
-{
-    enum { LONGEST = 90 };
-    if (row_is_absent(row, shown->column)) {
-        return line;
-    }
-    const char *words = report_words(report, shown, row);
-    if (line == NULL) {
-        return words;
-    }
-    bool fits = strlen(line) + strlen(words) < LONGEST;
-    return fits ? arena_printf(report->arena, "%s, %s", line, words) : line;
-}
-
-/* What stays the same in all curves: inputs that were given, then what was assumed. */
-static const char *plot_subtitle(const struct driver *driver)
-{
-    const struct report *report = &driver->report;
-    const void *row = collection_first_row(&driver->collection);
-    const char *line = NULL;
-    for (size_t i = 0; i < report->sheet->column_count && row != NULL; i++) {
-        const struct column *column = &report->sheet->columns[i];
-        struct shown shown;
-        struct error ignored;
-        bool given = (column->flags & COLUMN_ECHO) != 0 && column->with != NULL &&
-                     asked_given(driver, column->with) && !asked_varied(driver, column->with);
-        if (given && report_find_column(report->sheet, text_of(column->name), report->arena, &shown,
-                                        &ignored)) {
-            line = add_words(report, line, &shown, row);
-        }
-    }
-    for (size_t i = 0; i < report->assumed_count && row != NULL; i++) {
-        line = add_words(report, line, &report->assumed[i], row);
-    }
-    return line;
-}
-
 static bool write_plot(struct driver *driver, struct error *error)
 {
     if (draws_itself(driver)) {
@@ -411,8 +373,10 @@ static bool write_plot(struct driver *driver, struct error *error)
                              &driver->arena, error);
     }
     struct svg svg = {.arena = &driver->arena};
+    const char *subtitle = report_subtitle(&driver->report, &driver->selection,
+                                           collection_first_row(&driver->collection));
     return collection_plot(&driver->collection, plot_columns(driver),
-                           driver->common.columns != NULL, plot_subtitle(driver), &svg, error) &&
+                           driver->common.columns != NULL, subtitle, &svg, error) &&
            output_file(driver->common.plot, svg.data, svg.length, &driver->arena, error);
 }
 
@@ -578,6 +542,14 @@ static int compute(struct driver *driver)
     return status_of(driver);
 }
 
+/* What --lossy has left out. */
+static void print_losses(const struct lensdb *db)
+{
+    if (db->losses.length > 0) {
+        fwrite(db->losses.data, 1, db->losses.length, stderr);
+    }
+}
+
 int command_execute(const struct command *command, int argc, char **argv, const char *database)
 {
     struct driver driver = {.command = command, .database = database};
@@ -592,7 +564,7 @@ int command_execute(const struct command *command, int argc, char **argv, const 
         status = help_command(command, &driver.arena);
     } else {
         status = command->print != NULL ? print_text(&driver, &error) : compute(&driver);
-        fwrite(driver.db.losses.data, 1, driver.db.losses.length, stderr);
+        print_losses(&driver.db);
     }
     if (driver.is_batch) {
         batch_close(&driver.batch);

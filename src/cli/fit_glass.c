@@ -3,6 +3,7 @@
 #include "cli/fit.h"
 #include "design/dispersion.h"
 #include "file/index_table.h"
+#include "file/whole_file.h"
 #include "report/output.h"
 
 static const enum glass_formula formulas[] = {GLASS_SELLMEIER, GLASS_SCHOTT, GLASS_CAUCHY,
@@ -77,7 +78,7 @@ static bool read_indices(const struct fit_input *input, struct run *run, struct 
                          struct error *error)
 {
     struct text content;
-    if (!lensdb_read_file(run->db, input->glass, &content, error)) {
+    if (!whole_file(input->glass, run->arena, &content, error)) {
         return error->code != ERROR_NONE
                    ? false
                    : fail(error, ERROR_IO, "cannot read %s: there is no such file", input->glass);

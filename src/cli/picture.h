@@ -55,6 +55,13 @@ static inline double picture_hiatus(const struct picture *picture, size_t surfac
     return one->kind == SURFACE_THICK ? one->hiatus.value.hi : 0;
 }
 
+/* Where what lies behind the lens is counted from: the last vertex, or H' of a thick lens there. */
+static inline double picture_rear(const struct picture *picture)
+{
+    size_t last = picture->one->lens->surface_count - 1;
+    return picture->vertex[last] + picture_hiatus(picture, last);
+}
+
 /* -------- cli/picture_lens.c -------- */
 
 /*

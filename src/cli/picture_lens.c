@@ -300,7 +300,8 @@ static double find_hole(const struct picture *picture, size_t mirror)
     double z = picture->vertex[mirror], hole = 0;
     for (size_t i = mirror + 1; i < count; i++) {
         double start = picture->vertex[i];
-        double end = i + 1 < count ? picture->vertex[i + 1] : start + picture->one->first.image;
+        double end = i + 1 < count ? picture->vertex[i + 1]
+                                   : picture_rear(picture) + picture->one->first.image;
         double n = picture->one->system.index[i + 1].hi;
         if (!((z - start) * (z - end) < -1e-9)) {
             continue;

@@ -113,10 +113,16 @@ static void add_ray(const struct beams *beams, enum section_kind kind, const str
     if (meetings[count - 1].ray.status != RAY_OK) {
         return;
     }
-    struct section_part *part = picture_part(picture, kind, count + 2, &z, &y);
+    struct section_part *part = picture_part(picture, kind, 2 * count + 2, &z, &y);
     for (size_t i = 0; i < count; i++) {
         if (picture->is_drawn[i]) {
             const double *point = meetings[i].ray.point;
+            double hiatus = picture_hiatus(picture, i);
+            if (hiatus != 0) {
+                /* it leaves H' as high as it came to H */
+                place(picture, i, point[2] - hiatus, point[section], &z[used], &y[used]);
+                used++;
+            }
             place(picture, i, point[2], point[section], &z[used], &y[used]);
             used++;
             last = i;

@@ -176,7 +176,7 @@ static bool read_conic(struct json_reading *reading, const struct json_value *va
 static bool read_kind(struct json_reading *reading, const struct json_value *object,
                       struct surface *surface, struct error *error)
 {
-    static const char *const kinds[] = {"refract", "reflect", "stop"};
+    static const char *const kinds[] = {"refract", "reflect", "stop", "thick"};
     static const char *const curved[] = {"both", "x", "y"};
     const struct json_value *kind = json_item(object, "kind"), *stop = json_item(object, "is_stop"),
                             *cylinder = json_item(object, "cylinder");
@@ -184,7 +184,7 @@ static bool read_kind(struct json_reading *reading, const struct json_value *obj
     if (kind == NULL) {
         return json_wrong(reading, object, error, "the kind of the surface is missing");
     }
-    if (!json_read_choice(reading, kind, kinds, 3, &choice, error) ||
+    if (!json_read_choice(reading, kind, kinds, 4, &choice, error) ||
         (!json_is_null(stop) && !json_read_truth(reading, stop, &surface->is_stop, error)) ||
         (!json_is_null(cylinder) &&
          !json_read_choice(reading, cylinder, curved, 3, &sections, error))) {
@@ -195,6 +195,43 @@ static bool read_kind(struct json_reading *reading, const struct json_value *obj
     bool bare = surface->is_plane && !surface->has_curvature && surface->is_stop;
     return surface->kind != SURFACE_STOP || bare ||
            json_wrong(reading, kind, error, "a stop is a plane with \"is_stop\": true");
+}
+
+/* What only a thick lens has, and must have. */
+static bool read_thick(struct json_reading *reading, const struct json_value *object,
+                       struct surface *surface, struct error *error)
+{
+    const struct json_value *focal = json_item(object, "focal_mm");
+    const struct json_value *hiatus = json_item(object, "hiatus_mm");
+    const struct json_value *distortion = json_item(object, "distortion");
+    struct figure *terms = NULL;
+    bool is_given;
+    if (surface->kind != SURFACE_THICK) {
+        const struct json_value *odd = focal != NULL ? focal : hiatus != NULL ? hiatus : distortion;
+        return odd == NULL || json_wrong(reading, odd, error, "only a thick lens has this");
+    }
+    if (json_is_null(focal) || !surface->is_plane || surface->has_curvature) {
+        return json_wrong(reading, object, error, "a thick lens has a focal length and no radius");
+    }
+    if (!read_cell(reading, focal,
+                   arena_printf(reading->job->arena, "f%zu", reading->build.lens->surface_count),
+                   &surface->focal, &is_given, error) ||
+        !read_cell(reading, hiatus,
+                   arena_printf(reading->job->arena, "h%zu", reading->build.lens->surface_count),
+                   &surface->hiatus, &is_given, error)) {
+        return false;
+    }
+    if (json_is_null(distortion)) {
+        return true;
+    }
+    if (distortion->kind != JSON_ARRAY || distortion->count != 3) {
+        return json_wrong(reading, distortion, error, "three terms of distortion are wanted here");
+    }
+    if (!json_read_figures(reading, distortion, JSON_PLAIN, &terms, error)) {
+        return false;
+    }
+    memcpy(surface->distortion, terms, sizeof surface->distortion);
+    return true;
 }
 
 bool json_read_surface(struct json_reading *reading, const struct json_value *object,
@@ -217,6 +254,9 @@ bool json_read_surface(struct json_reading *reading, const struct json_value *ob
                                        "bend_before",
                                        "coefficients_mm",
                                        "vary",
+                                       "focal_mm",
+                                       "hiatus_mm",
+                                       "distortion",
                                        NULL};
     struct lens *lens = reading->build.lens;
     struct arena *arena = reading->job->arena;
@@ -251,5 +291,6 @@ bool json_read_surface(struct json_reading *reading, const struct json_value *ob
            read_coefficients(reading, json_item(object, "coefficients_mm"), surface, error) &&
            read_displacement(reading, json_item(object, "moved"), 2, &surface->moved, error) &&
            read_displacement(reading, json_item(object, "bend_before"), 3, &surface->bend, error) &&
-           read_varies(reading, json_item(object, "vary"), surface, error);
+           read_varies(reading, json_item(object, "vary"), surface, error) &&
+           read_thick(reading, object, surface, error);
 }

@@ -349,3 +349,41 @@ bool report_select(struct report *report, const struct selection *selection, str
     select_usual(report, selection);
     return true;
 }
+
+/* Add the value of a column to a line of words, while the line is short enough for a plot. */
+static const char *add_words(const struct report *report, const char *line,
+                             const struct shown *shown, const void *row)
+{
+    enum { LONGEST = 90 };
+    if (row_is_absent(row, shown->column)) {
+        return line;
+    }
+    const char *words = report_words(report, shown, row);
+    if (line == NULL) {
+        return words;
+    }
+    bool fits = strlen(line) + strlen(words) < LONGEST;
+    return fits ? arena_printf(report->arena, "%s, %s", line, words) : line;
+}
+
+const char *report_subtitle(const struct report *report, const struct selection *selection,
+                            const void *row)
+{
+    const char *line = NULL;
+    for (size_t i = 0; i < report->sheet->column_count && row != NULL; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        struct shown shown;
+        struct error ignored;
+        bool given = (column->flags & COLUMN_ECHO) != 0 && column->with != NULL &&
+                     selection->given(selection->asked, column->with) &&
+                     !selection->varied(selection->asked, column->with);
+        if (given && report_find_column(report->sheet, text_of(column->name), report->arena, &shown,
+                                        &ignored)) {
+            line = add_words(report, line, &shown, row);
+        }
+    }
+    for (size_t i = 0; i < report->assumed_count && row != NULL; i++) {
+        line = add_words(report, line, &report->assumed[i], row);
+    }
+    return line;
+}

@@ -90,6 +90,16 @@ const char *report_words(const struct report *report, const struct shown *shown,
 /* "assuming ..., ...": the assumptions of a report in words, from a row; null if there are none. */
 const char *report_assumptions(const struct report *report, const void *row);
 
+/*
+ * What stays the same in all curves of a plot: options that were given, then what was assumed.
+ *
+ * Given     selection  of this report
+ *           row        any one; null: none
+ * Result    in the arena, cut at about 90 characters; null if there is nothing to say
+ */
+const char *report_subtitle(const struct report *report, const struct selection *selection,
+                            const void *row);
+
 /* The values of a row. Numbers in the program's own unit. */
 double row_number(const void *row, const struct column *column);
 long row_integer(const void *row, const struct column *column);
