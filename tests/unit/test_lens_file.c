@@ -52,7 +52,7 @@ static void check_errors(void)
         {"surface 50 5 air 4 hiatus=1\n", 1, 20, "unknown word"},
         {"thick 50 5 air 4 hiatus=1..2\n", 1, 27, "no number"},
         {"thick 50 5 air 4 distortion=1,2,3,4\n", 1, 35, "more than 3"},
-        {"thick f1 5 air 4\n", 1, 7, "'f1' gets no numbers"},
+        {"thick f1 5 air 4\n", 1, 7, "'f1' is no number, and no line"},
         {"", 0, 0, "no surface"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
