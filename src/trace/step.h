@@ -31,13 +31,14 @@ struct step {
     _Alignas(64) enum step_kind kind;
     enum step_action action;
     bool hop;  /* go to the vertex plane first: t is long against the radius */
-    int terms; /* of the polynomial: 4, 7 or 10 */
+    int terms; /* of the polynomial, up to the last that is not 0 */
     size_t surface;
-    double c, k, one_k; /* 1/mm, 1, 1 + k */
-    double t;           /* from the frame the rays are in, mm */
-    double n11, n22;    /* n^2, n'^2 */
-    double cn;          /* c n^2 */
-    double dn;          /* (n' - n)(n' + n) */
+    double c, k, one_k;      /* 1/mm, 1, 1 + k */
+    double t;                /* from the frame the rays are in, mm */
+    double n11, n22;         /* n^2, n'^2 */
+    double cn;               /* c n^2 */
+    double dn;               /* (n' - n)(n' + n) */
+    double start_c, start_k; /* of an asphere: c and 1 + k of the conic to start from */
     double direction;
     double clear2;             /* squared clear semi-diameter, mm^2; infinite = none */
     double weight_x, weight_y; /* of a cylinder: 1 in the curved section, else 0 */

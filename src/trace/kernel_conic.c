@@ -1,0 +1,305 @@
+/* trace/kernel_conic.c - conics and aspheres, lane loops as in trace/kernel.c. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/lanes.h"
+
+#include <stdint.h>
+
+/* A conic in the formulas of a sphere: cx, cy, ck = c (1 + k) take the place of c. */
+struct curved {
+    double cx, cy, ck;
+};
+
+INLINE struct curved curved_of(const struct step *s, double c, double one_k, bool cylinder)
+{
+    return (struct curved){cylinder ? c * s->weight_x : c, cylinder ? c * s->weight_y : c,
+                           c * one_k};
+}
+
+/* Where a ray meets a conic. `rim`: a ray that passes it by goes to where it comes nearest. */
+INLINE void conic_find(struct ray_block *block, const struct step *s, struct curved at, bool path,
+                       bool hops, bool cylinder, bool rim, struct found *found, int i)
+{
+    struct lane ray = load(block, i, s->t);
+    if (hops) {
+        double before = hop(&ray, s);
+        ray.path += s->n11 * before;
+        store_point(block, i, &ray, path);
+    }
+    double x = at.cx * ray.x, y = at.cy * ray.y, z = at.ck * ray.z;
+    double C = x * ray.x + y * ray.y + z * ray.z - 2 * ray.z;
+    double B = ray.r - (x * ray.p + y * ray.q + z * ray.r);
+    double A = cylinder ? at.cx * ray.p * ray.p + at.cy * ray.q * ray.q + at.ck * ray.r * ray.r
+                        : at.cx * s->n11 + (at.ck - at.cx) * ray.r * ray.r;
+    double square = B * B - A * C;
+    found->square[i] = (rim & (square < 0)) ? 0 : square;
+    found->above[i] = C;
+    found->below[i] = B;
+}
+
+INLINE void conic_root(const struct step *s, struct found *found, int i)
+{
+    double D = sqrt(found->square[i]);
+    found->below[i] += s->direction * D;
+    found->bend[i] = D;
+}
+
+/* Go there. See sphere_bend for z. */
+INLINE void conic_meet(struct ray_block *block, const struct step *s, struct curved at, bool path,
+                       bool hops, struct found *found, int i)
+{
+    struct lane ray = load(block, i, hops ? 0 : s->t);
+    double d = found->way[i];
+    advance(&ray, d);
+    double kz = at.ck * ray.z, x = at.cx * ray.x, y = at.cy * ray.y;
+    double sag = 0.5 * (x * ray.x + y * ray.y + kz * ray.z);
+    bool keep = hops | (fabs(kz) > 1);
+    ray.z = keep ? ray.z : sag;
+    ray.path += s->n11 * d;
+    double f = 1 - at.ck * ray.z, N2 = x * x + y * y + f * f;
+    found->square[i] += s->dn * N2;
+    found->below[i] = N2;
+    store_point(block, i, &ray, path);
+}
+
+/* g = s (E - D)/N^2, E^2 = D^2 + (n'^2 - n^2) N^2 */
+INLINE void normal_root(const struct step *s, bool reflects, struct found *found, int i)
+{
+    double D = found->bend[i], E = sqrt(found->square[i]);
+    found->above[i] = s->direction * (reflects ? -2 * D : E - D);
+}
+
+/* g N is added to p, N = (-gx x, -gy y, f). */
+INLINE void turn(struct ray_block *block, const struct step *s, bool path, struct lane *ray,
+                 double g, double gx, double gy, double f, int i)
+{
+    ray->p -= g * gx * ray->x;
+    ray->q -= g * gy * ray->y;
+    ray->r += g * f;
+    if (path) {
+        normalize(ray, s);
+    }
+    store_direction(block, i, ray);
+}
+
+INLINE void conic_bend(struct ray_block *block, const struct step *s, struct curved at, bool path,
+                       struct codes codes, const struct found *found, int i)
+{
+    struct lane ray = load(block, i, 0);
+    double f = 1 - at.ck * ray.z;
+    turn(block, s, path, &ray, found->way[i], at.cx, at.cy, f, i);
+    bool inside = ray.x * ray.x + ray.y * ray.y <= s->clear2;
+    note(block, i, codes, f > 0, inside, found->square[i] >= 0);
+}
+
+INLINE void conic(struct ray_block *restrict block, const struct step *restrict step, bool path,
+                  bool hops, bool reflects, bool cylinder)
+{
+    const struct step s = *step;
+    const struct codes codes = codes_of(&s);
+    const struct curved at = curved_of(&s, s.c, s.one_k, cylinder);
+    _Alignas(64) struct found found;
+#define FIND(i)  conic_find(block, &s, at, path, hops, cylinder, false, &found, i)
+#define ROOT(i)  conic_root(&s, &found, i)
+#define MEET(i)  conic_meet(block, &s, at, path, hops, &found, i)
+#define ROOT2(i) normal_root(&s, reflects, &found, i)
+#define BEND(i)  conic_bend(block, &s, at, path, codes, &found, i)
+    IN_TURN(FIND, ROOT, DIVIDE, MEET);
+    IN_TURN(ROOT2, DIVIDE, BEND, NOTHING);
+#undef FIND
+#undef ROOT
+#undef MEET
+#undef ROOT2
+#undef BEND
+}
+
+/* S and dS/du of the polynomial at u. */
+INLINE void polynomial(const struct step *s, int terms, double u, double *S, double *slope)
+{
+    double value = s->coefficient[terms - 1], growth = s->slope[terms - 1];
+    for (int i = terms - 2; i >= 0; i--) {
+        value = value * u + s->coefficient[i];
+        growth = growth * u + s->slope[i];
+    }
+    *S = value * u;
+    *slope = growth;
+}
+
+/* Of the surface F = c (u + (1+k) w^2)/2 - w = 0, w = z - S(u): value and normal. */
+struct shape {
+    double F, gx, gy, f, G;
+};
+
+INLINE struct shape shape_of(const struct lane *ray, const struct step *s, int terms, bool trough)
+{
+    double wx = trough ? s->weight_x : 1, wy = trough ? s->weight_y : 1;
+    double u = wx * ray->x * ray->x + wy * ray->y * ray->y, S, slope;
+    polynomial(s, terms, u, &S, &slope);
+    double w = ray->z - S, f = 1 - s->c * s->one_k * w, g = s->c + 2 * f * slope;
+    return (struct shape){0.5 * s->c * (u + s->one_k * w * w) - w, wx * g, wy * g, f, g};
+}
+
+/* The conic that Newton's method starts from; rays that pass it by start at its rim. */
+INLINE void start_meet(struct ray_block *block, const struct step *s, bool path,
+                       struct found *found, int i)
+{
+    struct lane ray = load(block, i, 0);
+    advance(&ray, found->way[i]);
+    ray.path += s->n11 * found->way[i];
+    found->open[i] = 1;
+    store_point(block, i, &ray, path);
+}
+
+/* The next Newton step, F/(N.p). */
+INLINE void newton_aim(const struct ray_block *block, const struct step *s, int terms, bool trough,
+                       struct found *found, int i)
+{
+    struct lane ray = load(block, i, 0);
+    struct shape at = shape_of(&ray, s, terms, trough);
+    found->above[i] = at.F;
+    found->below[i] = at.f * ray.r - (at.gx * ray.x * ray.p + at.gy * ray.y * ray.q);
+}
+
+/* Take it, where a lane is not there yet. */
+INLINE void newton_go(struct ray_block *block, const struct step *s, double least, bool path,
+                      struct found *found, int i)
+{
+    struct lane ray = load(block, i, 0);
+    double d = found->open[i] != 0 ? found->way[i] : 0;
+    /* convergence is quadratic: after a step of 1e-9 nothing is left to do */
+    double limit = 1e-9 * (fabs(ray.x) + fabs(ray.y) + fabs(ray.z)) + least;
+    bool more = d * d * s->n11 > limit * limit;
+    advance(&ray, d);
+    ray.path += s->n11 * d;
+    found->open[i] = more ? 1 : 0;
+    store_point(block, i, &ray, path);
+}
+
+/* What bending needs of the shape at the point. */
+INLINE void asphere_look(const struct ray_block *block, const struct step *s, int terms,
+                         bool trough, struct found *found, int i)
+{
+    struct lane ray = load(block, i, 0);
+    struct shape at = shape_of(&ray, s, terms, trough);
+    double gx = at.gx * ray.x, gy = at.gy * ray.y, N2 = gx * gx + gy * gy + at.f * at.f;
+    double D = s->direction * (at.f * ray.r - (gx * ray.p + gy * ray.q));
+    found->bend[i] = D;
+    found->square[i] = D * D + s->dn * N2;
+    found->below[i] = N2;
+    found->f[i] = at.f;
+    found->G[i] = at.G;
+}
+
+INLINE void asphere_bend(struct ray_block *block, const struct step *s, bool path, bool trough,
+                         struct codes codes, double unconverged, const struct found *found, int i)
+{
+    struct lane ray = load(block, i, 0);
+    double f = found->f[i], G = found->G[i];
+    turn(block, s, path, &ray, found->way[i], trough ? s->weight_x * G : G,
+         trough ? s->weight_y * G : G, f, i);
+    bool inside = ray.x * ray.x + ray.y * ray.y <= s->clear2, there = found->open[i] == 0;
+    codes.miss = there ? codes.miss : unconverged;
+    note(block, i, codes, there & (found->bend[i] > 0) & (f > 0), inside, found->square[i] >= 0);
+}
+
+enum { NEWTON_STEPS = 10 };
+
+INLINE bool any_open(const struct found *found)
+{
+    int64_t open = 0;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        int64_t bits;
+        memcpy(&bits, &found->open[i], sizeof bits);
+        open |= bits;
+    }
+    return open != 0;
+}
+
+INLINE void asphere(struct ray_block *restrict block, const struct step *restrict step, bool path,
+                    int terms, bool trough, bool reflects)
+{
+    const struct step s = *step;
+    const struct codes codes = codes_of(&s);
+    const struct curved at = curved_of(&s, s.start_c, s.start_k, trough);
+    const double least = 1e-16 * (1 + fabs(s.t)), unconverged = s.unconverged;
+    _Alignas(64) struct found found;
+#define FIND(i)  conic_find(block, &s, at, path, true, trough, true, &found, i)
+#define ROOT(i)  conic_root(&s, &found, i)
+#define START(i) start_meet(block, &s, path, &found, i)
+#define AIM(i)   newton_aim(block, &s, terms, trough, &found, i)
+#define GO(i)    newton_go(block, &s, least, path, &found, i)
+#define LOOK(i)  asphere_look(block, &s, terms, trough, &found, i)
+#define ROOT2(i) normal_root(&s, reflects, &found, i)
+#define BEND(i)  asphere_bend(block, &s, path, trough, codes, unconverged, &found, i)
+    IN_TURN(FIND, ROOT, DIVIDE, START);
+    for (int turn = 0; turn < NEWTON_STEPS && any_open(&found); turn++) {
+        IN_TURN(AIM, DIVIDE, GO, NOTHING);
+    }
+    IN_TURN(LOOK, ROOT2, DIVIDE, BEND);
+#undef FIND
+#undef ROOT
+#undef START
+#undef AIM
+#undef GO
+#undef LOOK
+#undef ROOT2
+#undef BEND
+}
+
+INLINE void any_conic(struct ray_block *block, const struct step *s, bool path)
+{
+    bool cylinder = s->kind == STEP_CYLINDER;
+    if (s->action == ACTION_REFLECT) {
+        conic(block, s, path, true, true, true);
+    } else if (cylinder) {
+        conic(block, s, path, true, false, true);
+    } else if (s->hop) {
+        conic(block, s, path, true, false, false);
+    } else {
+        conic(block, s, path, false, false, false);
+    }
+}
+
+void NAME(kernel_conic, KERNEL)(struct ray_block *block, const struct step *s, bool path)
+{
+    if (path) {
+        any_conic(block, s, true);
+    } else {
+        any_conic(block, s, false);
+    }
+}
+
+/* One copy for each number of terms. */
+#define ASPHERE(TERMS)                                                                             \
+    static void asphere_##TERMS(struct ray_block *block, const struct step *s, bool path)          \
+    {                                                                                              \
+        if (path) {                                                                                \
+            asphere(block, s, true, TERMS, false, false);                                          \
+        } else {                                                                                   \
+            asphere(block, s, false, TERMS, false, false);                                         \
+        }                                                                                          \
+    }
+ASPHERE(2)
+ASPHERE(3)
+ASPHERE(4)
+ASPHERE(5)
+ASPHERE(6)
+ASPHERE(8)
+ASPHERE(10)
+
+static void asphere_any(struct ray_block *block, const struct step *s, bool path)
+{
+    if (s->action == ACTION_REFLECT) {
+        asphere(block, s, path, STEP_TERMS, true, true);
+    } else {
+        asphere(block, s, path, STEP_TERMS, true, false);
+    }
+}
+
+void NAME(kernel_asphere, KERNEL)(struct ray_block *block, const struct step *s, bool path)
+{
+    static kernel_step *const steps[STEP_TERMS + 1] = {asphere_2, asphere_2,  asphere_2, asphere_3,
+                                                       asphere_4, asphere_5,  asphere_6, asphere_8,
+                                                       asphere_8, asphere_10, asphere_10};
+    bool usual = s->kind == STEP_ASPHERE && s->action == ACTION_REFRACT;
+    (usual ? steps[s->terms] : asphere_any)(block, s, path);
+}
