@@ -4,6 +4,7 @@
 
 #include "trace/adjoint.h"
 #include "trace/frames.h"
+#include "trace/rigid.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -72,6 +73,9 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
         }
         if ((what & DERIVE_DISPLACEMENT) != 0) {
             number(&numbering, i, PARAMETER_DECENTER_X, 5);
+        }
+        if ((what & DERIVE_BEND) != 0) {
+            number(&numbering, i, PARAMETER_BEND_DECENTER_X, 5);
         }
     }
     *layout = (struct derivative_layout){what, numbering.next, count, numbering.row};
@@ -181,6 +185,44 @@ static void add_displacement(const struct sweep *sweep, size_t place, size_t fir
     sweep->displace(&all);
 }
 
+/* sign (shift . a + axis . (X x a + p x b)) of every lane. */
+static void put_rigid(const struct rigid *motion, const struct ray_block *restrict rays,
+                      const struct ray_block *restrict adjoint, double *restrict row)
+{
+    const double sign = motion->sign, *e = motion->shift, *axis = motion->axis, *at = motion->at;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        double x = rays->x[i] - at[0], y = rays->y[i] - at[1], z = rays->z[i] - at[2];
+        double p = rays->p[i], q = rays->q[i], r = rays->r[i];
+        double ax = adjoint->x[i], ay = adjoint->y[i], az = adjoint->z[i];
+        double bx = adjoint->p[i], by = adjoint->q[i], bz = adjoint->r[i];
+        double turn_x = (y * az - z * ay) + (q * bz - r * by);
+        double turn_y = (z * ax - x * az) + (r * bx - p * bz);
+        double turn_z = (x * ay - y * ax) + (p * by - q * bx);
+        row[i] = sign * ((e[0] * ax + e[1] * ay + e[2] * az) +
+                         (axis[0] * turn_x + axis[1] * turn_y + axis[2] * turn_z));
+    }
+}
+
+/* Bends of the axis act in front of one step: of this place, or of the next if light goes back. */
+static void add_bends(const struct sweep *sweep, size_t place)
+{
+    const struct system *system = sweep->system;
+    size_t acting = system->options.reverse ? place - 1 : place, begin = system->begin[place];
+    if (acting >= system->lens->surface_count) {
+        return;
+    }
+    size_t surface = system_surface(system, acting);
+    for (int i = 0; i < 5; i++) {
+        enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BEND_DECENTER_X + i);
+        size_t row = derivative_row(sweep->layout, kind, surface);
+        struct rigid motion;
+        if (row != LENS_NONE && rigid_before(system, kind, surface, begin, &motion)) {
+            put_rigid(&motion, &sweep->tape->blocks[begin], sweep->adjoint,
+                      sweep->gradient + row * RAYS_BLOCK);
+        }
+    }
+}
+
 static void sweep_place(const struct sweep *sweep, size_t place)
 {
     const struct system *system = sweep->system;
@@ -201,6 +243,9 @@ static void sweep_place(const struct sweep *sweep, size_t place)
         if (displaces && i == begin + bends) {
             add_displacement(sweep, place, i, end);
         }
+    }
+    if ((sweep->layout->what & DERIVE_BEND) != 0) {
+        add_bends(sweep, place);
     }
 }
 

@@ -6,7 +6,7 @@
 #include "trace/dispatch.h"
 
 /* By what. Curvature, thickness and index are always there; the others cost more. */
-enum { DERIVE_CONIC = 1, DERIVE_SERIES = 2, DERIVE_DISPLACEMENT = 4 };
+enum { DERIVE_CONIC = 1, DERIVE_SERIES = 2, DERIVE_DISPLACEMENT = 4, DERIVE_BEND = 8 };
 
 /* Kinds of parameter. */
 enum parameter_kind {
@@ -20,6 +20,11 @@ enum parameter_kind {
     PARAMETER_TILT_X,     /* rad */
     PARAMETER_TILT_Y,
     PARAMETER_TILT_Z,
+    PARAMETER_BEND_DECENTER_X, /* of the axis before the surface, and all that follows */
+    PARAMETER_BEND_DECENTER_Y, /* */
+    PARAMETER_BEND_TILT_X,
+    PARAMETER_BEND_TILT_Y,
+    PARAMETER_BEND_TILT_Z,
     PARAMETER_KINDS
 };
 
@@ -35,8 +40,9 @@ struct derivative_layout {
  * Number the parameters that derivatives are taken by.
  *
  * Given     what  DERIVE_ bits: also k of every surface; also A2 .. A20 of every surface; also
- *                 decenter and tilt of every surface by itself. Of conics and aspheres k, and of
- *                 aspheres the coefficients, are derived in any case
+ *                 decenter and tilt of every surface by itself; also of the axis in front of
+ *                 every surface, with all behind it. Of conics and aspheres k, and of aspheres the
+ *                 coefficients, are derived in any case
  */
 void derivative_layout(const struct system *system, unsigned what, struct arena *arena,
                        struct derivative_layout *layout);

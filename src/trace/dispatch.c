@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "trace/adjoint.h"
+#include "trace/tangent.h"
 
 bool instruction_set_works(enum instruction_set set)
 {
@@ -56,6 +57,13 @@ kernel_displace *dispatch_displace(enum instruction_set set)
 {
     static kernel_displace *const kernels[] = {NULL, kernel_displace_sse2, kernel_displace_avx2,
                                                kernel_displace_avx512};
+    return kernels[best(set)];
+}
+
+kernel_tangent *dispatch_tangent(enum instruction_set set)
+{
+    static kernel_tangent *const kernels[] = {NULL, kernel_tangent_sse2, kernel_tangent_avx2,
+                                              kernel_tangent_avx512};
     return kernels[best(set)];
 }
 

@@ -191,7 +191,8 @@ static void move(const struct step *s, struct ray_block *adjoint, const struct a
         adjoint->y[i] = m[1] * a.x + m[4] * a.y + m[7] * a.z;
         double z = m[2] * a.x + m[5] * a.y + m[8] * a.z;
         adjoint->z[i] = z;
-        t_row[i] = sign * z;
+        /* the way lies along the axis before a bend, for light that goes back too */
+        t_row[i] = sign * (sign > 0 ? a.z : z);
         adjoint->p[i] = m[0] * b.x + m[3] * b.y + m[6] * b.z;
         adjoint->q[i] = m[1] * b.x + m[4] * b.y + m[7] * b.z;
         adjoint->r[i] = m[2] * b.x + m[5] * b.y + m[8] * b.z;

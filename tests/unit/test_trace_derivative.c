@@ -10,6 +10,7 @@ typedef long double real;
 #include "file/lens_file.h"
 #include "trace/derivative.h"
 #include "trace/precise.h"
+#include "trace/tangent.h"
 
 /* A lens, its derivatives, and how far they are off. */
 struct under_test {
@@ -39,11 +40,12 @@ static double *output_of(struct ray_block *block, int output)
     return members[output];
 }
 
-static bool set_up(struct under_test *test, const char *text)
+static bool set_up(struct under_test *test, const char *text, bool reverse)
 {
     struct error error;
     struct system_options options = system_options_default();
     options.path = true;
+    options.reverse = reverse;
     options.image = 40;
     *test = (struct under_test){.text = text};
     if (!lens_read("test", text_of(text), NULL, &test->arena, &test->lens, &error) ||
@@ -51,7 +53,8 @@ static bool set_up(struct under_test *test, const char *text)
         printf("%s\n", error.message);
         return false;
     }
-    derivative_layout(&test->system, DERIVE_CONIC | DERIVE_SERIES | DERIVE_DISPLACEMENT,
+    derivative_layout(&test->system,
+                      DERIVE_CONIC | DERIVE_SERIES | DERIVE_DISPLACEMENT | DERIVE_BEND,
                       &test->arena, &test->layout);
     test->tape = derivative_tape_new(&test->system, &test->arena);
     for (int i = 0; i < RAYS_BLOCK; i++) {
@@ -59,10 +62,11 @@ static bool set_up(struct under_test *test, const char *text)
         double n = test->system.index_first / sqrt(s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
         test->start.x[i] = s[0];
         test->start.y[i] = s[1];
-        test->start.z[i] = s[2];
+        double sign = reverse ? -1 : 1;
+        test->start.z[i] = sign * s[2];
         test->start.p[i] = n * s[3];
         test->start.q[i] = n * s[4];
-        test->start.r[i] = n * s[5];
+        test->start.r[i] = sign * n * s[5];
     }
     return true;
 }
@@ -187,6 +191,89 @@ static void check_surface(struct under_test *test, size_t i)
         check_parameter(test, value, (enum parameter_kind)(PARAMETER_DECENTER_X + j), i, names[j]);
     }
     surface->moved = was;
+    was = (struct displacement *)surface->bend;
+    moved = was != NULL ? *was : (struct displacement){0};
+    surface->bend = &moved;
+    for (int j = 0; j < 5; j++) {
+        struct pair *value = j < 2 ? &moved.decenter[j].value : &moved.tilt[j - 2].value;
+        check_parameter(test, value, (enum parameter_kind)(PARAMETER_BEND_DECENTER_X + j), i,
+                        names[j]);
+    }
+    surface->bend = was;
+}
+
+/* Forwards a few at a time, against the rows of the sweeps back. */
+static void check_tangents(struct under_test *test, const struct parameter *by, size_t count,
+                           enum instruction_set set)
+{
+    struct rays rays = rays_new(&test->arena, count * RAYS_BLOCK);
+    struct ray_block *tangents = rays.blocks;
+    memset(tangents, 0, count * sizeof *tangents);
+    tangent_trace(&test->system, by, count, set, &test->tape, tangents);
+    for (size_t j = 0; j < count; j++) {
+        size_t row = derivative_row(&test->layout, by[j].kind, by[j].surface);
+        for (int output = 0; output < OUTPUTS; output++) {
+            const double *back = test->gradient[output] + row * RAYS_BLOCK;
+            const double *forward = output_of(&tangents[j], output);
+            double scale = 4;
+            for (int lane = 0; lane < LANES; lane++) {
+                scale = fmax(scale, fabs(back[lane]));
+            }
+            bool series = by[j].kind >= PARAMETER_A2 && by[j].kind < PARAMETER_DECENTER_X;
+            double power = series ? (double)(by[j].kind - PARAMETER_A2 + 1) : 1;
+            for (int lane = 0; lane < LANES; lane++) {
+                compare(test, lane, output, (real)back[lane], forward[lane], scale * power * 2,
+                        "forward", by[j].surface + (size_t)100 * by[j].kind);
+            }
+        }
+    }
+}
+
+static void check_forward(struct under_test *test, enum instruction_set set)
+{
+    static const size_t sizes[] = {1, 2, 4, 8};
+    struct parameter all[TANGENTS_MOST];
+    size_t count = 0, next = 0, tested = 0;
+    for (size_t s = 0; s <= test->lens.surface_count; s++) {
+        for (int kind = 0; kind < PARAMETER_KINDS; kind++) {
+            if (derivative_row(&test->layout, (enum parameter_kind)kind, s - 1) == LENS_NONE) {
+                continue;
+            }
+            all[count++] = (struct parameter){(enum parameter_kind)kind, s - 1};
+            tested++;
+            if (count == sizes[next % 4]) {
+                check_tangents(test, all, count, set);
+                count = 0;
+                next++;
+            }
+        }
+    }
+    check_tangents(test, all, count, set);
+    CHECK(tested >= test->layout.rows);
+}
+
+/* Of the starting rays: the columns of the matrix whose rows the sweeps give. */
+static void check_forward_start(struct under_test *test)
+{
+    struct rays rays = rays_new(&test->arena, (size_t)6 * RAYS_BLOCK);
+    struct ray_block *tangents = rays.blocks;
+    memset(tangents, 0, 6 * sizeof *tangents);
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        tangents[0].x[i] = tangents[1].y[i] = tangents[2].z[i] = 1;
+        tangents[3].p[i] = tangents[4].q[i] = tangents[5].r[i] = 1;
+    }
+    tangent_trace(&test->system, NULL, 6, SET_BEST, &test->tape, tangents);
+    for (int output = 0; output < OUTPUTS; output++) {
+        const struct ray_block *a = &test->adjoint[output];
+        const double *back[6] = {a->x, a->y, a->z, a->p, a->q, a->r};
+        for (int j = 0; j < 6; j++) {
+            for (int lane = 0; lane < LANES; lane++) {
+                compare(test, lane, output, (real)back[j][lane],
+                        output_of(&tangents[j], output)[lane], 4 + 2 * fabs(back[j][lane]),
+                        "forward start", (size_t)j);
+            }
+        }
+    }
 }
 
 /* The entrance ray, by its point and direction. */
@@ -230,7 +317,7 @@ int main(void)
     }
     for (size_t i = 0; i < sizeof lenses / sizeof lenses[0]; i++) {
         static struct under_test test;
-        CHECK(set_up(&test, lenses[i]));
+        CHECK(set_up(&test, lenses[i], false));
         sweep(&test, SET_SSE2);
         size_t bytes = test.layout.rows * RAYS_BLOCK * sizeof(double);
         for (enum instruction_set set = SET_AVX2; set <= SET_AVX512; set++) {
@@ -247,7 +334,18 @@ int main(void)
             check_surface(&test, s);
         }
         check_start(&test);
+        check_forward(&test, SET_SSE2);
+        check_forward(&test, SET_BEST);
+        check_forward_start(&test);
         printf("derivatives: worst error %.2g of scale\n", test.worst);
+        arena_free(&test.arena);
+    }
+    for (size_t i = 0; i < sizeof lenses / sizeof lenses[0]; i++) {
+        static struct under_test test;
+        CHECK(set_up(&test, lenses[i], true));
+        sweep(&test, SET_BEST);
+        check_forward(&test, SET_BEST);
+        check_forward_start(&test);
         arena_free(&test.arena);
     }
     return check_report();

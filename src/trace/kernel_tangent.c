@@ -1,0 +1,152 @@
+/* trace/kernel_tangent.c - derivatives of rays, forwards: lane loops for each instruction set. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/lanes.h"
+#include "trace/tangent.h"
+
+/* What all tangents of a step share, a row each; letters as in trace/derivative.h. */
+struct geometry {
+    double x[RAYS_BLOCK], y[RAYS_BLOCK], f[RAYS_BLOCK]; /* N; its x and y */
+    double G[RAYS_BLOCK], w[RAYS_BLOCK], u[RAYS_BLOCK]; /* */
+    double slope[RAYS_BLOCK], bend[RAYS_BLOCK];         /* S', S'' */
+    double M[RAYS_BLOCK], D[RAYS_BLOCK], g[RAYS_BLOCK]; /* */
+    double over_M[RAYS_BLOCK], over_D[RAYS_BLOCK], over_E[RAYS_BLOCK], way[RAYS_BLOCK];
+};
+
+INLINE void look(const struct step *s, const struct ray_block *before,
+                 const struct ray_block *after, int terms, struct geometry *at, int i)
+{
+    double X = after->x[i], Y = after->y[i], Z = after->z[i];
+    double p = before->p[i], q = before->q[i], r = before->r[i];
+    double u = s->weight_x * X * X + s->weight_y * Y * Y, S = 0, slope = 0, bend = 0;
+    for (int j = terms - 1; j >= 0; j--) {
+        bend = bend * u + 2 * slope;
+        slope = slope * u + S;
+        S = S * u + s->coefficient[j];
+    }
+    bend = bend * u + 2 * slope;
+    slope = slope * u + S;
+    double w = Z - S * u, f = 1 - s->c * s->one_k * w, G = s->c + 2 * f * slope;
+    double x = -s->weight_x * G * X, y = -s->weight_y * G * Y;
+    double M = x * x + y * y + f * f, D = x * p + y * q + f * r;
+    double E = x * after->p[i] + y * after->q[i] + f * after->r[i];
+    at->x[i] = x, at->y[i] = y, at->f[i] = f, at->G[i] = G, at->w[i] = w, at->u[i] = u;
+    at->slope[i] = slope, at->bend[i] = bend, at->M[i] = M, at->D[i] = D;
+    at->over_M[i] = 1 / M, at->over_D[i] = 1 / D, at->over_E[i] = 1 / E;
+    at->g[i] = (E - D) * at->over_M[i];
+    at->way[i] =
+        ((X - before->x[i]) * p + (Y - before->y[i]) * q + (Z - (before->z[i] - s->t)) * r) *
+        (1 / s->n11);
+}
+
+/* What the parameter itself does to S and S' at u. */
+INLINE void series_seed(const struct tangent_seed *seed, double u, double *S, double *slope)
+{
+    double value = 0, growth = 0;
+    for (int j = STEP_TERMS - 1; j >= 0; j--) {
+        value = (value + seed->coefficient[j]) * u;
+        growth = growth * u + (j + 1) * seed->coefficient[j];
+    }
+    *S = value;
+    *slope = growth;
+}
+
+INLINE void push(const struct step *s, const struct ray_block *before,
+                 const struct ray_block *after, const struct geometry *at,
+                 const struct tangent_seed *seed, bool series, bool reflects,
+                 struct ray_block *tangent, int i)
+{
+    const double c = s->c, K = s->one_k;
+    double p = before->p[i], q = before->q[i], r = before->r[i];
+    double tp = tangent->p[i], tq = tangent->q[i], tr = tangent->r[i];
+    double d = at->way[i], w = at->w[i], f = at->f[i], S = 0, slope = 0;
+    if (series) {
+        series_seed(seed, at->u[i], &S, &slope);
+    }
+    /* the point: F = 0 holds on, and -N is its gradient */
+    double x = tangent->x[i] + d * tp, y = tangent->y[i] + d * tq;
+    double z = tangent->z[i] - seed->t + d * tr;
+    double F = seed->c * 0.5 * (at->u[i] + K * w * w) + seed->k * 0.5 * c * w * w + f * S;
+    double more = (F - (at->x[i] * x + at->y[i] * y + f * z)) * at->over_D[i];
+    x += more * p, y += more * q, z += more * r;
+    /* the normal there */
+    double u = 2 * (s->weight_x * after->x[i] * x + s->weight_y * after->y[i] * y);
+    slope += at->bend[i] * u;
+    double tw = z - at->slope[i] * u - S;
+    double tf = -(seed->c * K * w + c * seed->k * w + c * K * tw);
+    double tG = seed->c + 2 * (tf * at->slope[i] + f * slope);
+    double nx = -s->weight_x * (tG * after->x[i] + at->G[i] * x);
+    double ny = -s->weight_y * (tG * after->y[i] + at->G[i] * y);
+    /* the law of refraction */
+    double tD = nx * p + ny * q + tf * r + at->x[i] * tp + at->y[i] * tq + f * tr;
+    double tM = at->x[i] * nx + at->y[i] * ny + f * tf, E_less_D = -2 * tD; /* half of M's */
+    if (!reflects) {
+        double tE = (at->D[i] * tD + s->dn * tM + 0.5 * seed->dn * at->M[i]) * at->over_E[i];
+        E_less_D = tE - tD;
+    }
+    double g = at->g[i], tg = (E_less_D - 2 * g * tM) * at->over_M[i];
+    tangent->x[i] = x, tangent->y[i] = y, tangent->z[i] = z;
+    tangent->p[i] = tp + tg * at->x[i] + g * nx;
+    tangent->q[i] = tq + tg * at->y[i] + g * ny;
+    tangent->r[i] = tr + tg * f + g * tf;
+    tangent->path[i] += s->n11 * more + seed->n11 * d;
+}
+
+INLINE void surface(const struct step *restrict step, const struct ray_block *restrict before,
+                    const struct ray_block *restrict after, const struct tangent_seed *seeds,
+                    size_t count, int terms, bool reflects, struct ray_block *restrict tangents)
+{
+    const struct step s = *step;
+    struct geometry at;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        look(&s, before, after, terms, &at, i);
+    }
+    for (size_t j = 0; j < count; j++) {
+        const struct tangent_seed seed = seeds[j];
+        struct ray_block *restrict tangent = &tangents[j];
+        if (seed.series) {
+            for (int i = 0; i < RAYS_BLOCK; i++) {
+                push(&s, before, after, &at, &seed, true, reflects, tangent, i);
+            }
+        } else {
+            for (int i = 0; i < RAYS_BLOCK; i++) {
+                push(&s, before, after, &at, &seed, false, reflects, tangent, i);
+            }
+        }
+    }
+}
+
+/* X' = turn (X - shift). */
+static void move(const struct step *s, const struct tangent_seed *seed,
+                 struct ray_block *restrict tangent)
+{
+    double m[9];
+    memcpy(m, s->turn, sizeof m);
+    const double t = seed->t, t_behind = seed->t_behind;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        double x = tangent->x[i], y = tangent->y[i], z = tangent->z[i] - t;
+        double p = tangent->p[i], q = tangent->q[i], r = tangent->r[i];
+        tangent->x[i] = m[0] * x + m[1] * y + m[2] * z;
+        tangent->y[i] = m[3] * x + m[4] * y + m[5] * z;
+        tangent->z[i] = m[6] * x + m[7] * y + m[8] * z + t_behind;
+        tangent->p[i] = m[0] * p + m[1] * q + m[2] * r;
+        tangent->q[i] = m[3] * p + m[4] * q + m[5] * r;
+        tangent->r[i] = m[6] * p + m[7] * q + m[8] * r;
+    }
+}
+
+void NAME(kernel_tangent, KERNEL)(const struct step *s, const struct ray_block *before,
+                                  const struct ray_block *after, const struct tangent_seed *seeds,
+                                  size_t count, struct ray_block *tangents)
+{
+    if (s->kind == STEP_MOVE) {
+        for (size_t j = 0; j < count; j++) {
+            move(s, &seeds[j], &tangents[j]);
+        }
+    } else if (s->action == ACTION_REFLECT) {
+        surface(s, before, after, seeds, count, STEP_TERMS, true, tangents);
+    } else if (s->kind >= STEP_ASPHERE) {
+        surface(s, before, after, seeds, count, STEP_TERMS, false, tangents);
+    } else {
+        surface(s, before, after, seeds, count, 0, false, tangents);
+    }
+}

@@ -1,0 +1,110 @@
+/* trace/rigid.c - surfaces and axes that shift and turn a little. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/rigid.h"
+
+#include "trace/frames.h"
+#include "trace/step.h"
+
+#include <math.h>
+
+/* The shift, or the axis of the tilt, number 0 .. 4 of a displacement; null = centred. */
+static struct rigid motion_of(const struct displacement *displacement, int number, double t)
+{
+    struct rigid motion = {.sign = 1, .at = {0, 0, t}};
+    double ax = 0;
+    struct frame frame = {.turn = {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+    if (displacement != NULL) {
+        frame = frame_of(displacement, t);
+        ax = displacement->tilt[0].value.hi;
+        motion.at[0] = frame.shift[0];
+        motion.at[1] = frame.shift[1];
+    }
+    if (number < 2) {
+        motion.shift[number] = 1;
+    } else if (number == 2) {
+        motion.axis[0] = 1;
+    } else if (number == 3) {
+        motion.axis[1] = cos(ax);
+        motion.axis[2] = sin(ax);
+    } else {
+        for (int i = 0; i < 3; i++) {
+            motion.axis[i] = frame.turn[6 + i];
+        }
+    }
+    return motion;
+}
+
+static bool is_own(enum parameter_kind kind)
+{
+    return kind >= PARAMETER_DECENTER_X && kind <= PARAMETER_TILT_Z;
+}
+
+/* The step that the surface by itself begins with, and the one after its last. */
+static size_t own_step(const struct system *system, size_t surface, size_t *end)
+{
+    *end = system->begin[system_place(system, surface) + 1];
+    return *end - (system->lens->surfaces[surface].moved != NULL ? 3 : 1);
+}
+
+/* Into the frame of the bend, about its origin. */
+static void turn_motion(struct rigid *motion, const struct displacement *bend)
+{
+    struct rigid old = *motion;
+    motion->at[0] = motion->at[1] = motion->at[2] = 0;
+    if (bend == NULL) {
+        return;
+    }
+    struct frame frame = frame_of(bend, 0);
+    for (int i = 0; i < 3; i++) {
+        const double *row = &frame.turn[(ptrdiff_t)3 * i];
+        motion->shift[i] = row[0] * old.shift[0] + row[1] * old.shift[1] + row[2] * old.shift[2];
+        motion->axis[i] = row[0] * old.axis[0] + row[1] * old.axis[1] + row[2] * old.axis[2];
+    }
+}
+
+static bool bend_before(const struct system *system, int number, size_t surface, size_t step,
+                        struct rigid *motion)
+{
+    const struct surface *surfaces = system->lens->surfaces;
+    const struct displacement *bend = surfaces[surface].bend;
+    size_t place = system_place(system, surface);
+    double t = surface > 0 ? surfaces[surface - 1].thickness.value.hi : 0;
+    if (!system->options.reverse) {
+        *motion = motion_of(bend, number, t);
+        motion->sign = -1;
+        return step == system->begin[place];
+    }
+    /* light leaves the bent part */
+    *motion = motion_of(bend, number, 0);
+    turn_motion(motion, bend);
+    return surface > 0 && step == system->begin[place + 1];
+}
+
+bool rigid_before(const struct system *system, enum parameter_kind kind, size_t surface,
+                  size_t step, struct rigid *motion)
+{
+    if (kind >= PARAMETER_BEND_DECENTER_X) {
+        return bend_before(system, (int)(kind - PARAMETER_BEND_DECENTER_X), surface, step, motion);
+    }
+    size_t end;
+    if (!is_own(kind) || step != own_step(system, surface, &end)) {
+        return false;
+    }
+    const struct step *s = &system->steps[step];
+    *motion = motion_of(system->lens->surfaces[surface].moved, (int)(kind - PARAMETER_DECENTER_X),
+                        s->kind == STEP_MOVE ? s->shift[2] : s->t);
+    motion->sign = -1;
+    return true;
+}
+
+bool rigid_behind(const struct system *system, enum parameter_kind kind, size_t surface,
+                  size_t step, struct rigid *motion)
+{
+    size_t end;
+    if (!is_own(kind) || (own_step(system, surface, &end), step + 1 != end)) {
+        return false;
+    }
+    *motion =
+        motion_of(system->lens->surfaces[surface].moved, (int)(kind - PARAMETER_DECENTER_X), 0);
+    return true;
+}

@@ -1,0 +1,124 @@
+/* trace/tangent.c - what each parameter changes of each step. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/tangent.h"
+
+#include "trace/rigid.h"
+
+#include <math.h>
+
+/* Mirrors stand in the medium before them. */
+static size_t medium_of(const struct lens *lens, size_t surface)
+{
+    while (surface != LENS_NONE && lens->surfaces[surface].kind == SURFACE_REFLECT) {
+        surface = surface > 0 ? surface - 1 : LENS_NONE;
+    }
+    return surface;
+}
+
+/* Media before and behind a place. */
+static void media_of(const struct system *system, size_t place, size_t media[2])
+{
+    const struct lens *lens = system->lens;
+    size_t count = lens->surface_count, surface = system_surface(system, place);
+    size_t left = surface > 0 ? surface - 1 : LENS_NONE;
+    bool reverse = system->options.reverse;
+    if (surface == count) {
+        media[0] = media[1] = reverse ? LENS_NONE : medium_of(lens, count - 1);
+        return;
+    }
+    media[0] = medium_of(lens, reverse ? surface : left);
+    media[1] = medium_of(lens, reverse ? left : surface);
+}
+
+static void seed_index(const struct system *system, const struct parameter *by, size_t place,
+                       const struct step *step, struct tangent_seed *seed)
+{
+    size_t media[2], medium = medium_of(system->lens, by->surface);
+    media_of(system, place, media);
+    if (media[0] == medium) {
+        seed->n11 = 2 * sqrt(step->n11);
+    }
+    seed->dn = (media[1] == medium ? 2 * sqrt(step->n22) : 0) - seed->n11;
+}
+
+/* The thickness passed on the way to a place: of the surface left of the gap. */
+static void seed_thickness(const struct system *system, const struct parameter *by, size_t place,
+                           const struct step *step, struct tangent_seed *seed)
+{
+    size_t count = system->lens->surface_count;
+    bool reverse = system->options.reverse;
+    if (place == 0 || (place == count && reverse) ||
+        by->surface != (reverse ? count - 1 - place : place - 1)) {
+        return;
+    }
+    if (reverse && step->kind == STEP_MOVE && system->lens->surfaces[by->surface + 1].bend) {
+        seed->t_behind = 1; /* the way lies along the axis that is turned to */
+    } else {
+        seed->t = reverse ? -1 : 1;
+    }
+}
+
+static struct tangent_seed seed_of(const struct system *system, const struct parameter *by,
+                                   size_t place, size_t i)
+{
+    struct tangent_seed seed = {0};
+    const struct step *step = &system->steps[i];
+    bool here = step->kind != STEP_MOVE && by->surface == system_surface(system, place);
+    if (by->kind == PARAMETER_THICKNESS && i == system->begin[place]) {
+        seed_thickness(system, by, place, step, &seed);
+    } else if (by->kind == PARAMETER_INDEX && step->kind != STEP_MOVE) {
+        seed_index(system, by, place, step, &seed);
+    } else if (by->kind == PARAMETER_CURVATURE) {
+        seed.c = here ? 1 : 0;
+    } else if (by->kind == PARAMETER_CONIC) {
+        seed.k = here ? 1 : 0;
+    } else if (by->kind >= PARAMETER_A2 && by->kind < PARAMETER_A2 + STEP_TERMS && here) {
+        seed.coefficient[by->kind - PARAMETER_A2] = 1;
+        seed.series = true;
+    }
+    return seed;
+}
+
+/* A rigid motion: by `sign` times the shift, and turned about an axis through `at`. */
+static void add_rigid(const struct rigid *motion, const struct ray_block *restrict rays,
+                      struct ray_block *restrict tangent)
+{
+    const double sign = motion->sign, *e = motion->shift, *a = motion->axis, *at = motion->at;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        double x = rays->x[i] - at[0], y = rays->y[i] - at[1], z = rays->z[i] - at[2];
+        double p = rays->p[i], q = rays->q[i], r = rays->r[i];
+        tangent->x[i] += sign * (e[0] + (a[1] * z - a[2] * y));
+        tangent->y[i] += sign * (e[1] + (a[2] * x - a[0] * z));
+        tangent->z[i] += sign * (e[2] + (a[0] * y - a[1] * x));
+        tangent->p[i] += sign * (a[1] * r - a[2] * q);
+        tangent->q[i] += sign * (a[2] * p - a[0] * r);
+        tangent->r[i] += sign * (a[0] * q - a[1] * p);
+    }
+}
+
+void tangent_trace(const struct system *system, const struct parameter *parameters, size_t count,
+                   enum instruction_set set, const struct derivative_tape *tape,
+                   struct ray_block *tangents)
+{
+    kernel_tangent *kernel = dispatch_tangent(set);
+    struct tangent_seed seeds[TANGENTS_MOST] = {{0}};
+    for (size_t place = 0; place < system->places; place++) {
+        for (size_t i = system->begin[place]; i < system->begin[place + 1]; i++) {
+            for (size_t j = 0; j < count && parameters != NULL; j++) {
+                struct rigid motion;
+                seeds[j] = seed_of(system, &parameters[j], place, i);
+                if (rigid_before(system, parameters[j].kind, parameters[j].surface, i, &motion)) {
+                    add_rigid(&motion, &tape->blocks[i], &tangents[j]);
+                }
+            }
+            kernel(&system->steps[i], &tape->blocks[i], &tape->blocks[i + 1], seeds, count,
+                   tangents);
+            for (size_t j = 0; j < count && parameters != NULL; j++) {
+                struct rigid motion;
+                if (rigid_behind(system, parameters[j].kind, parameters[j].surface, i, &motion)) {
+                    add_rigid(&motion, &tape->blocks[i + 1], &tangents[j]);
+                }
+            }
+        }
+    }
+}

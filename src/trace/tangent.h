@@ -1,0 +1,51 @@
+/* trace/tangent.h - derivatives of rays by a few things, forwards. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_TANGENT_H
+#define LENSCALC_TRACE_TANGENT_H
+
+#include "trace/derivative.h"
+#include "trace/step.h"
+
+/* One thing to derive by; `surface` as in derivative_row. */
+struct parameter {
+    enum parameter_kind kind;
+    size_t surface;
+};
+
+/* The derivatives move with the rays: cheaper than sweeps back for up to about eight parameters. */
+enum { TANGENTS_MOST = 8 };
+
+/*
+ * Derivatives of final rays by a few parameters, or along a few changes of the starting rays.
+ *
+ * Given     tape        as derivative_trace left it
+ *           parameters  `count` of them, up to TANGENTS_MOST; null = of the starting rays only
+ *           tangents    one block a parameter: derivatives of the starting x, y, z, p, q, r, path
+ *                       by it, usually 0; to derive by the entrance ray write 1 there. Receives
+ *                       those of the final ones
+ * Result    as derivative_sweep gives them by its rows; NaN for rays that are lost
+ * Formula   the letters of derivative_sweep, a dot for derivatives: d. = (F. - N.X.)/D where F. is
+ *           what the parameter does to F; N. from X.; E E. = D D. + (n'^2 - n^2) M./2 + ..;
+ *           g. = (E. - D. - g M.)/M; p'. = p. + g. N + g N.
+ * Source    derived from F(X) = 0 and the law of refraction; equal to derivative_sweep
+ * Limits    as derivative_sweep
+ */
+void tangent_trace(const struct system *system, const struct parameter *parameters, size_t count,
+                   enum instruction_set set, const struct derivative_tape *tape,
+                   struct ray_block *tangents);
+
+/* What one parameter changes of one step: derivatives of the members of that name. */
+struct tangent_seed {
+    double c, k, t, n11, dn, coefficient[STEP_TERMS];
+    double t_behind; /* of z behind a STEP_MOVE */
+    bool series;     /* are there coefficients? */
+};
+
+/* Take tangents through one step. */
+typedef void kernel_tangent(const struct step *step, const struct ray_block *before,
+                            const struct ray_block *after, const struct tangent_seed *seeds,
+                            size_t count, struct ray_block *tangents);
+kernel_tangent kernel_tangent_sse2, kernel_tangent_avx2, kernel_tangent_avx512;
+kernel_tangent *dispatch_tangent(enum instruction_set set);
+
+#endif
