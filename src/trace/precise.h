@@ -169,11 +169,11 @@ static inline bool precise_bend(struct precise_ray *ray, const REAL N[3], bool r
 
 /* The slopes behind a thick lens, and on to the plane of H'; see optics/thick_lens. */
 static inline void precise_thick(struct precise_ray *ray, const struct system *system, size_t i,
-                                 REAL n1, REAL n2)
+                                 REAL direction, REAL n1, REAL n2)
 {
     const struct lens *lens = system->lens;
     const struct surface *surface = &lens->surfaces[i];
-    REAL direction = (REAL)system->direction[i], power = 1 / precise_of(surface->focal.value);
+    REAL power = 1 / precise_of(surface->focal.value);
     REAL u[2], w[2], square = 0, d = 0, near = 0;
     if (!lens->object_is_infinite) {
         REAL distance = precise_of(lens->object.value);
@@ -196,30 +196,50 @@ static inline void precise_thick(struct precise_ray *ray, const struct system *s
     ray->p[2] = direction * n2 / precise_root(1 + u[0] * u[0] + u[1] * u[1]);
     ray->p[0] = u[0] * ray->p[2];
     ray->p[1] = u[1] * ray->p[2];
-    ray->x[2] = precise_of(surface->hiatus.value);
+    ray->x[2] = system->options.reverse ? 0 : precise_of(surface->hiatus.value);
+}
+
+/* From the surface before it in the order of light into the frame of a surface's vertex. */
+static inline void precise_transfer(struct precise_ray *ray, const struct system *system, size_t i)
+{
+    const struct surface *surfaces = system->lens->surfaces;
+    if (system->options.reverse) {
+        if (i + 1 < system->lens->surface_count) {
+            if (surfaces[i + 1].bend != NULL) {
+                precise_move_back(ray, surfaces[i + 1].bend);
+            }
+            ray->x[2] += precise_of(surface_advance(&surfaces[i]));
+        }
+        return;
+    }
+    REAL z = i > 0 ? precise_of(surface_advance(&surfaces[i - 1])) : 0;
+    if (surfaces[i].bend != NULL) {
+        precise_move(ray, surfaces[i].bend, z);
+    } else {
+        ray->x[2] -= z;
+    }
 }
 
 static inline bool precise_surface(struct precise_ray *ray, const struct system *system, size_t i)
 {
     const struct surface *surface = &system->lens->surfaces[i];
     struct precise_shape shape = precise_shape_of(surface);
-    REAL n1 = precise_of(system->n[i]), n2 = precise_of(system->n[i + 1]), N[3];
-    REAL z = i > 0 ? precise_of(surface_advance(&system->lens->surfaces[i - 1])) : 0;
-    if (surface->bend != NULL) {
-        precise_move(ray, surface->bend, z);
-        z = 0;
-    }
-    ray->x[2] -= z;
+    bool reflects = surface->kind == SURFACE_REFLECT, reverse = system->options.reverse;
+    REAL n1 = precise_of(system->n[reverse ? i + 1 : i]);
+    REAL n2 = precise_of(system->n[reverse ? i : i + 1]), N[3];
+    precise_transfer(ray, system, i);
     if (surface->moved != NULL) {
         precise_move(ray, surface->moved, 0);
     }
-    bool reflects = surface->kind == SURFACE_REFLECT;
-    REAL direction = (REAL)system->direction[i];
-    bool met = precise_meet(ray, &shape, direction, n1 * n1, N);
+    REAL direction = (REAL)system->direction[i] * (reverse && !reflects ? -1 : 1);
     bool is_thick = surface->kind == SURFACE_THICK;
+    if (is_thick && reverse) {
+        ray->x[2] -= precise_of(surface->hiatus.value); /* light comes to H' first */
+    }
+    bool met = precise_meet(ray, &shape, direction, n1 * n1, N);
     bool good = met && (is_thick || precise_bend(ray, N, reflects, direction, n1, n2));
     if (met && is_thick) {
-        precise_thick(ray, system, i, n1, n2);
+        precise_thick(ray, system, i, direction, n1, n2);
     }
     if (!good && ray->status == RAY_OK) {
         ray->status = met ? RAY_TOTAL_REFLECTION : RAY_MISS;
@@ -235,13 +255,13 @@ static inline bool precise_surface(struct precise_ray *ray, const struct system 
 static inline bool precise_trace(struct precise_ray *ray, const struct system *system)
 {
     size_t count = system->lens->surface_count;
-    for (size_t i = 0; i < count; i++) {
-        if (!precise_surface(ray, system, i)) {
+    for (size_t place = 0; place < count; place++) {
+        if (!precise_surface(ray, system, system_surface(system, place))) {
             return false;
         }
     }
     if (system->places > count) {
-        REAL n = precise_of(system->n[count]);
+        REAL n = precise_of(system->n[system->options.reverse ? 0 : count]);
         ray->x[2] -= (REAL)system->options.image;
         precise_advance(ray, -ray->x[2] / ray->p[2], n * n);
     }

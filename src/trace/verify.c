@@ -22,8 +22,10 @@ struct verification verify_ray(const struct system *system, const struct ray *st
                                const struct ray *tested)
 {
     struct precise_ray ray = {.path = start->path};
-    long double n = precise_of(system->n[0]);
-    long double last = precise_of(system->n[system->lens->surface_count]);
+    size_t count = system->lens->surface_count;
+    bool reverse = system->options.reverse;
+    long double n = precise_of(system->n[reverse ? count : 0]);
+    long double last = precise_of(system->n[reverse ? 0 : count]);
     for (int i = 0; i < 3; i++) {
         ray.x[i] = start->point[i];
         ray.p[i] = n * start->cosine[i];

@@ -16,8 +16,7 @@ struct verification {
 /*
  * Trace a ray again in 80-bit numbers and compare.
  *
- * Given     system  not a reversed one
- *           start   as given to rays_set
+ * Given     start   as given to rays_set
  *           tested  what rays_get answered
  * Result    NaN errors where either is lost (a clipped ray is not)
  * Limits    4e-17 mm on the double Gauss, a microsecond a ray. Under valgrind, which computes long
