@@ -91,13 +91,9 @@ const struct ray_block *derivative_trace(const struct system *system, const stru
                                          enum instruction_set set,
                                          const struct derivative_tape *tape)
 {
-    kernel_trace *kernel = dispatch_trace(set);
     size_t steps = system->begin[system->places];
     tape->blocks[0] = *start;
-    for (size_t i = 0; i < steps; i++) {
-        tape->blocks[i + 1] = tape->blocks[i];
-        kernel(&system->steps[i], 1, system->options.path, &tape->blocks[i + 1]);
-    }
+    dispatch_tape(set)(system->steps, steps, system->options.path, tape->blocks);
     return &tape->blocks[steps];
 }
 
@@ -255,7 +251,11 @@ void derivative_sweep(const struct system *system, const struct derivative_layou
 {
     const struct sweep sweep = {
         system, layout, tape, adjoint, gradient, dispatch_adjoint(set), dispatch_displace(set)};
+    const struct ray_block *end = &tape->blocks[system->begin[system->places]];
     memset(gradient, 0, layout->rows * RAYS_BLOCK * sizeof(double));
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        adjoint->x[i] += 0 * end->x[i]; /* NaN where a ray is lost, and so all that follows */
+    }
     for (size_t place = system->places; place-- > 0;) {
         sweep_place(&sweep, place);
     }

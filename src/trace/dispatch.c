@@ -46,6 +46,13 @@ kernel_trace *dispatch_trace(enum instruction_set set)
     return kernels[best(set)];
 }
 
+kernel_tape *dispatch_tape(enum instruction_set set)
+{
+    static kernel_tape *const kernels[] = {NULL, kernel_tape_sse2, kernel_tape_avx2,
+                                           kernel_tape_avx512};
+    return kernels[best(set)];
+}
+
 kernel_adjoint *dispatch_adjoint(enum instruction_set set)
 {
     static kernel_adjoint *const kernels[] = {NULL, kernel_adjoint_sse2, kernel_adjoint_avx2,

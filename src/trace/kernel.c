@@ -231,7 +231,8 @@ static void settle(struct ray_block *block, double miss)
         /* the remainder of 8: adding and taking away 1.5 x 2^52 rounds to a whole number */
         double eighth = block->lost[i] * 0.125 - 0.4375;
         double kind = block->lost[i] - 8 * ((eighth + 6755399441055744) - 6755399441055744);
-        bool keep = ((kind == RAY_OK) | (kind == RAY_CLIPPED)) & (fabs(sum) <= DBL_MAX);
+        double other = fabs(sum) <= DBL_MAX ? (kind - RAY_OK) * (kind - RAY_CLIPPED) : 1;
+        bool keep = other == 0;
         block->x[i] = keep ? block->x[i] : (double)NAN;
         block->y[i] = keep ? block->y[i] : (double)NAN;
         block->z[i] = keep ? block->z[i] : (double)NAN;
@@ -254,4 +255,20 @@ void NAME(kernel_trace, KERNEL)(const struct step *steps, size_t count, bool pat
         without_path(steps, count, block);
     }
     settle(block, steps[count - 1].miss);
+}
+
+void NAME(kernel_tape, KERNEL)(const struct step *steps, size_t count, bool path,
+                               struct ray_block *blocks)
+{
+    for (size_t i = 0; i < count; i++) {
+        blocks[i + 1] = blocks[i];
+        if (path) {
+            with_path(&steps[i], 1, &blocks[i + 1]);
+        } else {
+            without_path(&steps[i], 1, &blocks[i + 1]);
+        }
+    }
+    if (count > 0) {
+        settle(&blocks[count], steps[count - 1].miss);
+    }
 }

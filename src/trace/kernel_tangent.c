@@ -38,6 +38,65 @@ INLINE void look(const struct step *s, const struct ray_block *before,
         (1 / s->n11);
 }
 
+/* The same for spheres and planes, N = (-c X, -c Y, 1 - c Z): M is 1. */
+INLINE void look_sphere(const struct step *s, const struct ray_block *before,
+                        const struct ray_block *after, struct geometry *at, int i)
+{
+    double X = after->x[i], Y = after->y[i], Z = after->z[i];
+    double p = before->p[i], q = before->q[i], r = before->r[i];
+    double x = -s->c * X, y = -s->c * Y, f = 1 - s->c * Z, D = x * p + y * q + f * r;
+    double E = x * after->p[i] + y * after->q[i] + f * after->r[i];
+    at->x[i] = x, at->y[i] = y, at->f[i] = f;
+    at->u[i] = 0.5 * (X * X + Y * Y + Z * Z);
+    at->over_D[i] = 1 / D, at->over_E[i] = 1 / E;
+    at->g[i] = E - D;
+    at->way[i] =
+        ((X - before->x[i]) * p + (Y - before->y[i]) * q + (Z - (before->z[i] - s->t)) * r) *
+        (1 / s->n11);
+}
+
+/* See push for the steps; (D/E - 1) D. = -(g/E) D. */
+INLINE void push_sphere(const struct step *s, const struct ray_block *restrict before,
+                        const struct ray_block *restrict after, const struct geometry *restrict at,
+                        const struct tangent_seed *seed, struct ray_block *restrict tangent, int i)
+{
+    const double c = s->c, half = 0.5 * seed->dn;
+    double p = before->p[i], q = before->q[i], r = before->r[i];
+    double tp = tangent->p[i], tq = tangent->q[i], tr = tangent->r[i];
+    double d = at->way[i], Nx = at->x[i], Ny = at->y[i], Nz = at->f[i], g = at->g[i];
+    double x = tangent->x[i] + d * tp, y = tangent->y[i] + d * tq;
+    double z = tangent->z[i] - seed->t + d * tr;
+    double more = (seed->c * at->u[i] - (Nx * x + Ny * y + Nz * z)) * at->over_D[i];
+    x += more * p, y += more * q, z += more * r;
+    double nx = -(c * x + seed->c * after->x[i]), ny = -(c * y + seed->c * after->y[i]);
+    double nz = -(c * z + seed->c * after->z[i]);
+    double tD = (nx * p + ny * q + nz * r) + (Nx * tp + Ny * tq + Nz * tr);
+    double tg = at->over_E[i] * (half - g * tD);
+    tangent->x[i] = x, tangent->y[i] = y, tangent->z[i] = z;
+    tangent->p[i] = tp + tg * Nx + g * nx;
+    tangent->q[i] = tq + tg * Ny + g * ny;
+    tangent->r[i] = tr + tg * Nz + g * nz;
+    tangent->path[i] += s->n11 * more + seed->n11 * d;
+}
+
+INLINE void sphere(const struct step *restrict step, const struct ray_block *restrict before,
+                   const struct ray_block *restrict after, const struct tangent_seed *seeds,
+                   size_t count, struct ray_block *restrict tangents)
+{
+    const struct step s = *step;
+    struct geometry at;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        look_sphere(&s, before, after, &at, i);
+    }
+    for (size_t j = 0; j < count; j++) {
+        const struct tangent_seed seed = seeds[j];
+        struct ray_block *restrict tangent = &tangents[j];
+        for (int i = 0; i < RAYS_BLOCK; i++) {
+            push_sphere(&s, before, after, &at, &seed, tangent, i);
+        }
+    }
+}
+
 /* What the parameter itself does to S and S' at u. */
 INLINE void series_seed(const struct tangent_seed *seed, double u, double *S, double *slope)
 {
@@ -134,6 +193,16 @@ static void move(const struct step *s, const struct tangent_seed *seed,
     }
 }
 
+/* Is k or the polynomial of a sphere to be derived by? */
+static bool shaped(const struct tangent_seed *seeds, size_t count)
+{
+    bool any = false;
+    for (size_t j = 0; j < count; j++) {
+        any = any || seeds[j].k != 0 || seeds[j].series;
+    }
+    return any;
+}
+
 void NAME(kernel_tangent, KERNEL)(const struct step *s, const struct ray_block *before,
                                   const struct ray_block *after, const struct tangent_seed *seeds,
                                   size_t count, struct ray_block *tangents)
@@ -142,6 +211,8 @@ void NAME(kernel_tangent, KERNEL)(const struct step *s, const struct ray_block *
         for (size_t j = 0; j < count; j++) {
             move(s, &seeds[j], &tangents[j]);
         }
+    } else if (s->kind <= STEP_SPHERE && s->action != ACTION_REFLECT && !shaped(seeds, count)) {
+        sphere(s, before, after, seeds, count, tangents);
     } else if (s->action == ACTION_REFLECT) {
         surface(s, before, after, seeds, count, STEP_TERMS, true, tangents);
     } else if (s->kind >= STEP_ASPHERE) {

@@ -60,6 +60,11 @@ struct step {
 typedef void kernel_trace(const struct step *steps, size_t count, bool path,
                           struct ray_block *block);
 
+/* The same, and what lies behind step i is kept in blocks[i + 1]; only in the last are lost rays NaN. */
+typedef void kernel_tape(const struct step *steps, size_t count, bool path,
+                         struct ray_block *blocks);
+
+kernel_tape kernel_tape_sse2, kernel_tape_avx2, kernel_tape_avx512;
 kernel_trace kernel_trace_sse2, kernel_trace_avx2, kernel_trace_avx512;
 
 #endif

@@ -121,4 +121,14 @@ void tangent_trace(const struct system *system, const struct parameter *paramete
             }
         }
     }
+    const struct ray_block *end = &tape->blocks[system->begin[system->places]];
+    for (size_t j = 0; j < count; j++) {
+        double *of[] = {tangents[j].x, tangents[j].y, tangents[j].z,   tangents[j].p,
+                        tangents[j].q, tangents[j].r, tangents[j].path};
+        for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
+            for (int i = 0; i < RAYS_BLOCK; i++) {
+                of[k][i] += 0 * end->x[i]; /* NaN where a ray is lost */
+            }
+        }
+    }
 }

@@ -1,9 +1,11 @@
 /* tests/bench/trace.c - exact rays: lanes of each instruction set against a plain loop. */
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
+#include "divider.h"
 #include "file/lens_db.h"
 #include "trace/derivative.h"
 #include "trace/dispatch.h"
+#include "trace/tangent.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -17,7 +19,7 @@
  * what features cost, and the gain of two threads. The yardstick `plain` is what a textbook gives:
  * an array of structs, radius and sag, one ray after the other, early out.
  */
-enum { TURNS = 15, RAYS = 1024 };
+enum { TURNS = 60, RAYS = 1024 };
 
 static double now(void)
 {
@@ -121,13 +123,13 @@ static double time_plain(const struct lens *lens, struct arena *arena)
     }
     for (int turn = 0; turn < TURNS; turn++) {
         double began = now();
-        for (int again = 0; again < 20; again++) {
+        for (int again = 0; again < 5; again++) {
             memcpy(rays, start, sizeof rays);
             for (size_t i = 0; i < RAYS; i++) {
                 rays[i].lost = trace_plain(surfaces, (int)lens->surface_count + 1, &rays[i]);
             }
         }
-        best = fmin(best, (now() - began) / 20);
+        best = fmin(best, (now() - began) / 5);
     }
     return best;
 }
@@ -198,7 +200,7 @@ static double cost(const char *extra, bool path, double base)
     struct bench bench = {{0}};
     char *text = gauss_with(&bench.arena, extra);
     set_up(&bench, text, true, path, RAYS);
-    double seconds = time_rays(&bench, NULL, 20);
+    double seconds = time_rays(&bench, NULL, 5);
     arena_free(&bench.arena);
     return seconds / base;
 }
@@ -224,7 +226,7 @@ static double phone(void)
         ray.point[1] *= 0.05;
         rays_set(&bench.start, i, 1, &ray);
     }
-    double figure = million(&bench, time_rays(&bench, NULL, 20));
+    double figure = million(&bench, time_rays(&bench, NULL, 5));
     arena_free(&bench.arena);
     return figure;
 }
@@ -240,7 +242,7 @@ static double time_derivatives(struct bench *bench)
     double best = 1e9;
     for (int turn = 0; turn < TURNS; turn++) {
         double began = now();
-        for (int again = 0; again < 20; again++) {
+        for (int again = 0; again < 5; again++) {
             for (size_t i = 0; i < rays_blocks(&bench->start); i++) {
                 derivative_trace(&bench->system, &bench->start.blocks[i], SET_BEST, &tape);
                 for (int output = 0; output < 2; output++) {
@@ -252,7 +254,31 @@ static double time_derivatives(struct bench *bench)
                 }
             }
         }
-        best = fmin(best, (now() - began) / 20);
+        best = fmin(best, (now() - began) / 5);
+    }
+    return best;
+}
+
+/* A trace that is kept and `count` tangents: curvatures of the first surfaces. */
+static double time_tangents(struct bench *bench, size_t count)
+{
+    struct derivative_tape tape = derivative_tape_new(&bench->system, &bench->arena);
+    struct rays tangents = rays_new(&bench->arena, count * RAYS_BLOCK);
+    struct parameter by[TANGENTS_MOST];
+    double best = 1e9;
+    for (size_t j = 0; j < count; j++) {
+        by[j] = (struct parameter){PARAMETER_CURVATURE, j < 5 ? j : j + 1};
+    }
+    for (int turn = 0; turn < TURNS * 4; turn++) {
+        double began = now();
+        for (int again = 0; again < 5; again++) {
+            for (size_t i = 0; i < rays_blocks(&bench->start); i++) {
+                derivative_trace(&bench->system, &bench->start.blocks[i], SET_BEST, &tape);
+                memset(tangents.blocks, 0, count * sizeof *tangents.blocks);
+                tangent_trace(&bench->system, by, count, SET_BEST, &tape, tangents.blocks);
+            }
+        }
+        best = fmin(best, (now() - began) / 5);
     }
     return best;
 }
@@ -263,7 +289,7 @@ static double gain(size_t count)
     set_up(&bench, gauss, true, false, count);
     const struct trace_way two = {SET_BEST, 2};
     double one = 1e9, both = 1e9;
-    for (int i = 0; i < TURNS; i++) {
+    for (int i = 0; i < TURNS / 2; i++) {
         double began = now();
         rays_trace(&bench.system, &bench.start, NULL);
         one = fmin(one, now() - began);
@@ -284,19 +310,24 @@ int main(void)
     for (enum instruction_set set = SET_SSE2; set <= SET_AVX512; set++) {
         if (instruction_set_works(set)) {
             const struct trace_way way = {set, 1};
-            double seconds = time_rays(&bench, &way, 20);
+            double seconds = time_rays(&bench, &way, 5);
             plain = fmin(plain, time_plain(&bench.lens, &bench.arena));
             printf("%s %.0f\n%s/plain %.2f\n", instruction_set_name(set), million(&bench, seconds),
                    instruction_set_name(set), plain / seconds);
+            /* 10 spheres are all that needs the divider much; planes count, but cost little */
+            printf("%s_limit %.0f\n", instruction_set_name(set), divider_spheres(set) * 12 / 10.8);
             base = seconds;
         }
     }
-    base = fmin(base, time_rays(&bench, NULL, 20));
+    base = fmin(base, time_rays(&bench, NULL, 5));
     printf("path %.2f\n", cost("", true, base));
     printf("conic %.2f\n", cost(" k=-0.01", false, base));
     printf("asphere %.2f\n", cost(" k=-0.01 A4=1e-8 A6=1e-12 A8=1e-16", false, base));
     printf("phone %.0f\n", phone());
     printf("derivatives %.2f\n", time_derivatives(&bench) / base);
+    for (size_t count = 1; count <= TANGENTS_MOST; count *= 2) {
+        printf("tangents_%zu %.2f\n", count, time_tangents(&bench, count) / base);
+    }
     printf("threads_1e5 %.2f\n", gain(100000));
     printf("threads_1e6 %.2f\n", gain(1000000));
     arena_free(&bench.arena);

@@ -306,6 +306,28 @@ static void check_start(struct under_test *test)
     }
 }
 
+/* A ray that passes the lens by has no derivatives, its neighbours keep theirs. */
+static void check_lost(struct under_test *test)
+{
+    enum { LOST = 9 };
+    double kept = test->start.y[LOST], *first[OUTPUTS];
+    memcpy(first, test->gradient, sizeof first);
+    test->start.y[LOST] = 1e4;
+    sweep(test, SET_BEST);
+    struct parameter by = {PARAMETER_CURVATURE, 0};
+    size_t row = derivative_row(&test->layout, by.kind, by.surface);
+    struct rays rays = rays_new(&test->arena, RAYS_BLOCK);
+    memset(rays.blocks, 0, sizeof *rays.blocks);
+    tangent_trace(&test->system, &by, 1, SET_BEST, &test->tape, rays.blocks);
+    for (int output = 0; output < OUTPUTS; output++) {
+        const double *here = test->gradient[output] + row * RAYS_BLOCK;
+        CHECK(isnan(here[LOST]) && isnan(output_of(rays.blocks, output)[LOST]));
+        CHECK(memcmp(here, first[output] + row * RAYS_BLOCK, LANES * sizeof *here) == 0);
+        CHECK(!isnan(output_of(rays.blocks, output)[LOST - 1]));
+    }
+    test->start.y[LOST] = kept;
+}
+
 int main(void)
 {
     static const char *const lenses[] = {
@@ -343,6 +365,7 @@ int main(void)
         check_forward(&test, SET_SSE2);
         check_forward(&test, SET_BEST);
         check_forward_start(&test);
+        check_lost(&test);
         printf("derivatives: worst error %.2g of scale\n", test.worst);
         arena_free(&test.arena);
     }
