@@ -83,7 +83,8 @@ const struct ray_block *derivative_trace(const struct system *system, const stru
  *           g~ = N.b, D~ = -(g/E) g~, N~ = g b + D~ p + 2 M~ N, b += D~ N; a and the shape gain
  *           from N~ what N depends on; s = (a.p + n^2 path~)/D, shape += s dF, a -= s N,
  *           b += d a
- * Source    derived from F(X) = 0 and the law of refraction; pinned by differences of 113 bits
+ * Source    derived in lenscalc.7 from F(X) = 0 and the law of refraction; pinned by differences of
+ *           113 bits
  * Limits    1e-14 of the scale of each derivative, not at grazing incidence
  */
 void derivative_sweep(const struct system *system, const struct derivative_layout *layout,

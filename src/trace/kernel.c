@@ -233,13 +233,14 @@ static void settle(struct ray_block *block, double miss)
         double kind = block->lost[i] - 8 * ((eighth + 6755399441055744) - 6755399441055744);
         double other = fabs(sum) <= DBL_MAX ? (kind - RAY_OK) * (kind - RAY_CLIPPED) : 1;
         bool keep = other == 0;
-        block->x[i] = keep ? block->x[i] : (double)NAN;
-        block->y[i] = keep ? block->y[i] : (double)NAN;
-        block->z[i] = keep ? block->z[i] : (double)NAN;
-        block->p[i] = keep ? block->p[i] : (double)NAN;
-        block->q[i] = keep ? block->q[i] : (double)NAN;
-        block->r[i] = keep ? block->r[i] : (double)NAN;
-        block->path[i] = keep ? block->path[i] : (double)NAN;
+        double gone = keep ? 0 : (double)NAN; /* taking 0 away keeps the sign of 0 */
+        block->x[i] = (keep ? block->x[i] : 0) - gone;
+        block->y[i] = (keep ? block->y[i] : 0) - gone;
+        block->z[i] = (keep ? block->z[i] : 0) - gone;
+        block->p[i] = (keep ? block->p[i] : 0) - gone;
+        block->q[i] = (keep ? block->q[i] : 0) - gone;
+        block->r[i] = (keep ? block->r[i] : 0) - gone;
+        block->path[i] = (keep ? block->path[i] : 0) - gone;
     }
 }
 

@@ -288,10 +288,15 @@ ASPHERE(10)
 
 static void asphere_any(struct ray_block *block, const struct step *s, bool path)
 {
-    if (s->action == ACTION_REFLECT) {
-        asphere(block, s, path, STEP_TERMS, true, true);
+    bool reflects = s->action == ACTION_REFLECT;
+    if (reflects && path) {
+        asphere(block, s, true, STEP_TERMS, true, true);
+    } else if (reflects) {
+        asphere(block, s, false, STEP_TERMS, true, true);
+    } else if (path) {
+        asphere(block, s, true, STEP_TERMS, true, false);
     } else {
-        asphere(block, s, path, STEP_TERMS, true, false);
+        asphere(block, s, false, STEP_TERMS, true, false);
     }
 }
 

@@ -60,7 +60,9 @@ struct step {
 typedef void kernel_trace(const struct step *steps, size_t count, bool path,
                           struct ray_block *block);
 
-/* The same, and what lies behind step i is kept in blocks[i + 1]; only in the last are lost rays NaN. */
+/*
+ * The same; what lies behind step i is kept in blocks[i + 1]. Lost rays are NaN in the last only.
+ */
 typedef void kernel_tape(const struct step *steps, size_t count, bool path,
                          struct ray_block *blocks);
 

@@ -13,6 +13,13 @@
 #include <stddef.h>
 
 /*
+ * Who does what: system_compile turns a lens into steps (trace/step.h), one or a few a surface;
+ * trace/dispatch.h chooses the kernels for the processor and cuts the rays (trace/rays.h) among
+ * threads; the kernels (kernel.c: planes and spheres; kernel_conic.c: conics and aspheres) take
+ * 128 rays through one step after the other. derivative.h sweeps back for derivatives by
+ * everything, tangent.h goes forwards for those by a few things, verify.h traces again with more
+ * digits. aim.h, beam.h, sample.h and clear.h find the rays that are worth tracing.
+ *
  * Compile, trace, read:
  *
  *     struct system_options options = system_options_default();
@@ -44,8 +51,8 @@
  *           F = c (r^2 + K w^2)/2 - w, w = Z - S(r^2), from the conic on
  *           a thick lens: see optics/thick_lens; the ray goes on in the plane of H', which lies at
  *           z = hiatus in the frame of that surface; the path from H to H' is not counted
- * Source    [Welford86] 4.2-4.7 in the form without angles; the hop to the vertex plane and F
- *           are derived in lenscalc.7
+ * Source    [Welford86] chapter "Finite raytracing", in a form without angles; the hop to the
+ *           vertex plane and F are derived in lenscalc.7
  * Limits    the intersection is the one where light meets the front of the surface (N.p s > 0),
  *           on the sheet of the vertex (1 - c K Z > 0): beyond a hemisphere is a miss
  */

@@ -27,7 +27,7 @@ enum { TANGENTS_MOST = 8 };
  * Formula   the letters of derivative_sweep, a dot for derivatives: d. = (F. - N.X.)/D where F. is
  *           what the parameter does to F; N. from X.; E E. = D D. + (n'^2 - n^2) M./2 + ..;
  *           g. = (E. - D. - g M.)/M; p'. = p. + g. N + g N.
- * Source    derived from F(X) = 0 and the law of refraction; equal to derivative_sweep
+ * Source    derived in lenscalc.7; equal to derivative_sweep
  * Limits    as derivative_sweep
  */
 void tangent_trace(const struct system *system, const struct parameter *parameters, size_t count,

@@ -39,7 +39,7 @@ DIVIDER(divider_256, 4, "ymm")
 DIVIDER(divider_512, 8, "zmm")
 #endif
 
-/* Million spheres a second that its divider allows: two roots and a quotient each; 0 = not known. */
+/* Million spheres a second that its divider allows, two roots and a quotient each; 0 = unknown. */
 static double divider_spheres(enum instruction_set set)
 {
 #ifdef __x86_64__
