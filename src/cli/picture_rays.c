@@ -1,9 +1,9 @@
 /* cli/picture_rays.c - exact rays through the drawn lens, as its rims let them pass. */
 /* SPDX-License-Identifier: MIT */
+#include "cli/image_plane.h"
 #include "cli/picture.h"
 #include "trace/aim.h"
 #include "trace/clear.h"
-#include "trace/focus.h"
 #include "trace/follow.h"
 
 #include <string.h>
@@ -275,16 +275,12 @@ static void add_oblique(struct beams *beams)
 double picture_focus(const struct picture *picture)
 {
     const struct lens_case *one = picture->one;
-    const struct conjugate_object object = lens_object(one->lens);
-    struct system_options options = system_options_default();
-    struct system system;
     struct error ignored;
     double focus;
-    options.stop_radius = fabs(one->first.stop_radius);
-    bool found =
-        system_compile(one->lens, one->wavelength, &options, picture->arena, &system, &ignored) &&
-        lens_best_focus(&system, &object, &one->first, picture->arena, &focus, &ignored);
-    return found ? focus : (double)NAN;
+    return image_plane_best(one->lens, &one->first, fabs(one->first.stop_radius), picture->arena,
+                            &focus, &ignored)
+               ? focus
+               : (double)NAN;
 }
 
 bool picture_rays(struct picture *picture, struct error *error)

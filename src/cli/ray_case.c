@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/ray_case.h"
 
-#include "trace/focus.h"
+#include "cli/image_plane.h"
 
 bool ray_case_compile(const struct ray_case *one, double wavelength, bool clip, bool image,
                       struct arena *arena, struct system *system, struct error *error)
@@ -15,78 +15,24 @@ bool ray_case_compile(const struct ray_case *one, double wavelength, bool clip, 
     return system_compile(one->lens, wavelength, &options, arena, system, error);
 }
 
-static bool find_best(struct ray_case *one, struct arena *arena, struct error *error)
-{
-    struct system system;
-    return ray_case_compile(one, lens_primary_wavelength(one->lens), false, false, arena, &system,
-                            error) &&
-           lens_best_focus(&system, &one->object, &one->first, arena, &one->image, error);
-}
-
 static const char *add_warning(const char *first, const char *second, struct arena *arena)
 {
     return first == NULL ? second : arena_printf(arena, "%s; %s", first, second);
 }
 
-static bool set_table(struct ray_case *one, bool asked, struct error *error)
-{
-    const struct surface *last = &one->lens->surfaces[one->lens->surface_count - 1];
-    if (!last->has_thickness && asked) {
-        return fail(error, ERROR_DOMAIN,
-                    "--focus table: the lens states no distance behind its last surface");
-    }
-    one->focus = last->has_thickness ? "table" : "paraxial";
-    one->image = last->has_thickness ? last->thickness.value.hi : one->first.image;
-    return true;
-}
-
-/* What the file asks for but cannot be is replaced, with a warning; what the user asks for not. */
-static bool set_best(struct ray_case *one, bool asked, struct arena *arena, struct error *error)
-{
-    one->focus = "best";
-    if (find_best(one, arena, error)) {
-        return true;
-    }
-    if (asked) {
-        return error_prefix(error, "--focus best: ");
-    }
-    one->warning = add_warning(
-        one->warning, arena_printf(arena, "%s: paraxial focus instead", error->message), arena);
-    one->focus = "paraxial";
-    one->image = one->first.image;
-    return true;
-}
-
 static bool set_plane(const struct plane_value *focus, struct ray_case *one, struct arena *arena,
                       struct error *error)
 {
-    static const enum plane_kind kinds[] = {
-        [FOCUS_PARAXIAL] = PLANE_PARAXIAL, [FOCUS_TABLE] = PLANE_TABLE, [FOCUS_BEST] = PLANE_BEST};
-    bool asked = focus->kind != PLANE_OF_LENS, done = true;
-    switch (asked ? focus->kind : kinds[one->lens->focus]) {
-    case PLANE_TABLE:
-        done = set_table(one, asked, error);
-        break;
-    case PLANE_BEST:
-        done = set_best(one, asked, arena, error);
-        break;
-    case PLANE_AT:
-        one->focus = "given";
-        one->image = focus->distance;
-        break;
-    case PLANE_OF_LENS:
-    case PLANE_PARAXIAL:
-        one->focus = "paraxial";
-        one->image = one->first.image;
-        break;
+    struct image_plane plane;
+    if (!image_plane_find(focus, one->lens, &one->first, one->stop_radius, arena, &plane, error)) {
+        return false;
     }
-    if (done && !isfinite(one->image)) {
-        one->image = NAN;
-        one->focus = NULL;
-        done = !asked || fail(error, ERROR_DOMAIN,
-                              "the image is infinitely far away: --focus wants a number of mm");
+    one->image = plane.z;
+    one->focus = plane.focus;
+    if (plane.warning != NULL) {
+        one->warning = add_warning(one->warning, plane.warning, arena);
     }
-    return done;
+    return true;
 }
 
 static bool set_target(const struct target_value *to, struct ray_case *one, struct arena *arena,

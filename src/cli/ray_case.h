@@ -31,12 +31,6 @@ struct ray_case {
     const char *warning; /* null = all is well */
 };
 
-#define RAY_POSITION_OPTION(S, member)                                                             \
-    {                                                                                              \
-        OPTION(S, member.position), .name = "position", .value = "NAME",                           \
-                                    .help = "zoom or focus position, or all; default the first"    \
-    }
-
 #define RAY_FOCUS_OPTION(S, member)                                                                \
     {                                                                                              \
         OPTION(S, member.focus), .name = "focus", .dimension = &dimension_length, .unit = "mm",    \
@@ -66,7 +60,7 @@ bool ray_positions(const struct ray_question *question, struct arena *arena,
  * Given     position  of the lens, from 0
  *           arena     for all that the case points to
  * Errors    ERROR_USAGE: --clip and --no-clip, a surface that is not there; ERROR_DOMAIN: as
- *           first_order_aperture and lens_best_focus, no image plane where rays are to end there,
+ *           first_order_aperture and image_plane_find, no image plane where rays are to end there,
  *           no stop for the f-number
  */
 bool ray_case_open(const struct ray_question *question, size_t position, struct arena *arena,
