@@ -2,8 +2,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/pupil_cases.h"
 
+#include "cli/image_plane.h"
 #include "trace/aim.h"
-#include "trace/focus.h"
+
+#include <string.h>
 
 static const double degrees = 180 / 3.141592653589793;
 
@@ -13,6 +15,7 @@ enum { DIRECTIONS = 512 };
 /* What one lens at one wavelength needs for all its points. */
 struct scene {
     const struct pupil_input *input;
+    struct lens_case own; /* with what is doubtful about its film */
     const struct lens_case *one;
     struct system clipped, open;
     double film; /* from the last vertex, mm; NaN for fields */
@@ -43,38 +46,29 @@ static bool compile(struct scene *scene, bool reverse, struct arena *arena, stru
     return system_compile(one->lens, one->wavelength, &options, arena, &scene->clipped, error);
 }
 
-/* The film: as asked, else where the lens says. */
+/* The film: as asked, else where the lens says; the same for all wavelengths. */
 static bool place_film(struct scene *scene, struct arena *arena, struct error *error)
 {
-    static const enum plane_kind of_lens[] = {
-        [FOCUS_PARAXIAL] = PLANE_PARAXIAL, [FOCUS_TABLE] = PLANE_TABLE, [FOCUS_BEST] = PLANE_BEST};
     const struct lens *lens = scene->one->lens;
-    const struct surface *last = &lens->surfaces[lens->surface_count - 1];
-    const struct conjugate_object object = lens_object(lens);
-    struct plane_value plane = scene->input->focus;
-    plane.kind = plane.kind == PLANE_OF_LENS ? of_lens[lens->focus] : plane.kind;
-    scene->film = plane.kind == PLANE_AT ? plane.distance : scene->one->first.image;
-    if (plane.kind == PLANE_TABLE) {
-        if (!last->has_thickness) {
-            return fail(error, ERROR_DOMAIN,
-                        "the table of the lens ends without an image distance");
-        }
-        scene->film = last->thickness.value.hi;
+    struct lens_case *own = &scene->own;
+    struct first_order primary;
+    struct image_plane plane;
+    if (!first_order_of_lens(lens, lens_primary_wavelength(lens), own->section, arena, &primary,
+                             error) ||
+        !image_plane_find(&scene->input->focus, lens, &primary, own->first.stop_radius, arena,
+                          &plane, error)) {
+        return false;
     }
-    if (plane.kind == PLANE_BEST) {
-        struct system forward;
-        struct system_options options = system_options_default();
-        options.stop_radius = scene->one->first.stop_radius;
-        if (!system_compile(lens, lens_primary_wavelength(lens), &options, arena, &forward,
-                            error) ||
-            !lens_best_focus(&forward, &object, &scene->one->first, arena, &scene->film, error)) {
-            return false;
-        }
-    }
-    if (!isfinite(scene->film) || scene->film == 0) {
+    if (isnan(plane.z) || plane.z == 0) {
         fail(error, ERROR_DOMAIN, "the film lies %s",
-             scene->film == 0 ? "in the last vertex" : "at infinity");
+             plane.z == 0 ? "in the last vertex" : "at infinity");
         return error_hint(error, "say where the film is: --focus MM, from the last vertex");
+    }
+    scene->film = plane.z;
+    if (plane.warning != NULL) {
+        own->warning = own->warning == NULL
+                           ? plane.warning
+                           : arena_printf(arena, "%s; %s", own->warning, plane.warning);
     }
     return true;
 }
@@ -143,12 +137,79 @@ static bool show_fields(const struct scene *scene, struct run *run, struct error
     return true;
 }
 
+/* -------- the point on the axis, once for all points of a sweep -------- */
+
+/* What the shape on the axis depends on. Compared byte by byte: filled with zeros first. */
+struct axis_key {
+    const struct lens *lens;
+    const char *position;
+    double wavelength, fnumber, film;
+};
+
+enum { AXES = 64 };
+
+struct axis_memo {
+    size_t count;
+    struct axis_key keys[AXES];
+    struct pupil_shape shapes[AXES]; /* their numbers only: outlines end with their row */
+};
+
+static struct axis_key key_of(const struct scene *scene)
+{
+    struct axis_key key;
+    memset(&key, 0, sizeof key);
+    key.lens = scene->input->question.lens.lens;
+    key.position = scene->one->position;
+    key.wavelength = scene->one->wavelength;
+    key.fnumber = scene->input->question.fnumber;
+    key.film = scene->film;
+    return key;
+}
+
+static struct axis_memo *memo_of(const struct scene *scene, struct run *run)
+{
+    /* a lens that ends with its row says nothing of one that comes to lie in the same place */
+    if (run->kept == NULL || scene->input->question.lens.arena == run->arena) {
+        return NULL;
+    }
+    if (run->state == NULL) {
+        run->state = ARENA_NEW(run->kept, struct axis_memo);
+    }
+    return run->state;
+}
+
+static bool find_axis(struct scene *scene, const struct beam *beam, struct run *run,
+                      struct error *error)
+{
+    struct axis_memo *memo = memo_of(scene, run);
+    const struct axis_key key = key_of(scene);
+    for (size_t i = 0; memo != NULL && i < memo->count; i++) {
+        if (memcmp(&memo->keys[i], &key, sizeof key) == 0) {
+            scene->axis = memo->shapes[i];
+            return true;
+        }
+    }
+    if (!shape_of(scene, beam, run->arena, &scene->axis, error)) {
+        return false;
+    }
+    if (memo != NULL) {
+        size_t at = memo->count < AXES ? memo->count++ : 0;
+        struct pupil_shape *kept = &memo->shapes[at];
+        memo->keys[at] = key;
+        *kept = scene->axis;
+        kept->stop = kept->across = NULL;
+        kept->entrance.pupil.outline = kept->entrance.vertex.outline = NULL;
+        kept->exit.pupil.outline = kept->exit.vertex.outline = NULL;
+    }
+    return true;
+}
+
 static bool visit_lens(const struct lens_case *one, struct run *run, const void *context,
                        struct error *error)
 {
     const struct asked *asked = context;
     struct scene scene = {.input = asked->input,
-                          .one = one,
+                          .own = *one,
                           .film = NAN,
                           .visit = asked->visit,
                           .context = asked->context};
@@ -156,6 +217,7 @@ static bool visit_lens(const struct lens_case *one, struct run *run, const void 
     const struct field_point centre = {FIELD_NONE, {0, 0}};
     const struct conjugate_object object = lens_object(one->lens);
     struct beam beam;
+    scene.one = &scene.own;
     if (!compile(&scene, from_film, run->arena, error) ||
         (from_film && !place_film(&scene, run->arena, error))) {
         return false;
@@ -165,7 +227,7 @@ static bool visit_lens(const struct lens_case *one, struct run *run, const void 
     } else if (!beam_of_field(&centre, &object, &one->first, &beam, error)) {
         return false;
     }
-    if (!shape_of(&scene, &beam, run->arena, &scene.axis, error)) {
+    if (!find_axis(&scene, &beam, run, error)) {
         return false;
     }
     if (!from_film) {

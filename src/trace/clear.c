@@ -62,7 +62,10 @@ struct clear_guess clear_guess_of(const struct system *system, const struct beam
     return guess;
 }
 
-/* A point inside, by a grid of side^2 over `reach` radii: the one nearest to the centroid. */
+/*
+ * A point inside, by a grid of side^2 over `reach` radii: the centroid of those that arrive, which
+ * keeps what symmetry there is, or the one nearest to it.
+ */
 static bool find_inside(const struct probe *probe, const struct clear_guess *guess, double reach,
                         size_t side, double inside[2])
 {
@@ -99,6 +102,13 @@ static bool find_inside(const struct probe *probe, const struct clear_guess *gue
         }
         if (count == 0) {
             return false;
+        }
+        if (turn == 0) {
+            inside[0] = sum[0] / (double)count;
+            inside[1] = sum[1] / (double)count;
+            if (passes_one(probe, inside)) {
+                return true;
+            }
         }
     }
     return true;

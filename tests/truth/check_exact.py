@@ -248,6 +248,44 @@ def check_shapes(checks, program):
                  float(row["fraction"]) == 0, f"nothing arrives: {row['status']} {row['surface']}")
 
 
+def check_film(checks, program):
+    """One film for all wavelengths: at the primary one's paraxial image, by the program of 50
+    digits."""
+    for line in ("d", "F", "C"):
+        table = rows(program, "pupil", "double-gauss", "-w", line, "--height", "5")
+        if checks.check(isinstance(table, list), f"film at {line}: {table}"):
+            near(checks, "film", f"film at {line}", table[0]["film_mm"], 72.211810477084275, 1e-12)
+
+
+def check_symmetry(checks, program):
+    """What a lens with an axis lets through is the same on both sides, also without a chief ray."""
+    for lens, field in (("fisheye-16", 75), ("double-gauss", 14), ("wide-35", 30)):
+        for row in rows(program, "pupil", lens, "--field", f"{field}deg"):
+            for plane in ("", "vertex_"):
+                right = float(row[f"{plane}x_max_mm"])
+                near(checks, "symmetry", f"{lens}, {row['pupil']}: {plane}x_min",
+                     row[f"{plane}x_min_mm"], -right, 1e-12 * right)
+
+
+def check_sweep(checks, program):
+    """Points of a sweep say what they say alone: shapes on the axis that are kept are the right
+    ones."""
+    names = ("double-gauss", "cs348b-dgauss-50")
+    swept = [rows(program, "pupil", name, "--height", "0,7,14", "-w", wave, "-N", stop)
+             for name in names for wave in ("d", "F") for stop in ("2.8", "4")]
+    text = "lens,height,w,N\n" + "".join(
+        f"{name},{height},{wave},{stop}\n" for height in (0, 7, 14) for stop in ("2.8", "4")
+        for wave in ("d", "F") for name in names)
+    mixed = rows(program, "pupil", "--batch", "-", text=text)
+    if not checks.check(isinstance(mixed, list), f"sweep: {mixed}"):
+        return
+    keys = ("wavelength_nm", "height_mm", "pupil", "film_mm", "area_mm2", "fraction",
+            "projected_fraction", "illumination")
+    alone = sorted(tuple(row[key] for key in keys) for table in swept for row in table)
+    checks.check(alone == sorted(tuple(row[key] for key in keys) for row in mixed),
+                 "sweep: points of a batch differ from those of sweeps")
+
+
 def main():
     program = Program(sys.argv[1])
     checks = Checks()
@@ -258,6 +296,9 @@ def main():
         check_fields(checks, program, case)
         check_illumination(checks, program, case)
     check_irradiance(checks, program)
+    check_film(checks, program)
+    check_symmetry(checks, program)
+    check_sweep(checks, program)
     check_mirror(checks, program)
     check_ball(checks, program)
     check_stigmatic(checks, program)
