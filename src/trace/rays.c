@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/rays.h"
 
-#include <math.h>
 #include <stdint.h>
 
 struct rays rays_new(struct arena *arena, size_t count)
@@ -49,22 +48,4 @@ const char *ray_status_name(enum ray_status status)
 {
     static const char names[][20] = {"ok", "miss", "total_reflection", "clipped", "not_converged"};
     return names[status];
-}
-
-struct ray ray_from_point(const double object[3], const double target[2], double n)
-{
-    double x = target[0] - object[0], y = target[1] - object[1], z = -object[2];
-    double length = sqrt(x * x + y * y + z * z);
-    double away = sqrt(object[0] * object[0] + object[1] * object[1] + z * z);
-    double more = target[0] * (x - object[0]) + target[1] * (y - object[1]);
-    return (struct ray){.point = {target[0], target[1], 0},
-                        .cosine = {x / length, y / length, z / length},
-                        .path = n * (more / (length + away))};
-}
-
-struct ray ray_from_infinity(const double cosine[3], const double target[2], double n)
-{
-    return (struct ray){.point = {target[0], target[1], 0},
-                        .cosine = {cosine[0], cosine[1], cosine[2]},
-                        .path = n * (target[0] * cosine[0] + target[1] * cosine[1])};
 }

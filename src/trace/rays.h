@@ -81,22 +81,4 @@ static inline size_t ray_block_surface(const struct ray_block *block, size_t lan
 /* "ok", "miss", "total_reflection", "clipped", "not_converged" */
 const char *ray_status_name(enum ray_status status);
 
-/*
- * The ray from an object point to a point of the first vertex plane (z = 0), started there.
- *
- * Given     object  mm, z below 0 (in the frame of the first vertex); target x, y mm; n index
- * Result    path is counted from the object point less n times its distance to the first vertex:
- *           n (T^2 - 2 T.O)/(|T - O| + |O|); it keeps all digits however far the object lies, and
- *           goes over to that of a plane wave
- */
-struct ray ray_from_point(const double object[3], const double target[2], double n);
-
-/*
- * The ray of a plane wave through a point of the first vertex plane.
- *
- * Given     cosine  direction cosines; build them from the angle, (0, sin, cos)
- * Result    path is counted from the wavefront through the first vertex: n (x L + y M)
- */
-struct ray ray_from_infinity(const double cosine[3], const double target[2], double n);
-
 #endif

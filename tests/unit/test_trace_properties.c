@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "file/lens_db.h"
+#include "trace/beam.h"
 #include "trace/dispatch.h"
 
 #include <stdint.h>
@@ -189,6 +190,18 @@ static void check_order(const struct system *system, double radius, const char *
     }
 }
 
+/* The ray from an object point through a point of the first vertex plane. */
+static struct ray ray_through(const double object[3], const double target[2], double n)
+{
+    const double point[3] = {target[0], target[1], 0};
+    struct beam beam;
+    struct error error;
+    double at[2];
+    CHECK(beam_from_point(object, n, &beam, &error));
+    beam_place(&beam, point, at);
+    return beam_ray(&beam, at[0], at[1]);
+}
+
 /*
  * Malus and Dupin: rays from one point stay normal to a surface of equal path. Then the path to the
  * plane behind changes from ray to ray as d path = n (L dx + M dy).
@@ -201,7 +214,7 @@ static void check_normals(const struct system *system, double radius, const char
     struct ray middle = {.surface = 0};
     for (int k = -STEPS; k <= STEPS; k++) {
         const double target[2] = {0.1 * radius + k * h, 0.2 * radius + 0.5 * k * h};
-        struct ray start = ray_from_point(object, target, system->index_first);
+        struct ray start = ray_through(object, target, system->index_first);
         struct ray end = trace(system, &start);
         if (end.status != RAY_OK) {
             return;
