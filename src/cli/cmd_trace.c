@@ -3,6 +3,8 @@
 #include "cli/trace_answer.h"
 #include "optics/wavelength.h"
 
+#include <string.h>
+
 static const struct word aims[] = {
     {"stop", "real rays that cross the stop there"},
     {"entrance", "through the paraxial entrance pupil"},
@@ -64,7 +66,7 @@ static const struct option options[] = {
      .help = "the direction in three numbers: its cosine with the x axis"},
     {COSINE(cosine[1]), .name = "cos-y", .column = "cos_y", .help = "that with the y axis"},
     {COSINE(cosine[2]), .name = "cos-z", .column = "cos_z", .help = "that with the z axis"},
-    RAY_POSITION_OPTION(struct trace_input, question),
+    LENS_POSITION_OPTION(struct trace_input, question),
     {OPTION(struct trace_input, question.to), .name = "to", .value = "WHERE",
      .help = "where rays end: image, last (surface), or the number of a surface; default image"},
     RAY_FOCUS_OPTION(struct trace_input, question),
@@ -153,10 +155,10 @@ static const struct column columns[] = {
     {PLAIN(surface, COLUMN_BRIEF | COLUMN_SPARSE), .name = "surface", .label = "surface",
      .help = "where the ray was lost, from 1, the stop counted; with --all that of the row, the "
              "image plane last"},
-    {PLAIN(focus, COLUMN_EXTRA | COLUMN_ASSUMED), .depends = "focus", .name = "focus",
+    {PLAIN(focus, COLUMN_EXTRA | COLUMN_ASSUMED), .depends = "focus lens", .name = "focus",
      .label = "focus", .help = "how the image plane was found"},
-    {LENGTH(image, COLUMN_EXTRA | COLUMN_ASSUMED), .depends = "focus", .name = "image",
-     .label = "image plane at", .help = "from the last vertex"},
+    {LENGTH(image, COLUMN_EXTRA | COLUMN_ASSUMED), .depends = "focus lens position",
+     .name = "image", .label = "image plane at", .help = "from the last vertex"},
     LENS_TITLE_COLUMN(struct trace_row, lens),
     LENS_WARNING_COLUMN(struct trace_row, warning),
 };
@@ -169,9 +171,19 @@ static bool run(const void *data, struct run *run, struct error *error)
 static bool makes_many(const void *data)
 {
     const struct trace_input *input = data;
-    bool one = trace_is_explicit(input) || input->pupil.is_given;
+    const struct lens *lens = input->question.lens.lens;
+    bool field =
+        !isnan(input->field) || !isnan(input->height) || (lens != NULL && lens->field_count <= 1);
+    bool one = trace_is_explicit(input) || (input->pupil.is_given && field);
     return !one || input->all ||
            lens_positions_several(input->question.lens.lens, input->question.position);
+}
+
+static bool varies(const void *data, const char *option)
+{
+    const struct ray_question *question = &((const struct trace_input *)data)->question;
+    return strcmp(option, "position") == 0 &&
+           lens_positions_several(question->lens.lens, question->position);
 }
 
 /* Rays by point and direction, all through the lens of the command line. */
@@ -226,4 +238,6 @@ const struct command command_trace = {
     .run_block = trace_block,
     .takes_blocks = takes_blocks,
     .makes_many = makes_many,
+    .varies = varies,
+    .plot = "y_out",
 };

@@ -74,6 +74,8 @@ struct command {
     const struct sheet *(*choose_sheet)(const void *input, const struct asking *asking);
     /* Does one input make several rows, as a list or a plan does? null: never. */
     bool (*makes_many)(const void *input);
+    /* Has the option several values in one input, as a list of positions has? null: never. */
+    bool (*varies)(const void *input, const char *option);
     /*
      * Compute the rows of one input, handing each to run_emit.
      *

@@ -106,7 +106,9 @@ static bool has_positions(const struct driver *driver)
 static bool asked_varied(const void *asked, const char *option)
 {
     const struct driver *driver = asked;
+    const struct command *command = driver->command;
     return sweep_axis(&driver->sweep, option) != NULL ||
+           (command->varies != NULL && command->varies(driver->input, option)) ||
            (strcmp(option, "position") == 0 && has_positions(driver)) ||
            (driver->is_batch && batch_has(&driver->batch, option));
 }

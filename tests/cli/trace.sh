@@ -11,3 +11,6 @@ lenscalc trace questar-35 --position all
 lenscalc trace fisheye-16
 lenscalc trace double-gauss --point 0:10:-20 --explain
 lenscalc trace double-gauss --point 0:30:-5 --direction 0:-0.8:0.6 --all --no-clip --csv --digits 6 --columns surface,y_out_mm,path_mm,incidence_deg,refraction_deg,status
+lenscalc trace cooke-triplet-50 --pupil-point 0:0.5
+lenscalc trace nikkor-z-14-24 --position wide,tele --field 0
+lenscalc trace double-gauss --no-clip --field 0..14deg:7 --pupil-point 0:0.5 --plot trace.svg > /dev/null && grep -c '<poly\|<path' trace.svg
