@@ -106,9 +106,8 @@ static bool has_positions(const struct driver *driver)
 static bool asked_varied(const void *asked, const char *option)
 {
     const struct driver *driver = asked;
-    const struct command *command = driver->command;
     return sweep_axis(&driver->sweep, option) != NULL ||
-           (command->varies != NULL && command->varies(driver->input, option)) ||
+           (driver->command->varies != NULL && driver->command->varies(driver->input, option)) ||
            (strcmp(option, "position") == 0 && has_positions(driver)) ||
            (driver->is_batch && batch_has(&driver->batch, option));
 }
@@ -145,17 +144,11 @@ static const char *plot_columns(const struct driver *driver)
     return driver->common.columns != NULL ? driver->common.columns : driver->command->plot;
 }
 
-/* Is --plot a picture of the command's own, instead of curves over what is swept? */
-static bool draws_itself(const struct driver *driver)
-{
-    return driver->command->picture != NULL;
-}
-
 /* Rows of a sweep are kept for --table and --plot. */
 static bool set_up_collection(struct driver *driver, struct error *error)
 {
     const struct common *common = &driver->common;
-    if (draws_itself(driver) && common->table == NULL && !driver->is_batch) {
+    if (driver->command->picture != NULL && common->table == NULL && !driver->is_batch) {
         return true;
     }
     if (common->plot != NULL && driver->sweep.total == 1 && !driver->is_batch) {
@@ -370,7 +363,7 @@ static bool run_batch(struct driver *driver, struct error *error)
 
 static bool write_plot(struct driver *driver, struct error *error)
 {
-    if (draws_itself(driver)) {
+    if (driver->command->picture != NULL) {
         return picture_write(driver->command, &driver->sweep, driver->input, driver->common.plot,
                              &driver->arena, error);
     }
