@@ -98,7 +98,7 @@ static bool solve_case(const struct lens_question *question, const struct first_
            first_order_aperture(&one->first, &object, &beam, kind, field, error);
 }
 
-static const char *join(struct arena *arena, const char *first, const char *second)
+const char *lens_warnings_join(const char *first, const char *second, struct arena *arena)
 {
     return first == NULL    ? second
            : second == NULL ? first
@@ -127,8 +127,9 @@ static bool visit_position(const struct lens_question *question, size_t position
     /* sources state the figures of the y-z section */
     const char *differs =
         one.section == SECTION_Y ? lens_stated_warning(all, position, &stated, run->arena) : NULL;
-    one.warning = join(run->arena, question->lens.warning, differs);
-    one.warning = join(run->arena, one.warning, first_order_warning(lens, run->arena));
+    one.warning = lens_warnings_join(question->lens.warning, differs, run->arena);
+    one.warning =
+        lens_warnings_join(one.warning, first_order_warning(lens, run->arena), run->arena);
     bool given = question->wavelength.name != NULL;
     size_t count = given || lens->wavelength_count == 0 ? 1 : lens->wavelength_count;
     for (size_t i = 0; i < count; i++) {

@@ -112,6 +112,9 @@ extern const struct word section_words[];
 /* A wavelength in um in the program's own unit of length, so that it prints in nm as typed. */
 double lens_wavelength_own(double wavelength);
 
+/* Two warnings as one; null = nothing to say. */
+const char *lens_warnings_join(const char *first, const char *second, struct arena *arena);
+
 /* Will the question have several answers? */
 bool lens_makes_many(const struct lens_question *question);
 

@@ -65,11 +65,7 @@ static bool place_film(struct scene *scene, struct arena *arena, struct error *e
         return error_hint(error, "say where the film is: --focus MM, from the last vertex");
     }
     scene->film = plane.z;
-    if (plane.warning != NULL) {
-        own->warning = own->warning == NULL
-                           ? plane.warning
-                           : arena_printf(arena, "%s; %s", own->warning, plane.warning);
-    }
+    own->warning = lens_warnings_join(own->warning, plane.warning, arena);
     return true;
 }
 

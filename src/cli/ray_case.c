@@ -15,11 +15,6 @@ bool ray_case_compile(const struct ray_case *one, double wavelength, bool clip, 
     return system_compile(one->lens, wavelength, &options, arena, system, error);
 }
 
-static const char *add_warning(const char *first, const char *second, struct arena *arena)
-{
-    return first == NULL ? second : arena_printf(arena, "%s; %s", first, second);
-}
-
 static bool set_plane(const struct plane_value *focus, struct ray_case *one, struct arena *arena,
                       struct error *error)
 {
@@ -29,9 +24,7 @@ static bool set_plane(const struct plane_value *focus, struct ray_case *one, str
     }
     one->image = plane.z;
     one->focus = plane.focus;
-    if (plane.warning != NULL) {
-        one->warning = add_warning(one->warning, plane.warning, arena);
-    }
+    one->warning = lens_warnings_join(one->warning, plane.warning, arena);
     return true;
 }
 
@@ -46,7 +39,7 @@ static bool set_target(const struct target_value *to, struct ray_case *one, stru
         return error_hint(error, "--to last, or --focus with a number of mm");
     }
     if (to->kind == TARGET_USUAL && isnan(one->image)) {
-        one->warning = add_warning(
+        one->warning = lens_warnings_join(
             one->warning, "the image is infinitely far away: rays end at the last surface", arena);
     }
     if (to->kind == TARGET_SURFACE) {
