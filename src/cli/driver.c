@@ -485,6 +485,14 @@ static bool answer(struct driver *driver, struct error *error)
     return done;
 }
 
+/* What is said beside an answer: nothing has no address. */
+static void remark(const char *start, size_t length)
+{
+    if (length > 0) {
+        fwrite(start, 1, length, stderr);
+    }
+}
+
 static int print_text(struct driver *driver, struct error *error)
 {
     bool done = sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false,
@@ -502,7 +510,7 @@ static int print_text(struct driver *driver, struct error *error)
     if (!done) {
         error_print(error, driver->command->name);
     } else {
-        fwrite(driver->output.remarks.start, 1, driver->output.remarks.length, stderr);
+        remark(driver->output.remarks.start, driver->output.remarks.length);
     }
     return done ? 0 : (int)error->code;
 }
@@ -537,14 +545,6 @@ static int compute(struct driver *driver)
     return status_of(driver);
 }
 
-/* What --lossy has left out. */
-static void print_losses(const struct lensdb *db)
-{
-    if (db->losses.length > 0) {
-        fwrite(db->losses.data, 1, db->losses.length, stderr);
-    }
-}
-
 int command_execute(const struct command *command, int argc, char **argv, const char *database)
 {
     struct driver driver = {.command = command, .database = database};
@@ -559,7 +559,7 @@ int command_execute(const struct command *command, int argc, char **argv, const 
         status = help_command(command, &driver.arena);
     } else {
         status = command->print != NULL ? print_text(&driver, &error) : compute(&driver);
-        print_losses(&driver.db);
+        remark(driver.db.losses.data, driver.db.losses.length); /* of --lossy */
     }
     if (driver.is_batch) {
         batch_close(&driver.batch);
