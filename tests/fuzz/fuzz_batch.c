@@ -95,13 +95,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const struct command *command = command_find(text_of(names[data[0] % 3]));
     struct arena arena = {0}, row_arena = {0};
     struct lensdb db = {.arena = &arena};
-    struct reader reader = {&db, &arena, false};
+    struct reader reader = {.db = &db, .arena = &arena};
     struct arguments arguments = {0};
     struct sweep sweep = {0};
     struct batch batch = {0};
     struct error error = {0};
     size_t rows = 0;
-    struct run run = {&row_arena, &db, count_row, &rows};
+    struct run run = {
+        .arena = &row_arena, .kept = &arena, .db = &db, .emit = count_row, .driver = &rows};
     void *input = arena_array(&arena, 1, command->input_size);
     REQUIRE(arguments_parse(&arguments, command, 0, NULL, &arena, &error));
     REQUIRE(sweep_build(&sweep, &arguments, &reader, false, input, &error));
