@@ -38,8 +38,8 @@ LDFLAGS  =
 
 # compiled once for each instruction set; the program chooses when it runs
 kernels := $(wildcard src/trace/kernel*.c)
-sources := $(wildcard src/base/*.c src/photo/*.c src/optics/*.c src/report/*.c src/cli/*.c \
-                       src/analysis/*.c) \
+# in the order of linking: what every answer needs lies together, on as few pages as can be
+sources := $(foreach folder,base report photo cli optics analysis,$(wildcard src/$(folder)/*.c)) \
            $(filter-out $(kernels),$(wildcard src/trace/*.c)) \
            $(filter-out src/file/embed.c,$(wildcard src/file/*.c)) \
            $(filter-out src/design/solver_none.c,$(wildcard src/design/*.c))
