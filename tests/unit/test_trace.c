@@ -5,6 +5,7 @@
 #include "trace/beam.h"
 #include "trace/dispatch.h"
 #include "trace/verify.h"
+#include "trace_one.h"
 
 static const char gauss[] = "surface 58.950 7.520 1.670 50.4\nsurface 169.660 0.240 air 50.4\n"
                             "surface 38.550 8.050 1.670 46.0\nsurface 81.540 6.550 1.699 46.0\n"
@@ -28,17 +29,6 @@ static bool compile(const char *text, double image, bool clip, struct arena *are
         return false;
     }
     return true;
-}
-
-static struct ray trace(const struct system *system, const struct ray *start)
-{
-    struct arena arena = {0};
-    struct rays rays = rays_new(&arena, 1);
-    rays_set(&rays, 0, system->index_first, start);
-    rays_trace(system, &rays, NULL);
-    struct ray ray = rays_get(&rays, 0, system->index_last);
-    arena_free(&arena);
-    return ray;
 }
 
 /* The ray from an object point through a point of the first vertex plane. */
@@ -125,7 +115,7 @@ static void check_golden(void)
     for (size_t i = 0; i < sizeof rays / sizeof rays[0]; i++) {
         const double *s = rays[i].start;
         struct ray start = {.point = {s[0], s[1], -20}, .cosine = {s[2], s[3], s[4]}};
-        struct ray end = trace(&system, &start);
+        struct ray end = trace_one(&system, &start);
         double figures[6] = {end.point[0],  end.point[1],  end.cosine[0],
                              end.cosine[1], end.cosine[2], end.path};
         CHECK(end.status == RAY_OK);
@@ -152,7 +142,7 @@ static void check_table_distance(void)
     struct system system;
     CHECK(compile(gauss, 72.228, false, &arena, &system));
     const struct ray start = {.point = {12, -16, -20}, .cosine = {0, 0, 1}};
-    struct ray end = trace(&system, &start);
+    struct ray end = trace_one(&system, &start);
     CHECK_NEAR(end.point[0], -0.00586192237, 6e-12, "x");
     CHECK_NEAR(end.point[1], 0.00781589649, 6e-12, "y");
     arena_free(&arena);
@@ -186,7 +176,7 @@ static void check_stigmatic(void)
             if (cases[i].object > 0) {
                 start = ray_through(object, target, system.index_first);
             }
-            struct ray end = trace(&system, &start);
+            struct ray end = trace_one(&system, &start);
             CHECK(end.status == RAY_OK);
             CHECK_NEAR(end.point[0], 0, 1e-12 * fabs(cases[i].image), cases[i].text);
             CHECK_NEAR(end.point[1], 0, 1e-12 * fabs(cases[i].image), cases[i].text);
@@ -204,13 +194,13 @@ static void check_mirror_and_ball(void)
     for (int i = 1; i < 19; i++) {
         double y = 10 * i, sine = y / 200;
         const struct ray start = {.point = {0, y, -300}, .cosine = {0, 0, 1}};
-        struct ray end = trace(&system, &start);
+        struct ray end = trace_one(&system, &start);
         double crossing = end.point[2] - end.point[1] * end.cosine[2] / end.cosine[1];
         CHECK_RELATIVE(crossing, -200 * (1 - 1 / (2 * sqrt(1 - sine * sine))), 1e-13, "crossing");
     }
     CHECK(compile("surface 10 20 1.5 -\nsurface -10 0 air -\n", NAN, false, &arena, &system));
     const struct ray start = {.point = {0, 1e-5, 0}, .cosine = {0, 0, 1}};
-    struct ray end = trace(&system, &start);
+    struct ray end = trace_one(&system, &start);
     double crossing = end.point[2] - end.point[1] * end.cosine[2] / end.cosine[1];
     CHECK_NEAR(crossing, 1.5 * 20 / (4 * 0.5) - 10, 1e-10, "back focus of a ball, mm");
     arena_free(&arena);
@@ -238,7 +228,7 @@ static void check_hard(void)
         for (int j = -10; j <= 10; j++) {
             const double object[3] = {0, 0.05 * cases[i].object, -cases[i].object};
             const double target[2] = {cases[i].target * j / 10, cases[i].target * (j - 2) / 14};
-            struct ray start = ray_through(object, target, 1), end = trace(&system, &start);
+            struct ray start = ray_through(object, target, 1), end = trace_one(&system, &start);
             struct verification check = verify_ray(&system, &start, &end);
             CHECK(end.status == RAY_OK);
             CHECK_NEAR(check.point_error, 0, cases[i].allowed, cases[i].name);
@@ -246,7 +236,7 @@ static void check_hard(void)
             /* started at the object itself: the point, not the path, has all its digits */
             struct ray far = start;
             memcpy(far.point, object, sizeof object);
-            end = trace(&system, &far);
+            end = trace_one(&system, &far);
             double worst = fabs(end.point[1] - check.ray.point[1]);
             CHECK_NEAR(worst, 0, 1e-16 * cases[i].object + cases[i].allowed, cases[i].name);
         }
@@ -256,7 +246,7 @@ static void check_hard(void)
     CHECK(compile("surface 100 0 1.5 -\n", NAN, false, &arena, &system));
     const double angle = 1e-6;
     const struct ray start = {.cosine = {0, cos(angle), sin(angle)}};
-    struct ray end = trace(&system, &start);
+    struct ray end = trace_one(&system, &start);
     CHECK(end.status == RAY_OK);
     CHECK_NEAR(end.cosine[1], cos(angle) / 1.5, 2e-16, "Snell at grazing incidence");
     arena_free(&arena);
@@ -269,14 +259,14 @@ static void check_tilts(void)
     struct system system;
     CHECK(compile("surface - 10 mirror - tilt=45,0\n", NAN, false, &arena, &system));
     const struct ray axis = {.point = {0, 0, -10}, .cosine = {0, 0, 1}};
-    struct ray end = trace(&system, &axis);
+    struct ray end = trace_one(&system, &axis);
     /* the mirror's normal is (0, -1, 1)/sqrt 2: light along z leaves along +y */
     CHECK_NEAR(end.cosine[1], 1, 1e-15, "folded direction");
     CHECK_NEAR(end.cosine[2], 0, 1e-15, "folded direction");
     CHECK_NEAR(end.path, 10, 1e-14, "path to the mirror");
     CHECK(compile("surface - 5 1.5 -\nsurface - 0 air - decenter=3,4 tilt=10,0\n", NAN, false,
                   &arena, &system));
-    end = trace(&system, &axis);
+    end = trace_one(&system, &axis);
     double a = 10 * 3.14159265358979323846 / 180;
     CHECK_NEAR(atan2(end.cosine[1], end.cosine[2]), asin(1.5 * sin(a)) - a, 1e-15, "prism");
     CHECK_NEAR(end.point[2], -4 * tan(a), 1e-14, "the wedge's face");
@@ -309,7 +299,7 @@ static void check_losses(void)
         double length = sqrt(1 + cases[i].v * cases[i].v);
         const struct ray start = {.point = {0, cases[i].y, 0},
                                   .cosine = {0, cases[i].v / length, 1 / length}};
-        struct ray end = trace(&system, &start);
+        struct ray end = trace_one(&system, &start);
         bool right = end.status == cases[i].status && end.surface == cases[i].surface;
         if (!right) {
             printf("y %g: %s at %zu\n", cases[i].y, ray_status_name(end.status), end.surface);
@@ -319,7 +309,7 @@ static void check_losses(void)
     }
     CHECK(compile("medium 1.5\nsurface - 0 air -\n", NAN, true, &arena, &system));
     const struct ray steep = {.cosine = {0, 0.8, 0.6}};
-    struct ray end = trace(&system, &steep);
+    struct ray end = trace_one(&system, &steep);
     CHECK(end.status == RAY_TOTAL_REFLECTION && end.surface == 1 && isnan(end.cosine[2]));
     arena_free(&arena);
 }

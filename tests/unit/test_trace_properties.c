@@ -4,6 +4,7 @@
 #include "file/lens_db.h"
 #include "trace/beam.h"
 #include "trace/dispatch.h"
+#include "trace_one.h"
 
 #include <stdint.h>
 
@@ -32,17 +33,6 @@ static bool compile(const struct lens *lens, bool reverse, struct arena *arena,
     return good;
 }
 
-static struct ray trace(const struct system *system, const struct ray *start)
-{
-    struct arena arena = {0};
-    struct rays rays = rays_new(&arena, 1);
-    rays_set(&rays, 0, system->index_first, start);
-    rays_trace(system, &rays, NULL);
-    struct ray ray = rays_get(&rays, 0, system->index_last);
-    arena_free(&arena);
-    return ray;
-}
-
 static struct ray ray_at(double x, double y, double u, double v)
 {
     double length = sqrt(1 + u * u + v * v);
@@ -68,7 +58,7 @@ static double length_of(const struct lens *lens)
 static void check_reversal(const struct system *there, const struct system *back,
                            const struct ray *start, const char *name)
 {
-    struct ray end = trace(there, start);
+    struct ray end = trace_one(there, start);
     if (end.status != RAY_OK) {
         return;
     }
@@ -76,7 +66,7 @@ static void check_reversal(const struct system *there, const struct system *back
     for (int i = 0; i < 3; i++) {
         turned.cosine[i] = -end.cosine[i];
     }
-    struct ray home = trace(back, &turned);
+    struct ray home = trace_one(back, &turned);
     CHECK(home.status == RAY_OK);
     /* the ray ends on the first surface; go on to where it started */
     double way = (start->point[2] - home.point[2]) / home.cosine[2];
@@ -91,7 +81,7 @@ static void check_reversal(const struct system *there, const struct system *back
 /* n (x M - y L) is the same before and behind a lens with an axis. */
 static void check_skew(const struct system *system, const struct ray *start, const char *name)
 {
-    struct ray end = trace(system, start);
+    struct ray end = trace_one(system, start);
     if (end.status == RAY_OK) {
         double before = start->point[0] * start->cosine[1] - start->point[1] * start->cosine[0];
         double behind = end.point[0] * end.cosine[1] - end.point[1] * end.cosine[0];
@@ -108,7 +98,7 @@ static bool phase(const struct system *system, const double in[4], double out[4]
     double n = system->index_first, p = in[2] / n, q = in[3] / n;
     const struct ray start = {.point = {in[0], in[1], 0},
                               .cosine = {p, q, sqrt(1 - p * p - q * q)}};
-    struct ray end = trace(system, &start);
+    struct ray end = trace_one(system, &start);
     double way = -end.point[2] / end.cosine[2];
     out[0] = end.point[0] + way * end.cosine[0];
     out[1] = end.point[1] + way * end.cosine[1];
@@ -215,7 +205,7 @@ static void check_normals(const struct system *system, double radius, const char
     for (int k = -STEPS; k <= STEPS; k++) {
         const double target[2] = {0.1 * radius + k * h, 0.2 * radius + 0.5 * k * h};
         struct ray start = ray_through(object, target, system->index_first);
-        struct ray end = trace(system, &start);
+        struct ray end = trace_one(system, &start);
         if (end.status != RAY_OK) {
             return;
         }
@@ -323,7 +313,7 @@ static void check_random(void)
         if (good) {
             check_lens(&lens[0], "random lens", kind < 3);
             struct ray start = ray_at(1, 2, 0.05, -0.03), twice = ray_at(2, 4, 0.05, -0.03);
-            struct ray one = trace(&system[0], &start), two = trace(&system[1], &twice);
+            struct ray one = trace_one(&system[0], &start), two = trace_one(&system[1], &twice);
             CHECK(one.status == two.status);
             for (int i = 0; i < 3 && one.status == RAY_OK; i++) {
                 CHECK_NEAR(two.point[i], 2 * one.point[i], 1e-12, text[0]);

@@ -3,6 +3,7 @@
 #include "check.h"
 #include "file/lens_file.h"
 #include "trace/dispatch.h"
+#include "trace_one.h"
 
 #include <stdlib.h>
 
@@ -85,17 +86,6 @@ static size_t read_numbers(const char *line, double *numbers, size_t most)
     return count;
 }
 
-static struct ray trace(const struct reading *reading, const struct ray *start)
-{
-    struct arena arena = {0};
-    struct rays rays = rays_new(&arena, 1);
-    rays_set(&rays, 0, reading->system.index_first, start);
-    rays_trace(&reading->system, &rays, NULL);
-    struct ray ray = rays_get(&rays, 0, reading->system.index_last);
-    arena_free(&arena);
-    return ray;
-}
-
 static struct ray start_of(const double *numbers, bool slopes)
 {
     struct ray ray = {.point = {numbers[0], numbers[1], slopes ? 0 : numbers[2]}};
@@ -131,7 +121,7 @@ static void check_ray(struct reading *reading)
 {
     double n[17];
     CHECK(read_numbers(reading->line + 4, n, 16) == 16);
-    struct ray start = start_of(n, false), end = trace(reading, &start);
+    struct ray start = start_of(n, false), end = trace_one(&reading->system, &start);
     size_t clipped = (size_t)n[15];
     CHECK(end.status == (clipped != 0 ? RAY_CLIPPED : RAY_OK) && end.surface == clipped);
     check_figures(reading, &end, n + 6, NULL);
@@ -139,7 +129,7 @@ static void check_ray(struct reading *reading)
         return;
     }
     CHECK(compile(reading, reading->image));
-    end = trace(reading, &start);
+    end = trace_one(&reading->system, &start);
     double scale = reading->length + fabs(reading->image);
     CHECK_NEAR(end.point[0], n[13], unit * (scale + fabs(n[13])), reading->name);
     CHECK_NEAR(end.point[1], n[14], unit * (scale + fabs(n[14])), reading->name);
@@ -150,7 +140,7 @@ static void check_slope(const struct reading *reading)
 {
     double n[19];
     CHECK(read_numbers(reading->line + 6, n, 18) == 18);
-    struct ray start = start_of(n, true), end = trace(reading, &start);
+    struct ray start = start_of(n, true), end = trace_one(&reading->system, &start);
     CHECK(end.status == RAY_OK);
     check_figures(reading, &end, n + 4, n + 11);
 }
@@ -162,7 +152,7 @@ static void check_lost(const struct reading *reading)
     size_t where = 0;
     CHECK(sscanf(reading->line, "lost %lf %lf %lf %lf %15s %zu", &n[0], &n[1], &n[2], &n[3], how,
                  &where) == 6);
-    struct ray start = start_of(n, true), end = trace(reading, &start);
+    struct ray start = start_of(n, true), end = trace_one(&reading->system, &start);
     enum ray_status status = strcmp(how, "miss") == 0 ? RAY_MISS : RAY_TOTAL_REFLECTION;
     if (end.status != status || end.surface != where) {
         printf("%s: %s at %zu, expected %s at %zu\n", reading->name, ray_status_name(end.status),
