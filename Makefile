@@ -1,11 +1,14 @@
 # lenscalc: optics in a shell. Targets:
 #   all        build/lenscalc and lenscalc-ceres        demo       the main job, explained
 #   check      build and all fast tests              check-all  clang, sanitizers, valgrind, fuzzing
-#   bench      time, as ratios within one run        deps       install what build and tests need
+#   bench      time, as ratios; ONLY=rays a section   deps       install what build and tests need
 #   install    into PREFIX (and DESTDIR)             uninstall  take it away again
 #   dist       a source archive                      format     clang-format over the sources
 #   fuzz       long fuzzing: SECONDS=600 JOBS=2      clean      remove build/
 #   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1
+#   coverage   lines and branches that the fast tests reach, by folder
+#   mutate     is a changed sign noticed? COUNT=60 SEED=1
+#   cross      build for aarch64, run the command-line tests under qemu
 
 PREFIX  = /usr/local
 DESTDIR =
@@ -15,10 +18,13 @@ STATIC  = 1
 CERES   = 1
 CC      = cc
 CXX     = c++
+# the compiler of this machine, for what runs while building: make CC=aarch64-linux-gnu-gcc works
+HOSTCC  = cc
 BUILD   = build
 SECONDS = 60
 JOBS    = 2
 SEED    = 1
+COUNT   = 60
 
 # -ffp-contract=off: the same bits on every x86, with or without FMA
 # -fno-math-errno -fno-trapping-math: sqrt and comparisons inline; nobody reads errno or FP flags
@@ -39,10 +45,11 @@ LDFLAGS  =
 # compiled once for each instruction set; the program chooses when it runs
 kernels := $(wildcard src/trace/kernel*.c)
 # in the order of linking: what every answer needs lies together, on as few pages as can be
-sources := $(foreach folder,base report photo cli optics analysis,$(wildcard src/$(folder)/*.c)) \
-           $(filter-out $(kernels),$(wildcard src/trace/*.c)) \
-           $(filter-out src/file/embed.c,$(wildcard src/file/*.c)) \
-           $(filter-out src/design/solver_none.c,$(wildcard src/design/*.c))
+folders := base report photo cli commands commands/photo commands/tool optics analysis trace data \
+           file exchange exchange/zemax exchange/codev exchange/oslo commands/lens commands/data \
+           design commands/design draw
+apart   := src/main.c src/data/embed.c src/design/solver_none.c $(kernels)
+sources := $(filter-out $(apart),$(foreach folder,$(folders),$(wildcard src/$(folder)/*.c)))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \
            $(foreach set,sse2 avx2 avx512,$(kernels:src/%.c=$(BUILD)/%_$(set).o))
 none    := $(BUILD)/design/solver_none.o
@@ -55,15 +62,29 @@ lensdb  := $(sort $(wildcard lensdb/*.tsv lensdb/lenses/*.lens lensdb/glass/*.ts
 programs_1 = $(BUILD)/lenscalc-ceres
 all: $(BUILD)/lenscalc $(programs_$(CERES))
 
+# what a build depends on besides the times of files, in files that change only with their content:
+# a source or a lens that is gone, another flag. Tests and bench link what $(BUILD)/objects lists.
+define stamp
+$(BUILD)/$(1): FORCE
+	@mkdir -p $$(@D)
+	@$(3) echo '$(2)' | cmp -s - $$@ || echo '$(2)' > $$@
+endef
+$(eval $(call stamp,objects,$(objects)))
+$(eval $(call stamp,embedded,$(lensdb)))
+# what is installed is what was built: the flags of 'make STATIC=0' need not be said again
+installs := $(if $(filter install,$(MAKECMDGOALS)),test -f $(BUILD)/flags ||)
+$(eval $(call stamp,flags,$(CC) $(CXX) $(LINK_$(STATIC)) $(LDFLAGS) $(ALL_CFLAGS) $(CXX_FLAGS),$(installs)))
+FORCE:
+
 # V=1 shows the commands
 Q_1 =
 Q_  = @
 Q   = $(Q_$(V))
 
 # the linker writes in pieces, which lie scattered in the page cache: a copy starts a tenth faster
-$(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(none)
+$(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(none) $(BUILD)/objects
 	@echo link $@
-	$(Q)$(CC) $(ALL_CFLAGS) $(LINK_$(STATIC)) $(LDFLAGS) -o $@.linked $^ -lm
+	$(Q)$(CC) $(ALL_CFLAGS) $(LINK_$(STATIC)) $(LDFLAGS) -o $@.linked $(filter %.o,$^) -lm
 	$(Q)cp $@.linked $@.copy && mv $@.copy $@ && rm $@.linked
 
 # its rays lie side by side and are never stored in between; vectors are passed to inlined functions
@@ -71,13 +92,13 @@ $(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(none)
 $(BUILD)/optics/paraxial.o: FLOATING += -ftree-slp-vectorize -Wno-psabi
 
 # the same program with Ceres, which lenscalc becomes when a command needs it
-$(BUILD)/lenscalc-ceres: $(BUILD)/main.o $(objects) $(ceres)
+$(BUILD)/lenscalc-ceres: $(BUILD)/main.o $(objects) $(ceres) $(BUILD)/objects
 	@echo link $@
-	$(Q)$(CXX) $(CXX_FLAGS) $(LDFLAGS) -o $@.linked $^ -lceres -lglog -lm
+	$(Q)$(CXX) $(CXX_FLAGS) $(LDFLAGS) -o $@.linked $(filter %.o,$^) -lceres -lglog -lm
 	$(Q)mv $@.linked $@
 
 ceres_header = __has_include(<ceres/ceres.h>) && __has_include(<Eigen/Core>)
-$(BUILD)/%.o: src/%.cc
+$(BUILD)/%.o: src/%.cc $(BUILD)/flags
 	@mkdir -p $(@D)
 	@printf '\043if !($(ceres_header))\n\043error\n\043endif\n' | \
 	    $(CXX) -std=c++17 -isystem $(EIGEN) -E -x c++ - > /dev/null 2>&1 || { \
@@ -87,7 +108,7 @@ $(BUILD)/%.o: src/%.cc
 	@echo c++ $<
 	$(Q)$(CXX) $(CXX_FLAGS) -MMD -MP -c -o $@ $<
 
-$(BUILD)/%.o: src/%.c
+$(BUILD)/%.o: src/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	@echo cc $<
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
@@ -98,7 +119,7 @@ SET_avx2   = -mavx2
 SET_avx512 = -mavx512f -mavx512vl -mavx512dq -mprefer-vector-width=512
 endif
 define kernel
-$(BUILD)/%_$(1).o: src/%.c
+$(BUILD)/%_$(1).o: src/%.c $(BUILD)/flags
 	@mkdir -p $$(@D)
 	@echo cc $$< for $(1)
 	$$(Q)$$(CC) $$(ALL_CFLAGS) $(if $(findstring -fsanitize,$(CFLAGS)),,-O3) $$(SET_$(1)) \
@@ -107,14 +128,14 @@ endef
 $(foreach set,sse2 avx2 avx512,$(eval $(call kernel,$(set))))
 
 # lensdb inside the program: const arrays, paged in only where a command looks
-$(BUILD)/embed: src/file/embed.c src/file/embedded.h
+$(BUILD)/embed: src/data/embed.c src/data/embedded.h
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(STANDARD) $(WARNINGS) -Isrc -o $@ $<
+	$(Q)$(HOSTCC) $(STANDARD) $(WARNINGS) -Isrc -o $@ $<
 
-$(BUILD)/lensdb.c: $(BUILD)/embed $(lensdb)
+$(BUILD)/lensdb.c: $(BUILD)/embed $(lensdb) $(BUILD)/embedded
 	$(Q)$(BUILD)/embed $(lensdb) > $@.new && mv $@.new $@
 
-$(BUILD)/lensdb.o: $(BUILD)/lensdb.c
+$(BUILD)/lensdb.o: $(BUILD)/lensdb.c $(BUILD)/flags
 	$(Q)$(CC) $(ALL_CFLAGS) -c -o $@ $<
 
 $(BUILD)/unit/%: tests/unit/%.c $(objects) $(none)
@@ -125,16 +146,17 @@ $(BUILD)/unit/%: tests/unit/%.c $(objects) $(none)
 $(BUILD)/ceres/%: tests/ceres/%.c $(objects) $(ceres)
 	@mkdir -p $(@D)
 	@echo test $<
-	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP -c -o $@.o $<
+	$(Q)$(CC) $(ALL_CFLAGS) -Itests/unit -MMD -MP -MT $@ -c -o $@.o $<
 	$(Q)$(CXX) $(CXX_FLAGS) $(LDFLAGS) -o $@ $@.o $(objects) $(ceres) -lceres -lglog -lm
 
--include $(wildcard $(BUILD)/*.d $(BUILD)/*/*.d)
+-include $(patsubst %.o,%.d,$(BUILD)/main.o $(objects) $(none) $(ceres)) $(addsuffix .d,$(units))
 
 ceres_packages_1 = g++ libceres-dev
 build_packages = gcc make libc6-dev $(ceres_packages_$(CERES))
-check_packages = $(build_packages) python3 binutils librsvg2-bin
+check_packages = $(build_packages) python3 binutils pmccabe librsvg2-bin
 all_packages   = $(check_packages) clang clang-format libclang-rt-14-dev valgrind mawk mandoc \
                  zsh fish
+cross_packages = $(build_packages) python3 gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user-static
 
 deps:
 	@tests/deps $(all_packages)
@@ -160,13 +182,26 @@ accept: all
 	@python3 tests/documents/accept.py $(BUILD)
 
 bench: deps all
-	@tests/bench/run $(BUILD)
+	@tests/bench/run $(BUILD) $(ONLY)
 
 fuzz: deps
 	@tests/fuzz/run $(SECONDS) $(JOBS) $(BUILD)
 
 stress: all
 	@tests/stress/run $(SECONDS) $(BUILD) $(SEED)
+
+coverage: deps
+	@tests/deps gcovr
+	@tests/coverage/run $(BUILD)
+
+mutate: deps
+	@tests/mutate/run $(BUILD) $(COUNT) $(SEED)
+
+# another processor, the same answers
+cross:
+	@tests/deps $(cross_packages)
+	@$(MAKE) -s BUILD=$(BUILD)/cross CC=aarch64-linux-gnu-gcc CERES=0 all
+	@LENSCALC_WRAPPER=qemu-aarch64-static tests/cli/run $(BUILD)/cross
 
 format:
 	clang-format -i $(shell find src tests -name '*.[ch]' -o -name '*.cc')
@@ -203,4 +238,4 @@ dist:
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all deps demo check check-all accept bench fuzz stress format install uninstall dist clean
+.PHONY: FORCE all deps demo check check-all accept bench fuzz stress coverage mutate cross format install uninstall dist clean

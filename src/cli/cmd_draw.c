@@ -1,6 +1,6 @@
 /* cli/cmd_draw.c - lenscalc draw: cross-section of a lens as SVG. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/lens_options.h"
+#include "commands/lens/lens_options.h"
 #include "cli/picture.h"
 
 struct input {

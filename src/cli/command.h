@@ -5,7 +5,7 @@
 
 #include "cli/option.h"
 #include "report/output.h"
-#include "report/svg.h"
+#include "draw/svg.h"
 #include "report/table.h"
 
 #include <stdbool.h>

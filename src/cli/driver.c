@@ -7,7 +7,7 @@
 #include "cli/complain.h"
 #include "cli/drawings.h"
 #include "cli/help.h"
-#include "cli/photo_lens.h"
+#include "commands/photo/photo_lens.h"
 #include "cli/queue.h"
 #include "cli/relay.h"
 #include "report/explain.h"

@@ -1,6 +1,6 @@
 /* cli/fit_job.c - trace the bundle that was asked for, and fit a thick lens to it. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/fit_job.h"
+#include "commands/design/fit_job.h"
 
 #include "optics/wavelength.h"
 

@@ -1,9 +1,9 @@
 /* cli/fit_prescription.c - radii, gaps and indices that give a lens what was measured. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/fit.h"
+#include "commands/design/fit.h"
 #include "design/prescription.h"
 #include "file/lens_file.h"
-#include "file/lines.h"
+#include "data/lines.h"
 #include "report/output.h"
 
 #include <string.h>

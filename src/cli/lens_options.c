@@ -1,6 +1,6 @@
 /* cli/lens_options.c - the cases a lens command is asked for. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/lens_options.h"
+#include "commands/lens/lens_options.h"
 
 #include "optics/wavelength.h"
 

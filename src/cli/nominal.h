@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/quantity.h"
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 
 /*
  * The exact value behind a label: 5.6 is 5.65685...; full stops first, then thirds, then halves

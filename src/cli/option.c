@@ -3,7 +3,7 @@
 #include "cli/option.h"
 
 #include "cli/nominal.h"
-#include "file/lines.h"
+#include "data/lines.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -10,7 +10,7 @@
 #include "cli/option_lens.h"
 #include "cli/option_light.h"
 #include "cli/option_ray.h"
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 #include "photo/format.h"
 
 #include <stdbool.h>

@@ -3,7 +3,7 @@
 #include "cli/option_glass.h"
 
 #include "cli/option.h"
-#include "file/glass_catalog.h"
+#include "data/glass_catalog.h"
 
 #include <math.h>
 

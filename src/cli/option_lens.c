@@ -3,8 +3,8 @@
 #include "cli/option_lens.h"
 
 #include "cli/option.h"
-#include "file/lens_db.h"
-#include "file/lines.h"
+#include "exchange/lens_db.h"
+#include "data/lines.h"
 #include "optics/wavelength.h"
 
 static bool find_lens(struct lensdb *db, struct text name, struct arena *arena,

@@ -4,7 +4,7 @@
 #define LENSCALC_CLI_OPTION_LENS_H
 
 #include "base/text.h"
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 #include "optics/first_order.h"
 #include "optics/lens.h"
 

@@ -3,7 +3,7 @@
 #include "cli/option_light.h"
 
 #include "cli/option.h"
-#include "file/lensdb_facts.h"
+#include "data/lensdb_facts.h"
 #include "photo/stops.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_CLI_PICTURE_H
 #define LENSCALC_CLI_PICTURE_H
 
-#include "cli/lens_options.h"
+#include "commands/lens/lens_options.h"
 #include "report/section.h"
 
 #include <stdbool.h>

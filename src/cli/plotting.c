@@ -1,7 +1,7 @@
 /* cli/plotting.c - plots of a sweep. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/collect.h"
-#include "report/plot.h"
+#include "draw/plot.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* cli/pupil_cases.c - from the options of lenscalc pupil to shapes. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/pupil_cases.h"
+#include "commands/lens/pupil_cases.h"
 
 #include "cli/image_plane.h"
 #include "trace/aim.h"

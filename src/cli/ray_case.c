@@ -1,6 +1,6 @@
 /* cli/ray_case.c - a lens made ready for exact rays. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/ray_case.h"
+#include "commands/lens/ray_case.h"
 
 #include "cli/image_plane.h"
 

@@ -1,6 +1,6 @@
 /* cli/sharpness.c - the options that say how sharp is sharp. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/sharpness.h"
+#include "commands/photo/sharpness.h"
 
 bool sharpness_resolve_in(const struct sharpness *a, double wavelength, double fnumber, double *c,
                           struct error *error)

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/sweep.h"
 
-#include "cli/lens_options.h"
+#include "commands/lens/lens_options.h"
 #include "cli/nominal.h"
 
 #include <math.h>

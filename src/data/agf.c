@@ -1,10 +1,10 @@
 /* file/agf.c - glass catalogues in the AGF format, as makers of glass publish them. */
 /* SPDX-License-Identifier: MIT */
-#include "file/agf.h"
+#include "data/agf.h"
 
 #include "base/number.h"
-#include "file/agf_formula.h"
-#include "file/encoding.h"
+#include "data/agf_formula.h"
+#include "data/encoding.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_AGF_H
 #define LENSCALC_FILE_AGF_H
 
-#include "file/glass_catalog.h"
+#include "data/glass_catalog.h"
 
 /* A catalogue that has been read. */
 struct agf_catalog {

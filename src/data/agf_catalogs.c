@@ -1,8 +1,8 @@
 /* file/agf_catalogs.c - the AGF files of the user. */
 /* SPDX-License-Identifier: MIT */
-#include "file/agf_catalogs.h"
+#include "data/agf_catalogs.h"
 
-#include "file/whole_file.h"
+#include "data/whole_file.h"
 
 #include <errno.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_AGF_CATALOGS_H
 #define LENSCALC_FILE_AGF_CATALOGS_H
 
-#include "file/agf.h"
+#include "data/agf.h"
 
 /*
  * The user's AGF files, read once: those of db->agf in their order, then glass/NAME.agf of the

@@ -1,6 +1,6 @@
 /* file/agf_formula.c - the thirteen dispersion formulas of AGF files. */
 /* SPDX-License-Identifier: MIT */
-#include "file/agf_formula.h"
+#include "data/agf_formula.h"
 
 static void same(const struct pair *c, const signed char *powers, size_t count, struct glass *glass)
 {

@@ -1,6 +1,6 @@
 /* file/embed.c - build-time program: files into a C source of const arrays. */
 /* SPDX-License-Identifier: MIT */
-#include "file/embedded.h"
+#include "data/embedded.h"
 
 #include <ctype.h>
 #include <stdbool.h>
@@ -141,7 +141,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "embed: more than %d files\n", MOST_FILES - 1);
         return 1;
     }
-    printf("/* Made from lensdb by file/embed.c. */\n#include \"file/embedded.h\"\n\n");
+    printf("/* Made from lensdb by file/embed.c. */\n#include \"data/embedded.h\"\n\n");
     for (int i = 1; i < argc; i++) {
         struct source *source = &sources[i];
         source->path = argv[i];

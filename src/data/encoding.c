@@ -1,6 +1,6 @@
 /* file/encoding.c - text files of other programs in any encoding, made UTF-8. */
 /* SPDX-License-Identifier: MIT */
-#include "file/encoding.h"
+#include "data/encoding.h"
 
 #include <stdint.h>
 #include <string.h>

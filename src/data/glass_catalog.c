@@ -1,11 +1,11 @@
 /* file/glass_catalog.c - glasses by name: the embedded catalogues and the user's own. */
 /* SPDX-License-Identifier: MIT */
-#include "file/glass_catalog.h"
+#include "data/glass_catalog.h"
 
 #include "base/number.h"
-#include "file/agf_catalogs.h"
-#include "file/embedded.h"
-#include "file/glass_table.h"
+#include "data/agf_catalogs.h"
+#include "data/embedded.h"
+#include "data/glass_table.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_GLASS_CATALOG_H
 #define LENSCALC_FILE_GLASS_CATALOG_H
 
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 #include "optics/glass.h"
 
 /* A glass as its catalogue has it. Texts point into the database. */

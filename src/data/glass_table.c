@@ -1,6 +1,6 @@
 /* file/glass_table.c - read the rows of a catalogue of glasses. */
 /* SPDX-License-Identifier: MIT */
-#include "file/glass_table.h"
+#include "data/glass_table.h"
 
 #include "base/number.h"
 

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_GLASS_TABLE_H
 #define LENSCALC_FILE_GLASS_TABLE_H
 
-#include "file/glass_catalog.h"
+#include "data/glass_catalog.h"
 
 /* Take in the names of the columns of table->tsv, which is open. */
 bool glass_table_open(struct glass_table *table, struct text catalog, enum lensdb_place place,

@@ -1,9 +1,9 @@
 /* file/index_table.c - measured indices of refraction, as a table of the user's. */
 /* SPDX-License-Identifier: MIT */
-#include "file/index_table.h"
+#include "data/index_table.h"
 
-#include "file/lines.h"
-#include "file/tsv.h"
+#include "data/lines.h"
+#include "data/tsv.h"
 
 #include <math.h>
 #include <stdlib.h>

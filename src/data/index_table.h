@@ -5,7 +5,7 @@
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 
 #include <stddef.h>
 

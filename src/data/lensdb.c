@@ -1,10 +1,10 @@
 /* file/lensdb.c - the program's data, and the user's own in front of it. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 
 #include "base/number.h"
-#include "file/embedded.h"
-#include "file/whole_file.h"
+#include "data/embedded.h"
+#include "data/whole_file.h"
 
 #include <dirent.h>
 #include <errno.h>

@@ -6,8 +6,8 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "file/growing.h"
-#include "file/tsv.h"
+#include "optics/growing.h"
+#include "data/tsv.h"
 #include "photo/format.h"
 
 #include <stdbool.h>

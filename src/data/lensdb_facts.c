@@ -1,6 +1,6 @@
 /* file/lensdb_facts.c - films, scenes and filters of lensdb. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lensdb_facts.h"
+#include "data/lensdb_facts.h"
 
 #include "base/number.h"
 #include "photo/stops.h"

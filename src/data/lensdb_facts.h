@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_LENSDB_FACTS_H
 #define LENSCALC_FILE_LENSDB_FACTS_H
 
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 #include "photo/reciprocity.h"
 
 enum { LENSDB_FACT_COLUMNS = 9 };

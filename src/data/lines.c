@@ -1,6 +1,6 @@
 /* file/lines.c - spectral lines by name. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lines.h"
+#include "data/lines.h"
 
 #include "base/number.h"
 

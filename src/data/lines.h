@@ -4,7 +4,7 @@
 #define LENSCALC_FILE_LINES_H
 
 #include "base/number.h"
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 
 /*
  * Is it the name of a line, as "d" or "F'"? Case counts: D is not d. The user's lines.tsv comes

@@ -1,6 +1,6 @@
 /* file/tsv.c - tables of lensdb: tab-separated, comments above, names in the first line. */
 /* SPDX-License-Identifier: MIT */
-#include "file/tsv.h"
+#include "data/tsv.h"
 
 #include "base/number.h"
 

@@ -1,6 +1,6 @@
 /* file/whole_file.c - all that a file holds, in memory. */
 /* SPDX-License-Identifier: MIT */
-#include "file/whole_file.h"
+#include "data/whole_file.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,11 +1,11 @@
 /* report/abbe.c - the Abbe diagram: glasses by index and Abbe number, as in a textbook, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#include "report/abbe.h"
+#include "draw/abbe.h"
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "report/svg.h"
-#include "report/ticks.h"
+#include "draw/svg.h"
+#include "draw/ticks.h"
 
 #include <math.h>
 

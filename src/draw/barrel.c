@@ -1,14 +1,14 @@
 /* report/barrel.c - the depth-of-field scale of a lens barrel, drawn flat, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#include "report/barrel.h"
+#include "draw/barrel.h"
 
 #include <math.h>
 
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/number.h"
-#include "report/svg.h"
-#include "report/ticks.h"
+#include "draw/svg.h"
+#include "draw/ticks.h"
 
 /* Where things lie on the page, px. */
 static const double MARGIN = 24, SCALE_LEFT = 76, SCALE_RIGHT = 852;

@@ -1,10 +1,10 @@
 /* report/outlines.c - a grid of shapes. */
 /* SPDX-License-Identifier: MIT */
-#include "report/outlines.h"
+#include "draw/outlines.h"
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "report/svg.h"
+#include "draw/svg.h"
 
 #include <math.h>
 

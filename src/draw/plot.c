@@ -1,14 +1,14 @@
 /* report/plot.c - line plots of several series, as in a textbook, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#include "report/plot.h"
+#include "draw/plot.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "report/svg.h"
-#include "report/ticks.h"
+#include "draw/svg.h"
+#include "draw/ticks.h"
 
 static const double NUMBER_SIZE = 12, LABEL_SIZE = 13, TITLE_SIZE = 17; /* px */
 static const double HUGEST = 1e200, TINIEST = 1e-200;

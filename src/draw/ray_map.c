@@ -1,10 +1,10 @@
 /* report/ray_map.c - a map of errors over field and pupil, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#include "report/ray_map.h"
+#include "draw/ray_map.h"
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "report/svg.h"
+#include "draw/svg.h"
 
 #include <math.h>
 

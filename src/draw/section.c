@@ -4,7 +4,7 @@
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "report/svg.h"
+#include "draw/svg.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* report/svg.c - SVG 1.1 drawings as text in memory. */
 /* SPDX-License-Identifier: MIT */
-#include "report/svg.h"
+#include "draw/svg.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* report/ticks.c - round numbers along an axis, and how they are written. */
 /* SPDX-License-Identifier: MIT */
-#include "report/ticks.h"
+#include "draw/ticks.h"
 
 #include <math.h>
 #include <stdbool.h>

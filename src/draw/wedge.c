@@ -1,12 +1,12 @@
 /* report/wedge.c - side view of a tilted lens and its wedge of sharpness, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#include "report/wedge.h"
+#include "draw/wedge.h"
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "report/svg.h"
-#include "report/ticks.h"
-#include "report/wedge_view.h"
+#include "draw/svg.h"
+#include "draw/ticks.h"
+#include "draw/wedge_view.h"
 
 #include <math.h>
 #include <stddef.h>

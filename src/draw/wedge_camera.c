@@ -1,8 +1,8 @@
 /* report/wedge_camera.c - the camera in the drawing of a tilted lens. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
-#include "report/svg.h"
-#include "report/wedge_view.h"
+#include "draw/svg.h"
+#include "draw/wedge_view.h"
 
 #include <math.h>
 

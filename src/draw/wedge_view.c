@@ -1,10 +1,10 @@
 /* report/wedge_view.c - how a tilted lens and its scene lie on the page. */
 /* SPDX-License-Identifier: MIT */
-#include "report/wedge_view.h"
+#include "draw/wedge_view.h"
 
 #include "base/arena.h"
 #include "base/number.h"
-#include "report/svg.h"
+#include "draw/svg.h"
 
 #include <math.h>
 

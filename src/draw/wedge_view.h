@@ -3,7 +3,7 @@
 #ifndef LENSCALC_REPORT_WEDGE_VIEW_H
 #define LENSCALC_REPORT_WEDGE_VIEW_H
 
-#include "report/wedge.h"
+#include "draw/wedge.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* file/command_words.c - the words of lens files that are made of commands: CODE V and OSLO. */
 /* SPDX-License-Identifier: MIT */
-#include "file/command_words.h"
+#include "exchange/command_words.h"
 
 #include <stdarg.h>
 #include <stdio.h>

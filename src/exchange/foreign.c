@@ -1,14 +1,14 @@
 /* file/foreign.c - lens files of other programs: which there are, and what they lose. */
 /* SPDX-License-Identifier: MIT */
-#include "file/foreign.h"
+#include "exchange/foreign.h"
 
-#include "file/codev.h"
-#include "file/encoding.h"
+#include "exchange/codev/codev.h"
+#include "data/encoding.h"
 #include "file/lens_glass.h"
-#include "file/lens_json.h"
-#include "file/oslo.h"
-#include "file/pbrt.h"
-#include "file/zemax.h"
+#include "exchange/lens_json.h"
+#include "exchange/oslo/oslo.h"
+#include "exchange/pbrt.h"
+#include "exchange/zemax/zemax.h"
 
 #include <stdarg.h>
 #include <stdio.h>

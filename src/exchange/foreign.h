@@ -6,7 +6,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "file/growing.h"
+#include "optics/growing.h"
 #include "file/lens_file.h"
 #include "file/lens_words.h"
 #include "optics/lens.h"

@@ -1,11 +1,11 @@
 /* file/lens_db.c - lenses by name: the user's folder, the embedded ones, files. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lens_db.h"
+#include "exchange/lens_db.h"
 
-#include "file/embedded.h"
-#include "file/foreign.h"
+#include "data/embedded.h"
+#include "exchange/foreign.h"
 #include "file/lens_glass.h"
-#include "file/whole_file.h"
+#include "data/whole_file.h"
 
 #include <errno.h>
 #include <stdlib.h>

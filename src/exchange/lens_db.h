@@ -4,7 +4,7 @@
 #define LENSCALC_FILE_LENS_DB_H
 
 #include "file/lens_file.h"
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 
 /*
  * The text of a lens.

@@ -1,9 +1,9 @@
 /* file/lens_json.c - a lens as JSON, for other programs and scripts. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lens_json.h"
+#include "exchange/lens_json.h"
 
 #include "base/number.h"
-#include "file/writing.h"
+#include "exchange/writing.h"
 
 #include <math.h>
 #include <string.h>

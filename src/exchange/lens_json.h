@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_LENS_JSON_H
 #define LENSCALC_FILE_LENS_JSON_H
 
-#include "file/foreign.h"
+#include "exchange/foreign.h"
 
 /*
  * One JSON object; its keys are told in lenscalc-convert.1. Lengths are in mm, angles in degrees,

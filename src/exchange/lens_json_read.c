@@ -1,7 +1,7 @@
 /* file/lens_json_read.c - a lens from the JSON that lenscalc writes. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lens_json.h"
-#include "file/lens_json_reading.h"
+#include "exchange/lens_json.h"
+#include "exchange/lens_json_reading.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 #define LENSCALC_FILE_LENS_JSON_READING_H
 
 #include "base/json_read.h"
-#include "file/foreign.h"
+#include "exchange/foreign.h"
 #include "file/lens_build.h"
 #include "file/lens_words.h"
 

@@ -1,6 +1,6 @@
 /* file/lens_json_surface.c - a surface of a lens in JSON. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lens_json_reading.h"
+#include "exchange/lens_json_reading.h"
 
 #include <math.h>
 #include <string.h>

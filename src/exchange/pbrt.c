@@ -1,6 +1,6 @@
 /* file/pbrt.c - read lens tables of the realistic camera of pbrt. */
 /* SPDX-License-Identifier: MIT */
-#include "file/pbrt.h"
+#include "exchange/pbrt.h"
 
 #include "base/number.h"
 #include "file/lens_build.h"

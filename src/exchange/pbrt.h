@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_PBRT_H
 #define LENSCALC_FILE_PBRT_H
 
-#include "file/foreign.h"
+#include "exchange/foreign.h"
 
 /*
  * The .dat tables of pbrt-v3 and pbrt-v4: numbers in fours, from the front to the film: radius,

@@ -1,8 +1,8 @@
 /* file/pbrt_write.c - write lens tables of the realistic camera of pbrt. */
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_build.h"
-#include "file/pbrt.h"
-#include "file/writing.h"
+#include "exchange/pbrt.h"
+#include "exchange/writing.h"
 #include "optics/wavelength.h"
 
 #include <math.h>

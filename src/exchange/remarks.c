@@ -1,6 +1,6 @@
 /* file/remarks.c - what lenscalc keeps in comments of other programs' files. */
 /* SPDX-License-Identifier: MIT */
-#include "file/remarks.h"
+#include "exchange/remarks.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 #define LENSCALC_FILE_REMARKS_H
 
 #include "base/text.h"
-#include "file/growing.h"
+#include "optics/growing.h"
 #include "file/lens_build.h"
 #include "optics/lens.h"
 

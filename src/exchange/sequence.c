@@ -1,6 +1,6 @@
 /* file/sequence.c - a lens as CODE V and OSLO have it: surfaces, pick-ups, tilts, solves. */
 /* SPDX-License-Identifier: MIT */
-#include "file/sequence.h"
+#include "exchange/sequence.h"
 
 #include "file/decimal.h"
 

@@ -4,8 +4,8 @@
 #define LENSCALC_FILE_SEQUENCE_H
 
 #include "base/error.h"
-#include "file/command_words.h"
-#include "file/foreign.h"
+#include "exchange/command_words.h"
+#include "exchange/foreign.h"
 #include "file/lens_build.h"
 #include "file/lens_solve.h"
 #include "optics/lens.h"

@@ -1,6 +1,6 @@
 /* file/sequence_solve.c - thicknesses and curvatures that follow from rays, in all positions. */
 /* SPDX-License-Identifier: MIT */
-#include "file/sequence.h"
+#include "exchange/sequence.h"
 
 #include <math.h>
 

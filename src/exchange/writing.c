@@ -1,6 +1,6 @@
 /* file/writing.c - the digits and names of a lens as CODE V and OSLO files have them. */
 /* SPDX-License-Identifier: MIT */
-#include "file/writing.h"
+#include "exchange/writing.h"
 
 #include "file/decimal.h"
 #include "file/lens_build.h"

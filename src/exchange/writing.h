@@ -5,8 +5,8 @@
 
 #include "base/arena.h"
 #include "base/text.h"
-#include "file/foreign.h"
-#include "file/growing.h"
+#include "exchange/foreign.h"
+#include "optics/growing.h"
 #include "optics/lens.h"
 
 #include <stdbool.h>

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_build.h"
 
-#include "file/lines.h"
+#include "data/lines.h"
 
 #include <math.h>
 #include <stdlib.h>

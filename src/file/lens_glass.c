@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_glass.h"
 
-#include "file/glass_catalog.h"
+#include "data/glass_catalog.h"
 
 static bool index_of(const void *glass, double wavelength, struct pair *index, struct error *error)
 {

@@ -4,7 +4,7 @@
 #define LENSCALC_FILE_LENS_GLASS_H
 
 #include "file/lens_file.h"
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 #include "optics/glass.h"
 
 /* Where glasses are looked for, and where they are kept. */

@@ -3,7 +3,7 @@
 #include "file/lens_words.h"
 
 #include "base/quantity.h"
-#include "file/lines.h"
+#include "data/lines.h"
 #include "optics/wavelength.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* file/lens_write.c - a lens as a .lens file. */
 /* SPDX-License-Identifier: MIT */
-#include "file/growing.h"
+#include "optics/growing.h"
 #include "file/lens_file.h"
 
 #include <math.h>

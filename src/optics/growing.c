@@ -1,6 +1,6 @@
 /* file/growing.c - text that grows in the arena, for writers of files. */
 /* SPDX-License-Identifier: MIT */
-#include "file/growing.h"
+#include "optics/growing.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/bundle.h"
 #include "design/thick.h"
-#include "file/lens_db.h"
+#include "exchange/lens_db.h"
 #include "trace/dispatch.h"
 #include "trace/system.h"
 

@@ -1,6 +1,6 @@
 /* tests/bench/paraxial.c - time against error of the first-order engine: paraxial LENS... */
 /* SPDX-License-Identifier: MIT */
-#include "file/lens_db.h"
+#include "exchange/lens_db.h"
 #include "optics/first_order.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
 #include "divider.h"
-#include "file/lens_db.h"
+#include "exchange/lens_db.h"
 #include "trace/derivative.h"
 #include "trace/dispatch.h"
 #include "trace/tangent.h"

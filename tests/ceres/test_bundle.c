@@ -3,7 +3,7 @@
 #include "check.h"
 #include "design/bundle.h"
 #include "design/thick.h"
-#include "file/lens_db.h"
+#include "exchange/lens_db.h"
 
 enum { FIELDS = 5 };
 

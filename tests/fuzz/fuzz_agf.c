@@ -1,6 +1,6 @@
 /* tests/fuzz/fuzz_agf.c - glass catalogues in the AGF format. */
 /* SPDX-License-Identifier: MIT */
-#include "file/agf.h"
+#include "data/agf.h"
 #include "fuzz.h"
 #include "optics/wavelength.h"
 

@@ -1,6 +1,6 @@
 /* tests/fuzz/fuzz_glass.c - the tables of glasses, lensdb/glass/NAME.tsv: the input is the file. */
 /* SPDX-License-Identifier: MIT */
-#include "file/glass_table.h"
+#include "data/glass_table.h"
 #include "fuzz.h"
 #include "optics/wavelength.h"
 

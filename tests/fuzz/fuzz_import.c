@@ -1,6 +1,6 @@
 /* tests/fuzz/fuzz_import.c - lens files of other programs: read by every format, written again. */
 /* SPDX-License-Identifier: MIT */
-#include "file/foreign.h"
+#include "exchange/foreign.h"
 #include "file/lens_change.h"
 #include "fuzz.h"
 #include "optics/first_order.h"

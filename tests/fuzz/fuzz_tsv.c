@@ -1,6 +1,6 @@
 /* tests/fuzz/fuzz_tsv.c - the tables of lensdb: the input is the file. */
 /* SPDX-License-Identifier: MIT */
-#include "file/tsv.h"
+#include "data/tsv.h"
 #include "fuzz.h"
 
 #include <math.h>

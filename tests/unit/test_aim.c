@@ -1,7 +1,7 @@
 /* tests/unit/test_aim.c - rays aimed at the stop: every lens of lensdb over its field. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "file/lens_db.h"
+#include "exchange/lens_db.h"
 #include "trace/aim.h"
 #include "trace/dispatch.h"
 

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/pair.h"
 #include "check.h"
-#include "file/encoding.h"
+#include "data/encoding.h"
 #include "file/lens_build.h"
 
 #define BYTES(s)                                                                                   \

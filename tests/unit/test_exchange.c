@@ -1,8 +1,8 @@
 /* tests/unit/test_exchange.c - CODE V and OSLO files: read, refused, written and read again. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "file/foreign.h"
-#include "file/lens_db.h"
+#include "exchange/foreign.h"
+#include "exchange/lens_db.h"
 #include "file/lens_glass.h"
 #include "optics/first_order.h"
 

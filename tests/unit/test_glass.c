@@ -1,8 +1,8 @@
 /* tests/unit/test_glass.c - indices, dispersion, dn/dT and transmittance of glasses. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "file/glass_catalog.h"
-#include "file/lines.h"
+#include "data/glass_catalog.h"
+#include "data/lines.h"
 #include "optics/air.h"
 #include "optics/wavelength.h"
 

@@ -1,7 +1,7 @@
 /* tests/unit/test_lensdb.c - the embedded tables, and a user's own before them. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "file/lensdb.h"
+#include "data/lensdb.h"
 
 #include <stdlib.h>
 #include <unistd.h>

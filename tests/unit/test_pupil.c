@@ -1,7 +1,7 @@
 /* tests/unit/test_pupil.c - beams, chief rays and clear pupils against closed forms. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "file/lens_db.h"
+#include "exchange/lens_db.h"
 #include "file/lens_file.h"
 #include "trace/aim.h"
 #include "trace/clear.h"

@@ -7,10 +7,10 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "check.h"
-#include "report/barrel.h"
-#include "report/plot.h"
-#include "report/svg.h"
-#include "report/ticks.h"
+#include "draw/barrel.h"
+#include "draw/plot.h"
+#include "draw/svg.h"
+#include "draw/ticks.h"
 
 /* -------- reading drawings -------- */
 

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "check.h"
-#include "report/ticks.h"
+#include "draw/ticks.h"
 
 static void check_ticks(double low, double high, bool log)
 {

@@ -1,7 +1,7 @@
 /* tests/unit/test_trace.c - exact rays: other programs, closed forms, hard cases, all kernels. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "file/lens_db.h"
+#include "exchange/lens_db.h"
 #include "trace/beam.h"
 #include "trace/dispatch.h"
 #include "trace/verify.h"

@@ -1,7 +1,7 @@
 /* tests/unit/test_trace_properties.c - what every exact ray obeys, on real and random lenses. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "file/lens_db.h"
+#include "exchange/lens_db.h"
 #include "trace/beam.h"
 #include "trace/dispatch.h"
 #include "trace_one.h"

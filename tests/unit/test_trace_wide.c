@@ -1,7 +1,7 @@
 /* tests/unit/test_trace_wide.c - rays from behind the first vertex: fisheyes past 90 degrees. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "file/lens_db.h"
+#include "exchange/lens_db.h"
 #include "trace/dispatch.h"
 #include "trace/verify.h"
 

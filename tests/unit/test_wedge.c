@@ -2,8 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "base/error.h"
-#include "report/svg.h"
-#include "report/wedge.h"
+#include "draw/svg.h"
+#include "draw/wedge.h"
 
 #include <stdlib.h>
 

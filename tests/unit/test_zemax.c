@@ -1,9 +1,9 @@
 /* tests/unit/test_zemax.c - .zmx files: what they say, and what is lost. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "file/foreign.h"
+#include "exchange/foreign.h"
 #include "file/lens_change.h"
-#include "file/zemax.h"
+#include "exchange/zemax/zemax.h"
 #include "optics/first_order.h"
 
 #include <stdlib.h>

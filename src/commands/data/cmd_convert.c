@@ -1,8 +1,8 @@
 /* cli/cmd_convert.c - lenscalc convert: lens files of other programs, scaled and turned lenses. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/lens_options.h"
-#include "file/foreign.h"
-#include "file/growing.h"
+#include "commands/lens/lens_options.h"
+#include "exchange/foreign.h"
+#include "optics/growing.h"
 #include "file/lens_change.h"
 #include "file/lens_glass.h"
 

@@ -1,9 +1,9 @@
 /* cli/cmd_glass.c - lenscalc glass: indices of optical glasses, and glasses by their indices. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
-#include "cli/glass_search.h"
-#include "cli/photo_options.h"
-#include "file/lines.h"
+#include "commands/data/glass_search.h"
+#include "commands/photo/photo_options.h"
+#include "data/lines.h"
 #include "optics/air.h"
 #include "optics/wavelength.h"
 

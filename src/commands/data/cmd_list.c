@@ -1,6 +1,6 @@
 /* cli/cmd_list.c - lenscalc list: what the program knows. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/list.h"
+#include "commands/data/list.h"
 
 const char *list_string(const struct list *list, struct text text)
 {

@@ -1,10 +1,10 @@
 /* cli/glass_search.c - the glasses that fulfil wishes, and the Abbe diagram of them. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/glass_search.h"
+#include "commands/data/glass_search.h"
 
-#include "report/abbe.h"
+#include "draw/abbe.h"
 #include "report/output.h"
-#include "report/svg.h"
+#include "draw/svg.h"
 
 #include <math.h>
 

@@ -5,7 +5,7 @@
 
 #include "base/arena.h"
 #include "cli/option_glass.h"
-#include "file/glass_catalog.h"
+#include "data/glass_catalog.h"
 
 /* What is wanted of a glass; null and NaN: anything. */
 struct glass_wishes {

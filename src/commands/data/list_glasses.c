@@ -1,7 +1,7 @@
 /* cli/list_glasses.c - lenscalc list: glasses. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/list.h"
-#include "file/glass_catalog.h"
+#include "commands/data/list.h"
+#include "data/glass_catalog.h"
 
 struct glass_row {
     const char *name, *catalog, *status, *formula, *source, *licence, *place, *warning;

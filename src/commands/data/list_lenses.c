@@ -1,7 +1,7 @@
 /* cli/list_lenses.c - lenscalc list lenses. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/list.h"
-#include "file/lens_db.h"
+#include "commands/data/list.h"
+#include "exchange/lens_db.h"
 #include "optics/first_order.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* cli/list_light.c - lenscalc list: films, scenes and filters. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/list.h"
-#include "file/lensdb_facts.h"
+#include "commands/data/list.h"
+#include "data/lensdb_facts.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* cli/list_program.c - lenscalc list: stop series, units, commands, options. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/list.h"
+#include "commands/data/list.h"
 
 #include <math.h>
 

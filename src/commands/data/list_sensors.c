@@ -1,6 +1,6 @@
 /* cli/list_sensors.c - lenscalc list: formats and cameras. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/list.h"
+#include "commands/data/list.h"
 
 struct sensor_row {
     const char *name, *aliases, *class, *pitch_from, *confidence, *source, *place;

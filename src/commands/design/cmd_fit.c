@@ -1,6 +1,6 @@
 /* cli/cmd_fit.c - lenscalc fit: thick lenses from exact rays, glasses from indices. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/fit.h"
+#include "commands/design/fit.h"
 #include "trace/sample.h"
 
 static const struct word shows[] = {

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_CLI_FIT_H
 #define LENSCALC_CLI_FIT_H
 
-#include "cli/lens_options.h"
+#include "commands/lens/lens_options.h"
 #include "design/solver.h"
 
 enum fit_show {

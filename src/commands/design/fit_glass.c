@@ -1,9 +1,9 @@
 /* cli/fit_glass.c - a dispersion formula from measured indices. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/fit.h"
+#include "commands/design/fit.h"
 #include "design/dispersion.h"
-#include "file/index_table.h"
-#include "file/whole_file.h"
+#include "data/index_table.h"
+#include "data/whole_file.h"
 #include "report/output.h"
 
 static const enum glass_formula formulas[] = {GLASS_SELLMEIER, GLASS_SCHOTT, GLASS_CAUCHY,

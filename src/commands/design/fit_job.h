@@ -3,7 +3,7 @@
 #ifndef LENSCALC_CLI_FIT_JOB_H
 #define LENSCALC_CLI_FIT_JOB_H
 
-#include "cli/fit.h"
+#include "commands/design/fit.h"
 #include "design/bundle.h"
 #include "design/thick.h"
 

@@ -1,6 +1,6 @@
 /* cli/fit_lens.c - the thick lens that equals a lens over a bundle of exact rays. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/fit_job.h"
+#include "commands/design/fit_job.h"
 
 /* The answer for one position, and for one wavelength where each has its own lens. */
 struct lens_row {

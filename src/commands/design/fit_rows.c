@@ -1,6 +1,6 @@
 /* cli/fit_rows.c - parameters of a fit, their errors and correlations, as rows. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/fit.h"
+#include "commands/design/fit.h"
 #include "report/output.h"
 
 #include <sys/stat.h>

@@ -1,10 +1,10 @@
 /* cli/fit_view.c - what a fit found: its rays, its matrix, its rivals, as rows and files. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/fit_job.h"
+#include "commands/design/fit_job.h"
 #include "design/thick_element.h"
 #include "file/lens_file.h"
-#include "report/ray_map.h"
-#include "report/svg.h"
+#include "draw/ray_map.h"
+#include "draw/svg.h"
 
 /* One ray: where in field and pupil the equivalent fails. */
 struct ray_row {

@@ -1,8 +1,8 @@
 /* cli/cmd_check.c - lenscalc check: paraxial results against exact rays. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/paraxial_check.h"
-#include "cli/lens_options.h"
-#include "report/plot.h"
+#include "commands/lens/lens_options.h"
+#include "draw/plot.h"
 
 static const double degrees = 180 / 3.141592653589793;
 

@@ -1,9 +1,9 @@
 /* cli/cmd_conjugate.c - lenscalc conjugate: object and image of a lens, and focusing. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/focus_gaps.h"
-#include "cli/lens_options.h"
-#include "cli/photo_options.h"
-#include "file/glass_catalog.h"
+#include "commands/lens/focus_gaps.h"
+#include "commands/lens/lens_options.h"
+#include "commands/photo/photo_options.h"
+#include "data/glass_catalog.h"
 #include "file/lens_glass.h"
 #include "optics/conjugates.h"
 #include "optics/focusing.h"

@@ -1,6 +1,6 @@
 /* cli/cmd_lens.c - lenscalc lens: first-order data of a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/lens_options.h"
+#include "commands/lens/lens_options.h"
 
 struct input {
     struct lens_question question;

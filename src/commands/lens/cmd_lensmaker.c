@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "cli/command.h"
-#include "cli/photo_options.h"
+#include "commands/photo/photo_options.h"
 #include "optics/lensmaker.h"
-#include "report/svg.h"
+#include "draw/svg.h"
 
 #include <math.h>
 #include <string.h>

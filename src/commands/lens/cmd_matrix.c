@@ -1,6 +1,6 @@
 /* cli/cmd_matrix.c - lenscalc matrix: refraction and transfer factors, and their product. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/lens_options.h"
+#include "commands/lens/lens_options.h"
 
 struct input {
     struct lens_question question;

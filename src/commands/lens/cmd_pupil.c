@@ -1,7 +1,7 @@
 /* cli/cmd_pupil.c - lenscalc pupil: shapes of the entrance and exit pupil. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/pupil_cases.h"
-#include "report/outlines.h"
+#include "commands/lens/pupil_cases.h"
+#include "draw/outlines.h"
 
 enum side { SIDE_BOTH, SIDE_ENTRANCE, SIDE_EXIT };
 

@@ -1,7 +1,7 @@
 /* cli/cmd_refract.c - lenscalc refract: one surface, exactly and paraxially. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
-#include "cli/photo_options.h"
+#include "commands/photo/photo_options.h"
 #include "optics/refract.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* cli/cmd_surfaces.c - lenscalc surfaces: a lens surface by surface. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/lens_options.h"
+#include "commands/lens/lens_options.h"
 
 struct input {
     struct lens_question question;

@@ -1,6 +1,6 @@
 /* cli/cmd_trace.c - lenscalc trace: exact rays through a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/trace_answer.h"
+#include "commands/lens/trace_answer.h"
 #include "optics/wavelength.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 /* cli/focus_gaps.c - the gaps of a lens that focus it, as typed: "d5,10:-1,last". */
 /* SPDX-License-Identifier: MIT */
-#include "cli/focus_gaps.h"
+#include "commands/lens/focus_gaps.h"
 
 #include "base/quantity.h"
 

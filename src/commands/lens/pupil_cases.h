@@ -4,7 +4,7 @@
 #define LENSCALC_CLI_PUPIL_CASES_H
 
 #include "analysis/pupil_shape.h"
-#include "cli/lens_options.h"
+#include "commands/lens/lens_options.h"
 
 struct pupil_input {
     struct lens_question question; /* its field stays absent */

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_CLI_RAY_CASE_H
 #define LENSCALC_CLI_RAY_CASE_H
 
-#include "cli/lens_options.h"
+#include "commands/lens/lens_options.h"
 #include "trace/system.h"
 
 /* What the options say of lens and rays. Compared byte by byte: values only, set by copying. */

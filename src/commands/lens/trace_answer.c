@@ -1,6 +1,6 @@
 /* cli/trace_answer.c - the rays that lenscalc trace is asked for. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/trace_answer.h"
+#include "commands/lens/trace_answer.h"
 
 #include "trace/aim.h"
 #include "trace/clear.h"

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_CLI_TRACE_ANSWER_H
 #define LENSCALC_CLI_TRACE_ANSWER_H
 
-#include "cli/ray_case.h"
+#include "commands/lens/ray_case.h"
 #include "trace/rays.h"
 
 struct trace_input {

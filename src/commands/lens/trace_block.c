@@ -1,6 +1,6 @@
 /* cli/trace_block.c - lenscalc trace as a filter: the rays of a batch in blocks. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/trace_answer.h"
+#include "commands/lens/trace_answer.h"
 #include "trace/dispatch.h"
 
 #include <string.h>

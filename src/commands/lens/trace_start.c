@@ -1,6 +1,6 @@
 /* cli/trace_start.c - where a ray starts that is given by point and direction. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/trace_answer.h"
+#include "commands/lens/trace_answer.h"
 
 #include <float.h>
 

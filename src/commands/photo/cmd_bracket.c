@@ -1,7 +1,7 @@
 /* cli/cmd_bracket.c - lenscalc bracket: a series of exposure times. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
-#include "cli/light_options.h"
+#include "commands/photo/light_options.h"
 #include "photo/bracket.h"
 #include "photo/given.h"
 

@@ -1,7 +1,7 @@
 /* cli/cmd_diffraction.c - lenscalc diffraction: Airy disc, contrast, and where it matters. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/photo_lens.h"
-#include "cli/sharpness.h"
+#include "commands/photo/photo_lens.h"
+#include "commands/photo/sharpness.h"
 #include "photo/diffraction.h"
 
 #include <math.h>

@@ -1,11 +1,11 @@
 /* cli/cmd_dof.c - lenscalc dof: depth of field. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
-#include "cli/photo_lens.h"
-#include "cli/sharpness.h"
+#include "commands/photo/photo_lens.h"
+#include "commands/photo/sharpness.h"
 #include "photo/dof.h"
 #include "photo/dof_plan.h"
-#include "report/barrel.h"
+#include "draw/barrel.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* cli/cmd_equivalent.c - lenscalc equivalent: the same picture on another format. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/photo_lens.h"
-#include "cli/sharpness.h"
+#include "commands/photo/photo_lens.h"
+#include "commands/photo/sharpness.h"
 #include "photo/conjugate.h"
 #include "photo/equivalent.h"
 

@@ -1,7 +1,7 @@
 /* cli/cmd_exposure.c - lenscalc exposure: aperture, time, speed and light. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/exposure_answer.h"
-#include "cli/light_options.h"
+#include "commands/photo/exposure_answer.h"
+#include "commands/photo/light_options.h"
 
 #define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 

@@ -1,7 +1,7 @@
 /* cli/cmd_flash.c - lenscalc flash: guide numbers, and flash beside other light. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
-#include "cli/light_options.h"
+#include "commands/photo/light_options.h"
 #include "photo/flash.h"
 #include "photo/given.h"
 

@@ -1,6 +1,6 @@
 /* cli/cmd_focus.c - lenscalc focus: conjugate points, close-up attachments, exposure factor. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/photo_lens.h"
+#include "commands/photo/photo_lens.h"
 #include "photo/attach.h"
 #include "photo/conjugate.h"
 

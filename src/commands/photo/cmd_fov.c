@@ -1,6 +1,6 @@
 /* cli/cmd_fov.c - lenscalc fov: field of view. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/photo_lens.h"
+#include "commands/photo/photo_lens.h"
 #include "photo/fov.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* cli/cmd_hyperfocal.c - lenscalc hyperfocal: the focus that keeps infinity sharp. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/photo_lens.h"
-#include "cli/sharpness.h"
+#include "commands/photo/photo_lens.h"
+#include "commands/photo/sharpness.h"
 #include "photo/dof.h"
 #include "photo/dof_solve.h"
 

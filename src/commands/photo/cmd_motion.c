@@ -1,8 +1,8 @@
 /* cli/cmd_motion.c - lenscalc motion: blur of moving subjects and unsteady cameras. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
-#include "cli/light_options.h"
-#include "cli/sharpness.h"
+#include "commands/photo/light_options.h"
+#include "commands/photo/sharpness.h"
 #include "photo/given.h"
 #include "photo/motion.h"
 

@@ -1,8 +1,8 @@
 /* cli/cmd_panorama.c - lenscalc panorama: frames, steps, size and parallax. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
-#include "cli/photo_columns.h"
-#include "cli/photo_options.h"
+#include "commands/photo/photo_columns.h"
+#include "commands/photo/photo_options.h"
 #include "photo/conjugate.h"
 #include "photo/panorama.h"
 

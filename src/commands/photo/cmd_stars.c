@@ -1,8 +1,8 @@
 /* cli/cmd_stars.c - lenscalc stars: how long before stars become trails. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
-#include "cli/light_options.h"
-#include "cli/sharpness.h"
+#include "commands/photo/light_options.h"
+#include "commands/photo/sharpness.h"
 #include "photo/given.h"
 #include "photo/motion.h"
 #include "photo/stars.h"

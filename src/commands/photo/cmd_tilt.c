@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "cli/command.h"
-#include "cli/sharpness.h"
+#include "commands/photo/sharpness.h"
 #include "photo/tilt.h"
-#include "report/wedge.h"
+#include "draw/wedge.h"
 
 #include <math.h>
 

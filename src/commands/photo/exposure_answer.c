@@ -1,6 +1,6 @@
 /* cli/exposure_answer.c - one question about exposure, answered. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/exposure_answer.h"
+#include "commands/photo/exposure_answer.h"
 
 #include "base/quantity.h"
 #include "photo/sensitometry.h"

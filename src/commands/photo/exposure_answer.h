@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "cli/option_light.h"
-#include "cli/photo_lens.h"
+#include "commands/photo/photo_lens.h"
 #include "photo/exposure.h"
 
 #include <stdbool.h>

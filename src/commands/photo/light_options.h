@@ -3,7 +3,7 @@
 #ifndef LENSCALC_CLI_LIGHT_OPTIONS_H
 #define LENSCALC_CLI_LIGHT_OPTIONS_H
 
-#include "cli/photo_options.h"
+#include "commands/photo/photo_options.h"
 
 #define OPTION_TIME(S, member, more)                                                               \
     {                                                                                              \

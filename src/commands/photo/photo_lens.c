@@ -1,6 +1,6 @@
 /* cli/photo_lens.c - a real lens as photographic commands see it. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/photo_lens.h"
+#include "commands/photo/photo_lens.h"
 
 #include <string.h>
 

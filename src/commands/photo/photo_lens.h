@@ -4,9 +4,9 @@
 #define LENSCALC_CLI_PHOTO_LENS_H
 
 #include "cli/command.h"
-#include "cli/lens_options.h"
-#include "cli/photo_columns.h"
-#include "cli/photo_options.h"
+#include "commands/lens/lens_options.h"
+#include "commands/photo/photo_columns.h"
+#include "commands/photo/photo_options.h"
 #include "photo/conjugate.h"
 #include "photo/distance_from.h"
 

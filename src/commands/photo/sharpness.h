@@ -3,8 +3,8 @@
 #ifndef LENSCALC_CLI_SHARPNESS_H
 #define LENSCALC_CLI_SHARPNESS_H
 
-#include "cli/photo_columns.h"
-#include "cli/photo_options.h"
+#include "commands/photo/photo_columns.h"
+#include "commands/photo/photo_options.h"
 
 /* A circle of confusion, and what it may be derived from. */
 struct sharpness {

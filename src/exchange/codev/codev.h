@@ -3,8 +3,8 @@
 #ifndef LENSCALC_FILE_CODEV_H
 #define LENSCALC_FILE_CODEV_H
 
-#include "file/foreign.h"
-#include "file/sequence.h"
+#include "exchange/foreign.h"
+#include "exchange/sequence.h"
 
 extern const struct foreign_format codev_format;
 

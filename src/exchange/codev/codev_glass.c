@@ -1,6 +1,6 @@
 /* file/codev_glass.c - the glasses of a CODE V file: names, codes, its own catalogue. */
 /* SPDX-License-Identifier: MIT */
-#include "file/codev.h"
+#include "exchange/codev/codev.h"
 
 #include "file/decimal.h"
 

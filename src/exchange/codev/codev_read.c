@@ -1,9 +1,9 @@
 /* file/codev_read.c - read a CODE V sequence file. */
 /* SPDX-License-Identifier: MIT */
-#include "file/codev.h"
+#include "exchange/codev/codev.h"
 
-#include "file/codev_system.h"
-#include "file/remarks.h"
+#include "exchange/codev/codev_system.h"
+#include "exchange/remarks.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* file/codev_surface.c - the surfaces of a CODE V file. */
 /* SPDX-License-Identifier: MIT */
-#include "file/codev.h"
+#include "exchange/codev/codev.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* file/codev_system.c - what a CODE V file says of the whole lens: light, fields, positions. */
 /* SPDX-License-Identifier: MIT */
-#include "file/codev.h"
+#include "exchange/codev/codev.h"
 
-#include "file/codev_system.h"
+#include "exchange/codev/codev_system.h"
 #include "file/decimal.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_CODEV_SYSTEM_H
 #define LENSCALC_FILE_CODEV_SYSTEM_H
 
-#include "file/codev.h"
+#include "exchange/codev/codev.h"
 
 codev_command codev_title;
 codev_command codev_radius_mode; /* RDM */

@@ -1,10 +1,10 @@
 /* file/codev_write.c - a lens as a CODE V sequence file. */
 /* SPDX-License-Identifier: MIT */
-#include "file/codev.h"
+#include "exchange/codev/codev.h"
 
 #include "file/decimal.h"
-#include "file/remarks.h"
-#include "file/writing.h"
+#include "exchange/remarks.h"
+#include "exchange/writing.h"
 
 #include <math.h>
 #include <string.h>

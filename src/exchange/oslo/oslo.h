@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_OSLO_H
 #define LENSCALC_FILE_OSLO_H
 
-#include "file/foreign.h"
+#include "exchange/foreign.h"
 
 /*
  * .len as OSLO writes it, text of commands.

@@ -1,6 +1,6 @@
 /* file/oslo_pickup.c - numbers of an OSLO file that follow those of another surface. */
 /* SPDX-License-Identifier: MIT */
-#include "file/oslo_words.h"
+#include "exchange/oslo/oslo_words.h"
 
 static const struct number_scale plain = {1, 0};
 

@@ -1,9 +1,9 @@
 /* file/oslo_read.c - read an OSLO lens file. */
 /* SPDX-License-Identifier: MIT */
-#include "file/oslo.h"
-#include "file/oslo_words.h"
-#include "file/remarks.h"
-#include "file/sequence.h"
+#include "exchange/oslo/oslo.h"
+#include "exchange/oslo/oslo_words.h"
+#include "exchange/remarks.h"
+#include "exchange/sequence.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* file/oslo_system.c - what an OSLO file says of the whole lens, and its glasses. */
 /* SPDX-License-Identifier: MIT */
 #include "file/decimal.h"
-#include "file/oslo_words.h"
+#include "exchange/oslo/oslo_words.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_OSLO_WORDS_H
 #define LENSCALC_FILE_OSLO_WORDS_H
 
-#include "file/sequence.h"
+#include "exchange/sequence.h"
 
 enum { OSLO_MOST_WAVES = 100 };
 

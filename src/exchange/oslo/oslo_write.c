@@ -1,9 +1,9 @@
 /* file/oslo_write.c - a lens as an OSLO lens file. */
 /* SPDX-License-Identifier: MIT */
 #include "file/decimal.h"
-#include "file/oslo.h"
-#include "file/remarks.h"
-#include "file/writing.h"
+#include "exchange/oslo/oslo.h"
+#include "exchange/remarks.h"
+#include "exchange/writing.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_ZEMAX_H
 #define LENSCALC_FILE_ZEMAX_H
 
-#include "file/foreign.h"
+#include "exchange/foreign.h"
 
 /*
  * .zmx as OpticStudio and its forerunners write it.

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_ZEMAX_KEYWORD_H
 #define LENSCALC_FILE_ZEMAX_KEYWORD_H
 
-#include "file/zemax_parse.h"
+#include "exchange/zemax/zemax_parse.h"
 
 /* Reads the present line of the file; `keyword` is the word itself. */
 typedef bool zemax_read_function(struct zemax_file *file, struct text keyword, struct error *error);

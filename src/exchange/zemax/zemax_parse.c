@@ -1,6 +1,6 @@
 /* file/zemax_parse.c - a .zmx file as it stands, line by line, before it is a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "file/zemax_keyword.h"
+#include "exchange/zemax/zemax_keyword.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -3,9 +3,9 @@
 #ifndef LENSCALC_FILE_ZEMAX_PARSE_H
 #define LENSCALC_FILE_ZEMAX_PARSE_H
 
-#include "file/foreign.h"
+#include "exchange/foreign.h"
 #include "file/lens_build.h"
-#include "file/remarks.h"
+#include "exchange/remarks.h"
 
 enum {
     ZEMAX_PARAMETERS = 13, /* PARM 1 .. 12 */

@@ -1,6 +1,6 @@
 /* file/zemax_positions.c - distances and apertures of a .zmx file in all its configurations. */
 /* SPDX-License-Identifier: MIT */
-#include "file/zemax_solve.h"
+#include "exchange/zemax/zemax_solve.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* file/zemax_read.c - a .zmx file as a lens: system data, positions, solves. */
 /* SPDX-License-Identifier: MIT */
-#include "file/zemax.h"
-#include "file/zemax_parse.h"
-#include "file/zemax_surface.h"
+#include "exchange/zemax/zemax.h"
+#include "exchange/zemax/zemax_parse.h"
+#include "exchange/zemax/zemax_surface.h"
 
 #include <math.h>
 #include <string.h>

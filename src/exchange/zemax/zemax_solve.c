@@ -1,6 +1,6 @@
 /* file/zemax_solve.c - what follows from rays or other surfaces in a .zmx file: the solves. */
 /* SPDX-License-Identifier: MIT */
-#include "file/zemax_solve.h"
+#include "exchange/zemax/zemax_solve.h"
 
 #include "file/lens_solve.h"
 

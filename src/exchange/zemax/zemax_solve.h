@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_ZEMAX_SOLVE_H
 #define LENSCALC_FILE_ZEMAX_SOLVE_H
 
-#include "file/zemax_surface.h"
+#include "exchange/zemax/zemax_surface.h"
 
 /* The thicknesses in one position, by the file's surface numbers. */
 struct solving {

@@ -1,6 +1,6 @@
 /* file/zemax_surface.c - the surfaces of a .zmx file as those of a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "file/zemax_surface.h"
+#include "exchange/zemax/zemax_surface.h"
 
 #include <math.h>
 #include <string.h>

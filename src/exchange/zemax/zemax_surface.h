@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_ZEMAX_SURFACE_H
 #define LENSCALC_FILE_ZEMAX_SURFACE_H
 
-#include "file/zemax_parse.h"
+#include "exchange/zemax/zemax_parse.h"
 
 /* The medium behind a surface; that before it where it is a mirror (which *medium becomes). */
 bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,

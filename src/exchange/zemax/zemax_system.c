@@ -1,6 +1,6 @@
 /* file/zemax_system.c - the lines of a .zmx file before its surfaces: units, aperture, light. */
 /* SPDX-License-Identifier: MIT */
-#include "file/zemax_keyword.h"
+#include "exchange/zemax/zemax_keyword.h"
 
 #include <math.h>
 

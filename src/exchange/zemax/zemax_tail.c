@@ -1,6 +1,6 @@
 /* file/zemax_tail.c - what stands behind the surfaces of a .zmx file: configurations, operands. */
 /* SPDX-License-Identifier: MIT */
-#include "file/zemax_keyword.h"
+#include "exchange/zemax/zemax_keyword.h"
 
 static bool read_configurations(struct zemax_file *file, struct text keyword, struct error *error)
 {

@@ -1,10 +1,10 @@
 /* file/zemax_write.c - a lens as a .zmx file. */
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_build.h"
-#include "file/remarks.h"
-#include "file/zemax.h"
-#include "file/zemax_parse.h"
-#include "file/zemax_writer.h"
+#include "exchange/remarks.h"
+#include "exchange/zemax/zemax.h"
+#include "exchange/zemax/zemax_parse.h"
+#include "exchange/zemax/zemax_writer.h"
 #include "optics/wavelength.h"
 
 #include <math.h>

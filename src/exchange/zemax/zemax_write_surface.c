@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_build.h"
 #include "file/lens_glass.h"
-#include "file/zemax_writer.h"
+#include "exchange/zemax/zemax_writer.h"
 #include "optics/glass.h"
 
 #include <math.h>

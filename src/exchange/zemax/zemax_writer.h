@@ -3,8 +3,8 @@
 #ifndef LENSCALC_FILE_ZEMAX_WRITER_H
 #define LENSCALC_FILE_ZEMAX_WRITER_H
 
-#include "file/foreign.h"
-#include "file/growing.h"
+#include "exchange/foreign.h"
+#include "optics/growing.h"
 
 enum { ZEMAX_MOST_CATALOGS = 32 };
 
