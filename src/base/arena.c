@@ -80,6 +80,23 @@ char *arena_string(struct arena *arena, const char *start, size_t length)
     return copy;
 }
 
+char *arena_join(struct arena *arena, const char *const *strings, size_t count)
+{
+    size_t length = 0;
+    for (size_t i = 0; i < count; i++) {
+        length += strings[i] != NULL ? strlen(strings[i]) : 0;
+    }
+    char *joined = arena_array(arena, length + 1, 1), *at = joined;
+    for (size_t i = 0; i < count; i++) {
+        size_t part = strings[i] != NULL ? strlen(strings[i]) : 0;
+        if (part > 0) {
+            memcpy(at, strings[i], part);
+        }
+        at += part;
+    }
+    return joined;
+}
+
 char *arena_printf(struct arena *arena, const char *format, ...)
 {
     va_list arguments;

@@ -52,17 +52,17 @@ static void set_excerpt(struct error *error, const char *text, size_t length, si
     error->caret = (int)(caret - from);
 }
 
-bool fail_at(struct error *error, enum error_code code, const char *text, size_t length,
-             size_t caret, const char *format, ...)
+bool fail_at(struct error *error, enum error_code code, struct text text, size_t caret,
+             const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
     start(error, code, format, arguments);
     va_end(arguments);
-    if (caret > length + 1) {
-        caret = length + 1;
+    if (caret > text.length + 1) {
+        caret = text.length + 1;
     }
-    set_excerpt(error, text, length, caret);
+    set_excerpt(error, text.start, text.length, caret);
     return false;
 }
 

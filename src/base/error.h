@@ -3,6 +3,8 @@
 #ifndef LENSCALC_BASE_ERROR_H
 #define LENSCALC_BASE_ERROR_H
 
+#include "base/text.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -41,11 +43,11 @@ bool fail(struct error *error, enum error_code code, const char *format, ...)
  * The same, pointing at one character of a text that is shown with a caret under it. A long text
  * is cut to a window around the caret; control characters are shown as '?'.
  *
- * Given     text, length  the offending text (need not end in NUL)
- *           caret         the wrong character, 1-based
+ * Given     text   the offending one
+ *           caret  the wrong character, 1-based
  */
-bool fail_at(struct error *error, enum error_code code, const char *text, size_t length,
-             size_t caret, const char *format, ...) __attribute__((format(printf, 6, 7)));
+bool fail_at(struct error *error, enum error_code code, struct text text, size_t caret,
+             const char *format, ...) __attribute__((format(printf, 5, 6)));
 
 /* Say where in a file the error lies (line and column 1-based, 0 = unknown). Returns false. */
 bool error_locate(struct error *error, const char *source, long line, size_t column);

@@ -53,6 +53,17 @@ char *number_write_digits(char *to, double x, int digits);
 char *number_write_shortest(char *to, double x);
 
 /*
+ * Write x with `digits` significant digits, 1 to 17, as people read numbers: without an exponent
+ * from 1e-6 to below 1e9, where digits of a whole number beyond those asked for are 0 (123456 to 3
+ * digits: 123000).
+ *
+ * Given     to      room for NUMBER_LENGTH characters
+ *           padded  keep zeros behind the point: 10.00, not 10
+ * Result    the end of what was written; inf, -0 and NaN as above
+ */
+char *number_write_plain(char *to, double x, int digits, bool padded);
+
+/*
  * Does x need more than `digits` digits, 1 to 17, to be read back as the same double? Multiplying
  * by a power of ten in the text does not change the answer. False for 0, inf and NaN.
  */

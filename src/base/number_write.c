@@ -14,6 +14,8 @@ enum {
     MOST_DIGITS = 17,
     FEW_DIGITS = 8,      /* one word of characters */
     LEAST_EXPONENT = -4, /* of a number written without an exponent */
+    LEAST_PLAIN = -6,    /* the same where people read it */
+    MOST_PLAIN = 8,
     FIELD_MASK = 0x7ff,
 };
 
@@ -377,6 +379,64 @@ char *number_write_shortest(char *to, double x)
         return at;
     }
     return lay_out(at, with_length(find_shortest(parts_of(bits))), MOST_DIGITS);
+}
+
+/* As round_to_digits, by the C library. */
+static struct decimal round_slowly(double x, int digits)
+{
+    struct decimal decimal = {0, digits, 0};
+    char text[NUMBER_LENGTH];
+    snprintf(text, sizeof text, "%.*e", digits - 1, x);
+    const char *at = text;
+    for (; *at != 'e'; at++) {
+        if (*at >= '0' && *at <= '9') {
+            decimal.integer = 10 * decimal.integer + (uint64_t)(*at - '0');
+        }
+    }
+    const bool below = *++at == '-';
+    while (*++at != '\0') {
+        decimal.exponent = 10 * decimal.exponent + (*at - '0');
+    }
+    decimal.exponent = below ? -decimal.exponent : decimal.exponent;
+    return decimal;
+}
+
+char *number_write_plain(char *to, double x, int digits, bool padded)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bool done;
+    char *at = write_special(to, bits, &done);
+    if (done) {
+        return at;
+    }
+    struct decimal decimal;
+    if (!round_to_digits(parts_of(bits), digits, &decimal)) {
+        decimal = round_slowly(x, digits);
+    }
+    const int exponent = decimal.exponent;
+    if (exponent < LEAST_PLAIN || exponent > MOST_PLAIN) {
+        return lay_out(at, decimal, digits);
+    }
+    char text[MOST_DIGITS + 1];
+    const struct characters all = characters_of(decimal);
+    store_digits(text, &all);
+    int kept = padded ? digits : all.count;
+    if (exponent < 0) {
+        memcpy(at, "0.000000", 8);
+        at += 1 - exponent;
+        memcpy(at, text, (size_t)kept);
+        return at + kept;
+    }
+    for (int i = 0; i <= exponent; i++) {
+        *at++ = i < digits ? text[i] : '0';
+    }
+    if (kept > exponent + 1) {
+        *at++ = '.';
+        memcpy(at, text + exponent + 1, (size_t)(kept - exponent - 1));
+        at += kept - exponent - 1;
+    }
+    return at;
 }
 
 bool number_needs_more(double x, int digits)

@@ -25,8 +25,6 @@ struct polynomial polynomial_multiply(const struct polynomial *a, const struct p
 
 struct polynomial polynomial_scale(const struct polynomial *a, struct pair factor);
 
-struct pair polynomial_at(const struct polynomial *a, struct pair x);
-
 /* Does it not depend on x: all terms but the first are rounding, as below? */
 bool polynomial_is_constant(const struct polynomial *a, double scale);
 

@@ -18,8 +18,7 @@ struct reading {
 static bool wrong(struct reading *reading, const char *at, const char *what)
 {
     size_t caret = (size_t)(at - reading->text.start) + 1;
-    return fail_at(reading->error, ERROR_USAGE, reading->text.start, reading->text.length, caret,
-                   "%s", what);
+    return fail_at(reading->error, ERROR_USAGE, reading->text, caret, "%s", what);
 }
 
 static void skip_blanks(struct reading *reading)
@@ -144,8 +143,8 @@ static bool unknown_unit(struct reading *reading, struct text name, int shown)
     struct text whole = reading->text;
     size_t before = (size_t)(name.start - whole.start);
     const char *meant = meant_unit(reading, name);
-    fail_at(reading->error, ERROR_USAGE, whole.start, whole.length, before + 1,
-            "unknown unit '%.*s'", shown, name.start);
+    fail_at(reading->error, ERROR_USAGE, whole, before + 1, "unknown unit '%.*s'", shown,
+            name.start);
     if (meant != NULL && before < 60) {
         error_hint(reading->error, "did you mean '%.*s%s'?", (int)before, whole.start, meant);
     }
@@ -159,13 +158,13 @@ static bool wrong_unit(struct reading *reading, struct text name)
     int shown = name.length < 40 ? (int)name.length : 40;
     const struct dimension *other = dimension_of(name);
     if (other != NULL) {
-        return fail_at(reading->error, ERROR_USAGE, reading->text.start, reading->text.length,
-                       caret, "unit '%.*s' measures %s %s, wanted is %s %s", shown, name.start,
+        return fail_at(reading->error, ERROR_USAGE, reading->text, caret,
+                       "unit '%.*s' measures %s %s, wanted is %s %s", shown, name.start,
                        article(other->name), other->name, article(wanted), wanted);
     }
     if (reading->dimension->units[0].name[0] == '\0' && reading->dimension->unit_count == 1) {
-        return fail_at(reading->error, ERROR_USAGE, reading->text.start, reading->text.length,
-                       caret, "'%.*s' does not belong to %s %s", shown, name.start, article(wanted),
+        return fail_at(reading->error, ERROR_USAGE, reading->text, caret,
+                       "'%.*s' does not belong to %s %s", shown, name.start, article(wanted),
                        wanted);
     }
     return unknown_unit(reading, name, shown);
@@ -211,14 +210,22 @@ static bool read_unit(struct reading *reading, const struct unit **unit)
     return true;
 }
 
+/* Does a denominator come next? */
+static bool divides(const struct reading *reading)
+{
+    if (reading->at + 1 >= reading->end) {
+        return false;
+    }
+    char sign = reading->at[0], next = reading->at[1];
+    bool allowed =
+        (sign == '/' && reading->dimension->fraction) || (sign == ':' && reading->dimension->ratio);
+    return allowed && ((next >= '0' && next <= '9') || next == '.');
+}
+
 /* A denominator after '/' or ':' divides what was read. */
 static bool read_denominator(struct reading *reading, double *value)
 {
-    bool divides = reading->at + 1 < reading->end &&
-                   ((*reading->at == '/' && reading->dimension->fraction) ||
-                    (*reading->at == ':' && reading->dimension->ratio)) &&
-                   ((reading->at[1] >= '0' && reading->at[1] <= '9') || reading->at[1] == '.');
-    if (!divides) {
+    if (!divides(reading)) {
         return true;
     }
     const char *slash = reading->at++;
@@ -313,7 +320,7 @@ static bool read_shutter(struct text text, double *value, struct error *error)
     }
     double degrees = unit_from_own(degree, turn);
     if (!(degrees > 0 && degrees <= 360) || !(frames > 0) || isinf(frames)) {
-        return fail_at(error, ERROR_USAGE, text.start, text.length, 1,
+        return fail_at(error, ERROR_USAGE, text, 1,
                        "a shutter angle is above 0 to 360 deg, a frame rate above 0 fps");
     }
     *value = degrees / 360 / frames;

@@ -182,23 +182,29 @@ void nearest_offer(struct nearest *nearest, struct text candidate)
 
 size_t text_utf8_length(const char *start, size_t room)
 {
+    /* Unicode, table 3-7: well-formed sequences; bytes from the third on are 80 to bf */
+    static const struct {
+        unsigned char first, last, second_least, second_most, length;
+    } forms[] = {{0xc2, 0xdf, 0x80, 0xbf, 2}, {0xe0, 0xe0, 0xa0, 0xbf, 3},
+                 {0xe1, 0xec, 0x80, 0xbf, 3}, {0xed, 0xed, 0x80, 0x9f, 3},
+                 {0xee, 0xef, 0x80, 0xbf, 3}, {0xf0, 0xf0, 0x90, 0xbf, 4},
+                 {0xf1, 0xf3, 0x80, 0xbf, 4}, {0xf4, 0xf4, 0x80, 0x8f, 4}};
     const unsigned char *at = (const unsigned char *)start;
-    size_t length = at[0] < 0x80   ? 1
-                    : at[0] < 0xc2 ? 0
-                    : at[0] < 0xe0 ? 2
-                    : at[0] < 0xf0 ? 3
-                    : at[0] < 0xf5 ? 4
-                                   : 0;
-    if (length == 0 || length > room) {
+    size_t form = 0, forms_count = sizeof forms / sizeof forms[0];
+    if (room == 0 || at[0] < 0x80) {
+        return room > 0;
+    }
+    while (form < forms_count && at[0] > forms[form].last) {
+        form++;
+    }
+    if (form == forms_count || at[0] < forms[form].first || forms[form].length > room ||
+        at[1] < forms[form].second_least || at[1] > forms[form].second_most) {
         return 0;
     }
-    for (size_t i = 1; i < length; i++) {
+    for (size_t i = 2; i < forms[form].length; i++) {
         if ((at[i] & 0xc0) != 0x80) {
             return 0;
         }
     }
-    bool overlong = (at[0] == 0xe0 && at[1] < 0xa0) || (at[0] == 0xf0 && at[1] < 0x90);
-    bool surrogate = at[0] == 0xed && at[1] > 0x9f;
-    bool beyond = at[0] == 0xf4 && at[1] > 0x8f;
-    return length > 2 && (overlong || surrogate || beyond) ? 0 : length;
+    return forms[form].length;
 }

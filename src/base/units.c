@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/units.h"
 
+#include <math.h>
 #include <string.h>
 
 #define COUNT(array)       (sizeof(array) / sizeof((array)[0]))
@@ -22,6 +23,20 @@ static const struct unit length_units[] = {
     {"ft", "ft", {3048, -1}, 1, "' \xe2\x80\xb2 feet foot", "foot, 304.8 mm"},
     {"yd", "yd", {9144, -1}, 1, NULL, "yard, 914.4 mm"},
     {"mi", "mi", {1609344, 0}, 1, "mile miles", "mile, 1609.344 m"},
+};
+
+/* The same, for wavelengths that the program keeps in um. */
+static const struct unit wavelength_units[] = {
+    {"um", "um", {1, 0}, 1, "\xc2\xb5m \xce\xbcm", "micrometre"},
+    {"nm", "nm", {1, -3}, 1, NULL, "nanometre"},
+    {"mm", "mm", {1, 3}, 1, NULL, "millimetre"},
+    {"cm", "cm", {1, 4}, 1, NULL, "centimetre"},
+    {"m", "m", {1, 6}, 1, NULL, "metre"},
+    {"km", "km", {1, 9}, 1, NULL, "kilometre"},
+    {"in", "in", {254, 2}, 1, "\" \xe2\x80\xb3 inch", "inch, 25.4 mm"},
+    {"ft", "ft", {3048, 2}, 1, "' \xe2\x80\xb2 feet foot", "foot, 304.8 mm"},
+    {"yd", "yd", {9144, 2}, 1, NULL, "yard, 914.4 mm"},
+    {"mi", "mi", {1609344, 3}, 1, "mile miles", "mile, 1609.344 m"},
 };
 
 static const struct unit angle_units[] = {
@@ -135,6 +150,7 @@ const struct dimension dimension_rate = {.name = "frame rate", UNITS(rate_units)
 const struct dimension dimension_temperature = {.name = "temperature", UNITS(temperature_units)};
 const struct dimension dimension_pressure = {.name = "pressure", UNITS(pressure_units)};
 const struct dimension dimension_wavelength = {.name = "wavelength", UNITS(length_units)};
+const struct dimension dimension_wavelength_um = {.name = "wavelength", UNITS(wavelength_units)};
 
 const struct dimension *const dimensions[] = {
     &dimension_length,   &dimension_angle,       &dimension_time,      &dimension_fnumber,
@@ -197,4 +213,30 @@ double unit_from_own(const struct unit *unit, double value)
         return scaled / unit->scale.multiplier;
     }
     return scaled / (unit->scale.multiplier * power_of_ten(power));
+}
+
+bool unit_decimal_to_own(const struct unit *unit, double value, double slack, double *own)
+{
+    enum { PLACES = 9 };
+    int places = PLACES;
+    /* what is divided by a power of ten in the end is a whole number of 53 bits: one rounding */
+    double size = fabs(value) * unit->scale.multiplier;
+    while (places > 0 && !(size * power_of_ten(places) < 0x1p53)) {
+        places--;
+    }
+    double whole = rint(value * power_of_ten(places));
+    if (!(size * power_of_ten(places) < 0x1p53) ||
+        !(fabs(whole / power_of_ten(places) - value) <= slack)) {
+        return false;
+    }
+    double scaled = whole * unit->scale.multiplier;
+    int power = unit->scale.power - places;
+    if (power >= 0) {
+        scaled *= power_of_ten(power);
+    } else {
+        int first = -power < PLACES ? -power : PLACES;
+        scaled /= power_of_ten(first) * power_of_ten(-power - first);
+    }
+    *own = scaled * unit->factor + 0.0; /* -0 is 0 */
+    return true;
 }

@@ -36,8 +36,11 @@ extern const struct dimension dimension_number, dimension_length, dimension_angl
     dimension_speed, dimension_rotation, dimension_frequency, dimension_rate, dimension_temperature,
     dimension_pressure;
 
-/* A length that may also be the name of a spectral line; the names are data of lensdb. */
-extern const struct dimension dimension_wavelength;
+/*
+ * A length that may also be the name of a spectral line; the names are data of lensdb. Its own unit
+ * is the millimetre, for formulas with other lengths, or the micrometre, as lenses have it.
+ */
+extern const struct dimension dimension_wavelength, dimension_wavelength_um;
 
 /* All dimensions, for lists and for naming the right one in a message; ends with null. */
 extern const struct dimension *const dimensions[];
@@ -52,5 +55,15 @@ bool unit_is_own(const struct unit *unit);
  */
 double unit_to_own(const struct unit *unit, double value);
 double unit_from_own(const struct unit *unit, double value);
+
+/*
+ * What a computed value is in the program's own unit if a decimal of at most nine places was meant.
+ *
+ * Given     value  in the unit, with rounding errors: 64.99999999999999 for 65
+ *           slack  how far it may be off, in the unit
+ *           own    receives what quantity_read makes of that decimal, to the last bit
+ * Result    false: no such decimal is so near; `own` is not set
+ */
+bool unit_decimal_to_own(const struct unit *unit, double value, double slack, double *own);
 
 #endif

@@ -161,5 +161,5 @@ static void end(struct report *report)
     (void)report;
 }
 
-const struct format format_csv = {"csv", "comma-separated values (RFC 4180)", begin, row, end};
-const struct format format_tsv = {"tsv", "tab-separated values", begin, row, end};
+const struct format format_csv = {{"csv", "comma-separated values"}, begin, row, end};
+const struct format format_tsv = {{"tsv", "tab-separated values"}, begin, row, end};

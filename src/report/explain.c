@@ -3,6 +3,7 @@
 #include "report/explain.h"
 
 #include "report/readable.h"
+#include "report/row.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -20,10 +21,10 @@ static const struct column *by_symbol(const struct sheet *sheet, struct text sym
     return NULL;
 }
 
-static const struct column *by_name(const struct sheet *sheet, const char *name)
+static const struct column *by_name(const struct sheet *sheet, struct text name)
 {
     for (size_t i = 0; i < sheet->column_count; i++) {
-        if (strcmp(sheet->columns[i].name, name) == 0) {
+        if (text_equal(name, sheet->columns[i].name)) {
             return &sheet->columns[i];
         }
     }
@@ -83,22 +84,33 @@ static void render(char *to, const char *formula, const struct sheet *sheet, con
     to[used] = '\0';
 }
 
-static bool is_wanted(const struct report *report, const char *name, const void *row)
+static bool is_wanted(const struct report *report, struct text name, const void *row)
 {
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct column *column = report->shown[i].column;
-        if (strcmp(column->name, name) == 0) {
+        if (text_equal(name, column->name)) {
             return !row_is_absent(row, column);
         }
     }
     return false;
 }
 
+/* Is it the formula of this row? `only` is "projection=rectilinear", or nothing: of every row. */
+static bool applies(const struct report *report, struct text only, const void *row)
+{
+    if (only.start == NULL) {
+        return true;
+    }
+    const struct column *column = by_name(report->sheet, text_cut(&only, '='));
+    const char *said = *(const char *const *)((const char *)row + column->offset);
+    return said != NULL && text_equal(only, said);
+}
+
 static const char *explain_one(const struct report *report, const struct explanation *explanation,
-                               const void *row)
+                               struct text name, const void *row)
 {
     char symbols[LINE], numbers[LINE], result[VALUE];
-    const struct column *column = by_name(report->sheet, explanation->column);
+    const struct column *column = by_name(report->sheet, name);
     render(symbols, explanation->formula, report->sheet, NULL);
     const char *right = strstr(explanation->formula, " = ");
     render(numbers, right != NULL ? right + 3 : explanation->formula, report->sheet, row);
@@ -114,8 +126,10 @@ const char *explain_row(const struct report *report, const struct explanation *e
 {
     const char *text = NULL;
     for (size_t i = 0; explanations != NULL && explanations[i].column != NULL; i++) {
-        if (is_wanted(report, explanations[i].column, row)) {
-            const char *one = explain_one(report, &explanations[i], row);
+        struct text only = text_of(explanations[i].column);
+        const struct text name = text_cut(&only, ' ');
+        if (is_wanted(report, name, row) && applies(report, only, row)) {
+            const char *one = explain_one(report, &explanations[i], name, row);
             text = text == NULL ? one : arena_printf(report->arena, "%s\n%s", text, one);
         }
     }

@@ -208,6 +208,24 @@ static void json_row(struct report *report, const void *row, const struct text *
     write_row(report, row, passed, failure, report->rows == 0);
 }
 
+static void write_doubts(struct report *report)
+{
+    const struct doubts *doubts = report->doubts;
+    if (doubts == NULL || doubts->count == 0) {
+        return;
+    }
+    for (size_t i = 0; i < doubts->count; i++) {
+        output_string(report->output, i == 0 ? ",\"warnings\":[" : ",");
+        write_string(report->output, doubts->texts[i], strlen(doubts->texts[i]));
+    }
+    const char *more = doubts_left_out(report->doubts);
+    if (more != NULL) {
+        output_string(report->output, ",");
+        write_string(report->output, more, strlen(more));
+    }
+    output_string(report->output, "]");
+}
+
 static void json_end(struct report *report)
 {
     struct json_state *state = report->state;
@@ -219,6 +237,7 @@ static void json_end(struct report *report)
         output_string(report->output, ",\"explain\":");
         write_string(report->output, report->explain, strlen(report->explain));
     }
+    write_doubts(report);
     output_string(report->output, "}\n");
 }
 
@@ -234,7 +253,6 @@ static void jsonl_row(struct report *report, const void *row, const struct text 
     output_character(report->output, '\n');
 }
 
-const struct format format_json = {"json", "one JSON object: command, assumptions, rows",
-                                   json_begin, json_row, json_end};
-const struct format format_jsonl = {"jsonl", "one JSON object a row, a line each", jsonl_begin,
-                                    jsonl_row, jsonl_begin};
+const struct format format_json = {{"json", "one JSON object"}, json_begin, json_row, json_end};
+const struct format format_jsonl = {
+    {"jsonl", "one JSON object a row"}, jsonl_begin, jsonl_row, jsonl_begin};

@@ -199,6 +199,19 @@ void output_printf(struct output *output, const char *format, ...)
     }
 }
 
+/* Put the whole file in its place; take one away that is not to be kept. */
+static void settle(struct output *output, bool keep)
+{
+    bool whole = keep && output->failure == 0;
+    if (whole && rename(output->beside, output->path) != 0) {
+        output->failure = errno;
+        whole = false;
+    }
+    if (!whole && !output->is_nameless) {
+        unlink(output->beside);
+    }
+}
+
 bool output_close(struct output *output, bool keep, struct error *error)
 {
     output_flush(output);
@@ -210,13 +223,8 @@ bool output_close(struct output *output, bool keep, struct error *error)
     if (output->path != NULL && close(output->descriptor) != 0 && output->failure == 0) {
         output->failure = errno;
     }
-    bool whole = keep && output->failure == 0;
-    if (output->beside != NULL && whole && rename(output->beside, output->path) != 0) {
-        output->failure = errno;
-        whole = false;
-    }
-    if (output->beside != NULL && !whole && !output->is_nameless) {
-        unlink(output->beside);
+    if (output->beside != NULL) {
+        settle(output, keep);
     }
     if (output->failure != 0) {
         return fail(error, ERROR_IO, "cannot write %s: %s",
@@ -224,15 +232,4 @@ bool output_close(struct output *output, bool keep, struct error *error)
                     strerror(output->failure));
     }
     return true;
-}
-
-bool output_file(const char *path, const char *data, size_t length, struct arena *arena,
-                 struct error *error)
-{
-    struct output output;
-    if (!output_open(&output, path, arena, error)) {
-        return false;
-    }
-    output_text(&output, data, length);
-    return output_close(&output, true, error);
 }

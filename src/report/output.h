@@ -55,8 +55,4 @@ void output_flush(struct output *output);
  */
 bool output_close(struct output *output, bool keep, struct error *error);
 
-/* Write a whole file at once, by the same rules. */
-bool output_file(const char *path, const char *data, size_t length, struct arena *arena,
-                 struct error *error);
-
 #endif

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "report/readable.h"
 
+#include "base/number.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -70,37 +72,10 @@ const struct unit *readable_unit(const struct shown *shown, enum unit_system sys
     return metric_length(shown->unit, fabs(typical));
 }
 
-/* Significant digits, without exponent where people would not write one. */
-static void write_significant(char *to, size_t room, double value, int digits, bool pad)
+/* Significant digits, without exponent where people would not write one; no -0. */
+static void write_significant(char *to, double value, int digits, bool pad)
 {
-    if (value == 0) {
-        snprintf(to, room, "0");
-        return;
-    }
-    int exponent = (int)floor(log10(fabs(value)));
-    /* rounding may carry into the next decade: 9.9996 is 10.00 */
-    char rounded[40];
-    snprintf(rounded, sizeof rounded, "%.*e", digits - 1, value);
-    sscanf(strchr(rounded, 'e') + 1, "%d", &exponent);
-    if (exponent < -6 || exponent > 8) {
-        snprintf(to, room, "%.*g", digits, value);
-        return;
-    }
-    int decimals = digits - 1 - exponent;
-    if (decimals < 0) {
-        double whole = 0;
-        sscanf(rounded, "%lf", &whole);
-        snprintf(to, room, "%.0f", whole);
-        return;
-    }
-    snprintf(to, room, "%.*f", decimals, value);
-    if (!pad && strchr(to, '.') != NULL) {
-        size_t length = strlen(to);
-        while (to[length - 1] == '0') {
-            length--;
-        }
-        to[to[length - 1] == '.' ? length - 1 : length] = '\0';
-    }
+    *number_write_plain(to, value + 0.0, digits, pad) = '\0';
 }
 
 /* 9' 4.3": inches with the decimals that `digits` significant digits leave. */
@@ -111,8 +86,8 @@ static void write_feet(char *to, size_t room, double millimetres, int digits)
     int before = feet < 10 ? 1 : feet < 100 ? 2 : feet < 1000 ? 3 : 4;
     int decimals = digits - before - 2;
     if (decimals < -1) {
-        char number[40];
-        write_significant(number, sizeof number, feet, digits, true);
+        char number[NUMBER_LENGTH + 1];
+        write_significant(number, feet, digits, true);
         snprintf(to, room, "%s%s'", sign, number);
         return;
     }
@@ -138,11 +113,20 @@ static int certain_digits(const void *row, const struct column *column, int digi
 /* Does a number of at most nine digits stand for it, as for most that people type? */
 static bool is_short(double value)
 {
-    char digits[40];
+    char digits[NUMBER_LENGTH];
     double again = 0;
-    snprintf(digits, sizeof digits, "%.*g", TYPED_DIGITS, value);
-    sscanf(digits, "%lf", &again);
+    const char *end = number_write_digits(digits, value, TYPED_DIGITS);
+    number_read(digits, end, NUMBER_UNSCALED, &again);
     return fabs(again - value) <= 1e-13 * fabs(value);
+}
+
+/* As much of a text as there is room for. */
+static void copy(char *to, size_t room, const char *text)
+{
+    size_t length = strlen(text);
+    length = length < room ? length : room - 1;
+    memcpy(to, text, length);
+    to[length] = '\0';
 }
 
 static void write_number(char *to, size_t room, const void *row, const struct shown *shown,
@@ -150,14 +134,14 @@ static void write_number(char *to, size_t room, const void *row, const struct sh
 {
     double value = row_number(row, shown->column);
     if (isinf(value)) {
-        snprintf(to, room, value > 0 ? "inf" : "-inf");
+        copy(to, room, value > 0 ? "inf" : "-inf");
         return;
     }
     int certain = certain_digits(row, shown->column, digits);
     size_t used = 0;
     if (certain < 1) {
         certain = 1;
-        used = (size_t)snprintf(to, room, "~");
+        to[used++] = '~';
     }
     if (unit != NULL && strcmp(unit->name, "ft") == 0 && strcmp(shown->unit->name, "m") == 0) {
         write_feet(to + used, room - used, value, certain);
@@ -165,7 +149,7 @@ static void write_number(char *to, size_t room, const void *row, const struct sh
     }
     double converted = unit != NULL ? unit_from_own(unit, value) : value;
     bool typed = (shown->column->flags & COLUMN_ECHO) != 0 && is_short(converted);
-    write_significant(to + used, room - used, converted,
+    write_significant(to + used, converted,
                       typed && certain < TYPED_DIGITS ? TYPED_DIGITS : certain, !typed);
 }
 
@@ -184,10 +168,10 @@ void readable_value(char *to, size_t room, const void *row, const struct shown *
         snprintf(to, room, "%ld", row_integer(row, shown->column));
         break;
     case COLUMN_FLAG:
-        snprintf(to, room, "%s", row_flag(row, shown->column) ? "yes" : "no");
+        copy(to, room, row_flag(row, shown->column) ? "yes" : "no");
         break;
     case COLUMN_TEXT:
-        snprintf(to, room, "%s", row_text(row, shown->column));
+        copy(to, room, row_text(row, shown->column));
         break;
     }
 }

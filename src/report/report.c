@@ -10,61 +10,14 @@ const struct format *const formats[] = {
     &format_jsonl, &format_markdown, &format_html, NULL,
 };
 
-static const void *member(const void *row, const struct column *column)
+bool format_is_for_people(const struct format *format)
 {
-    return (const char *)row + column->offset;
+    return format == &format_text || format == &format_markdown || format == &format_html;
 }
 
-double row_number(const void *row, const struct column *column)
+const struct word *format_word(size_t i)
 {
-    return *(const double *)member(row, column);
-}
-
-long row_integer(const void *row, const struct column *column)
-{
-    return *(const long *)member(row, column);
-}
-
-bool row_flag(const void *row, const struct column *column)
-{
-    return *(const bool *)member(row, column);
-}
-
-const char *row_text(const void *row, const struct column *column)
-{
-    return *(const char *const *)member(row, column);
-}
-
-bool row_is_absent(const void *row, const struct column *column)
-{
-    switch (column->type) {
-    case COLUMN_NUMBER:
-        return isnan(row_number(row, column));
-    case COLUMN_INTEGER:
-        return row_integer(row, column) == NO_INTEGER;
-    case COLUMN_TEXT:
-        return row_text(row, column) == NULL;
-    case COLUMN_FLAG:
-        break;
-    }
-    return false;
-}
-
-char *shown_write_number(char *to, const void *row, const struct shown *shown, int digits)
-{
-    double value = row_number(row, shown->column);
-    if (isnan(value)) {
-        return to;
-    }
-    if (digits == 0) {
-        return quantity_write(to, value, shown->unit);
-    }
-    if (shown->divisor > 1) {
-        value /= shown->divisor;
-    } else if (shown->divisor == 0) {
-        value = unit_from_own(shown->unit, value);
-    }
-    return number_write_digits(to, value, digits);
+    return formats[i] != NULL ? &formats[i]->word : NULL;
 }
 
 static const struct unit *find_unit(const struct column *column, struct text name)
@@ -83,7 +36,7 @@ static struct shown show(const struct column *column, const struct unit *unit, s
 {
     struct shown shown = {.column = column, .unit = unit, .name = column->name, .divisor = 1};
     if (unit != NULL) {
-        shown.name = arena_printf(arena, "%s_%s", column->name, unit->name);
+        shown.name = ARENA_JOIN(arena, column->name, "_", unit->name);
         set_divisor(&shown);
     }
     return shown;
@@ -284,25 +237,14 @@ static bool is_assumed(const struct column *column, const struct selection *sele
            ((column->flags & COLUMN_TIED) == 0 || is_brought(column, selection));
 }
 
-static bool belongs(const struct column *column, const struct selection *selection, bool varies)
+static bool is_hidden(const struct column *column, const struct selection *selection)
 {
-    if (varies && is_assumed(column, selection)) {
-        return true;
-    }
-    if ((column->flags & COLUMN_TIED) != 0) {
-        return false;
-    }
-    bool hidden =
-        (column->flags & (COLUMN_HIDDEN | COLUMN_NOTE)) != 0 && selection->layout != SELECT_ALL;
-    if ((column->flags & COLUMN_EXTRA) != 0) {
-        return !hidden && is_brought(column, selection);
-    }
-    if (selection->layout == SELECT_ALL) {
-        return true;
-    }
-    if (hidden) {
-        return false;
-    }
+    return (column->flags & (COLUMN_HIDDEN | COLUMN_NOTE)) != 0 && selection->layout != SELECT_ALL;
+}
+
+/* A column that no other one ties to the question: does this layout show it? */
+static bool is_usual(const struct column *column, const struct selection *selection)
+{
     bool echo = (column->flags & COLUMN_ECHO) != 0;
     if ((column->flags & COLUMN_WITH) != 0) {
         return selection->layout == SELECT_LIST || is_brought(column, selection);
@@ -312,6 +254,21 @@ static bool belongs(const struct column *column, const struct selection *selecti
     }
     return selection->layout == SELECT_LIST || (column->flags & COLUMN_BRIEF) != 0 ||
            (echo && column->with != NULL && selection->varied(selection->asked, column->with));
+}
+
+static bool belongs(const struct column *column, const struct selection *selection, bool varies)
+{
+    if (varies && is_assumed(column, selection)) {
+        return true;
+    }
+    if ((column->flags & COLUMN_TIED) != 0) {
+        return false;
+    }
+    if ((column->flags & COLUMN_EXTRA) != 0) {
+        return !is_hidden(column, selection) && is_brought(column, selection);
+    }
+    return selection->layout == SELECT_ALL ||
+           (!is_hidden(column, selection) && is_usual(column, selection));
 }
 
 /* Everything a row has, but for extras nobody asked for. */

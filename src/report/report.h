@@ -5,19 +5,12 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "report/doubts.h"
 #include "report/output.h"
-#include "report/table.h"
+#include "report/row.h"
 
 #include <stdbool.h>
 #include <stddef.h>
-
-/* A column as it is printed: in this unit, under this name. */
-struct shown {
-    const struct column *column;
-    const struct unit *unit; /* null = none */
-    const char *name;        /* "near_m" */
-    double divisor;          /* own units in this one: near_m is near / 1000; 0 = not one number */
-};
 
 enum unit_system { UNITS_METRIC, UNITS_IMPERIAL };
 
@@ -25,7 +18,7 @@ struct report;
 
 /* A way to print. `row` gets a failed row as a null pointer with its failure. */
 struct format {
-    const char *name, *help;
+    struct word word; /* "csv", what it is */
     void (*begin)(struct report *report);
     void (*row)(struct report *report, const void *row, const struct text *passed,
                 const struct error *failure);
@@ -37,6 +30,12 @@ extern const struct format format_text, format_csv, format_tsv, format_json, for
 
 /* All formats; ends with null. */
 extern const struct format *const formats[];
+
+/* Text, markdown and html: scaled for reading, units in the heads. */
+bool format_is_for_people(const struct format *format);
+
+/* The word of format i; null behind the last. */
+const struct word *format_word(size_t i);
 
 struct report {
     const struct format *format;
@@ -58,9 +57,10 @@ struct report {
     bool nominal;   /* labels of stop series were read as their exact values */
     int digits;     /* significant digits, 0 = as the format does */
     enum unit_system units;
-    const char *explain; /* text to print after the rows, or null */
-    size_t rows;         /* printed so far */
-    void *state;         /* the format's own */
+    const char *explain;   /* text to print after the rows, or null */
+    struct doubts *doubts; /* what to say beside the answer; null = nothing, ever */
+    size_t rows;           /* printed so far */
+    void *state;           /* the format's own */
 };
 
 /* The columns to print, and which options shape them. */
@@ -99,20 +99,5 @@ const char *report_assumptions(const struct report *report, const void *row);
  */
 const char *report_subtitle(const struct report *report, const struct selection *selection,
                             const void *row);
-
-/* The values of a row. Numbers in the program's own unit. */
-double row_number(const void *row, const struct column *column);
-long row_integer(const void *row, const struct column *column);
-bool row_flag(const void *row, const struct column *column);
-const char *row_text(const void *row, const struct column *column);
-
-/* Is there no value? */
-bool row_is_absent(const void *row, const struct column *column);
-
-/*
- * Write a number of a row for machines: `digits` significant digits (0 = shortest that reads
- * back), `inf`; nothing for NaN. Room for NUMBER_LENGTH; returns the end.
- */
-char *shown_write_number(char *to, const void *row, const struct shown *shown, int digits);
 
 #endif

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "report/grid.h"
 #include "report/readable.h"
+#include "report/row.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -224,9 +225,9 @@ const char *report_words(const struct report *report, const struct shown *shown,
         unit = readable_unit(shown, UNITS_METRIC, row_number(row, column), false);
     }
     readable_value(value, sizeof value, row, shown, unit, DIGITS);
-    return arena_printf(report->arena, "%s %s%s%s", column->label, value,
-                        unit != NULL && unit->label[0] != '\0' ? " " : "",
-                        unit != NULL ? unit->label : "");
+    return ARENA_JOIN(report->arena, column->label, " ", value,
+                      unit != NULL && unit->label[0] != '\0' ? " " : "",
+                      unit != NULL ? unit->label : "");
 }
 
 const char *report_assumptions(const struct report *report, const void *row)
@@ -236,8 +237,8 @@ const char *report_assumptions(const struct report *report, const void *row)
         const struct shown *shown = &report->assumed[i];
         if (!row_is_absent(row, shown->column)) {
             const char *words = report_words(report, shown, row);
-            line = line == NULL ? arena_printf(report->arena, "assuming %s", words)
-                                : arena_printf(report->arena, "%s, %s", line, words);
+            line = ARENA_JOIN(report->arena, line == NULL ? "assuming " : line,
+                              line == NULL ? "" : ", ", words);
         }
     }
     if (report->nominal) {
@@ -434,6 +435,15 @@ static void write_all_notes(struct report *report)
     }
 }
 
+static void write_doubts(struct report *report)
+{
+    struct doubts *doubts = report->doubts;
+    for (size_t i = 0; doubts != NULL && i < doubts->count; i++) {
+        write_line(report, arena_printf(&doubts->arena, "warning: %s", doubts->texts[i]));
+    }
+    write_line(report, doubts != NULL ? doubts_left_out(doubts) : NULL);
+}
+
 static void text_end(struct report *report)
 {
     struct text_state *state = report->state;
@@ -446,6 +456,7 @@ static void text_end(struct report *report)
     write_legend(report);
     write_line(report, report_assumptions(report, first_good_row(state)));
     write_all_notes(report);
+    write_doubts(report);
     if (report->explain != NULL && report->format != &format_html) {
         output_printf(report->output, "\n%s\n", report->explain); /* formulas keep their lines */
     } else {
@@ -457,9 +468,8 @@ static void text_end(struct report *report)
     arena_free(&state->scratch);
 }
 
-const struct format format_text = {"text", "aligned table with units, for people (the default)",
-                                   text_begin, text_row, text_end};
-const struct format format_markdown = {"markdown", "table for a document", text_begin, text_row,
-                                       text_end};
-const struct format format_html = {"html", "page to print from a browser", text_begin, text_row,
-                                   text_end};
+const struct format format_text = {
+    {"text", "aligned table with units"}, text_begin, text_row, text_end};
+const struct format format_markdown = {
+    {"markdown", "table for a document"}, text_begin, text_row, text_end};
+const struct format format_html = {{"html", "page to print"}, text_begin, text_row, text_end};

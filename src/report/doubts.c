@@ -1,0 +1,37 @@
+/* report/doubts.c - what is doubtful about a question, said once each beside the answer. */
+/* SPDX-License-Identifier: MIT */
+#include "report/doubts.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+void doubts_add(struct doubts *doubts, const char *format, ...)
+{
+    enum { LONGEST = 400 };
+    char text[LONGEST];
+    va_list values;
+    if (doubts == NULL) {
+        return;
+    }
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    for (size_t i = 0; i < doubts->count; i++) {
+        if (strcmp(doubts->texts[i], text) == 0) {
+            return;
+        }
+    }
+    if (doubts->count < DOUBTS_MOST) {
+        doubts->texts[doubts->count++] = arena_string(&doubts->arena, text, strlen(text));
+    } else {
+        doubts->left_out++;
+    }
+}
+
+const char *doubts_left_out(struct doubts *doubts)
+{
+    return doubts->left_out == 0
+               ? NULL
+               : arena_printf(&doubts->arena, "and %zu more like these", doubts->left_out);
+}

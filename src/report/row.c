@@ -1,0 +1,64 @@
+/* report/row.c - the values of a row. */
+/* SPDX-License-Identifier: MIT */
+#include "report/row.h"
+
+#include "base/number.h"
+
+#include <math.h>
+
+static const void *member(const void *row, const struct column *column)
+{
+    return (const char *)row + column->offset;
+}
+
+double row_number(const void *row, const struct column *column)
+{
+    return *(const double *)member(row, column);
+}
+
+long row_integer(const void *row, const struct column *column)
+{
+    return *(const long *)member(row, column);
+}
+
+bool row_flag(const void *row, const struct column *column)
+{
+    return *(const bool *)member(row, column);
+}
+
+const char *row_text(const void *row, const struct column *column)
+{
+    return *(const char *const *)member(row, column);
+}
+
+bool row_is_absent(const void *row, const struct column *column)
+{
+    switch (column->type) {
+    case COLUMN_NUMBER:
+        return isnan(row_number(row, column));
+    case COLUMN_INTEGER:
+        return row_integer(row, column) == NO_INTEGER;
+    case COLUMN_TEXT:
+        return row_text(row, column) == NULL;
+    case COLUMN_FLAG:
+        break;
+    }
+    return false;
+}
+
+char *shown_write_number(char *to, const void *row, const struct shown *shown, int digits)
+{
+    double value = row_number(row, shown->column);
+    if (isnan(value)) {
+        return to;
+    }
+    if (digits == 0) {
+        return quantity_write(to, value, shown->unit);
+    }
+    if (shown->divisor > 1) {
+        value /= shown->divisor;
+    } else if (shown->divisor == 0) {
+        value = unit_from_own(shown->unit, value);
+    }
+    return number_write_digits(to, value, digits);
+}

@@ -1,0 +1,33 @@
+/* report/row.h - the values of a row. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_REPORT_ROW_H
+#define LENSCALC_REPORT_ROW_H
+
+#include "report/table.h"
+
+#include <stdbool.h>
+
+/* A column as it is printed: in this unit, under this name. */
+struct shown {
+    const struct column *column;
+    const struct unit *unit; /* null = none */
+    const char *name;        /* "near_m" */
+    double divisor;          /* own units in this one: near_m is near / 1000; 0 = not one number */
+};
+
+/* The values of a row. Numbers in the program's own unit. */
+double row_number(const void *row, const struct column *column);
+long row_integer(const void *row, const struct column *column);
+bool row_flag(const void *row, const struct column *column);
+const char *row_text(const void *row, const struct column *column);
+
+/* Is there no value? */
+bool row_is_absent(const void *row, const struct column *column);
+
+/*
+ * Write a number of a row for machines: `digits` significant digits (0 = shortest that reads
+ * back), `inf`; nothing for NaN. Room for NUMBER_LENGTH; returns the end.
+ */
+char *shown_write_number(char *to, const void *row, const struct shown *shown, int digits);
+
+#endif
