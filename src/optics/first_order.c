@@ -3,6 +3,7 @@
 #include "optics/first_order.h"
 
 #include "optics/fused.h"
+#include "optics/portable.h"
 
 #include <math.h>
 

@@ -64,12 +64,6 @@ struct conjugate_object {
 void first_order_compute(const struct paraxial_system *system, const struct paraxial_trace *trace,
                          const struct conjugate_object *object, struct first_order *first_order);
 
-/* The same, without the instructions that only newer processors have: for tests. */
-void first_order_compute_portable(const struct paraxial_system *system,
-                                  const struct paraxial_trace *trace,
-                                  const struct conjugate_object *object,
-                                  struct first_order *first_order);
-
 /* What limits the beam. */
 struct aperture_setting {
     enum aperture_kind kind;

@@ -1,4 +1,4 @@
-/* file/growing.c - text that grows in the arena, for writers of files. */
+/* optics/growing.c - text that grows in the arena, for writers of files. */
 /* SPDX-License-Identifier: MIT */
 #include "optics/growing.h"
 

@@ -1,7 +1,7 @@
-/* file/growing.h - text that grows in the arena, for writers of files. */
+/* optics/growing.h - text that grows in the arena, for writers of files. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_GROWING_H
-#define LENSCALC_FILE_GROWING_H
+#ifndef LENSCALC_OPTICS_GROWING_H
+#define LENSCALC_OPTICS_GROWING_H
 
 #include "base/arena.h"
 #include "base/text.h"

@@ -26,7 +26,7 @@ const struct lens *lens_at_position(const struct lens *lens, size_t position, st
         copy->surfaces[i] = lens->surfaces[i];
         substitute(lens, &copy->surfaces[i].thickness, position);
         substitute(lens, &copy->surfaces[i].diameter, position);
-        if (copy->surfaces[i].kind == SURFACE_THICK) {
+        if (surface_has(&copy->surfaces[i], SURFACE_HAS_FOCAL)) {
             substitute(lens, &copy->surfaces[i].focal, position);
             substitute(lens, &copy->surfaces[i].hiatus, position);
         }
@@ -51,29 +51,6 @@ size_t lens_position_find(const struct lens *lens, struct text name)
     return LENS_NONE;
 }
 
-struct pair surface_curvature(const struct surface *surface, enum lens_section section)
-{
-    struct pair curvature = {0, 0};
-    if ((surface->curved == CURVED_X && section == SECTION_Y) ||
-        (surface->curved == CURVED_Y && section == SECTION_X)) {
-        return curvature;
-    }
-    if (surface->has_curvature) {
-        curvature = surface->curvature.value;
-    } else if (!surface->is_plane) {
-        curvature = pair_divide(pair_of(1), surface->radius.value);
-    }
-    struct pair a2 = surface->coefficient[0].value;
-    return pair_add(curvature, pair_add(a2, a2));
-}
-
-struct pair surface_advance(const struct surface *surface)
-{
-    return surface->kind == SURFACE_THICK
-               ? pair_add(surface->thickness.value, surface->hiatus.value)
-               : surface->thickness.value;
-}
-
 double lens_stated(const struct lens *lens, int what, size_t position)
 {
     if (lens->stated[what] == NULL) {
@@ -85,19 +62,6 @@ double lens_stated(const struct lens *lens, int what, size_t position)
 double lens_primary_wavelength(const struct lens *lens)
 {
     return lens->wavelength_count > 0 ? lens->wavelengths[0].wavelength : WAVELENGTH_D;
-}
-
-double surface_sag(const struct surface *surface, double r)
-{
-    double c = surface->has_curvature ? surface->curvature.value.hi
-               : surface->is_plane    ? 0
-                                      : 1 / surface->radius.value.hi;
-    double r2 = r * r, polynomial = 0;
-    double z = c * r2 / (1 + sqrt(1 - (1 + surface->conic.value.hi) * c * c * r2));
-    for (int i = LENS_COEFFICIENTS - 1; i >= 0; i--) {
-        polynomial = (polynomial + surface->coefficient[i].value.hi) * r2;
-    }
-    return z + polynomial;
 }
 
 /* One lens being checked. */
@@ -129,15 +93,26 @@ static bool is_sound(struct pair value)
     return fabs(value.hi) < 1e100;
 }
 
+static bool are_sound(const struct surface *surface)
+{
+    const struct pair values[] = {surface->radius.value,    surface->curvature.value,
+                                  surface->thickness.value, surface->diameter.value,
+                                  surface->conic.value,     surface->focal.value,
+                                  surface->hiatus.value};
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        if (!is_sound(values[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool check_numbers(const struct surface *surface, size_t number, struct error *error)
 {
-    if (!is_sound(surface->radius.value) || !is_sound(surface->curvature.value) ||
-        !is_sound(surface->thickness.value) || !is_sound(surface->diameter.value) ||
-        !is_sound(surface->conic.value) || !is_sound(surface->focal.value) ||
-        !is_sound(surface->hiatus.value)) {
+    if (!are_sound(surface)) {
         return fail(error, ERROR_DATA, "surface %zu has a number beyond 1e100", number);
     }
-    if (surface->kind == SURFACE_THICK && !(fabs(surface->focal.value.hi) > 1e-100)) {
+    if (surface_has(surface, SURFACE_HAS_FOCAL) && !(fabs(surface->focal.value.hi) > 1e-100)) {
         return fail(error, ERROR_DATA, "surface %zu is a thick lens with the focal length 0",
                     number);
     }
@@ -169,6 +144,16 @@ static void check_sag(const struct check *check, const struct surface *surface, 
     }
 }
 
+static void check_cone(const struct check *check, const struct surface *surface, size_t number)
+{
+    if (surface_is_cone(surface)) {
+        warn(check, arena_printf(check->arena,
+                                 "surface %zu is a cone at its vertex (A1): no ray is paraxial "
+                                 "there, and paraxial results leave A1 out",
+                                 number));
+    }
+}
+
 /* Glass or air between two surfaces must not be negative inside both apertures. */
 static void check_gap(const struct check *check, size_t i, double direction)
 {
@@ -188,7 +173,8 @@ static void check_gap(const struct check *check, size_t i, double direction)
     }
     double r = fmin(left->diameter.value.hi, right->diameter.value.hi) / 2;
     double edge = gap + direction * (surface_sag(right, r) - surface_sag(left, r));
-    if (edge < -1e-9 * (1 + r) && left->kind != SURFACE_STOP && right->kind != SURFACE_STOP) {
+    if (edge < -1e-9 * (1 + r) && surface_has(left, SURFACE_HAS_CURVE) &&
+        surface_has(right, SURFACE_HAS_CURVE)) {
         warn(check,
              arena_printf(check->arena,
                           "surfaces %zu and %zu overlap inside their apertures (by %.3g mm at "
@@ -207,10 +193,11 @@ static bool check_position(const struct check *check, struct error *error)
             return false;
         }
         check_sag(check, surface, i + 1);
+        check_cone(check, surface, i + 1);
         if (surface->medium.warning != NULL) {
             warn(check, surface->medium.warning);
         }
-        direction = surface->kind == SURFACE_REFLECT ? -direction : direction;
+        direction = surface_reflects(surface) ? -direction : direction;
         if (i + 1 < lens->surface_count) {
             check_gap(check, i, direction);
         }
@@ -247,6 +234,17 @@ static bool check_stop(const struct lens *lens, struct error *error)
     return true;
 }
 
+bool lens_is_round(const struct lens *lens)
+{
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        if (surface->moved != NULL || surface->bend != NULL || !surface_is_round(surface)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnings *warnings,
                 struct error *error)
 {
@@ -262,7 +260,7 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
         struct check check = {lens_at_position(lens, i, arena), arena, warnings,
                               lens->position_count > 0 ? lens->positions[i] : NULL, false};
         for (size_t j = 0; j < lens->surface_count; j++) {
-            check.has_thick = check.has_thick || lens->surfaces[j].kind == SURFACE_THICK;
+            check.has_thick = check.has_thick || surface_has(&lens->surfaces[j], SURFACE_HAS_FOCAL);
         }
         if (!check_position(&check, error)) {
             return false;

@@ -360,27 +360,35 @@ static bool solve_for_focal_length(struct lensmaker *lens, struct lensmaker_choi
     return isnan(lens->q) ? too_little(error) : solve_bending(lens, choice, error);
 }
 
-bool lensmaker_solve(struct lensmaker *lens, struct lensmaker_choice *choice, struct error *error)
+/* A shape factor stands for the radius that is missing; with both radii it is too much. */
+static bool use_shape(struct lensmaker *lens, struct error *error)
 {
-    choice->count = 1;
-    if (!check(lens, error)) {
-        return false;
+    if (isnan(lens->q)) {
+        return true;
     }
-    bool shape = !isnan(lens->q);
-    if (shape && !isnan(lens->R1) && !isnan(lens->R2)) {
+    int radii = !isnan(lens->R1) + !isnan(lens->R2);
+    if (radii == 2) {
         return fail(error, ERROR_USAGE,
                     "too much is given: the shape factor follows from the two radii");
     }
-    if (shape && isnan(lens->R1) != isnan(lens->R2) && !apply_shape(lens, error)) {
-        return false;
+    return radii == 0 || apply_shape(lens, error);
+}
+
+/* Find what is not given. */
+static bool complete(struct lensmaker *lens, struct lensmaker_choice *choice, struct error *error)
+{
+    if (!isnan(lens->f)) {
+        return solve_for_focal_length(lens, choice, error);
     }
-    bool complete = !isnan(lens->R1) && !isnan(lens->R2) && !isnan(lens->n);
-    if (isnan(lens->f) && !complete) {
-        return too_little(error);
-    }
-    if (isnan(lens->f)) {
-        lens->d = isnan(lens->d) ? 0 : lens->d;
-    } else if (!solve_for_focal_length(lens, choice, error)) {
+    lens->d = isnan(lens->d) ? 0 : lens->d;
+    return (!isnan(lens->R1) && !isnan(lens->R2) && !isnan(lens->n)) || too_little(error);
+}
+
+bool lensmaker_solve(struct lensmaker *lens, struct lensmaker_choice *choice, struct error *error)
+{
+    choice->count = 1;
+    bool shape = !isnan(lens->q);
+    if (!check(lens, error) || !use_shape(lens, error) || !complete(lens, choice, error)) {
         return false;
     }
     if (choice->second && choice->count < 2) {

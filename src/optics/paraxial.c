@@ -3,13 +3,14 @@
 #include "optics/paraxial.h"
 
 #include "optics/fused.h"
+#include "optics/portable.h"
 
 #include <math.h>
 
 static bool index_after(const struct surface *surface, double wavelength, struct pair before,
                         struct pair *after, struct error *error)
 {
-    if (surface->kind == SURFACE_REFLECT) {
+    if (surface_reflects(surface)) {
         *after = pair_negate(before);
         return true;
     }
@@ -38,13 +39,13 @@ bool paraxial_compile(const struct lens *lens, double wavelength, enum lens_sect
         if (!index_after(surface, wavelength, index[i], &index[i + 1], error)) {
             return error_prefix(error, "surface %zu: ", i + 1);
         }
+        bool is_thick = surface_has(surface, SURFACE_HAS_FOCAL);
         curvature[i] = surface_curvature(surface, section);
         surfaces[i].power =
-            surface->kind == SURFACE_THICK
-                ? pair_divide(pair_of(1), surface->focal.value)
-                : pair_multiply(pair_subtract(index[i + 1], index[i]), curvature[i]);
+            is_thick ? pair_divide(pair_of(1), surface->focal.value)
+                     : pair_multiply(pair_subtract(index[i + 1], index[i]), curvature[i]);
         strongest = fmax(strongest, fabs(surfaces[i].power.hi));
-        if (surface->kind != SURFACE_THICK) { /* whose image of a plane is a plane */
+        if (!is_thick) { /* whose image of a plane is a plane */
             petzval = pair_add(
                 petzval, pair_divide(surfaces[i].power, pair_multiply(index[i], index[i + 1])));
         }
@@ -52,9 +53,7 @@ bool paraxial_compile(const struct lens *lens, double wavelength, enum lens_sect
             surfaces[i].reduced = pair_divide(surface->thickness.value, index[i + 1]);
             length = pair_add(length, surface->thickness.value);
         }
-        if (surface->kind == SURFACE_THICK) {
-            length = pair_add(length, surface->hiatus.value);
-        }
+        length = pair_add(length, surface_hiatus(surface));
     }
     *system = (struct paraxial_system){.surfaces = surfaces,
                                        .count = count,

@@ -70,9 +70,6 @@ bool paraxial_compile(const struct lens *lens, double wavelength, enum lens_sect
  */
 void paraxial_trace(const struct paraxial_system *system, struct paraxial_trace *trace);
 
-/* The same, without the instructions that only newer processors have: for tests. */
-void paraxial_trace_portable(const struct paraxial_system *system, struct paraxial_trace *trace);
-
 /* Is the power of the whole only rounding of the decimals: below 2^-95 of the strongest surface? */
 bool paraxial_is_afocal(const struct paraxial_system *system, const struct paraxial_trace *trace);
 

@@ -41,26 +41,6 @@ static inline double thick_lens_slope(double power, double n, double m, double s
 }
 
 /*
- * The same for a ray with n times its direction cosines: what an exact tracer does at a thick lens,
- * once it has brought the ray to the plane of H. It goes on from the same x, y in the plane of H'.
- *
- * Given     x, y        in the plane of H, mm
- *           P, Q, R     n times the direction cosines; receive them behind
- * Limits    |R| > 0. There is no optical path: a collineation has none for all rays at once, except
- *           at unit magnification; a path through a thick lens is absent, not 0
- */
-static inline void thick_lens_turn(double power, double n, double m, double x, double y, double *P,
-                                   double *Q, double *R)
-{
-    double u = thick_lens_slope(power, n, m, *P / *R, x);
-    double v = thick_lens_slope(power, n, m, *Q / *R, y);
-    double forward = m / sqrt(1 + u * u + v * v);
-    *P = u * forward;
-    *Q = v * forward;
-    *R = forward;
-}
-
-/*
  * A ray from the front to the rear reference plane.
  *
  * Formula   h = x + H p; s = p^2 + q^2 for an object at infinity, else of the line from the object

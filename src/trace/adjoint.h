@@ -11,7 +11,9 @@ struct adjoint_rows {
     double *curvature, *thickness, *index_before, *index_after;
     double *conic;       /* null = not wanted, where the surface is a sphere or plane */
     double *coefficient; /* STEP_TERMS rows; null = not wanted where there is no polynomial */
+    double *odd;         /* STEP_TERMS rows; null = not wanted where there are no odd powers */
     double thickness_sign;
+    bool along_behind; /* of a STEP_MOVE: the way lies along the axis that is turned to */
 };
 
 /*
@@ -39,7 +41,6 @@ typedef void kernel_displace(const struct displace *displace);
 kernel_displace kernel_displace_sse2, kernel_displace_avx2, kernel_displace_avx512;
 
 /* The kernels for a set of instructions, in trace/dispatch.c. */
-kernel_trace *dispatch_trace(enum instruction_set set);
 kernel_tape *dispatch_tape(enum instruction_set set);
 kernel_adjoint *dispatch_adjoint(enum instruction_set set);
 kernel_displace *dispatch_displace(enum instruction_set set);

@@ -7,17 +7,6 @@
 
 #include <math.h>
 
-bool lens_is_round(const struct lens *lens)
-{
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        if (surface->moved != NULL || surface->bend != NULL || surface->curved != CURVED_BOTH) {
-            return false;
-        }
-    }
-    return true;
-}
-
 struct ray aim_chief(const struct aim *aim)
 {
     return beam_ray(&aim->beam, aim->chief[0], aim->chief[1]);
@@ -37,7 +26,29 @@ bool aim_open(const struct system *system, const struct beam *beam, struct arena
                         .beam = *beam,
                         .stop_radius = system->stop_radius,
                         .work = rays_new(arena, RAYS_BLOCK)};
-    return chief_find(aim, arena, error);
+    aim->has_chief = chief_find(aim, arena, error);
+    return aim->has_chief;
+}
+
+bool aim_open_at(struct aim *aim, const double at[2])
+{
+    const struct ray_block *block = aim->work.blocks;
+    double slope[4];
+    chief_trace(aim, (const double(*)[2])at, 1);
+    if (ray_block_status(block, 0) != RAY_OK) {
+        return false;
+    }
+    aim->centre[0] = block->x[0];
+    aim->centre[1] = block->y[0];
+    if (!chief_slope(aim, at, slope)) {
+        return false;
+    }
+    for (int i = 0; i < 4; i++) {
+        aim->slope[i] = slope[i];
+    }
+    aim->chief[0] = at[0];
+    aim->chief[1] = at[1];
+    return true;
 }
 
 /* The search of one ray. */
@@ -49,6 +60,7 @@ struct search {
     size_t surface;
     int halvings;
     bool done, is_fresh; /* is the estimate the chief ray's own? */
+    bool is_rough;       /* a whole step led away, or lost the ray: who knows where to */
 };
 
 enum { STEPS = 60, HALVINGS = 40 };
@@ -66,12 +78,13 @@ static void start_search(const struct aim *aim, const struct pupil_point *point,
     const double *m = aim->slope, det = m[0] * m[3] - m[1] * m[2];
     *search = (struct search){
         .at = {aim->chief[0], aim->chief[1]},
-        .miss = {point->x * aim->stop_radius, point->y * aim->stop_radius},
+        .miss = {point->x * aim->stop_radius - aim->centre[0],
+                 point->y * aim->stop_radius - aim->centre[1]},
         .inverse = {m[3] / det, -m[1] / det, -m[2] / det, m[0] / det},
         .is_fresh = true,
     };
     multiply(search->inverse, search->miss, search->step);
-    search->done = point->x == 0 && point->y == 0;
+    search->done = search->miss[0] == 0 && search->miss[1] == 0;
 }
 
 /* J^-1 so that it takes the change of the miss to the step just made (Sherman and Morrison). */
@@ -120,6 +133,7 @@ static void judge(const struct aim *aim, const struct pupil_point *point, size_t
     }
     bool near = before <= 1e-12 * aim->stop_radius;
     search->halvings++;
+    search->is_rough = search->is_rough || !near;
     if (near || search->halvings > HALVINGS) {
         search->done = true;
         return;
@@ -193,10 +207,123 @@ static void retry(const struct aim *aim, const struct pupil_point *point, struct
     }
 }
 
+static double determinant(const double m[4])
+{
+    return m[0] * m[3] - m[1] * m[2];
+}
+
+static bool has_reached(const struct aim *aim, const struct search *search)
+{
+    return hypot(search->miss[0], search->miss[1]) <= 1e-9 * aim->stop_radius;
+}
+
+/* Newton's method to a place in the stop near by; false if it leaves the sheet of the chief ray. */
+static bool step_to(const struct aim *aim, const double target[2], double at[2], double miss[2])
+{
+    const struct ray_block *block = aim->work.blocks;
+    double here[2] = {at[0], at[1]}, before = INFINITY;
+    for (int step = 0; step < 12; step++) {
+        double slope[4];
+        if (!chief_slope(aim, here, slope) || !(determinant(slope) * determinant(aim->slope) > 0)) {
+            return false;
+        }
+        chief_trace(aim, (const double(*)[2])here, 1);
+        miss[0] = target[0] - block->x[0];
+        miss[1] = target[1] - block->y[0];
+        double after = hypot(miss[0], miss[1]), det = determinant(slope);
+        if (ray_block_status(block, 0) != RAY_OK || !(after < before)) {
+            return before <= 1e-9 * aim->stop_radius;
+        }
+        before = after;
+        at[0] = here[0];
+        at[1] = here[1];
+        if (after <= 1e-14 * aim->stop_radius) {
+            return true;
+        }
+        here[0] += (slope[3] * miss[0] - slope[1] * miss[1]) / det;
+        here[1] += (slope[0] * miss[1] - slope[2] * miss[0]) / det;
+    }
+    return before <= 1e-9 * aim->stop_radius;
+}
+
+/* From the chief ray to the point along a straight line in the stop, in steps that are sure. */
+static void lead(const struct aim *aim, const struct pupil_point *point, struct search *search)
+{
+    const double goal[2] = {point->x * aim->stop_radius, point->y * aim->stop_radius};
+    double at[2] = {aim->chief[0], aim->chief[1]}, miss[2] = {0, 0}, done = 0, step = 0.25;
+    while (done < 1 && step > 1e-4) {
+        double share = fmin(done + step, 1), next[2] = {at[0], at[1]}, target[2];
+        for (int i = 0; i < 2; i++) {
+            target[i] = aim->centre[i] + share * (goal[i] - aim->centre[i]);
+        }
+        if (step_to(aim, target, next, miss)) {
+            at[0] = next[0];
+            at[1] = next[1];
+            done = share;
+            step *= 1.5;
+        } else {
+            step /= 2;
+        }
+    }
+    if (done < 1 && !has_reached(aim, search)) {
+        return; /* what stopped the search before says more */
+    }
+    for (int i = 0; i < 2; i++) {
+        search->at[i] = at[i];
+        search->miss[i] = done < 1 ? (double)INFINITY : miss[i];
+    }
+    search->status = done < 1 ? RAY_NOT_CONVERGED : RAY_OK;
+    search->surface = aim->system->stop + 1;
+}
+
+/* Where a block of rays crosses the stop, moved by `more` from where their searches ended. */
+static void look_beside(const struct aim *aim, const struct search *searches, size_t count,
+                        const double more[2])
+{
+    double at[RAYS_BLOCK][2];
+    for (size_t i = 0; i < count; i++) {
+        at[i][0] = searches[i].at[0] + more[0];
+        at[i][1] = searches[i].at[1] + more[1];
+    }
+    chief_trace(aim, (const double(*)[2])at, count);
+}
+
+/*
+ * Searches that may have ended on another sheet of a folded pupil, or not at all, are led to their
+ * targets instead.
+ */
+static void keep_sheet(const struct aim *aim, const struct pupil_point *points, size_t count,
+                       struct search *searches)
+{
+    const struct ray_block *block = aim->work.blocks;
+    const double scale = sqrt(fabs(determinant(aim->slope)));
+    const double h = 1e-6 * (scale > 0 ? aim->stop_radius / scale : 1);
+    double x[RAYS_BLOCK], y[RAYS_BLOCK];
+    bool doubtful[RAYS_BLOCK];
+    look_beside(aim, searches, count, (double[2]){h, 0});
+    for (size_t i = 0; i < count; i++) {
+        x[i] = block->x[i] - (points[i].x * aim->stop_radius - searches[i].miss[0]);
+        y[i] = block->y[i] - (points[i].y * aim->stop_radius - searches[i].miss[1]);
+    }
+    look_beside(aim, searches, count, (double[2]){0, h});
+    for (size_t i = 0; i < count; i++) {
+        double up = block->y[i] - (points[i].y * aim->stop_radius - searches[i].miss[1]);
+        double aside = block->x[i] - (points[i].x * aim->stop_radius - searches[i].miss[0]);
+        double det = x[i] * up - y[i] * aside;
+        doubtful[i] = searches[i].is_rough || !has_reached(aim, &searches[i]) ||
+                      !(det * determinant(aim->slope) > 0);
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (doubtful[i]) {
+            lead(aim, &points[i], &searches[i]);
+        }
+    }
+}
+
 static bool finish(const struct aim *aim, const struct search *search, struct ray *ray)
 {
     *ray = beam_ray(&aim->beam, search->at[0], search->at[1]);
-    if (hypot(search->miss[0], search->miss[1]) <= 1e-9 * aim->stop_radius) {
+    if (has_reached(aim, search)) {
         return true;
     }
     ray->status = search->status == RAY_OK ? RAY_NOT_CONVERGED : search->status;
@@ -220,8 +347,11 @@ size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t 
             }
         }
         for (size_t i = 0; i < here; i++) {
-            struct ray ray;
             retry(aim, &points[done + i], &searches[i]);
+        }
+        keep_sheet(aim, points + done, here, searches);
+        for (size_t i = 0; i < here; i++) {
+            struct ray ray;
             aimed += finish(aim, &searches[i], &ray) ? 1 : 0;
             rays_set(rays, done + i, aim->beam.n, &ray);
         }
@@ -231,13 +361,14 @@ size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t 
 
 struct ray aim_ray(const struct aim *aim, double x, double y)
 {
-    struct pupil_point point = {x, y, 1};
+    const struct pupil_point point = {x, y, 1};
     struct search search;
     struct ray ray;
     start_search(aim, &point, &search);
     for (int step = 0; step < STEPS && advance_block(aim, &point, 1, &search); step++) {
     }
     retry(aim, &point, &search);
+    keep_sheet(aim, &point, 1, &search);
     finish(aim, &search, &ray);
     return ray;
 }

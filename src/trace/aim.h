@@ -18,10 +18,14 @@
 struct aim {
     const struct system *system; /* without clipping; must outlive the aim */
     struct beam beam;
-    double chief[2];    /* its coordinates in the beam, mm */
-    double slope[4];    /* there: d(x, y in the stop)/d(a, b), row by row */
-    double stop_radius; /* mm */
-    struct rays work;   /* one block */
+    double chief[2];      /* its coordinates in the beam, mm */
+    double centre[2];     /* where it crosses the stop, mm: 0 but with aim_open_at */
+    double slope[4];      /* there: d(x, y in the stop)/d(a, b), row by row */
+    bool has_chief;       /* false: what stands for the chief ray is another one */
+    enum ray_status lost; /* what most rays towards the centre of the stop are lost by then, */
+    size_t lost_surface;  /* and where, 1-based */
+    double stop_radius;   /* mm */
+    struct rays work;     /* one block */
 };
 
 /*
@@ -42,6 +46,15 @@ bool aim_open(const struct system *system, const struct beam *beam, struct arena
               struct aim *aim, struct error *error);
 
 /*
+ * The same where aim_open finds no chief ray, from another ray that reaches the stop.
+ *
+ * Given     aim  as aim_open left it, which said why there is no chief ray
+ *           at   that ray, in coordinates of the beam
+ * Result    false: the rays about it do not reach the stop
+ */
+bool aim_open_at(struct aim *aim, const double at[2]);
+
+/*
  * Aim rays at points of the stop.
  *
  * Given     points  in units of the stop's radius
@@ -52,7 +65,11 @@ bool aim_open(const struct system *system, const struct beam *beam, struct arena
  * Formula   Newton's method for all rays at once, the Jacobian kept by Broyden's rank-one
  *           correction; a step that loses the ray or leads away is halved. It ends when no step
  *           brings the ray closer, which is at rounding: 1e-9 of the radius counts as reached,
- *           1e-14 is usual
+ *           1e-14 is usual. Where the pupil is folded a point has several rays; the one that is
+ *           meant is joined to the chief ray by those of the line between them in the stop, with
+ *           the chief ray's sign of the Jacobian. Where the search ends with the other sign, has
+ *           led away on its way or fails, the ray is followed along that line in small steps; if
+ *           these end at the fold it is not converged
  * Source    [Broyden65]
  */
 size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t count,
@@ -74,8 +91,5 @@ struct ray aim_chief(const struct aim *aim);
  */
 bool aim_at_entrance(const struct beam *beam, const struct first_order *first, double x, double y,
                      struct ray *ray, struct error *error);
-
-/* Is the lens the same in all directions about its axis? */
-bool lens_is_round(const struct lens *lens);
 
 #endif

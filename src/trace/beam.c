@@ -137,6 +137,30 @@ struct ray beam_ray(const struct beam *beam, double a, double b)
     return ray;
 }
 
+void beam_fill(const struct beam *beam, const double (*at)[2], size_t count,
+               struct ray_block *block)
+{
+    if (!isinf(beam->distance)) {
+        const struct rays rays = {block, RAYS_BLOCK};
+        for (size_t i = 0; i < count; i++) {
+            struct ray ray = beam_ray(beam, at[i][0], at[i][1]);
+            rays_set(&rays, i, beam->n, &ray);
+        }
+        return;
+    }
+    const double *a = beam->across[0], *b = beam->across[1], n = beam->n;
+    for (size_t i = 0; i < count; i++) {
+        block->x[i] = at[i][0] * a[0] + at[i][1] * b[0];
+        block->y[i] = at[i][0] * a[1] + at[i][1] * b[1];
+        block->z[i] = at[i][0] * a[2] + at[i][1] * b[2];
+        block->p[i] = n * beam->axis[0];
+        block->q[i] = n * beam->axis[1];
+        block->r[i] = n * beam->axis[2];
+        block->path[i] = 0;
+        block->lost[i] = 0;
+    }
+}
+
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

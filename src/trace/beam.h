@@ -75,6 +75,10 @@ bool beam_of_field(const struct field_point *field, const struct conjugate_objec
  */
 struct ray beam_ray(const struct beam *beam, double a, double b);
 
+/* The same for up to RAYS_BLOCK rays at once, into the first lanes of a block: the same bits. */
+void beam_fill(const struct beam *beam, const double (*at)[2], size_t count,
+               struct ray_block *block);
+
 /* The coordinates where a line meets the plane of the beam: point + t cosine. */
 void beam_place(const struct beam *beam, const double point[3], double place[2]);
 

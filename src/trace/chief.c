@@ -35,10 +35,7 @@ void chief_to_stop(const struct aim *aim)
 
 void chief_trace(const struct aim *aim, const double (*at)[2], size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
-        struct ray ray = beam_ray(&aim->beam, at[i][0], at[i][1]);
-        rays_set(&aim->work, i, aim->beam.n, &ray);
-    }
+    beam_fill(&aim->beam, at, count, aim->work.blocks);
     chief_to_stop(aim);
 }
 
@@ -177,8 +174,7 @@ static void offer(const struct aim *aim, const struct region *region, double low
 
 struct scan {
     size_t samples;
-    bool any_slope;     /* the image of the stop may be upside down */
-    bool compares_rims; /* more than one bracket was found */
+    bool any_slope; /* the image of the stop may be upside down */
 };
 
 /* What became of the rays that did not arrive. */
@@ -196,14 +192,28 @@ static void note_loss(const struct aim *aim, size_t lane, struct losses *losses)
     }
 }
 
-/* Sample the meridional line; returns how many brackets it has. */
+/* Places where the height changes its sign, up to 64. */
+struct crossings {
+    double at[64][2];
+    size_t count;
+};
+
+static void add_crossing(struct crossings *all, double from, double to)
+{
+    if (all->count < 64) {
+        all->at[all->count][0] = from;
+        all->at[all->count++][1] = to;
+    }
+}
+
+/* Sample the meridional line; returns how many brackets it has. With `any_slope` turned ones do
+   where there are no others. */
 static size_t scan_line(const struct aim *aim, const struct region *region, const struct scan *scan,
                         struct bracket *bracket, struct losses *losses)
 {
     double at[RAYS_BLOCK][2], last = NAN, last_height = NAN;
     double low = region->low[1], step = (region->high[1] - low) / (double)(scan->samples - 1);
-    size_t brackets = 0;
-    double found[64][2];
+    struct crossings found = {.count = 0}, others = {.count = 0};
     for (size_t done = 0; done < scan->samples; done += RAYS_BLOCK) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             at[i][0] = aim->chief[0];
@@ -215,9 +225,8 @@ static size_t scan_line(const struct aim *aim, const struct region *region, cons
             double y = here ? height(aim, region, i) : (double)NAN;
             bool crosses = (last_height <= 0 && y > 0) || (last_height >= 0 && y < 0);
             bool turned = (y > last_height) != (region->slope > 0);
-            if (crosses && (scan->any_slope || !turned) && brackets < 64) {
-                found[brackets][0] = last;
-                found[brackets++][1] = at[i][1];
+            if (crosses && (!turned || scan->any_slope)) {
+                add_crossing(turned ? &others : &found, last, at[i][1]);
             }
             if (!here) {
                 note_loss(aim, i, losses);
@@ -226,10 +235,11 @@ static size_t scan_line(const struct aim *aim, const struct region *region, cons
             last_height = y;
         }
     }
-    for (size_t i = 0; i < brackets; i++) {
-        offer(aim, region, found[i][0], found[i][1], brackets > 1, bracket);
+    const struct crossings *use = found.count > 0 ? &found : &others;
+    for (size_t i = 0; i < use->count; i++) {
+        offer(aim, region, use->at[i][0], use->at[i][1], use->count > 1, bracket);
     }
-    return brackets;
+    return use->count;
 }
 
 /* Close a bracket, 127 parts at a time. */
@@ -265,18 +275,21 @@ static bool close_bracket(struct aim *aim, const struct region *region, struct b
     return true;
 }
 
-static bool refuse(const struct aim *aim, const struct losses *losses, struct error *error)
+static bool refuse(struct aim *aim, const struct losses *losses, struct error *error)
 {
     size_t most = 0;
     for (size_t i = 1; i < 256; i++) {
         most = losses->count[i] > losses->count[most] ? i : most;
     }
+    bool lost = losses->count[most] > 0;
+    aim->lost = lost ? losses->status[most] : RAY_NOT_CONVERGED;
+    aim->lost_surface = lost ? most : aim->system->stop + 1;
     const char *words[] = {[RAY_OK] = "passes by the centre of the stop at",
                            [RAY_MISS] = "misses",
                            [RAY_TOTAL_REFLECTION] = "is totally reflected at",
                            [RAY_CLIPPED] = "is clipped at",
                            [RAY_NOT_CONVERGED] = "is lost numerically at"};
-    if (losses->count[most] == 0) {
+    if (!lost) {
         return fail(error, ERROR_DOMAIN,
                     "no ray of this field goes through the centre of the stop");
     }
@@ -286,15 +299,23 @@ static bool refuse(const struct aim *aim, const struct losses *losses, struct er
                 aim->system->stop + 1, words[losses->status[most]], most);
 }
 
-/* Coarse to fine; the pupil of a fisheye may be a thousandth of its front element. */
+/*
+ * Coarse to fine; the pupil of a fisheye may be a thousandth of its front element. The finest scan
+ * is for lenses of which it does not take longer than an answer may: 2 million ray-surfaces.
+ */
 static bool find_meridional(struct aim *aim, struct region *region, struct error *error)
 {
-    static const struct scan scans[] = {
-        {128, false, false}, {2048, false, false}, {32768, false, false}, {32768, true, false}};
+    enum { MOST_WORK = 2000000 };
+    static const struct scan all[] = {{128, false}, {2048, false}, {32768, true}};
+    static const struct scan coarse[] = {{128, false}, {2048, true}};
+    const size_t places = system_place(aim->system, aim->system->stop) + 1;
+    const bool fine = all[2].samples * places <= MOST_WORK;
+    const struct scan *scans = fine ? all : coarse;
+    const size_t kinds = fine ? 3 : 2;
     struct losses losses = {0};
     aim->chief[0] = region->guess[0];
     for (size_t wide = 0; wide < 3; wide++) {
-        for (size_t i = 0; i < sizeof scans / sizeof scans[0]; i++) {
+        for (size_t i = 0; i < kinds; i++) {
             struct bracket bracket = {.found = false};
             if (scan_line(aim, region, &scans[i], &bracket, &losses) > 0 &&
                 close_bracket(aim, region, &bracket)) {
@@ -402,6 +423,8 @@ bool chief_find(struct aim *aim, struct arena *arena, struct error *error)
     }
     double slope[4];
     if (!chief_slope(aim, aim->chief, slope)) {
+        aim->lost = RAY_NOT_CONVERGED;
+        aim->lost_surface = aim->system->stop + 1;
         return fail(error, ERROR_DOMAIN, "the rays about the chief ray are lost");
     }
     for (int i = 0; i < 4; i++) {

@@ -2,39 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/clear.h"
 
-#include "trace/dispatch.h"
+#include "trace/probe.h"
+#include "trace/sample.h"
 
 #include <math.h>
 
 static const double pi = 3.141592653589793;
-
-/* The search: one block of rays, and what is looked at. */
-struct probe {
-    const struct system *system;
-    const struct beam *beam;
-    struct rays work;
-};
-
-/* Which of up to 128 rays arrive; their fate stays in the block. */
-static void try_rays(const struct probe *probe, const double (*at)[2], size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        struct ray ray = beam_ray(probe->beam, at[i][0], at[i][1]);
-        rays_set(&probe->work, i, probe->beam->n, &ray);
-    }
-    rays_trace(probe->system, &probe->work, NULL);
-}
-
-static bool passes(const struct probe *probe, size_t lane)
-{
-    return ray_block_status(probe->work.blocks, lane) == RAY_OK;
-}
-
-static bool passes_one(const struct probe *probe, const double at[2])
-{
-    try_rays(probe, (const double(*)[2])at, 1);
-    return passes(probe, 0);
-}
 
 struct clear_guess clear_guess_of(const struct system *system, const struct beam *beam,
                                   const struct first_order *first)
@@ -62,117 +35,92 @@ struct clear_guess clear_guess_of(const struct system *system, const struct beam
     return guess;
 }
 
-/*
- * A point inside, by a grid of side^2 over `reach` radii: the centroid of those that arrive, which
- * keeps what symmetry there is, or the one nearest to it.
- */
-static bool find_inside(const struct probe *probe, const struct clear_guess *guess, double reach,
-                        size_t side, double inside[2])
+/* Between which radii the edge of one direction lies; the outer one infinite before it is known. */
+struct span {
+    double low, high;
+};
+
+/* The k-th of `parts` radii to try: cuts of the span, or outwards by doubling. */
+static double part_of(const struct span *span, double radius, size_t k, size_t parts)
 {
-    double sum[2] = {0, 0}, best = INFINITY, at[RAYS_BLOCK][2];
-    size_t count = 0;
-    for (int turn = 0; turn < 2; turn++) {
-        for (size_t done = 0; done < side * side; done += RAYS_BLOCK) {
-            for (size_t i = 0; i < RAYS_BLOCK; i++) {
-                size_t cell[2] = {(done + i) % side, (done + i) / side};
-                for (int k = 0; k < 2; k++) {
-                    double part = (2 * (double)cell[k] + 1) / (double)side - 1;
-                    at[i][k] = guess->centre[k] + part * reach * guess->radius;
-                }
-            }
-            try_rays(probe, (const double(*)[2])at, RAYS_BLOCK);
-            for (size_t i = 0; i < RAYS_BLOCK; i++) {
-                if (!passes(probe, i)) {
-                    continue;
-                }
-                if (turn == 0) {
-                    sum[0] += at[i][0];
-                    sum[1] += at[i][1];
-                    count++;
-                    continue;
-                }
-                double away =
-                    hypot(at[i][0] - sum[0] / (double)count, at[i][1] - sum[1] / (double)count);
-                if (away < best) {
-                    best = away;
-                    inside[0] = at[i][0];
-                    inside[1] = at[i][1];
-                }
-            }
-        }
-        if (count == 0) {
-            return false;
-        }
-        if (turn == 0) {
-            inside[0] = sum[0] / (double)count;
-            inside[1] = sum[1] / (double)count;
-            if (passes_one(probe, inside)) {
-                return true;
-            }
-        }
+    if (isfinite(span->high)) {
+        return span->low + (span->high - span->low) * ((double)(k + 1) / (double)(parts + 1));
     }
-    return true;
+    return ldexp(span->low > 0 ? 2 * span->low : radius / 64, (int)k);
 }
 
-static bool find_centre(const struct probe *probe, const struct clear_guess *guess,
-                        double inside[2])
+static bool is_open(const struct span *span)
 {
-    inside[0] = guess->centre[0];
-    inside[1] = guess->centre[1];
-    if (passes_one(probe, inside)) {
-        return true;
-    }
-    for (size_t side = 32; side <= 512; side *= 4) {
-        for (double reach = 1.5; reach < 100; reach *= 4) {
-            if (find_inside(probe, guess, reach, side, inside)) {
-                return true;
-            }
-        }
-    }
-    return false;
+    return !isfinite(span->high) || span->high - span->low > 2e-16 * span->high;
 }
 
-/* Edges in up to 128 directions from a point inside. */
-static void bisect(const struct probe *probe, const double centre[2], double radius,
-                   const double *angles, size_t count, struct clear_edge *edges)
+/* Keep the part in which the first ray is lost; `lanes` rays of this direction begin at `first`. */
+static void narrow(const struct probe *probe, double radius, size_t first, size_t lanes,
+                   struct span *span, struct clear_edge *edge)
 {
-    double low[RAYS_BLOCK], high[RAYS_BLOCK], at[RAYS_BLOCK][2], way[RAYS_BLOCK][2];
+    const struct span before = *span;
+    for (size_t k = 0; k < lanes; k++) {
+        double t = part_of(&before, radius, k, lanes);
+        if (!(t > span->low && t < span->high)) {
+            continue; /* nothing lies between */
+        }
+        if (!probe_passes(probe, first + k)) {
+            span->high = t;
+            edge->status = ray_block_status(probe->work.blocks, first + k);
+            edge->surface = ray_block_surface(probe->work.blocks, first + k);
+            return;
+        }
+        span->low = t;
+    }
+}
+
+/* Edges in up to 128 directions from a point inside: the fewer, the more parts each step has. */
+static void find_ends(const struct probe *probe, const double centre[2], double radius,
+                      const double (*way)[2], size_t count, struct clear_edge *edges)
+{
+    double at[RAYS_BLOCK][2];
+    struct span spans[RAYS_BLOCK];
+    const size_t lanes = RAYS_BLOCK / count;
     for (size_t i = 0; i < count; i++) {
-        low[i] = 0;
-        high[i] = INFINITY;
-        way[i][0] = cos(angles[i]);
-        way[i][1] = sin(angles[i]);
+        spans[i] = (struct span){0, INFINITY};
     }
-    for (int step = 0; step < 140; step++) {
-        bool busy = false;
-        for (size_t i = 0; i < count; i++) {
-            /* outwards by doubling, then halves */
-            double t = isfinite(high[i]) ? (low[i] + high[i]) / 2
-                                         : (low[i] > 0 ? 2 * low[i] : radius / 64);
-            busy = busy || high[i] - low[i] > 2e-16 * high[i] || !isfinite(high[i]);
-            at[i][0] = centre[0] + t * way[i][0];
-            at[i][1] = centre[1] + t * way[i][1];
+    bool busy = true;
+    for (int step = 0; step < 140 && busy; step++) {
+        for (size_t i = 0; i < count * lanes; i++) {
+            double t = part_of(&spans[i / lanes], radius, i % lanes, lanes);
+            at[i][0] = centre[0] + t * way[i / lanes][0];
+            at[i][1] = centre[1] + t * way[i / lanes][1];
         }
-        if (!busy) {
-            break;
-        }
-        try_rays(probe, (const double(*)[2])at, count);
+        probe_try(probe, (const double(*)[2])at, count * lanes);
+        busy = false;
         for (size_t i = 0; i < count; i++) {
-            double t = isfinite(high[i]) ? (low[i] + high[i]) / 2
-                                         : (low[i] > 0 ? 2 * low[i] : radius / 64);
-            if (passes(probe, i)) {
-                low[i] = t;
-            } else {
-                high[i] = t;
-                edges[i].status = ray_block_status(probe->work.blocks, i);
-                edges[i].surface = ray_block_surface(probe->work.blocks, i);
-            }
+            struct span before = spans[i];
+            narrow(probe, radius, i * lanes, lanes, &spans[i], &edges[i]);
+            bool moved = spans[i].low > before.low || spans[i].high < before.high;
+            busy = busy || (moved && is_open(&spans[i]));
         }
     }
     for (size_t i = 0; i < count; i++) {
-        edges[i].at[0] = centre[0] + low[i] * way[i][0];
-        edges[i].at[1] = centre[1] + low[i] * way[i][1];
+        edges[i].at[0] = centre[0] + spans[i].low * way[i][0];
+        edges[i].at[1] = centre[1] + spans[i].low * way[i][1];
     }
+}
+
+/* What edges are looked for from: angles are those of a circle stretched to the shape. */
+struct star {
+    double centre[2], stretch[2]; /* mm; the larger stretch is 1 */
+    double radius;                /* about its size, mm */
+};
+
+static void bisect(const struct probe *probe, const struct star *star, const double *angles,
+                   size_t count, struct clear_edge *edges)
+{
+    double way[RAYS_BLOCK][2];
+    for (size_t i = 0; i < count; i++) {
+        way[i][0] = star->stretch[0] * cos(angles[i]);
+        way[i][1] = star->stretch[1] * sin(angles[i]);
+    }
+    find_ends(probe, star->centre, star->radius, (const double(*)[2])way, count, edges);
 }
 
 static double angle_of(size_t i, size_t count)
@@ -181,8 +129,8 @@ static double angle_of(size_t i, size_t count)
     return 2 * pi * ((double)i / (double)count) - pi / 2;
 }
 
-static void find_edges(const struct probe *probe, const double centre[2], double radius,
-                       size_t count, struct clear_edge *edges)
+static void find_edges(const struct probe *probe, const struct star *star, size_t count,
+                       struct clear_edge *edges)
 {
     double angles[RAYS_BLOCK];
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
@@ -190,7 +138,7 @@ static void find_edges(const struct probe *probe, const double centre[2], double
         for (size_t i = 0; i < here; i++) {
             angles[i] = angle_of(done + i, count);
         }
-        bisect(probe, centre, radius, angles, here, edges + done);
+        bisect(probe, star, angles, here, edges + done);
     }
 }
 
@@ -213,20 +161,9 @@ static void find_centroid(const struct clear_edge *edges, size_t count, const do
     }
 }
 
-/* Sum of r^2/2 over equal angles: edges are a smooth periodic curve between their corners. */
-static double star_area(const struct clear_edge *edges, size_t count, const double about[2])
-{
-    double sum = 0;
-    for (size_t i = 0; i < count; i++) {
-        double x = edges[i].at[0] - about[0], y = edges[i].at[1] - about[1];
-        sum += x * x + y * y;
-    }
-    return pi * sum / (double)count;
-}
-
 /* The largest of sign * coordinate: the neighbourhood of the extreme edge, in 128 directions. */
-static struct clear_edge extreme(const struct probe *probe, const struct clear_pupil *pupil,
-                                 double radius, int axis, double sign)
+static struct clear_edge extreme(const struct probe *probe, const struct star *star,
+                                 const struct clear_pupil *pupil, int axis, double sign)
 {
     size_t best = 0, count = pupil->edge_count;
     double angles[RAYS_BLOCK], step = 2 * pi / (double)count;
@@ -238,51 +175,264 @@ static struct clear_edge extreme(const struct probe *probe, const struct clear_p
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         angles[i] = angle_of(best, count) + step * (2 * (double)i / (RAYS_BLOCK - 1) - 1);
     }
-    bisect(probe, pupil->centre, radius, angles, RAYS_BLOCK, edges);
+    bisect(probe, star, angles, RAYS_BLOCK, edges);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         found = sign * edges[i].at[axis] > sign * found.at[axis] ? edges[i] : found;
     }
     return found;
 }
 
+/* -------- corners -------- */
+
+/* Two angles with a corner between them, and the edges there. */
+struct corner {
+    double low, high;
+    struct clear_edge before, after;
+};
+
+static bool is_same_edge(const struct clear_edge *a, const struct clear_edge *b)
+{
+    return a->surface == b->surface && a->status == b->status;
+}
+
+/* Where the limiting surface changes; returns CLEAR_CORNERS + 1 if that is more often. */
+static size_t find_changes(const struct clear_edge *edges, size_t count, struct corner *corners)
+{
+    size_t found = 0;
+    for (size_t i = 0; i < count && found <= CLEAR_CORNERS; i++) {
+        const struct clear_edge *next = &edges[(i + 1) % count];
+        if (is_same_edge(&edges[i], next)) {
+            continue;
+        }
+        if (found < CLEAR_CORNERS) {
+            corners[found] =
+                (struct corner){angle_of(i, count), angle_of(i + 1, count), edges[i], *next};
+        }
+        found++;
+    }
+    return found;
+}
+
+/* Narrow all corners at once, to a few parts each a turn. */
+static void close_corners(const struct probe *probe, const struct star *star,
+                          struct corner *corners, size_t count)
+{
+    const size_t parts = RAYS_BLOCK / count;
+    double angles[RAYS_BLOCK];
+    struct clear_edge edges[RAYS_BLOCK];
+    /* from 2 pi/64 to 1e-7 and less */
+    int turns = (int)ceil(log(1e6) / log((double)parts + 1));
+    for (int turn = 0; turn < turns; turn++) {
+        for (size_t i = 0; i < count * parts; i++) {
+            const struct corner *corner = &corners[i / parts];
+            double share = (double)(i % parts + 1) / (double)(parts + 1);
+            angles[i] = corner->low + share * (corner->high - corner->low);
+        }
+        bisect(probe, star, angles, count * parts, edges);
+        for (size_t i = 0; i < count * parts; i++) {
+            struct corner *corner = &corners[i / parts];
+            if (angles[i] < corner->low || angles[i] > corner->high) {
+                continue; /* decided by one before it */
+            }
+            if (is_same_edge(&edges[i], &corner->before)) {
+                corner->low = angles[i];
+                corner->before = edges[i];
+            } else {
+                corner->high = angles[i];
+                corner->after = edges[i];
+            }
+        }
+    }
+}
+
+/* Gauss's points between the corners. */
+static void put_arcs(const struct probe *probe, const struct star *star,
+                     const struct corner *corners, size_t count, struct arena *arena,
+                     struct clear_pupil *pupil)
+{
+    double x[CLEAR_ARC], w[CLEAR_ARC], angles[RAYS_BLOCK];
+    struct clear_edge edges[RAYS_BLOCK];
+    struct clear_arm *arms = ARENA_ARRAY(arena, count * CLEAR_ARC, struct clear_arm);
+    double *widths = ARENA_ARRAY(arena, count, double);
+    gauss_rule(CLEAR_ARC, x, w);
+    for (size_t done = 0; done < count * CLEAR_ARC; done += RAYS_BLOCK) {
+        size_t left = count * CLEAR_ARC - done, here = left < RAYS_BLOCK ? left : RAYS_BLOCK;
+        for (size_t i = 0; i < here; i++) {
+            size_t arc = (done + i) / CLEAR_ARC, k = (done + i) % CLEAR_ARC;
+            double from = (corners[arc].low + corners[arc].high) / 2;
+            const struct corner *next = &corners[(arc + 1) % count];
+            double to = (next->low + next->high) / 2 + (arc + 1 == count ? 2 * pi : 0);
+            angles[i] = from + x[k] * (to - from);
+            widths[arc] = to - from;
+            arms[done + i].area = w[k] * (to - from);
+        }
+        bisect(probe, star, angles, here, edges);
+        for (size_t i = 0; i < here; i++) {
+            arms[done + i].edge = edges[i];
+        }
+    }
+    pupil->arms = arms;
+    pupil->arm_count = count * CLEAR_ARC;
+    pupil->arcs = count;
+    pupil->arc_angles = widths;
+    struct clear_edge *tips = ARENA_ARRAY(arena, 2 * count, struct clear_edge);
+    for (size_t i = 0; i < count; i++) {
+        tips[2 * i] = corners[i].before;
+        tips[2 * i + 1] = corners[i].after;
+    }
+    pupil->corners = tips;
+}
+
+/* All edges alike. */
+static void put_circle(struct arena *arena, struct clear_pupil *pupil)
+{
+    struct clear_arm *arms = ARENA_ARRAY(arena, pupil->edge_count, struct clear_arm);
+    for (size_t i = 0; i < pupil->edge_count; i++) {
+        arms[i] = (struct clear_arm){pupil->edges[i], 2 * pi / (double)pupil->edge_count};
+    }
+    pupil->arms = arms;
+    pupil->arm_count = pupil->edge_count;
+}
+
+/* From angles to areas: r^2/2 of each, in stretched coordinates. */
+static void sum_area(const struct star *star, struct clear_pupil *pupil)
+{
+    struct clear_arm *arms = pupil->arms;
+    pupil->area = 0;
+    for (size_t i = 0; i < pupil->arm_count; i++) {
+        double x = (arms[i].edge.at[0] - star->centre[0]) / star->stretch[0];
+        double y = (arms[i].edge.at[1] - star->centre[1]) / star->stretch[1];
+        arms[i].area *= star->stretch[0] * star->stretch[1] * (x * x + y * y) / 2;
+        pupil->area += arms[i].area;
+    }
+}
+
+/* Arms for integrals, the area by them, and the bounds. */
+static void measure(const struct probe *probe, const struct star *star, struct arena *arena,
+                    struct clear_pupil *pupil)
+{
+    struct corner corners[CLEAR_CORNERS];
+    size_t count = find_changes(pupil->edges, pupil->edge_count, corners);
+    /* a surface that is the last in no direction but one has no arc of its own */
+    if (count >= 2 && count <= CLEAR_CORNERS) {
+        close_corners(probe, star, corners, count);
+        put_arcs(probe, star, corners, count, arena, pupil);
+    } else {
+        put_circle(arena, pupil);
+    }
+    sum_area(star, pupil);
+    for (int k = 0; k < 4; k++) {
+        int axis = k % 2;
+        double sign = k < 2 ? 1 : -1;
+        pupil->ends[k] = extreme(probe, star, pupil, axis, sign);
+        for (size_t i = 0; i < 2 * pupil->arcs; i++) {
+            const struct clear_edge *edge = &pupil->corners[i];
+            bool beyond = sign * edge->at[axis] > sign * pupil->ends[k].at[axis];
+            pupil->ends[k] = beyond ? *edge : pupil->ends[k];
+        }
+        (k < 2 ? pupil->high : pupil->low)[axis] = pupil->ends[k].at[axis];
+    }
+}
+
+/* Move the centre to the centroid, and stretch the circle as the edges are; is it as it was? */
+static bool fit_star(const struct probe *probe, const struct clear_edge *edges, size_t count,
+                     struct star *star)
+{
+    double centroid[2], size[2], before = star->stretch[0] / star->stretch[1];
+    find_centroid(edges, count, star->centre, centroid);
+    for (int k = 0; k < 2; k++) {
+        double low = edges[0].at[k], high = low;
+        for (size_t i = 1; i < count; i++) {
+            low = fmin(low, edges[i].at[k]);
+            high = fmax(high, edges[i].at[k]);
+        }
+        size[k] = high - low;
+        /* what symmetry makes 0 */
+        centroid[k] = fabs(centroid[k]) < 1e-12 * size[k] ? 0 : centroid[k];
+    }
+    if (!(size[0] > 0 && size[1] > 0)) {
+        return true;
+    }
+    if (probe_passes_one(probe, centroid)) {
+        star->centre[0] = centroid[0];
+        star->centre[1] = centroid[1];
+    }
+    double largest = fmax(size[0], size[1]);
+    star->radius = largest / 2;
+    for (int k = 0; k < 2; k++) {
+        star->stretch[k] = size[k] / largest;
+    }
+    double change = star->stretch[0] / star->stretch[1] / before;
+    return change < 2 && change > 0.5;
+}
+
 void clear_find(const struct system *system, const struct beam *beam,
                 const struct clear_guess *guess, size_t directions, struct arena *arena,
                 struct clear_pupil *pupil)
 {
+    enum { FITS = 12 };
     const struct probe probe = {system, beam, rays_new(arena, RAYS_BLOCK)};
+    struct star star = {.stretch = {1, 1}, .radius = guess->radius};
     struct clear_edge *edges = ARENA_ARRAY(arena, directions, struct clear_edge);
-    double inside[2], centroid[2];
     *pupil = (struct clear_pupil){.edges = edges, .edge_count = directions};
-    pupil->is_empty = !find_centre(&probe, guess, inside);
+    pupil->is_empty = !probe_inside(&probe, guess, star.centre);
     if (pupil->is_empty) {
         return;
     }
-    /* a centre needs no more directions than one block has */
+    /* a centre needs no more directions than one block has; a sliver is met from few at first */
     size_t few = directions < RAYS_BLOCK ? directions : RAYS_BLOCK;
-    find_edges(&probe, inside, guess->radius, few, edges);
-    find_centroid(edges, few, inside, centroid);
-    if (passes_one(&probe, centroid)) {
-        inside[0] = fabs(centroid[0]) < 1e-12 * guess->radius ? 0 : centroid[0];
-        inside[1] = centroid[1];
+    for (int fit = 0; fit < FITS; fit++) {
+        find_edges(&probe, &star, few, edges);
+        if (fit_star(&probe, edges, few, &star)) {
+            break;
+        }
     }
-    find_edges(&probe, inside, guess->radius, directions, edges);
-    pupil->area = star_area(edges, directions, inside);
+    find_edges(&probe, &star, directions, edges);
     for (int k = 0; k < 2; k++) {
-        pupil->centre[k] = inside[k];
+        pupil->centre[k] = star.centre[k];
     }
-    for (int k = 0; k < 2; k++) {
-        pupil->ends[k] = extreme(&probe, pupil, guess->radius, k, 1);
-        pupil->ends[k + 2] = extreme(&probe, pupil, guess->radius, k, -1);
-        pupil->low[k] = pupil->ends[k + 2].at[k];
-        pupil->high[k] = pupil->ends[k].at[k];
+    measure(&probe, &star, arena, pupil);
+}
+
+/* -------- a few rays -------- */
+
+/* Both edges along one axis, and the point halfway between them if that passes. */
+static void halve(const struct probe *probe, double radius, int axis, struct clear_cross *cross)
+{
+    double way[2][2] = {{0, 0}, {0, 0}}, middle[2] = {cross->centre[0], cross->centre[1]};
+    struct clear_edge edges[2];
+    way[0][axis] = 1;
+    way[1][axis] = -1;
+    find_ends(probe, cross->centre, radius, (const double(*)[2])way, 2, edges);
+    cross->ends[axis] = edges[0];
+    cross->ends[axis + 2] = edges[1];
+    double width = edges[0].at[axis] - edges[1].at[axis];
+    middle[axis] = (edges[0].at[axis] + edges[1].at[axis]) / 2;
+    /* what symmetry makes 0 */
+    middle[axis] = fabs(middle[axis]) > 1e-12 * width ? middle[axis] : 0;
+    if (middle[axis] == cross->centre[axis] || probe_passes_one(probe, middle)) {
+        cross->centre[axis] = middle[axis];
     }
 }
 
-bool clear_on_plane(const struct beam *beam, const double at[2], double z, double point[2])
+void clear_across(const struct system *system, const struct beam *beam,
+                  const struct clear_guess *guess, bool is_round, struct arena *arena,
+                  struct clear_cross *cross)
 {
-    struct ray ray = beam_ray(beam, at[0], at[1]);
-    double t = (z - ray.point[2]) / ray.cosine[2];
-    point[0] = ray.point[0] + t * ray.cosine[0];
-    point[1] = ray.point[1] + t * ray.cosine[1];
-    return isfinite(point[0]) && isfinite(point[1]);
+    const struct probe probe = {system, beam, rays_new(arena, RAYS_BLOCK)};
+    *cross = (struct clear_cross){.is_empty = false};
+    cross->is_empty = !probe_inside(&probe, guess, cross->centre);
+    if (cross->is_empty) {
+        return;
+    }
+    if (!is_round) {
+        halve(&probe, guess->radius, 0, cross);
+    } else if (cross->centre[0] == 0 ||
+               probe_passes_one(&probe, (double[2]){0, cross->centre[1]})) {
+        cross->centre[0] = 0;
+    } else {
+        halve(&probe, guess->radius, 0, cross);
+    }
+    halve(&probe, guess->radius, 1, cross);
+    halve(&probe, guess->radius, 0, cross);
 }

@@ -18,6 +18,18 @@ struct clear_edge {
     size_t surface;
 };
 
+/* A ray at the edge that an integral over the pupil is taken by. */
+struct clear_arm {
+    struct clear_edge edge;
+    double area; /* that it stands for, from the centre to the edge, mm^2 */
+};
+
+/*
+ * The edge in smooth pieces, from corner to corner, each with CLEAR_ARC arms at Gauss's points of
+ * its angles; without corners one piece with equal angles.
+ */
+enum { CLEAR_ARC = 32, CLEAR_CORNERS = 16 };
+
 /* The part of a beam that arrives, as a star about `centre`. */
 struct clear_pupil {
     bool is_empty; /* nothing arrives: the rest is not set */
@@ -27,6 +39,10 @@ struct clear_pupil {
     double area;                    /* in the plane of the beam, mm^2 */
     const struct clear_edge *edges; /* counterclockwise, the first at -90 degrees: below */
     size_t edge_count;
+    struct clear_arm *arms;   /* counterclockwise, in `arcs` pieces of CLEAR_ARC each */
+    size_t arm_count, arcs;   /* arcs: 0 where there are no corners, and the arms are the edges */
+    const double *arc_angles; /* how wide each piece is, rad */
+    const struct clear_edge *corners; /* two for each piece: just before and behind its beginning */
 };
 
 /* Where to look: a point inside, roughly, and a size. */
@@ -45,24 +61,43 @@ struct clear_guess clear_guess_of(const struct system *system, const struct beam
  *                       total reflection or by missing a surface
  *           directions  how many edges: a multiple of 4, 4 to 4096
  *           guess       from clear_guess_of
- * Formula   a point inside is searched for on finer and finer grids about the guess; from it every
- *           edge is bracketed and bisected to rounding; the centre then moves to the centroid and
- *           all is done once more. Bounds: the extreme edge and its neighbours are searched again
- *           with 128 times the directions
- *           Area: the sum of r^2/2 over equal angles about the centre, which converges as fast as
- *           Fourier series do: 1e-15 for discs and ellipses
- * Limits    a shape that is not a star about its centroid is cut at its nearest edges; corners (of
- *           cat's eyes) leave about 5/k^2 of the area with k directions
+ * Formula   a point inside is searched for (trace/probe.h); from it every edge is bracketed and
+ *           bisected to rounding; the centre then moves to the centroid and all is done once more,
+ *           by angles of a circle that is stretched along a and b as the shape is.
+ *           Corners are where two edges side by side are ended by different surfaces: their angles
+ *           are bracketed to 1e-7 and less. Bounds: the corners, and the neighbourhood of the
+ *           extreme edge in 128 times as many directions
+ *           Area: the sum of r^2/2 over equal angles about the centre where there are no corners,
+ *           which converges as fast as Fourier series do; else by Gauss's rule from one corner to
+ *           the next
+ * Limits    1e-10 of the area with 64 directions and more, 1e-14 of discs and ellipses. A surface
+ *           that ends less of the edge than one step may go unseen: some 1e-7 with 256 directions.
+ *           A shape that is not a star about its centroid is cut at its nearest edges; one with
+ *           more than CLEAR_CORNERS corners is summed over equal angles, which leaves about 10/k^2
+ *           of the area with k directions
  */
 void clear_find(const struct system *system, const struct beam *beam,
                 const struct clear_guess *guess, size_t directions, struct arena *arena,
                 struct clear_pupil *pupil);
 
+/* Five rays of what passes: its middle, and its edges across. */
+struct clear_cross {
+    bool is_empty;
+    double centre[2];          /* between the edges, mm */
+    struct clear_edge ends[4]; /* towards +a, +b, -a, -b from there */
+};
+
 /*
- * Where a ray of the beam crosses a plane z = const of the frame it starts in.
+ * The middle and the edges of a beam, without its shape: for a few rays that show it.
  *
- * Result    false: it runs along the plane
+ * Given     is_round  the lens is the same in all directions: the middle lies in the meridional
+ *                     plane, a = 0, and the two edges aside mirror each other
+ *           guess     best a ray that passes: then nothing is searched for
+ * Formula   through a ray inside across (a), through the middle of that up and down (b), through
+ *           the middle of that across again
  */
-bool clear_on_plane(const struct beam *beam, const double at[2], double z, double point[2]);
+void clear_across(const struct system *system, const struct beam *beam,
+                  const struct clear_guess *guess, bool is_round, struct arena *arena,
+                  struct clear_cross *cross);
 
 #endif

@@ -33,15 +33,47 @@ static const struct step *step_of_surface(const struct system *system, size_t pl
     return step;
 }
 
+/* Where the rows of a surface stand; those of orders and of displacements follow one another. */
+enum {
+    SLOT_NONE, /* not derived by: always LENS_NONE */
+    SLOT_CURVATURE,
+    SLOT_THICKNESS,
+    SLOT_INDEX,
+    SLOT_CONIC,
+    SLOT_A2,
+    SLOT_DECENTER_X = SLOT_A2 + LENS_COEFFICIENTS,
+    SLOTS = SLOT_DECENTER_X + PARAMETER_KINDS - PARAMETER_DECENTER_X
+};
+
+static size_t slot_of(enum parameter_kind kind, int order)
+{
+    static const unsigned char slots[PARAMETER_DECENTER_X] = {
+        [PARAMETER_CURVATURE] = SLOT_CURVATURE, [PARAMETER_THICKNESS] = SLOT_THICKNESS,
+        [PARAMETER_INDEX] = SLOT_INDEX,         [PARAMETER_CONIC] = SLOT_CONIC,
+        [PARAMETER_COEFFICIENT] = SLOT_A2,
+    };
+    if (kind >= PARAMETER_DECENTER_X) {
+        return SLOT_DECENTER_X + (size_t)(kind - PARAMETER_DECENTER_X);
+    }
+    return slots[kind] + (order > 0 ? (size_t)surface_term(order) : 0);
+}
+
 /* Rows of one surface; `surface` may be one before the first: object space. */
 struct numbering {
     size_t *row, next;
 };
 
-static void number(struct numbering *numbering, size_t surface, int kind, int count)
+static size_t *row_at(const struct numbering *numbering, size_t surface, enum parameter_kind kind)
 {
+    return &numbering->row[(surface + 1) * SLOTS + slot_of(kind, 0)];
+}
+
+/* Number `count` kinds, or orders of one, that follow one another. */
+static void number(struct numbering *numbering, size_t surface, enum parameter_kind kind, int count)
+{
+    size_t *row = row_at(numbering, surface, kind);
     for (int i = 0; i < count; i++) {
-        numbering->row[(surface + 1) * PARAMETER_KINDS + (size_t)(kind + i)] = numbering->next++;
+        row[i] = numbering->next++;
     }
 }
 
@@ -49,7 +81,7 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
                        struct derivative_layout *layout)
 {
     size_t count = system->lens->surface_count;
-    size_t entries = (count + 1) * PARAMETER_KINDS;
+    size_t entries = (count + 1) * SLOTS;
     struct numbering numbering = {ARENA_ARRAY(arena, entries, size_t), 0};
     for (size_t i = 0; i < entries; i++) {
         numbering.row[i] = LENS_NONE;
@@ -58,18 +90,19 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
     for (size_t i = 0; i < count; i++) {
         const struct step *step = step_of_surface(system, system_place(system, i));
         number(&numbering, i, PARAMETER_CURVATURE, 2);
-        if (system->lens->surfaces[i].kind == SURFACE_REFLECT) {
+        if (surface_reflects(&system->lens->surfaces[i])) {
             /* the same medium as before it */
-            size_t *row = numbering.row + (i + 1) * PARAMETER_KINDS + PARAMETER_INDEX;
-            *row = row[-PARAMETER_KINDS];
+            *row_at(&numbering, i, PARAMETER_INDEX) = *row_at(&numbering, i - 1, PARAMETER_INDEX);
         } else {
             number(&numbering, i, PARAMETER_INDEX, 1);
         }
-        if (step->kind >= STEP_CONIC || (what & (DERIVE_CONIC | DERIVE_SERIES)) != 0) {
+        bool odd = step->kind == STEP_ODD || (what & DERIVE_ODD) != 0;
+        bool series = odd || step->kind >= STEP_ASPHERE || (what & DERIVE_SERIES) != 0;
+        if (series || step->kind >= STEP_CONIC || (what & DERIVE_CONIC) != 0) {
             number(&numbering, i, PARAMETER_CONIC, 1);
         }
-        if (step->kind >= STEP_ASPHERE || (what & DERIVE_SERIES) != 0) {
-            number(&numbering, i, PARAMETER_A2, STEP_TERMS);
+        if (series) { /* even powers lie before odd ones */
+            number(&numbering, i, PARAMETER_COEFFICIENT, odd ? LENS_COEFFICIENTS : LENS_EVEN);
         }
         if ((what & DERIVE_DISPLACEMENT) != 0) {
             number(&numbering, i, PARAMETER_DECENTER_X, 5);
@@ -81,10 +114,15 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
     *layout = (struct derivative_layout){what, numbering.next, count, numbering.row};
 }
 
-size_t derivative_row(const struct derivative_layout *layout, enum parameter_kind kind,
-                      size_t surface)
+static size_t row_of(const struct derivative_layout *layout, enum parameter_kind kind, int order,
+                     size_t surface)
 {
-    return layout->row[(surface + 1) * PARAMETER_KINDS + (size_t)kind];
+    return layout->row[(surface + 1) * SLOTS + slot_of(kind, order)];
+}
+
+size_t derivative_row(const struct derivative_layout *layout, struct parameter parameter)
+{
+    return row_of(layout, parameter.kind, parameter.order, parameter.surface);
 }
 
 const struct ray_block *derivative_trace(const struct system *system, const struct ray_block *start,
@@ -111,7 +149,7 @@ struct sweep {
 static double *row_or(const struct sweep *sweep, enum parameter_kind kind, size_t surface,
                       double *otherwise)
 {
-    size_t row = derivative_row(sweep->layout, kind, surface);
+    size_t row = row_of(sweep->layout, kind, 0, surface);
     return row == LENS_NONE ? otherwise : sweep->gradient + row * RAYS_BLOCK;
 }
 
@@ -145,9 +183,14 @@ static struct adjoint_rows rows_of(const struct sweep *sweep, size_t place)
     }
     rows.curvature = row_or(sweep, PARAMETER_CURVATURE, surface, scratch);
     rows.conic = row_or(sweep, PARAMETER_CONIC, surface, NULL);
-    rows.coefficient = row_or(sweep, PARAMETER_A2, surface, NULL);
+    rows.coefficient = row_or(sweep, PARAMETER_COEFFICIENT, surface, NULL);
+    size_t odd = row_of(sweep->layout, PARAMETER_COEFFICIENT, 1, surface);
+    rows.odd = odd != LENS_NONE ? sweep->gradient + odd * RAYS_BLOCK : NULL;
     rows.index_before = row_or(sweep, PARAMETER_INDEX, reverse ? surface : surface - 1, scratch);
     rows.index_after = row_or(sweep, PARAMETER_INDEX, reverse ? surface - 1 : surface, scratch);
+    if (reverse && place > 0) { /* the way lies along the axis before a bend */
+        rows.along_behind = system->lens->surfaces[surface + 1].bend != NULL;
+    }
     if (rows.index_after == rows.index_before) {
         rows.index_after = scratch + RAYS_BLOCK; /* a mirror: the kernel adds nothing there */
     }
@@ -158,7 +201,7 @@ static void add_displacement(const struct sweep *sweep, size_t place, size_t fir
 {
     const struct system *system = sweep->system;
     size_t surface = system_surface(system, place);
-    size_t row = derivative_row(sweep->layout, PARAMETER_DECENTER_X, surface);
+    size_t row = row_of(sweep->layout, PARAMETER_DECENTER_X, 0, surface);
     const struct displacement *moved = system->lens->surfaces[surface].moved;
     const struct step *step = &system->steps[first];
     struct displace all = {.front = &sweep->tape->blocks[first],
@@ -210,7 +253,7 @@ static void add_bends(const struct sweep *sweep, size_t place)
     size_t surface = system_surface(system, acting);
     for (int i = 0; i < 5; i++) {
         enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BEND_DECENTER_X + i);
-        size_t row = derivative_row(sweep->layout, kind, surface);
+        size_t row = row_of(sweep->layout, kind, 0, surface);
         struct rigid motion;
         if (row != LENS_NONE && rigid_before(system, kind, surface, begin, &motion)) {
             put_rigid(&motion, &sweep->tape->blocks[begin], sweep->adjoint,

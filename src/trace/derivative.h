@@ -3,29 +3,16 @@
 #ifndef LENSCALC_TRACE_DERIVATIVE_H
 #define LENSCALC_TRACE_DERIVATIVE_H
 
+#include "optics/parameter.h"
 #include "trace/dispatch.h"
 
 /* By what. Curvature, thickness and index are always there; the others cost more. */
-enum { DERIVE_CONIC = 1, DERIVE_SERIES = 2, DERIVE_DISPLACEMENT = 4, DERIVE_BEND = 8 };
-
-/* Kinds of parameter. */
-enum parameter_kind {
-    PARAMETER_CURVATURE, /* of the conic, 1/mm */
-    PARAMETER_THICKNESS, /* behind the surface, mm; behind the last: the image plane's distance */
-    PARAMETER_INDEX,     /* behind the surface, at this wavelength */
-    PARAMETER_CONIC,     /* k */
-    PARAMETER_A2,        /* A2 .. A20: A2 + i is the coefficient of r^(2 i + 2) */
-    PARAMETER_DECENTER_X = PARAMETER_A2 + 10,
-    PARAMETER_DECENTER_Y, /* mm */
-    PARAMETER_TILT_X,     /* rad */
-    PARAMETER_TILT_Y,
-    PARAMETER_TILT_Z,
-    PARAMETER_BEND_DECENTER_X, /* of the axis before the surface, and all that follows */
-    PARAMETER_BEND_DECENTER_Y, /* */
-    PARAMETER_BEND_TILT_X,
-    PARAMETER_BEND_TILT_Y,
-    PARAMETER_BEND_TILT_Z,
-    PARAMETER_KINDS
+enum {
+    DERIVE_CONIC = 1,
+    DERIVE_SERIES = 2,
+    DERIVE_DISPLACEMENT = 4,
+    DERIVE_BEND = 8,
+    DERIVE_ODD = 16 /* and what DERIVE_SERIES says */
 };
 
 /* Where the derivatives of a system lie: one row of RAYS_BLOCK numbers a parameter. */
@@ -33,7 +20,7 @@ struct derivative_layout {
     unsigned what;
     size_t rows;
     size_t surfaces;   /* of the lens */
-    const size_t *row; /* (surface + 1) * PARAMETER_KINDS + kind; LENS_NONE = not derived */
+    const size_t *row; /* of every surface, from object space on; ask derivative_row */
 };
 
 /*
@@ -41,15 +28,20 @@ struct derivative_layout {
  *
  * Given     what  DERIVE_ bits: also k of every surface; also A2 .. A20 of every surface; also
  *                 decenter and tilt of every surface by itself; also of the axis in front of
- *                 every surface, with all behind it. Of conics and aspheres k, and of aspheres the
- *                 coefficients, are derived in any case
+ *                 every surface, with all behind it; also A1 .. A19. Of conics and aspheres k, and
+ *                 of aspheres the coefficients, are derived in any case
  */
 void derivative_layout(const struct system *system, unsigned what, struct arena *arena,
                        struct derivative_layout *layout);
 
-/* The row of a parameter, LENS_NONE if it has none. */
-size_t derivative_row(const struct derivative_layout *layout, enum parameter_kind kind,
-                      size_t surface);
+/*
+ * The row of a parameter.
+ *
+ * Given     parameter  one that is its own basis (optics/parameter.h): of R ask for c and multiply
+ *                      with parameter_slope; an index is that at the wavelength of the system
+ * Result    LENS_NONE if it has none
+ */
+size_t derivative_row(const struct derivative_layout *layout, struct parameter parameter);
 
 /* A block of rays with its state behind every step. */
 struct derivative_tape {

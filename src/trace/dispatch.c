@@ -39,7 +39,7 @@ static enum instruction_set best(enum instruction_set set)
                                              : SET_SSE2;
 }
 
-kernel_trace *dispatch_trace(enum instruction_set set)
+static kernel_trace *trace_of(enum instruction_set set)
 {
     static kernel_trace *const kernels[] = {NULL, kernel_trace_sse2, kernel_trace_avx2,
                                             kernel_trace_avx512};
@@ -97,7 +97,7 @@ void rays_trace_part(const struct system *system, size_t from, size_t to, const 
 {
     static const struct trace_way usual = {SET_BEST, 1};
     way = way == NULL ? &usual : way;
-    struct work work = {dispatch_trace(way->set), system->steps + system->begin[from],
+    struct work work = {trace_of(way->set), system->steps + system->begin[from],
                         system->begin[to] - system->begin[from], system->options.path,
                         rays->blocks};
     parallel_for(way->threads, rays_blocks(rays), BLOCKS_A_PIECE, trace_blocks, &work);

@@ -75,7 +75,7 @@ void frame_directions(const struct lens *lens, double *direction)
         }
         double along = axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2];
         direction[i] = along < 0 ? -1 : 1;
-        for (int j = 0; j < 3 && surface->kind == SURFACE_REFLECT; j++) {
+        for (int j = 0; j < 3 && surface_reflects(surface); j++) {
             axis[j] -= 2 * along * normal[j];
         }
     }
@@ -151,15 +151,11 @@ void system_normal(const struct system *system, size_t surface, const double poi
         frame = frame_of(s->moved, 0);
         system_to_own(system, surface, at);
     }
-    if (s->kind != SURFACE_STOP) {
-        double c = system_base_curvature(s).hi, k = s->conic.value.hi;
-        double wx = s->curved == CURVED_Y ? 0 : 1, wy = s->curved == CURVED_X ? 0 : 1;
-        double u = wx * at[0] * at[0] + wy * at[1] * at[1], S = 0, slope = 0;
-        for (int i = LENS_COEFFICIENTS - 1; i >= 0; i--) {
-            slope = slope * u + (i + 1) * s->coefficient[i].value.hi;
-            S = (S + s->coefficient[i].value.hi) * u;
-        }
-        double f = 1 - c * (1 + k) * (at[2] - S), g = c + 2 * f * slope;
+    if (surface_has(s, SURFACE_HAS_CURVE)) {
+        double c = surface_base_curvature(s).hi, k = s->conic.value.hi;
+        double wx = surface_section(s)->weight[0], wy = surface_section(s)->weight[1];
+        struct departure S = surface_departure(s, wx * at[0] * at[0] + wy * at[1] * at[1]);
+        double f = 1 - c * (1 + k) * (at[2] - S.value), g = c + 2 * f * S.slope;
         double nx = -wx * g * at[0], ny = -wy * g * at[1];
         double length = sqrt(nx * nx + ny * ny + f * f);
         normal[0] = nx / length;

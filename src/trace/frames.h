@@ -19,7 +19,4 @@ struct frame frame_inverse(const struct frame *frame);
 /* Where the axis goes at each surface: +1 or -1 along z; count + 1, the last behind the lens. */
 void frame_directions(const struct lens *lens, double *direction);
 
-/* The curvature of the conic alone, without A2, 1/mm. */
-struct pair system_base_curvature(const struct surface *surface);
-
 #endif

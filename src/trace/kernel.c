@@ -186,6 +186,7 @@ INLINE void take(struct ray_block *block, const struct step *s, bool path)
         break;
     case STEP_ASPHERE:
     case STEP_TROUGH:
+    case STEP_ODD:
         NAME(kernel_asphere, KERNEL)(block, s, path);
         break;
     }

@@ -56,6 +56,22 @@ INLINE struct series series_of(const double *coefficient, int terms, double u)
     return (struct series){s.value * u, s.slope * u + s.value, s.bend * u + 2 * s.slope};
 }
 
+/* The same with odd powers: r P(u) besides. */
+INLINE struct series odd_series_of(const struct step *s, double u)
+{
+    struct series even = series_of(s->coefficient, STEP_TERMS, u), P = {0, 0, 0};
+    for (int i = STEP_TERMS - 1; i >= 0; i--) {
+        P.bend = P.bend * u + 2 * P.slope;
+        P.slope = P.slope * u + P.value;
+        P.value = P.value * u + s->odd[i];
+    }
+    double r = sqrt(u), inverse = u > STEP_TINY ? 1 / r : 0;
+    even.value += r * P.value;
+    even.slope += 0.5 * inverse * P.value + r * P.slope;
+    even.bend += inverse * (P.slope - 0.25 * inverse * inverse * P.value) + r * P.bend;
+    return even;
+}
+
 /* A place on a surface: w = z - S, f = 1 - c K w, G = c + 2 f S'; the normal is (-G x, -G y, f). */
 struct at {
     double c, K, wx, wy, w, f, G;
@@ -91,21 +107,51 @@ INLINE void put(struct ray_block *block, int i, struct vector a, struct vector b
     block->r[i] = b.z;
 }
 
-/* The rows of A2 .. from those of S and S'. */
-INLINE void put_series(double *restrict rows, int terms, double *of_value, double *of_slope,
-                       const double *square)
+/* What S and S' of a surface have, and its u. */
+struct of_series {
+    double value[RAYS_BLOCK], slope[RAYS_BLOCK], square[RAYS_BLOCK];
+};
+
+/* Rows of coefficients one after the other; of the first, u^power is in S already. */
+INLINE void put_terms(double *restrict rows, int terms, double power, struct of_series *of)
 {
     for (int j = 0; j < terms; j++) {
         for (int i = 0; i < RAYS_BLOCK; i++) {
-            rows[j * RAYS_BLOCK + i] = of_value[i] + of_slope[i] * (j + 1);
-            of_value[i] *= square[i];
-            of_slope[i] *= square[i];
+            rows[j * RAYS_BLOCK + i] = of->value[i] + of->slope[i] * (j + power);
+            of->value[i] *= of->square[i];
+            of->slope[i] *= of->square[i];
         }
     }
 }
 
+/* S gains A2 u + ..; and r (A1 + ..), of which the slope is u^(j + 1/2) (j + 1/2)/u. */
+INLINE void put_series(const struct adjoint_rows *rows, int terms, bool odd, struct of_series *of)
+{
+    if (odd) {
+        struct of_series first;
+        for (int i = 0; i < RAYS_BLOCK; i++) {
+            double r = sqrt(of->square[i]), over = of->square[i] > STEP_TINY ? 1 / r : 0;
+            first.value[i] = of->value[i] * r;
+            first.slope[i] = of->slope[i] * over;
+            first.square[i] = of->square[i];
+        }
+        put_terms(rows->odd, terms, 0.5, &first);
+    }
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        of->value[i] *= of->square[i];
+    }
+    put_terms(rows->coefficient, terms, 1, of);
+}
+
 /* Kinds of a surface as far as derivatives are concerned. */
-enum depth { DEPTH_SPHERE, DEPTH_CONIC, DEPTH_SERIES };
+enum depth { DEPTH_SPHERE, DEPTH_CONIC, DEPTH_SERIES, DEPTH_ODD };
+
+INLINE struct series shape_series(const struct step *s, enum depth depth, int terms, double u)
+{
+    return depth == DEPTH_ODD      ? odd_series_of(s, u)
+           : depth == DEPTH_SERIES ? series_of(s->coefficient, terms, u)
+                                   : (struct series){0, 0, 0};
+}
 
 /*
  * One surface. a and b are the adjoints of point and direction behind it, then before it; bars of
@@ -119,19 +165,16 @@ INLINE void surface(const struct step *restrict s, const struct ray_block *restr
     const double wx = depth == DEPTH_SPHERE ? 1 : s->weight_x;
     const double wy = depth == DEPTH_SPHERE ? 1 : s->weight_y;
     const double n1 = 2 * sqrt(s->n11), n2 = 2 * sqrt(s->n22), sign = rows->thickness_sign;
-    double of_value[RAYS_BLOCK], of_slope[RAYS_BLOCK], square[RAYS_BLOCK];
+    struct of_series of;
     double *restrict c_row = rows->curvature, *restrict k_row = rows->conic;
-    double *restrict a_row = rows->coefficient, *restrict t_row = rows->thickness;
+    double *restrict t_row = rows->thickness;
     double *restrict before_row = rows->index_before, *restrict after_row = rows->index_after;
     for (int i = 0; i < RAYS_BLOCK; i++) {
         struct vector X = point_of(after, i), p = direction_of(before, i);
         struct vector out = direction_of(after, i), X0 = point_of(before, i);
         struct vector a = point_of(adjoint, i), b = direction_of(adjoint, i);
         double path = adjoint->path[i], u = wx * X.x * X.x + wy * X.y * X.y;
-        struct series S = {0, 0, 0};
-        if (depth == DEPTH_SERIES) {
-            S = series_of(s->coefficient, terms, u);
-        }
+        struct series S = shape_series(s, depth, terms, u);
         double w = X.z - S.value, f = 1 - c * K * w, G = c + 2 * f * S.slope;
         const struct at at = {c, K, wx, wy, w, f, G, S};
         struct vector N = {-wx * G * X.x, -wy * G * X.y, f};
@@ -158,10 +201,10 @@ INLINE void surface(const struct step *restrict s, const struct ray_block *restr
         bars.k += share * 0.5 * c * w * w;
         a = plus(a, -share, N);
         b = plus(b, d, a);
-        if (depth == DEPTH_SERIES) {
-            of_value[i] = (share * f - bars.w) * u;
-            of_slope[i] = bars.slope;
-            square[i] = u;
+        if (depth >= DEPTH_SERIES) {
+            of.value[i] = share * f - bars.w;
+            of.slope[i] = bars.slope;
+            of.square[i] = u;
         }
         if (depth != DEPTH_SPHERE) {
             k_row[i] = bars.k;
@@ -172,8 +215,8 @@ INLINE void surface(const struct step *restrict s, const struct ray_block *restr
         after_row[i] += n2 * n_bar;
         put(adjoint, i, a, b);
     }
-    if (depth == DEPTH_SERIES) {
-        put_series(a_row, terms, of_value, of_slope, square);
+    if (depth >= DEPTH_SERIES) {
+        put_series(rows, terms, depth == DEPTH_ODD, &of);
     }
 }
 
@@ -191,8 +234,7 @@ static void move(const struct step *s, struct ray_block *adjoint, const struct a
         adjoint->y[i] = m[1] * a.x + m[4] * a.y + m[7] * a.z;
         double z = m[2] * a.x + m[5] * a.y + m[8] * a.z;
         adjoint->z[i] = z;
-        /* the way lies along the axis before a bend, for light that goes back too */
-        t_row[i] = sign * (sign > 0 ? a.z : z);
+        t_row[i] = sign * (rows->along_behind ? a.z : z);
         adjoint->p[i] = m[0] * b.x + m[3] * b.y + m[6] * b.z;
         adjoint->q[i] = m[1] * b.x + m[4] * b.y + m[7] * b.z;
         adjoint->r[i] = m[2] * b.x + m[5] * b.y + m[8] * b.z;
@@ -217,13 +259,19 @@ void NAME(kernel_adjoint, KERNEL)(const struct step *s, const struct ray_block *
         move(s, adjoint, rows);
     } else if (s->kind == STEP_THICK) {
         no_derivatives(adjoint);
-    } else if (s->kind >= STEP_ASPHERE || rows->coefficient != NULL) {
+    } else if (rows->odd != NULL) {
+        if (reflects) {
+            surface(s, before, after, adjoint, rows, DEPTH_ODD, STEP_TERMS, true);
+        } else {
+            surface(s, before, after, adjoint, rows, DEPTH_ODD, STEP_TERMS, false);
+        }
+    } else if (rows->coefficient != NULL) {
         if (reflects) {
             surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS, true);
         } else {
             surface(s, before, after, adjoint, rows, DEPTH_SERIES, STEP_TERMS, false);
         }
-    } else if (s->kind >= STEP_CONIC || rows->conic != NULL) {
+    } else if (rows->conic != NULL) {
         if (reflects) {
             surface(s, before, after, adjoint, rows, DEPTH_CONIC, 0, true);
         } else {

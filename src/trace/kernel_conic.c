@@ -1,6 +1,7 @@
 /* trace/kernel_conic.c - conics and aspheres, lane loops as in trace/kernel.c. */
 /* SPDX-License-Identifier: MIT */
 #include "trace/lanes.h"
+#include "trace/search.h"
 
 #include <stdint.h>
 
@@ -112,6 +113,12 @@ INLINE void conic(struct ray_block *restrict block, const struct step *restrict 
 #undef BEND
 }
 
+/* Which aspheres a loop is for: constants of each copy. */
+struct family {
+    int terms; /* of the even powers */
+    bool trough, odd, reflects;
+};
+
 /* S and dS/du of the polynomial at u. */
 INLINE void polynomial(const struct step *s, int terms, double u, double *S, double *slope)
 {
@@ -124,25 +131,52 @@ INLINE void polynomial(const struct step *s, int terms, double u, double *S, dou
     *slope = growth;
 }
 
+/* What odd powers add at u: r P(u). At the vertex itself the slope counts as 0. */
+INLINE void odd_powers(const struct step *s, double u, double *S, double *slope)
+{
+    double value = s->odd[STEP_TERMS - 1], growth = s->odd_slope[STEP_TERMS - 1];
+    for (int i = STEP_TERMS - 2; i >= 0; i--) {
+        value = value * u + s->odd[i];
+        growth = growth * u + s->odd_slope[i];
+    }
+    double r = sqrt(u), inverse = 1 / (u > STEP_TINY ? r : 1);
+    *S += r * value;
+    *slope += (u > STEP_TINY ? inverse : 0) * growth;
+}
+
 /* Of the surface F = c (u + (1+k) w^2)/2 - w = 0, w = z - S(u): value and normal. */
 struct shape {
     double F, gx, gy, f, G;
 };
 
-INLINE struct shape shape_of(const struct lane *ray, const struct step *s, int terms, bool trough)
+INLINE struct shape shape_of(const struct lane *ray, const struct step *s, struct family of)
 {
-    double wx = trough ? s->weight_x : 1, wy = trough ? s->weight_y : 1;
+    double wx = of.trough ? s->weight_x : 1, wy = of.trough ? s->weight_y : 1;
     double u = wx * ray->x * ray->x + wy * ray->y * ray->y, S, slope;
-    polynomial(s, terms, u, &S, &slope);
+    polynomial(s, of.terms, u, &S, &slope);
+    if (of.odd) {
+        odd_powers(s, u, &S, &slope);
+    }
     double w = ray->z - S, f = 1 - s->c * s->one_k * w, g = s->c + 2 * f * slope;
     return (struct shape){0.5 * s->c * (u + s->one_k * w * w) - w, wx * g, wy * g, f, g};
 }
 
+/* Where Newton's method sets out from: kept for the search of those that it loses. */
+struct origin {
+    double x[RAYS_BLOCK], y[RAYS_BLOCK], z[RAYS_BLOCK], path[RAYS_BLOCK];
+};
+
 /* The conic that Newton's method starts from; rays that pass it by start at its rim. */
 INLINE void start_meet(struct ray_block *block, const struct step *s, bool path,
-                       struct found *found, int i)
+                       struct origin *origin, struct found *found, int i)
 {
     struct lane ray = load(block, i, 0);
+    origin->x[i] = ray.x;
+    origin->y[i] = ray.y;
+    origin->z[i] = ray.z;
+    if (path) {
+        origin->path[i] = ray.path;
+    }
     advance(&ray, found->way[i]);
     ray.path += s->n11 * found->way[i];
     found->open[i] = 1;
@@ -150,13 +184,14 @@ INLINE void start_meet(struct ray_block *block, const struct step *s, bool path,
 }
 
 /* The next Newton step, F/(N.p). */
-INLINE void newton_aim(const struct ray_block *block, const struct step *s, int terms, bool trough,
+INLINE void newton_aim(const struct ray_block *block, const struct step *s, struct family of,
                        struct found *found, int i)
 {
     struct lane ray = load(block, i, 0);
-    struct shape at = shape_of(&ray, s, terms, trough);
+    struct shape at = shape_of(&ray, s, of);
     found->above[i] = at.F;
     found->below[i] = at.f * ray.r - (at.gx * ray.x * ray.p + at.gy * ray.y * ray.q);
+    found->f[i] = at.f;
 }
 
 /* Take it, where a lane is not there yet. */
@@ -175,11 +210,11 @@ INLINE void newton_go(struct ray_block *block, const struct step *s, double leas
 }
 
 /* What bending needs of the shape at the point. */
-INLINE void asphere_look(const struct ray_block *block, const struct step *s, int terms,
-                         bool trough, struct found *found, int i)
+INLINE void asphere_look(const struct ray_block *block, const struct step *s, struct family of,
+                         struct found *found, int i)
 {
     struct lane ray = load(block, i, 0);
-    struct shape at = shape_of(&ray, s, terms, trough);
+    struct shape at = shape_of(&ray, s, of);
     double gx = at.gx * ray.x, gy = at.gy * ray.y, N2 = gx * gx + gy * gy + at.f * at.f;
     double D = s->direction * (at.f * ray.r - (gx * ray.p + gy * ray.q));
     found->bend[i] = D;
@@ -214,25 +249,68 @@ INLINE bool any_open(const struct found *found)
     return open != 0;
 }
 
+/* Is the ray at the front of the surface, on the sheet of the vertex? A NaN is not. */
+INLINE bool is_there(const struct step *s, const struct found *found, int i)
+{
+    return (found->open[i] == 0) & (s->direction * found->below[i] > 0) & (found->f[i] > 0);
+}
+
+INLINE bool all_there(const struct step *s, const struct found *found)
+{
+    int64_t there = 0; /* as wide as what is compared */
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        there += is_there(s, found, i) ? 1 : 0;
+    }
+    return there == RAYS_BLOCK;
+}
+
+/* Newton's method went astray, or there is nothing to meet: then the point becomes NaN. */
+static __attribute__((noinline)) void search_lost(struct ray_block *block, const struct step *s,
+                                                  bool path, const struct origin *origin,
+                                                  struct found *found)
+{
+    const struct search search = search_of(s);
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        size_t lost = (size_t)block->lost[i] % 8;
+        if (is_there(s, found, i) || (lost != RAY_OK && lost != RAY_CLIPPED)) {
+            continue;
+        }
+        const double point[3] = {origin->x[i], origin->y[i], origin->z[i]};
+        const double direction[3] = {block->p[i], block->q[i], block->r[i]};
+        double d = search_meet(&search, point, direction);
+        block->x[i] = point[0] + d * direction[0];
+        block->y[i] = point[1] + d * direction[1];
+        block->z[i] = point[2] + d * direction[2];
+        if (path) {
+            block->path[i] = origin->path[i] + s->n11 * d;
+        }
+        found->open[i] = 0;
+    }
+}
+
 INLINE void asphere(struct ray_block *restrict block, const struct step *restrict step, bool path,
-                    int terms, bool trough, bool reflects)
+                    struct family of)
 {
     const struct step s = *step;
     const struct codes codes = codes_of(&s);
-    const struct curved at = curved_of(&s, s.start_c, s.start_k, trough);
+    const struct curved at = curved_of(&s, s.start_c, s.start_k, of.trough);
     const double least = 1e-16 * (1 + fabs(s.t)), unconverged = s.unconverged;
     _Alignas(64) struct found found;
-#define FIND(i)  conic_find(block, &s, at, path, true, trough, true, &found, i)
+    _Alignas(64) struct origin origin;
+#define FIND(i)  conic_find(block, &s, at, path, true, of.trough, true, &found, i)
 #define ROOT(i)  conic_root(&s, &found, i)
-#define START(i) start_meet(block, &s, path, &found, i)
-#define AIM(i)   newton_aim(block, &s, terms, trough, &found, i)
+#define START(i) start_meet(block, &s, path, &origin, &found, i)
+#define AIM(i)   newton_aim(block, &s, of, &found, i)
 #define GO(i)    newton_go(block, &s, least, path, &found, i)
-#define LOOK(i)  asphere_look(block, &s, terms, trough, &found, i)
-#define ROOT2(i) normal_root(&s, reflects, &found, i)
-#define BEND(i)  asphere_bend(block, &s, path, trough, codes, unconverged, &found, i)
+#define LOOK(i)  asphere_look(block, &s, of, &found, i)
+#define ROOT2(i) normal_root(&s, of.reflects, &found, i)
+#define BEND(i)  asphere_bend(block, &s, path, of.trough, codes, unconverged, &found, i)
     IN_TURN(FIND, ROOT, DIVIDE, START);
     for (int turn = 0; turn < NEWTON_STEPS && any_open(&found); turn++) {
         IN_TURN(AIM, DIVIDE, GO, NOTHING);
+    }
+    if (!all_there(&s, &found)) {
+        search_lost(block, step, path, &origin, &found);
     }
     IN_TURN(LOOK, ROOT2, DIVIDE, BEND);
 #undef FIND
@@ -268,15 +346,21 @@ void NAME(kernel_conic, KERNEL)(struct ray_block *block, const struct step *s, b
     }
 }
 
+INLINE void with_or_without_path(struct ray_block *block, const struct step *s, bool path,
+                                 struct family of)
+{
+    if (path) {
+        asphere(block, s, true, of);
+    } else {
+        asphere(block, s, false, of);
+    }
+}
+
 /* One copy for each number of terms. */
 #define ASPHERE(TERMS)                                                                             \
     static void asphere_##TERMS(struct ray_block *block, const struct step *s, bool path)          \
     {                                                                                              \
-        if (path) {                                                                                \
-            asphere(block, s, true, TERMS, false, false);                                          \
-        } else {                                                                                   \
-            asphere(block, s, false, TERMS, false, false);                                         \
-        }                                                                                          \
+        with_or_without_path(block, s, path, (struct family){.terms = TERMS});                     \
     }
 ASPHERE(2)
 ASPHERE(3)
@@ -289,14 +373,14 @@ ASPHERE(10)
 static void asphere_any(struct ray_block *block, const struct step *s, bool path)
 {
     bool reflects = s->action == ACTION_REFLECT;
-    if (reflects && path) {
-        asphere(block, s, true, STEP_TERMS, true, true);
+    if (s->kind == STEP_ODD && reflects) {
+        with_or_without_path(block, s, path, (struct family){STEP_TERMS, true, true, true});
+    } else if (s->kind == STEP_ODD) {
+        with_or_without_path(block, s, path, (struct family){STEP_TERMS, true, true, false});
     } else if (reflects) {
-        asphere(block, s, false, STEP_TERMS, true, true);
-    } else if (path) {
-        asphere(block, s, true, STEP_TERMS, true, false);
+        with_or_without_path(block, s, path, (struct family){STEP_TERMS, true, false, true});
     } else {
-        asphere(block, s, false, STEP_TERMS, true, false);
+        with_or_without_path(block, s, path, (struct family){STEP_TERMS, true, false, false});
     }
 }
 

@@ -12,8 +12,23 @@ struct geometry {
     double over_M[RAYS_BLOCK], over_D[RAYS_BLOCK], over_E[RAYS_BLOCK], way[RAYS_BLOCK];
 };
 
+/* S and its derivatives by u of the odd powers: r P(u). */
+INLINE void look_odd(const struct step *s, double u, double *S, double *slope, double *bend)
+{
+    double P = 0, P1 = 0, P2 = 0;
+    for (int j = STEP_TERMS - 1; j >= 0; j--) {
+        P2 = P2 * u + 2 * P1;
+        P1 = P1 * u + P;
+        P = P * u + s->odd[j];
+    }
+    double r = sqrt(u), over = 1 / (u > STEP_TINY ? r : 1), inverse = u > STEP_TINY ? over : 0;
+    *S += r * P;
+    *slope += 0.5 * inverse * P + r * P1;
+    *bend += inverse * (P1 - 0.25 * inverse * inverse * P) + r * P2;
+}
+
 INLINE void look(const struct step *s, const struct ray_block *before,
-                 const struct ray_block *after, int terms, struct geometry *at, int i)
+                 const struct ray_block *after, int terms, bool odd, struct geometry *at, int i)
 {
     double X = after->x[i], Y = after->y[i], Z = after->z[i];
     double p = before->p[i], q = before->q[i], r = before->r[i];
@@ -25,7 +40,11 @@ INLINE void look(const struct step *s, const struct ray_block *before,
     }
     bend = bend * u + 2 * slope;
     slope = slope * u + S;
-    double w = Z - S * u, f = 1 - s->c * s->one_k * w, G = s->c + 2 * f * slope;
+    S *= u;
+    if (odd) {
+        look_odd(s, u, &S, &slope, &bend);
+    }
+    double w = Z - S, f = 1 - s->c * s->one_k * w, G = s->c + 2 * f * slope;
     double x = -s->weight_x * G * X, y = -s->weight_y * G * Y;
     double M = x * x + y * y + f * f, D = x * p + y * q + f * r;
     double E = x * after->p[i] + y * after->q[i] + f * after->r[i];
@@ -98,9 +117,20 @@ INLINE void sphere(const struct step *restrict step, const struct ray_block *res
 }
 
 /* What the parameter itself does to S and S' at u. */
-INLINE void series_seed(const struct tangent_seed *seed, double u, double *S, double *slope)
+INLINE void series_seed(const struct tangent_seed *seed, bool odd, double u, double *S,
+                        double *slope)
 {
     double value = 0, growth = 0;
+    if (odd) {
+        for (int j = STEP_TERMS - 1; j >= 0; j--) {
+            value = value * u + seed->odd[j];
+            growth = growth * u + (j + 0.5) * seed->odd[j];
+        }
+        double r = sqrt(u), over = 1 / (u > STEP_TINY ? r : 1);
+        *S = r * value;
+        *slope = (u > STEP_TINY ? over : 0) * growth;
+        return;
+    }
     for (int j = STEP_TERMS - 1; j >= 0; j--) {
         value = (value + seed->coefficient[j]) * u;
         growth = growth * u + (j + 1) * seed->coefficient[j];
@@ -109,17 +139,23 @@ INLINE void series_seed(const struct tangent_seed *seed, double u, double *S, do
     *slope = growth;
 }
 
+/* Which derivatives a loop is for: constants of each copy. */
+struct what {
+    bool series, odd; /* by a coefficient, by one of an odd power */
+    bool reflects;
+};
+
 INLINE void push(const struct step *s, const struct ray_block *before,
                  const struct ray_block *after, const struct geometry *at,
-                 const struct tangent_seed *seed, bool series, bool reflects,
-                 struct ray_block *tangent, int i)
+                 const struct tangent_seed *seed, struct what what, struct ray_block *tangent,
+                 int i)
 {
     const double c = s->c, K = s->one_k;
     double p = before->p[i], q = before->q[i], r = before->r[i];
     double tp = tangent->p[i], tq = tangent->q[i], tr = tangent->r[i];
     double d = at->way[i], w = at->w[i], f = at->f[i], S = 0, slope = 0;
-    if (series) {
-        series_seed(seed, at->u[i], &S, &slope);
+    if (what.series) {
+        series_seed(seed, what.odd, at->u[i], &S, &slope);
     }
     /* the point: F = 0 holds on, and -N is its gradient */
     double x = tangent->x[i] + d * tp, y = tangent->y[i] + d * tq;
@@ -138,7 +174,7 @@ INLINE void push(const struct step *s, const struct ray_block *before,
     /* the law of refraction */
     double tD = nx * p + ny * q + tf * r + at->x[i] * tp + at->y[i] * tq + f * tr;
     double tM = at->x[i] * nx + at->y[i] * ny + f * tf, E_less_D = -2 * tD; /* half of M's */
-    if (!reflects) {
+    if (!what.reflects) {
         double tE = (at->D[i] * tD + s->dn * tM + 0.5 * seed->dn * at->M[i]) * at->over_E[i];
         E_less_D = tE - tD;
     }
@@ -152,23 +188,31 @@ INLINE void push(const struct step *s, const struct ray_block *before,
 
 INLINE void surface(const struct step *restrict step, const struct ray_block *restrict before,
                     const struct ray_block *restrict after, const struct tangent_seed *seeds,
-                    size_t count, int terms, bool reflects, struct ray_block *restrict tangents)
+                    size_t count, int terms, bool odd, bool reflects,
+                    struct ray_block *restrict tangents)
 {
     const struct step s = *step;
     struct geometry at;
     for (int i = 0; i < RAYS_BLOCK; i++) {
-        look(&s, before, after, terms, &at, i);
+        look(&s, before, after, terms, odd, &at, i);
     }
     for (size_t j = 0; j < count; j++) {
         const struct tangent_seed seed = seeds[j];
         struct ray_block *restrict tangent = &tangents[j];
-        if (seed.series) {
+        if (seed.is_odd) {
             for (int i = 0; i < RAYS_BLOCK; i++) {
-                push(&s, before, after, &at, &seed, true, reflects, tangent, i);
+                push(&s, before, after, &at, &seed, (struct what){true, true, reflects}, tangent,
+                     i);
+            }
+        } else if (seed.series) {
+            for (int i = 0; i < RAYS_BLOCK; i++) {
+                push(&s, before, after, &at, &seed, (struct what){true, false, reflects}, tangent,
+                     i);
             }
         } else {
             for (int i = 0; i < RAYS_BLOCK; i++) {
-                push(&s, before, after, &at, &seed, false, reflects, tangent, i);
+                push(&s, before, after, &at, &seed, (struct what){false, false, reflects}, tangent,
+                     i);
             }
         }
     }
@@ -213,11 +257,15 @@ void NAME(kernel_tangent, KERNEL)(const struct step *s, const struct ray_block *
         }
     } else if (s->kind <= STEP_SPHERE && s->action != ACTION_REFLECT && !shaped(seeds, count)) {
         sphere(s, before, after, seeds, count, tangents);
+    } else if (s->kind == STEP_ODD && s->action == ACTION_REFLECT) {
+        surface(s, before, after, seeds, count, STEP_TERMS, true, true, tangents);
     } else if (s->action == ACTION_REFLECT) {
-        surface(s, before, after, seeds, count, STEP_TERMS, true, tangents);
+        surface(s, before, after, seeds, count, STEP_TERMS, false, true, tangents);
+    } else if (s->kind == STEP_ODD) {
+        surface(s, before, after, seeds, count, STEP_TERMS, true, false, tangents);
     } else if (s->kind >= STEP_ASPHERE) {
-        surface(s, before, after, seeds, count, STEP_TERMS, false, tangents);
+        surface(s, before, after, seeds, count, STEP_TERMS, false, false, tangents);
     } else {
-        surface(s, before, after, seeds, count, 0, false, tangents);
+        surface(s, before, after, seeds, count, 0, false, false, tangents);
     }
 }

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_TRACE_PRECISE_H
 #define LENSCALC_TRACE_PRECISE_H
 
+#include "trace/search.h"
 #include "trace/system.h"
 
 #include <math.h>
@@ -81,15 +82,15 @@ static inline void precise_move_back(struct precise_ray *ray, const struct displ
 /* A surface, F = c (u + K w^2)/2 - w with w = z - S(u). */
 struct precise_shape {
     REAL c, K, coefficient[LENS_COEFFICIENTS], wx, wy;
-    bool has_series;
+    bool has_series, has_odd;
 };
 
 static inline struct precise_shape precise_shape_of(const struct surface *surface)
 {
-    struct precise_shape shape = {.K = 1 + precise_of(surface->conic.value),
-                                  .wx = surface->curved == CURVED_Y ? 0 : 1,
-                                  .wy = surface->curved == CURVED_X ? 0 : 1};
-    if (surface->kind == SURFACE_STOP) {
+    const double *weight = surface_section(surface)->weight;
+    struct precise_shape shape = {
+        .K = 1 + precise_of(surface->conic.value), .wx = (REAL)weight[0], .wy = (REAL)weight[1]};
+    if (!surface_has(surface, SURFACE_HAS_CURVE)) {
         return shape;
     }
     if (surface->has_curvature) {
@@ -100,6 +101,7 @@ static inline struct precise_shape precise_shape_of(const struct surface *surfac
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         shape.coefficient[i] = precise_of(surface->coefficient[i].value);
         shape.has_series = shape.has_series || shape.coefficient[i] != 0;
+        shape.has_odd = shape.has_odd || (i >= LENS_EVEN && shape.coefficient[i] != 0);
     }
     return shape;
 }
@@ -108,9 +110,18 @@ static inline struct precise_shape precise_shape_of(const struct surface *surfac
 static inline REAL precise_normal(const struct precise_shape *shape, const REAL x[3], REAL N[3])
 {
     REAL u = shape->wx * x[0] * x[0] + shape->wy * x[1] * x[1], S = 0, slope = 0;
-    for (int i = LENS_COEFFICIENTS - 1; i >= 0; i--) {
+    for (int i = LENS_EVEN - 1; i >= 0; i--) {
         slope = slope * u + (i + 1) * shape->coefficient[i];
         S = (S + shape->coefficient[i]) * u;
+    }
+    if (shape->has_odd) {
+        REAL r = precise_root(u), odd = 0, growth = 0;
+        for (int i = LENS_ODD - 1; i >= 0; i--) {
+            odd = odd * u + shape->coefficient[LENS_EVEN + i];
+            growth = growth * u + (2 * i + 1) * shape->coefficient[LENS_EVEN + i] / 2;
+        }
+        S += r * odd;
+        slope += r > 0 ? growth / r : 0;
     }
     REAL w = x[2] - S, f = 1 - shape->c * shape->K * w, G = shape->c + 2 * f * slope;
     N[0] = -shape->wx * G * x[0];
@@ -127,27 +138,57 @@ static inline void precise_advance(struct precise_ray *ray, REAL d, REAL n2)
     ray->path += n2 * d;
 }
 
+/* Newton's method from here; is the ray at the front of the surface then? */
+static inline bool precise_newton(struct precise_ray *ray, const struct precise_shape *shape,
+                                  REAL direction, REAL n2, REAL N[3])
+{
+    REAL *x = ray->x, *p = ray->p;
+    for (int i = 0; i < 12 && shape->has_series; i++) {
+        REAL F = precise_normal(shape, x, N);
+        precise_advance(ray, F / (N[0] * p[0] + N[1] * p[1] + N[2] * p[2]), n2);
+    }
+    precise_normal(shape, x, N);
+    return direction * (N[0] * p[0] + N[1] * p[1] + N[2] * p[2]) > 0 && N[2] > 0;
+}
+
+/* From where the search of the kernels, in 53 bits, says that the ray meets an asphere. */
+static inline bool precise_search(struct precise_ray *ray, const struct precise_shape *shape,
+                                  const struct step *step, REAL direction, REAL n2, REAL N[3])
+{
+    const struct search search = search_of(step);
+    double point[3], along[3];
+    for (int i = 0; i < 3; i++) {
+        point[i] = (double)ray->x[i];
+        along[i] = (double)ray->p[i];
+    }
+    double d = search_meet(&search, point, along);
+    if (!isfinite(d)) {
+        return false;
+    }
+    precise_advance(ray, (REAL)d, n2);
+    return precise_newton(ray, shape, direction, n2, N);
+}
+
 /* To the surface; false where the ray does not meet it. */
 static inline bool precise_meet(struct precise_ray *ray, const struct precise_shape *shape,
-                                REAL direction, REAL n2, REAL N[3])
+                                const struct step *step, REAL direction, REAL n2, REAL N[3])
 {
     REAL *x = ray->x, *p = ray->p;
     bool steep = direction * p[2] > 0 && 16 * p[2] * p[2] > n2;
     REAL over = x[0] * p[0] + x[1] * p[1] + x[2] * p[2];
     precise_advance(ray, steep ? -x[2] / p[2] : -over / n2, n2);
+    const struct precise_ray near = *ray; /* the search has 53 bits only */
     REAL cx = shape->c * shape->wx, cy = shape->c * shape->wy, cz = shape->c * shape->K;
     REAL C = cx * x[0] * x[0] + cy * x[1] * x[1] + cz * x[2] * x[2] - 2 * x[2];
     REAL B = p[2] - (cx * x[0] * p[0] + cy * x[1] * p[1] + cz * x[2] * p[2]);
     REAL A = cx * p[0] * p[0] + cy * p[1] * p[1] + cz * p[2] * p[2], disc = B * B - A * C;
     REAL D = shape->has_series && disc < 0 ? 0 : precise_root(disc);
     precise_advance(ray, C / (B + direction * D), n2);
-    for (int i = 0; i < 12 && shape->has_series; i++) {
-        REAL F = precise_normal(shape, x, N);
-        precise_advance(ray, F / (N[0] * p[0] + N[1] * p[1] + N[2] * p[2]), n2);
+    if (precise_newton(ray, shape, direction, n2, N)) {
+        return true;
     }
-    precise_normal(shape, x, N);
-    REAL along = direction * (N[0] * p[0] + N[1] * p[1] + N[2] * p[2]);
-    return along > 0 && N[2] > 0;
+    *ray = near;
+    return shape->has_series && precise_search(ray, shape, step, direction, n2, N);
 }
 
 /* Bend the ray at a surface with normal N; false where it is totally reflected. */
@@ -224,7 +265,7 @@ static inline bool precise_surface(struct precise_ray *ray, const struct system 
 {
     const struct surface *surface = &system->lens->surfaces[i];
     struct precise_shape shape = precise_shape_of(surface);
-    bool reflects = surface->kind == SURFACE_REFLECT, reverse = system->options.reverse;
+    bool reflects = surface_reflects(surface), reverse = system->options.reverse;
     REAL n1 = precise_of(system->n[reverse ? i + 1 : i]);
     REAL n2 = precise_of(system->n[reverse ? i : i + 1]), N[3];
     precise_transfer(ray, system, i);
@@ -232,11 +273,15 @@ static inline bool precise_surface(struct precise_ray *ray, const struct system 
         precise_move(ray, surface->moved, 0);
     }
     REAL direction = (REAL)system->direction[i] * (reverse && !reflects ? -1 : 1);
-    bool is_thick = surface->kind == SURFACE_THICK;
+    bool is_thick = surface_has(surface, SURFACE_HAS_FOCAL);
     if (is_thick && reverse) {
         ray->x[2] -= precise_of(surface->hiatus.value); /* light comes to H' first */
     }
-    bool met = precise_meet(ray, &shape, direction, n1 * n1, N);
+    const struct step *step = &system->steps[system->begin[system_place(system, i)]];
+    while (step->kind == STEP_MOVE) {
+        step++;
+    }
+    bool met = precise_meet(ray, &shape, step, direction, n1 * n1, N);
     bool good = met && (is_thick || precise_bend(ray, N, reflects, direction, n1, n2));
     if (met && is_thick) {
         precise_thick(ray, system, i, direction, n1, n2);

@@ -16,12 +16,16 @@ enum step_kind {
     STEP_CYLINDER, /* curved in one section, conic */
     STEP_ASPHERE,  /* conic and a polynomial of r^2 */
     STEP_TROUGH,   /* the same, curved in one section */
+    STEP_ODD,      /* with odd powers of r, curved in both sections or in one */
     STEP_THICK     /* an ideal thick lens: optics/thick_lens */
 };
 
 enum step_action { ACTION_PASS, ACTION_REFRACT, ACTION_REFLECT };
 
-enum { STEP_TERMS = 10 };
+enum { STEP_TERMS = 10 }; /* even ones, and as many odd ones */
+
+/* r^2 up to this is the vertex, where 1/r counts as 0: 1/r^3 of what is above is finite. */
+#define STEP_TINY 1e-200
 
 /*
  * n is the index before, n' behind; c the curvature of the conic, k its constant. `direction` is
@@ -39,13 +43,16 @@ struct step {
     double cn;               /* c n^2 */
     double dn;               /* (n' - n)(n' + n) */
     double start_c, start_k; /* of an asphere: c and 1 + k of the conic to start from */
+    double size; /* of an asphere: half the diameter that the lens gives it, mm; 0 = none */
     double direction;
     double clear2;             /* squared clear semi-diameter, mm^2; infinite = none */
     double weight_x, weight_y; /* of a cylinder: 1 in the curved section, else 0 */
     double miss, clipped, reflected, unconverged; /* what to write into `lost` of a kernel */
     double coefficient[STEP_TERMS];               /* A2, A4 ..: S = sum of A_2i u^i, u = r^2 */
     double slope[STEP_TERMS];                     /* of dS/du: i A_2i */
-    double turn[9], shift[3];                     /* STEP_MOVE: X' = turn (X - shift) */
+    /* STEP_ODD: S gains r sum of odd_i u^i, dS/du gains sum of odd_slope_i u^i / r */
+    double odd[STEP_TERMS], odd_slope[STEP_TERMS];
+    double turn[9], shift[3]; /* STEP_MOVE: X' = turn (X - shift) */
     /* STEP_THICK, with `coefficient` as d1 .. d3: slopes behind are ratio (u + w d) - bend h, with
        w = u - h near_object; the ray goes on at z = leave */
     double ratio, bend, near_object, leave;

@@ -28,7 +28,8 @@ size_t system_surface(const struct system *system, size_t place)
     return system_place(system, place);
 }
 
-double system_index_before(const struct system *system, size_t place)
+/* Index before a place, in the order of light. */
+static double index_before(const struct system *system, size_t place)
 {
     size_t count = system->lens->surface_count;
     return system->n[system->options.reverse ? count - place : place].hi;
@@ -37,8 +38,7 @@ double system_index_before(const struct system *system, size_t place)
 double system_index_after(const struct system *system, size_t place)
 {
     size_t count = system->lens->surface_count;
-    return place < count ? system_index_before(system, place + 1)
-                         : system_index_before(system, count);
+    return place < count ? index_before(system, place + 1) : index_before(system, count);
 }
 
 static bool find_indices(const struct lens *lens, double wavelength, struct pair *n,
@@ -50,7 +50,7 @@ static bool find_indices(const struct lens *lens, double wavelength, struct pair
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
         n[i + 1] = n[i];
-        if (surface->kind != SURFACE_REFLECT &&
+        if (!surface_reflects(surface) &&
             !medium_index(&surface->medium, wavelength, &n[i + 1], error)) {
             return error_prefix(error, "surface %zu: ", i + 1);
         }
@@ -82,8 +82,7 @@ static bool find_stop_radius(const struct lens *lens, struct arena *arena, struc
     return true;
 }
 
-/* Half the clear aperture, mm; infinite = none. */
-static double clear_radius(const struct system *system, size_t i)
+double system_clear_radius(const struct system *system, size_t i)
 {
     const struct surface *surface = &system->lens->surfaces[i];
     double clear = surface->has_diameter ? surface->diameter.value.hi / 2 : (double)INFINITY;
@@ -93,52 +92,29 @@ static double clear_radius(const struct system *system, size_t i)
     return system->options.clip ? clear : (double)INFINITY;
 }
 
-struct pair system_base_curvature(const struct surface *surface)
-{
-    if (surface->has_curvature) {
-        return surface->curvature.value;
-    }
-    return surface->is_plane ? pair_of(0) : pair_divide(pair_of(1), surface->radius.value);
-}
-
-static bool has_polynomial(const struct surface *surface)
-{
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        if (surface->coefficient[i].value.hi != 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static enum step_kind kind_of(const struct surface *surface, double c)
-{
-    bool both = surface->curved == CURVED_BOTH;
-    if (surface->kind == SURFACE_STOP) {
-        return STEP_PLANE;
-    }
-    if (has_polynomial(surface)) {
-        return both ? STEP_ASPHERE : STEP_TROUGH;
-    }
-    if (c == 0) {
-        return STEP_PLANE;
-    }
-    if (!both) {
-        return STEP_CYLINDER;
-    }
-    return surface->conic.value.hi == 0 ? STEP_SPHERE : STEP_CONIC;
-}
+/* The step of each kind of curve, round or curved in one section only. */
+static const enum step_kind steps_of[PROFILE_KINDS][2] = {
+    [PROFILE_PLANE] = {STEP_PLANE, STEP_PLANE},
+    [PROFILE_SPHERE] = {STEP_SPHERE, STEP_CYLINDER},
+    [PROFILE_CONIC] = {STEP_CONIC, STEP_CYLINDER},
+    [PROFILE_EVEN] = {STEP_ASPHERE, STEP_TROUGH},
+    [PROFILE_ODD] = {STEP_ODD, STEP_ODD}};
 
 static void set_shape(struct step *step, const struct surface *surface)
 {
     struct pair k = surface->conic.value;
-    step->c = surface->kind == SURFACE_STOP ? 0 : system_base_curvature(surface).hi;
-    step->kind = kind_of(surface, step->c);
+    const double *weight = surface_section(surface)->weight;
+    step->c = surface_base_curvature(surface).hi;
+    step->kind = steps_of[surface_profile(surface)][surface_is_round(surface) ? 0 : 1];
     step->k = k.hi;
     step->one_k = pair_add(pair_of(1), k).hi;
-    step->weight_x = surface->curved == CURVED_Y ? 0 : 1;
-    step->weight_y = surface->curved == CURVED_X ? 0 : 1;
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+    step->weight_x = weight[0];
+    step->weight_y = weight[1];
+    for (int i = 0; i < LENS_ODD; i++) {
+        step->odd[i] = surface->coefficient[LENS_EVEN + i].value.hi;
+        step->odd_slope[i] = (i + 0.5) * step->odd[i];
+    }
+    for (int i = 0; i < LENS_EVEN; i++) {
         step->coefficient[i] = surface->coefficient[i].value.hi;
         step->slope[i] = (i + 1) * step->coefficient[i];
         if (step->coefficient[i] != 0) {
@@ -157,6 +133,7 @@ static void set_start(struct step *step, const struct surface *surface)
     double fourth = step->c * step->c * step->c * step->one_k + 8 * step->coefficient[1];
     double fit = c == 0 ? 0 : fourth / (c * c * c);
     double most = surface->has_diameter && r > 0 ? 0.5 / (c * c * r * r) : 1;
+    step->size = surface->has_diameter ? r : 0;
     step->start_c = c;
     step->start_k = fmax(fmin(fit, most), -8 * most);
 }
@@ -180,7 +157,7 @@ static void set_codes(struct step *step, size_t place, size_t surface)
 
 static enum step_action action_of(const struct surface *surface, const struct step *step)
 {
-    if (surface->kind == SURFACE_REFLECT) {
+    if (surface_reflects(surface)) {
         return ACTION_REFLECT;
     }
     return step->kind == STEP_PLANE && step->dn == 0 ? ACTION_PASS : ACTION_REFRACT;
@@ -280,7 +257,7 @@ static void put_surface(struct writing *writing, size_t place)
         t = 0;
     }
     struct step *step = &writing->steps[writing->count++];
-    double clear = clear_radius(system, i);
+    double clear = system_clear_radius(system, i);
     *step = (struct step){.t = t, .clear2 = clear * clear};
     set_shape(step, surface);
     set_start(step, surface);
@@ -288,10 +265,10 @@ static void put_surface(struct writing *writing, size_t place)
     set_codes(step, place, i);
     step->action = action_of(surface, step);
     step->direction = system->direction[i];
-    if (reverse && surface->kind != SURFACE_REFLECT) {
+    if (reverse && !surface_reflects(surface)) {
         step->direction = -step->direction;
     }
-    if (surface->kind == SURFACE_THICK) {
+    if (surface_has(surface, SURFACE_HAS_FOCAL)) {
         set_thick(step, system, i);
     }
     step->hop = place == 0 || writing->count - before > 1 || !(fabs(step->c * t) <= 1);
@@ -306,7 +283,7 @@ static void put_image(struct writing *writing)
     size_t last = system->lens->surface_count;
     bool reverse = system->options.reverse;
     const struct surface *end = &system->lens->surfaces[last - 1];
-    double behind = end->kind == SURFACE_THICK && !reverse ? end->hiatus.value.hi : 0;
+    double behind = reverse ? 0 : surface_hiatus(end).hi;
     struct step *step = &writing->steps[writing->count++];
     *step = (struct step){.kind = STEP_PLANE,
                           .action = ACTION_PASS,
@@ -332,7 +309,7 @@ bool system_compile(const struct lens *lens, double wavelength,
     }
     for (size_t i = 0; i < count && options->reverse; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        if (surface->kind == SURFACE_THICK &&
+        if (surface_has(surface, SURFACE_HAS_FOCAL) &&
             (surface->distortion[0].value.hi != 0 || surface->distortion[1].value.hi != 0 ||
              surface->distortion[2].value.hi != 0)) {
             return fail(error, ERROR_DOMAIN,

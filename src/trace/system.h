@@ -48,7 +48,8 @@
  *           E^2 = D^2 + n'^2 - n^2, g = s (E - D), p += g (-c X, -c Y, 1 - c Z);
  *           a mirror has g = -2 s D. Conic: with K = 1 + k for Z^2 and the normal N not of unit
  *           length, E^2 = D^2 + (n'^2 - n^2) N^2, g = s (E - D)/N^2. Asphere: Newton on
- *           F = c (r^2 + K w^2)/2 - w, w = Z - S(r^2), from the conic on
+ *           F = c (r^2 + K w^2)/2 - w, w = Z - S(r^2), from the conic on; trace/search.h for those
+ *           that it loses
  *           a thick lens: see optics/thick_lens; the ray goes on in the plane of H', which lies at
  *           z = hiatus in the frame of that surface; the path from H to H' is not counted
  * Source    [Welford86] chapter "Finite raytracing", in a form without angles; the hop to the
@@ -102,9 +103,14 @@ bool system_compile(const struct lens *lens, double wavelength,
 size_t system_place(const struct system *system, size_t surface);
 size_t system_surface(const struct system *system, size_t place);
 
-/* Index before and behind a place, in the order of light. */
-double system_index_before(const struct system *system, size_t place);
+/* Index behind a place, in the order of light. */
 double system_index_after(const struct system *system, size_t place);
+
+/*
+ * How far from the axis of a surface rays pass, mm: its clear aperture and, at the stop, the stop's
+ * radius; infinite where nothing limits them, and everywhere without clip.
+ */
+double system_clear_radius(const struct system *system, size_t surface);
 
 /*
  * The frame of a surface's vertex, seen from the first vertex.

@@ -4,12 +4,13 @@
 
 #include "trace/rigid.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* Mirrors stand in the medium before them. */
 static size_t medium_of(const struct lens *lens, size_t surface)
 {
-    while (surface != LENS_NONE && lens->surfaces[surface].kind == SURFACE_REFLECT) {
+    while (surface != LENS_NONE && surface_reflects(&lens->surfaces[surface])) {
         surface = surface > 0 ? surface - 1 : LENS_NONE;
     }
     return surface;
@@ -72,8 +73,10 @@ static struct tangent_seed seed_of(const struct system *system, const struct par
         seed.c = here ? 1 : 0;
     } else if (by->kind == PARAMETER_CONIC) {
         seed.k = here ? 1 : 0;
-    } else if (by->kind >= PARAMETER_A2 && by->kind < PARAMETER_A2 + STEP_TERMS && here) {
-        seed.coefficient[by->kind - PARAMETER_A2] = 1;
+    } else if (by->kind == PARAMETER_COEFFICIENT && here) {
+        int term = surface_term(by->order);
+        seed.is_odd = term >= LENS_EVEN;
+        *(seed.is_odd ? &seed.odd[term - LENS_EVEN] : &seed.coefficient[term]) = 1;
         seed.series = true;
     }
     return seed;
@@ -102,6 +105,9 @@ void tangent_trace(const struct system *system, const struct parameter *paramete
 {
     kernel_tangent *kernel = dispatch_tangent(set);
     struct tangent_seed seeds[TANGENTS_MOST] = {{0}};
+    for (size_t j = 0; j < count && parameters != NULL; j++) {
+        assert(parameter_type(parameters[j].kind)->basis == parameters[j].kind);
+    }
     for (size_t place = 0; place < system->places; place++) {
         for (size_t i = system->begin[place]; i < system->begin[place + 1]; i++) {
             for (size_t j = 0; j < count && parameters != NULL; j++) {

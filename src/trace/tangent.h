@@ -6,12 +6,6 @@
 #include "trace/derivative.h"
 #include "trace/step.h"
 
-/* One thing to derive by; `surface` as in derivative_row. */
-struct parameter {
-    enum parameter_kind kind;
-    size_t surface;
-};
-
 /* The derivatives move with the rays: cheaper than sweeps back for up to about eight parameters. */
 enum { TANGENTS_MOST = 8 };
 
@@ -19,7 +13,8 @@ enum { TANGENTS_MOST = 8 };
  * Derivatives of final rays by a few parameters, or along a few changes of the starting rays.
  *
  * Given     tape        as derivative_trace left it
- *           parameters  `count` of them, up to TANGENTS_MOST; null = of the starting rays only
+ *           parameters  `count` of them, up to TANGENTS_MOST, as for derivative_row; null =
+ *                       of the starting rays only
  *           tangents    one block a parameter: derivatives of the starting x, y, z, p, q, r, path
  *                       by it, usually 0; to derive by the entrance ray write 1 there. Receives
  *                       those of the final ones
@@ -36,9 +31,10 @@ void tangent_trace(const struct system *system, const struct parameter *paramete
 
 /* What one parameter changes of one step: derivatives of the members of that name. */
 struct tangent_seed {
-    double c, k, t, n11, dn, coefficient[STEP_TERMS];
+    double c, k, t, n11, dn, coefficient[STEP_TERMS], odd[STEP_TERMS];
     double t_behind; /* of z behind a STEP_MOVE */
     bool series;     /* are there coefficients? */
+    bool is_odd;     /* of odd powers? */
 };
 
 /* Take tangents through one step. */

@@ -1,0 +1,244 @@
+/* trace/probe.c - whether light passes, and by how much it fails to. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/probe.h"
+
+#include "trace/dispatch.h"
+
+#include <math.h>
+
+#define LOST 1e30
+
+void probe_try(const struct probe *probe, const double (*at)[2], size_t count)
+{
+    beam_fill(probe->beam, at, count, probe->work.blocks);
+    rays_trace(probe->system, &probe->work, NULL);
+}
+
+bool probe_passes_one(const struct probe *probe, const double at[2])
+{
+    probe_try(probe, (const double(*)[2])at, 1);
+    return probe_passes(probe, 0);
+}
+
+/* r^2/a^2 - 1 in the surface's own frame. */
+static double excess_at(const struct system *system, size_t surface, const struct ray_block *block,
+                        size_t lane, double clear)
+{
+    double point[3] = {block->x[lane], block->y[lane], block->z[lane]};
+    if (system->lens->surfaces[surface].moved != NULL) {
+        system_to_own(system, surface, point);
+    }
+    double x = point[0] / clear, y = point[1] / clear;
+    return x * x + y * y - 1;
+}
+
+/*
+ * By how much rays fail to pass: the largest r^2/a^2 - 1 of all clear apertures, 0 and less for
+ * those that pass; for one that misses a surface or is totally reflected LOST and more, less
+ * the farther it comes.
+ *
+ * Given     at, count  up to RAYS_BLOCK rays
+ *           excess     receives `count` numbers, never NaN
+ */
+static void excess_of(const struct probe *probe, const double (*at)[2], size_t count,
+                      double *excess)
+{
+    const struct system *system = probe->system;
+    const struct ray_block *block = probe->work.blocks;
+    beam_fill(probe->beam, at, count, probe->work.blocks);
+    for (size_t i = 0; i < count; i++) {
+        excess[i] = -1;
+    }
+    for (size_t place = 0; place < system->places; place++) {
+        size_t surface = system_surface(system, place);
+        bool is_image = surface >= system->lens->surface_count;
+        double clear = is_image ? (double)INFINITY : system_clear_radius(system, surface);
+        rays_trace_part(system, place, place + 1, &probe->work, NULL);
+        for (size_t i = 0; i < count; i++) {
+            if (excess[i] >= LOST) {
+                continue;
+            }
+            if (!isfinite(block->x[i]) || !isfinite(block->y[i])) {
+                excess[i] = LOST * (double)(system->places - place) +
+                            LOST * 0.5 * (1 - 1 / (2 + excess[i]));
+            } else if (isfinite(clear)) {
+                double here = excess_at(system, surface, block, i, clear);
+                /* beyond any reason: but a ray that arrives is still better than a lost one */
+                excess[i] = here > excess[i] ? fmin(here, 0.5 * LOST) : excess[i];
+            }
+        }
+    }
+}
+
+/* -------- where to look -------- */
+
+/* A square of the beam's plane, and the best ray of a grid over it. */
+struct patch {
+    double centre[2], half;
+    double best, at[2]; /* excess; where */
+    double rise;        /* from the best to the worst of its neighbours in the grid */
+};
+
+enum { SIDE = 11 };
+
+/* One grid: SIDE^2 rays in one block, from the middle of the patch to its rim. */
+static void look(const struct probe *probe, struct patch *patch)
+{
+    double at[SIDE * SIDE][2], excess[SIDE * SIDE];
+    const double step = 2 * patch->half / (SIDE - 1);
+    size_t best = SIDE * SIDE / 2;
+    for (size_t i = 0; i < SIDE * SIDE; i++) {
+        at[i][0] = patch->centre[0] + ((double)(i % SIDE) - SIDE / 2) * step;
+        at[i][1] = patch->centre[1] + ((double)(i / SIDE) - SIDE / 2) * step;
+    }
+    excess_of(probe, (const double(*)[2])at, SIDE * SIDE, excess);
+    for (size_t i = 0; i < SIDE * SIDE; i++) {
+        best = excess[i] < excess[best] ? i : best;
+    }
+    patch->best = excess[best];
+    patch->rise = 0;
+    for (int k = 0; k < 2; k++) {
+        patch->at[k] = at[best][k];
+    }
+    for (size_t i = 0; i < SIDE * SIDE; i++) {
+        bool near = fabs(at[i][0] - patch->at[0]) < 1.5 * step &&
+                    fabs(at[i][1] - patch->at[1]) < 1.5 * step;
+        patch->rise = near ? fmax(patch->rise, excess[i] - patch->best) : patch->rise;
+    }
+}
+
+/* The same over a square cut into side^2 patches: the best of all of them. */
+static struct patch look_wide(const struct probe *probe, const double centre[2], double half,
+                              size_t side)
+{
+    struct patch best = {.best = INFINITY};
+    for (size_t i = 0; i < side * side; i++) {
+        struct patch patch = {.half = half / (double)side};
+        for (int k = 0; k < 2; k++) {
+            double cell = (double)(k == 0 ? i % side : i / side);
+            patch.centre[k] = centre[k] + half * ((2 * cell + 1) / (double)side - 1);
+        }
+        look(probe, &patch);
+        best = patch.best < best.best ? patch : best;
+    }
+    return best;
+}
+
+/*
+ * Downhill from a patch: about its best ray, narrower unless that lies on the rim. Below 0 a few
+ * more steps lead towards the middle.
+ */
+static bool descend(const struct probe *probe, struct patch *patch)
+{
+    enum { STEPS = 60, INWARDS = 3 };
+    int inwards = 0;
+    double start = patch->half;
+    for (int step = 0; step < STEPS && inwards < INWARDS; step++) {
+        double best = patch->best, at[2] = {patch->at[0], patch->at[1]};
+        double moved = fmax(fabs(at[0] - patch->centre[0]), fabs(at[1] - patch->centre[1]));
+        /* no farther down than the way up on the other side, many times over */
+        if (best > 0 && best < LOST && best > 30 * patch->rise && moved < 0.9 * patch->half) {
+            return false;
+        }
+        patch->half *= moved < 0.9 * patch->half ? 0.3 : 1;
+        if (!(patch->half > 1e-12 * start)) {
+            break;
+        }
+        patch->centre[0] = at[0];
+        patch->centre[1] = at[1];
+        look(probe, patch);
+        if (patch->best > best) { /* rounding: the middle was this very ray */
+            patch->best = best;
+            patch->at[0] = at[0];
+            patch->at[1] = at[1];
+        }
+        inwards += patch->best <= 0 ? 1 : 0;
+    }
+    return patch->best <= 0;
+}
+
+/* The clear aperture of the first surface, or the largest there is, as the beam sees it. */
+static struct patch first_surface(const struct probe *probe)
+{
+    const struct system *system = probe->system;
+    const size_t first = system_surface(system, 0);
+    double radius = system_clear_radius(system, first), edge[2];
+    struct patch patch = {.half = 0};
+    for (size_t i = 0; i < system->lens->surface_count && !isfinite(radius); i++) {
+        double clear = system_clear_radius(system, i);
+        radius = isfinite(clear) ? clear : radius;
+    }
+    if (!isfinite(radius)) {
+        return patch;
+    }
+    beam_place(probe->beam, (double[3]){0, 0, 0}, patch.centre);
+    beam_place(probe->beam, (double[3]){radius, 0, 0}, edge);
+    patch.half = 1.2 * hypot(edge[0] - patch.centre[0], edge[1] - patch.centre[1]);
+    return patch;
+}
+
+enum { REACHES = 4, PATCHES = REACHES + 1 };
+
+/* Coarse grids about the guess and over the first surface, with the best ray of each. */
+static size_t look_around(const struct probe *probe, const struct clear_guess *guess,
+                          struct patch *patches)
+{
+    size_t count = 0;
+    double reach = 1.5;
+    for (size_t i = 0; i < REACHES; i++, reach *= 4) {
+        patches[count] = look_wide(probe, guess->centre, reach * guess->radius, 1);
+        if (patches[count++].best <= 0) {
+            return count;
+        }
+    }
+    struct patch first = first_surface(probe);
+    if (first.half > 0 && isfinite(first.half)) {
+        patches[count++] = look_wide(probe, first.centre, first.half, 3);
+    }
+    return count;
+}
+
+/* Nothing comes through at all, clipped or not: a finer grid over the first surface. */
+static bool look_closely(const struct probe *probe, const struct clear_guess *guess,
+                         struct patch *patch)
+{
+    struct patch first = first_surface(probe);
+    double half = first.half > 0 && isfinite(first.half) ? first.half : 6 * guess->radius;
+    const double *centre = first.half > 0 ? first.centre : guess->centre;
+    /* 12 x 12 blocks: of a hundred surfaces as long as of ten */
+    *patch = look_wide(probe, centre, half, probe->system->places > 100 ? 4 : 12);
+    return patch->best < LOST;
+}
+
+bool probe_inside(const struct probe *probe, const struct clear_guess *guess, double inside[2])
+{
+    struct patch patches[PATCHES], closer;
+    inside[0] = guess->centre[0];
+    inside[1] = guess->centre[1];
+    if (probe_passes_one(probe, inside)) {
+        return true;
+    }
+    size_t count = look_around(probe, guess, patches);
+    double least = INFINITY;
+    for (size_t turn = count; turn-- > 0;) {
+        /* the best first, or the last looked at */
+        size_t best = 0;
+        for (size_t i = 1; i < count; i++) {
+            best = patches[i].best < patches[best].best ? i : best;
+        }
+        struct patch *patch = &patches[best];
+        if (descend(probe, patch)) {
+            inside[0] = patch->at[0];
+            inside[1] = patch->at[1];
+            return probe_passes_one(probe, inside);
+        }
+        least = fmin(least, patch->best);
+        patch->best = INFINITY;
+    }
+    if (least >= LOST && look_closely(probe, guess, &closer) && descend(probe, &closer)) {
+        inside[0] = closer.at[0];
+        inside[1] = closer.at[1];
+        return probe_passes_one(probe, inside);
+    }
+    return false;
+}

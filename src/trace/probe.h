@@ -1,0 +1,45 @@
+/* trace/probe.h - trying rays of a beam by the block, for trace/clear. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_PROBE_H
+#define LENSCALC_TRACE_PROBE_H
+
+#include "trace/beam.h"
+#include "trace/clear.h"
+#include "trace/rays.h"
+#include "trace/system.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* What is tried, and one block to try it in. */
+struct probe {
+    const struct system *system; /* with clip */
+    const struct beam *beam;
+    struct rays work;
+};
+
+/* Trace up to RAYS_BLOCK rays of the beam; their fate stays in the block. */
+void probe_try(const struct probe *probe, const double (*at)[2], size_t count);
+
+static inline bool probe_passes(const struct probe *probe, size_t lane)
+{
+    return ray_block_status(probe->work.blocks, lane) == RAY_OK;
+}
+
+bool probe_passes_one(const struct probe *probe, const double at[2]);
+
+/*
+ * A ray that passes, well inside of what does.
+ *
+ * Formula   the excess is the largest of functions that are convex but for aberrations: coarse
+ *           grids about the guess and over the first surface, then from the least of each grid
+ *           smaller and smaller ones, until the excess is below 0, or so far above that no smaller
+ *           step can bring it there. So a sliver is found however thin it is, and where nothing
+ *           passes a few thousand rays say so
+ * Result    false: nothing passes
+ * Limits    light that neither the grids nor a way downhill from them meets is not found: parts
+ *           smaller than a grid's step behind surfaces that everything about them misses
+ */
+bool probe_inside(const struct probe *probe, const struct clear_guess *guess, double inside[2]);
+
+#endif
