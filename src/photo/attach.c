@@ -28,7 +28,7 @@ static bool put_before(struct attach_lens *lens, double F, double gap, struct er
     double d = gap + lens->front;
     double ratio = 1 + (lens->f - d) / F; /* f/f' */
     double pupil = 1 - (d - lens->f * (1 - 1 / lens->P)) / F;
-    if (!(ratio > 0 && pupil > 0)) {
+    if (!(pupil > 0)) { /* then f/f' is positive too: above f/(P F) */
         return fail(error, ERROR_DOMAIN,
                     "--gap %g mm brings the focus of the front lens (%g mm) before the pupil: no "
                     "image (less than %g mm)",
@@ -105,26 +105,26 @@ static bool add_stacked(struct attach_lens *lens, const struct attach_step *step
 static bool (*const adders[])(struct attach_lens *, const struct attach_step *, struct error *) = {
     add_tube, add_close_up, add_converter, add_reversed, add_stacked};
 
-bool attach_bare(double f, double N, double P, double m_near, double front, double hiatus,
-                 struct attach_lens *lens, struct error *error)
+bool attach_bare(const struct attach_bare *bare, struct attach_lens *lens, struct error *error)
 {
-    if (!check_positive("--focal-length", " mm", f, error) ||
-        !check_positive("--aperture", "", N, error) || !check_positive("--pupil", "", P, error) ||
-        !check_not_negative("--magnification", "", m_near, error)) {
+    if (!check_positive("--focal-length", " mm", bare->f, error) ||
+        !check_positive("--aperture", "", bare->N, error) ||
+        !check_positive("--pupil", "", bare->P, error) ||
+        !check_not_negative("--magnification", "", bare->m_near, error)) {
         return false;
     }
-    if (!(isfinite(front) && isfinite(hiatus))) {
-        return fail(error, ERROR_DOMAIN, "--front %g mm and --hiatus %g mm must be finite", front,
-                    hiatus);
+    if (!(isfinite(bare->front) && isfinite(bare->hiatus))) {
+        return fail(error, ERROR_DOMAIN, "--front %g mm and --hiatus %g mm must be finite",
+                    bare->front, bare->hiatus);
     }
-    double length = front + hiatus + f;
-    *lens = (struct attach_lens){.f = f,
-                                 .N = N,
-                                 .P = P,
-                                 .m_near = m_near,
-                                 .front = front,
+    double length = bare->front + bare->hiatus + bare->f;
+    *lens = (struct attach_lens){.f = bare->f,
+                                 .N = bare->N,
+                                 .P = bare->P,
+                                 .m_near = bare->m_near,
+                                 .front = bare->front,
                                  .length_far = length,
-                                 .length_near = length + f * m_near};
+                                 .length_near = length + bare->f * bare->m_near};
     return true;
 }
 

@@ -50,17 +50,20 @@ struct attach_focus {
     double working_fnumber;
 };
 
+/* A lens as it is sold; f, N and P > 0. */
+struct attach_bare {
+    double f, N, P;
+    double m_near; /* greatest magnification of its own focusing, >= 0 (0: stays at infinity) */
+    double front;  /* front principal plane seen from the lens's front, mm, + to the sensor */
+    double hiatus; /* from H to H', mm */
+};
+
 /*
  * A bare lens before anything is attached; it focuses as a whole, f constant.
  *
- * Given     f, N, P  > 0
- *           m_near   greatest magnification of its own focusing, >= 0 (0: stays at infinity)
- *           front    front principal plane seen from the lens's front, mm, + to the sensor
- *           hiatus   from H to H', mm
- * Errors    values outside these ranges
+ * Errors    values outside their ranges
  */
-bool attach_bare(double f, double N, double P, double m_near, double front, double hiatus,
-                 struct attach_lens *lens, struct error *error);
+bool attach_bare(const struct attach_bare *bare, struct attach_lens *lens, struct error *error);
 
 /*
  * Attach things one after the other. A tube or converter goes between camera and all that is there;

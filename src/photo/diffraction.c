@@ -82,17 +82,18 @@ static double mtf_lens(double x)
     if (x >= 1) {
         return 0;
     }
-    return minus_sine(4 * asin(sqrt((1 - x) / 2))) / M_PI; /* 2 t = 4 asin(...) */
+    /* 2 t = 4 asin(...); rounding must not make it more than all the contrast there is */
+    return fmin(1, minus_sine(4 * asin(sqrt((1 - x) / 2))) / M_PI);
 }
 
 static double mtf_defocus(double z)
 {
-    return z < 1e-8 ? 1 : fabs(2 * j1(z) / z); /* 1 - z^2/8 rounds to 1 */
+    return z * z > 0 ? fabs(2 * j1(z) / z) : 1; /* 1 - z^2/8 */
 }
 
 static double mtf_pixel(double z)
 {
-    return z < 1e-8 ? 1 : fabs(sin(z) / z); /* 1 - z^2/6 rounds to 1 */
+    return z * z > 0 ? fabs(sin(z) / z) : 1; /* 1 - z^2/6 */
 }
 
 static struct diffraction_mtf mtf_factors(const struct diffraction_setting *s, double nu)
@@ -126,15 +127,16 @@ bool diffraction_frequency(const struct diffraction_setting *setting, double lev
     double low = 0;
     double high =
         fmin(1 / airy_unit(setting), fmin(j1_zero / (M_PI * setting->blur), 1 / setting->pitch));
-    for (int i = 0; i < 64; i++) { /* 2^-64 of the interval */
-        double middle = low + (high - low) / 2;
+    double middle = high / 2;
+    while (low < middle && middle < high) { /* down to neighbouring numbers */
         if (mtf_factors(setting, middle).total > level) {
             low = middle;
         } else {
             high = middle;
         }
+        middle = low + (high - low) / 2;
     }
-    *nu = low + (high - low) / 2;
+    *nu = middle;
     return true;
 }
 
@@ -192,7 +194,7 @@ bool diffraction_resolve(double diameter, double wavelength, struct diffraction_
                          struct error *error)
 {
     if (!check_range(diameter, false, "entrance pupil", " mm", error) ||
-        !check_light(wavelength, 0, 1, error)) {
+        !check_range(wavelength, false, "--wavelength", " um", error)) {
         return false;
     }
     double unit = mm_from_um(wavelength) / diameter;

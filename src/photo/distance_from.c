@@ -94,10 +94,33 @@ static bool is_complete(const struct dof_setting *a)
     return !isnan(a->f + a->N + a->c + a->s);
 }
 
+/* Limits are known, the distance is not: where it is measured from moves with it. */
+static bool solve_by_turns(struct dof_setting *setting, const struct dof_targets *targets,
+                           const struct measuring *measuring, struct error *error)
+{
+    enum { MOST_TURNS = 200 };
+    struct dof_setting answer = *setting;
+    answer.s = INFINITY; /* the subject far away, to begin with */
+    double offset = distance_offset(&answer, measuring);
+    for (int turn = 0; turn < MOST_TURNS; turn++) {
+        answer = *setting;
+        if (!solve_with_offset(&answer, targets, offset, error)) {
+            return false;
+        }
+        double next = distance_offset(&answer, measuring);
+        if (fabs(next - offset) <= 4e-16 * fabs(next) || measuring->from != FROM_SENSOR) {
+            *setting = answer;
+            return true;
+        }
+        offset = next;
+    }
+    return fail(error, ERROR_DOMAIN, "no distance from the %s gives these limits",
+                distances_from[measuring->from].word);
+}
+
 bool distance_solve(struct dof_setting *setting, const struct dof_targets *targets,
                     const struct measuring *measuring, struct error *error)
 {
-    enum { MOST_TURNS = 200 };
     enum distance_from from = measuring->from;
     bool measured = from != FROM_PRINCIPAL;
     if (!measured && is_complete(setting) && !has_goals(targets)) {
@@ -126,21 +149,5 @@ bool distance_solve(struct dof_setting *setting, const struct dof_targets *targe
         *setting = answer;
         return solve_with_offset(setting, targets, distance_offset(setting, measuring), error);
     }
-    /* the subject far away, to begin with */
-    answer.s = INFINITY;
-    double offset = distance_offset(&answer, measuring);
-    for (int turn = 0; turn < MOST_TURNS; turn++) {
-        answer = *setting;
-        if (!solve_with_offset(&answer, targets, offset, error)) {
-            return false;
-        }
-        double next = distance_offset(&answer, measuring);
-        if (fabs(next - offset) <= 4e-16 * fabs(next) || from != FROM_SENSOR) {
-            *setting = answer;
-            return true;
-        }
-        offset = next;
-    }
-    return fail(error, ERROR_DOMAIN, "no distance from the %s gives these limits",
-                distances_from[from].word);
+    return solve_by_turns(setting, targets, measuring, error);
 }

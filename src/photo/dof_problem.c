@@ -125,8 +125,8 @@ bool problem_check_targets(const struct dof_targets *t, struct error *error)
                         "magnification", "0 or more and finite", error);
 }
 
-/* The known settings, the unknown ones replaced by something legal. */
-bool problem_check_known(const struct problem *p, struct error *error)
+/* The unknown settings replaced by something legal. */
+static struct dof_setting made_legal(const struct problem *p)
 {
     struct dof_setting a = p->a;
     if (p->unknown & FOCAL) {
@@ -141,6 +141,12 @@ bool problem_check_known(const struct problem *p, struct error *error)
     if (p->unknown & COC) {
         a.c = 1;
     }
+    return a;
+}
+
+bool problem_check_known(const struct problem *p, struct error *error)
+{
+    const struct dof_setting a = made_legal(p);
     if (!(p->unknown & DISTANCE) && (p->unknown & FOCAL) && !(a.s > 0)) {
         return fail(error, ERROR_DOMAIN, "distance %.15g mm must be above 0 mm", a.s);
     }

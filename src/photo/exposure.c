@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/exposure.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "photo/given.h"
@@ -63,6 +64,25 @@ static double light_ev100(const struct exposure_given *g)
     return g->ev - (log2(g->S) - log2_of_100);
 }
 
+/*
+ * 2^ev. Scenes state logarithms of whole numbers (sunny 16: of 25600): where the rounding of ev
+ * does not tell the power from a whole number, that is meant.
+ */
+static double power_of_two(double ev)
+{
+    double power = exp2(ev), whole = round(power);
+    return fabs(power - whole) <= 2 * DBL_EPSILON * fmax(1, fabs(ev)) * power ? whole : power;
+}
+
+/* The light as 2^EV100, without a logarithm on the way where none is given. */
+static double light_ratio(const struct exposure_given *g)
+{
+    return is_given(g->ev100) ? power_of_two(g->ev100)
+           : is_given(g->L)   ? 100 * (g->L / g->K)
+           : is_given(g->E)   ? 100 * (g->E / g->C)
+                              : power_of_two(g->ev) / (g->S / 100);
+}
+
 static bool fail_count(int missing, struct error *error)
 {
     const char *light = "a light (--ev, --ev-at-iso, --luminance or --illuminance)";
@@ -109,8 +129,9 @@ static bool find_unknown(struct exposure_given *g, struct exposure *x, struct er
 /* The exposure equation in stops: ev_set = ev100 + log2(S/100) - less. */
 static void solve(const struct exposure_given *g, struct exposure *x)
 {
-    double less = g->loss + g->compensation;
+    double less = g->loss + g->compensation, kept = exp2(-less);
     double speed = log2(g->S) - log2_of_100;
+    double light = x->unknown == EXPOSURE_LIGHT ? (double)NAN : light_ratio(g);
     x->N = g->N;
     x->t = g->t;
     x->S = g->S;
@@ -118,20 +139,20 @@ static void solve(const struct exposure_given *g, struct exposure *x)
         x->unknown == EXPOSURE_LIGHT ? log2(g->N * g->N / g->t) + less - speed : light_ev100(g);
     x->ev_set = x->ev100 + speed - less;
     if (x->unknown == EXPOSURE_N) {
-        x->N = sqrt(g->t * exp2(x->ev_set));
+        x->N = sqrt(g->t * (light * kept) * (g->S / 100));
     } else if (x->unknown == EXPOSURE_T) {
-        x->t = g->N * g->N * exp2(-x->ev_set);
+        x->t = g->N * g->N / (light * kept * (g->S / 100));
     } else if (x->unknown == EXPOSURE_S) {
         x->ev_set = log2(g->N * g->N / g->t);
-        x->S = 100 * exp2(x->ev_set + less - x->ev100);
+        x->S = 100 * (g->N * g->N / g->t / (light * kept));
     }
 }
 
 static void complete(const struct exposure_given *g, struct exposure *x)
 {
     x->ev = x->ev100 + (log2(x->S) - log2_of_100);
-    x->L = is_given(g->L) ? g->L : g->K * exp2(x->ev100) / 100;
-    x->E = is_given(g->E) ? g->E : g->C * exp2(x->ev100) / 100;
+    x->L = is_given(g->L) ? g->L : g->K * power_of_two(x->ev100) / 100;
+    x->E = is_given(g->E) ? g->E : g->C * power_of_two(x->ev100) / 100;
     x->Av = 2 * log2(x->N);
     x->Tv = -log2(x->t);
     x->Sv = log2(x->S) - log2_of_3_125;

@@ -154,18 +154,19 @@ static bool check_angle(enum projection projection, double angle, struct error *
                 projections[projection].word);
 }
 
-bool fov_focal_length(enum projection projection, double dimension, double angle, double s,
-                      double P, double *f, struct error *error)
+bool fov_focal_length(const struct fov_setting *setting, double dimension, double angle, double *f,
+                      struct error *error)
 {
+    double s = setting->s, P = setting->P;
     if (!check_positive("sensor dimension", " mm", dimension, error) ||
         !check_positive("pupil magnification", "", P, error) ||
-        !check_angle(projection, angle, error)) {
+        !check_angle(setting->projection, angle, error)) {
         return false;
     }
     if (!(s > 0)) {
         return fail(error, ERROR_DOMAIN, "distance %.15g mm must be above 0 mm", s);
     }
-    double scale = dimension / 2 / rules[projection].height(angle / 2);
+    double scale = dimension / 2 / rules[setting->projection].height(angle / 2);
     if (s < INFINITY) {
         double b = P * (s + scale), root = hypot(P * (s - scale), 2 * sqrt(P * scale * s));
         *f = 2 * P * (scale / (b + root)) * s;
@@ -197,7 +198,7 @@ static bool solve_goal(const struct fov_setting *a, const struct goal *goal, dou
                        struct error *error)
 {
     if (!goal->is_field) {
-        return fov_focal_length(a->projection, goal->dimension, goal->wanted, a->s, a->P, f, error);
+        return fov_focal_length(a, goal->dimension, goal->wanted, f, error);
     }
     if (a->projection != RECTILINEAR || !(a->s < INFINITY)) {
         return fail(error, ERROR_DOMAIN,

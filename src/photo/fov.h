@@ -73,11 +73,10 @@ bool fov_compute(const struct fov_setting *setting, const struct sensor *sensor,
 /*
  * Focal length for an angle of view.
  *
- * Given     projection
+ * Given     setting    its projection, s and P
  *           dimension  w on the sensor, mm, > 0 (with squeeze applied, if it is the width)
  *           angle      full angle, rad: below pi (rectilinear), at most pi (orthographic), below
  *                      2 pi (stereographic), at most 2 pi (others)
- *           s, P       focus distance, mm, inf for infinity; pupil magnification
  *           f          receives the focal length, mm
  * Formula   f' from the projection; then f(1 + f/(P(s - f))) = f', a quadratic whose root below s
  *           is f = 2 P f' s/(b + sqrt(b^2 + 4(1 - P)P f' s)), b = P(s + f'); f = f' at infinity.
@@ -85,8 +84,8 @@ bool fov_compute(const struct fov_setting *setting, const struct sensor *sensor,
  * Source    Derived here; put back into fov_compute by tests/unit/test_fov.c
  * Errors    an angle out of range; dimension, s or P not above 0
  */
-bool fov_focal_length(enum projection projection, double dimension, double angle, double s,
-                      double P, double *f, struct error *error);
+bool fov_focal_length(const struct fov_setting *setting, double dimension, double angle, double *f,
+                      struct error *error);
 
 /*
  * Focal length that fits a field of a given width at a distance (rectilinear).

@@ -33,6 +33,12 @@ struct panorama_row {
     double step;      /* rad */
 };
 
+/* Which row: index 0 (lowest) to rows - 1 about the panorama's middle, its elevation in rad. */
+struct panorama_place {
+    double middle;
+    int index;
+};
+
 /* Pixels of the stitched picture; one pixel in the middle of a frame stays one pixel. */
 struct panorama_size {
     double per_degree;
@@ -42,16 +48,19 @@ struct panorama_size {
     double flat_width;      /* rectilinear: 2 tan(arc/2) x pixels per radian; inf likewise */
 };
 
+struct panorama_lens {
+    double f, m, P; /* f > 0 mm; magnification at the focus, >= 0; of the pupils, > 0 */
+};
+
 /*
  * Angles of view of a rectilinear frame.
  *
- * Given     f > 0 mm; m >= 0, P > 0: magnification at the focus, pupil magnification; width and
- *           height of the sensor as held, mm, > 0
+ * Given     width, height  of the sensor as held, mm, > 0
  * Formula   2 atan(width/(2 f (1 + m/P)))
  * Source    lenscalc.7, photography, from the entrance pupil, about which the camera turns
  * Errors    values outside their ranges
  */
-bool panorama_frame(double f, double m, double P, double width, double height,
+bool panorama_frame(const struct panorama_lens *lens, double width, double height,
                     struct panorama_frame *frame, struct error *error);
 
 /* The focal length whose frame of this width spans the angle: width/(2 tan(angle/2)(1 + m/P)). */
@@ -80,8 +89,7 @@ bool panorama_overlap(const struct panorama_frame *frame, double arc, int column
 /*
  * One row of a rectilinear many-row panorama.
  *
- * Given     frame, goal, plan; middle, the elevation of the panorama's middle, rad; index 0
- *           (lowest) to rows - 1
+ * Given     frame, goal, plan, place
  * Formula   elevation e, row step r: half-way to the row nearer the horizon the frame's side
  *           reaches cos(|e| - r/2)/cos(r/2) forward and spans the azimuth 2 atan(tan(h/2)
  *           cos(r/2)/cos(|e| - r/2)), its least in the band that is this row's own; columns as
@@ -90,7 +98,7 @@ bool panorama_overlap(const struct panorama_frame *frame, double arc, int column
  * Errors    index out of range; elevation beyond 90 degrees; frame not below 180 degrees
  */
 bool panorama_row_at(const struct panorama_frame *frame, const struct panorama_goal *goal,
-                     const struct panorama *plan, double middle, int index,
+                     const struct panorama *plan, const struct panorama_place *place,
                      struct panorama_row *row, struct error *error);
 
 /*

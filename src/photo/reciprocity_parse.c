@@ -15,7 +15,7 @@ struct reader {
 static bool fail_here(const struct reader *reader, const char *what)
 {
     size_t caret = (size_t)(reader->at - reader->whole.start) + 1;
-    return fail_at(reader->error, ERROR_DATA, reader->whole.start, reader->whole.length, caret,
+    return fail_at(reader->error, ERROR_DATA, reader->whole, caret,
                    "bad reciprocity parameters at character %zu: %s", caret, what);
 }
 

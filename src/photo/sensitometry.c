@@ -30,19 +30,19 @@ bool lens_q(double T, double v, double theta, double *q, struct error *error)
     return true;
 }
 
-bool focal_plane_exposure(double q, double L, double N, double t, double loss, double *H,
-                          struct error *error)
+bool focal_plane_exposure(const struct focal_plane_light *light, double *H, struct error *error)
 {
+    double q = light->q, N = light->N;
     if (!(q > 0 && q <= quarter_pi)) {
         return fail(error, ERROR_DOMAIN, "q %.10g must lie above 0 and up to pi/4", q);
     }
-    if (!require_positive("--luminance", " cd/m^2", L, error) ||
+    if (!require_positive("--luminance", " cd/m^2", light->L, error) ||
         !require_positive("--aperture", "", N, error) ||
-        !require_positive("--time", " s", t, error) ||
-        !require_within("--loss", " stops", loss, 0, 200, error)) {
+        !require_positive("--time", " s", light->t, error) ||
+        !require_within("--loss", " stops", light->loss, 0, 200, error)) {
         return false;
     }
-    *H = q * L * t / (N * N) * exp2(-loss);
+    *H = q * light->L * light->t / (N * N) * exp2(-light->loss);
     return answer_positive("the focal-plane exposure", *H, error);
 }
 

@@ -81,9 +81,12 @@ bool star_trail_worst(double f, double dec, double t, double half_diagonal, doub
         return fail(error, ERROR_DOMAIN, "half diagonal %.10g mm must be 0 or above and finite",
                     half_diagonal);
     }
-    double slope = half_diagonal / f;
-    double nearest = fmax(fabs(dec) - atan(slope), 0); /* to the equator, within the frame */
-    *worst = f * STELLAR_RATE * t * fmax(cos(nearest), 0) * (1 + slope * slope);
+    double R = half_diagonal / f, c = fmax(cos(dec), 0), s = fabs(sin(dec));
+    double steep = 2 + R * R;
+    bool aside = s < c * R * steep; /* not straight towards the equator */
+    double speed =
+        aside ? sqrt(c * c * (1 + R * R) * (1 + R * R) + R * R * s * s + s * s / steep) : c + s * R;
+    *worst = f * STELLAR_RATE * t * speed;
     return true;
 }
 
@@ -138,14 +141,14 @@ bool npf_simple_time(double f, double N, double pitch, double *t, struct error *
     return answer_positive("the longest time", *t, error);
 }
 
-bool npf_full_time(double f, double N, double pitch, double dec, double k, double *t,
-                   struct error *error)
+bool npf_full_time(const struct npf_setting *setting, double *t, struct error *error)
 {
-    if (!check_npf(f, N, pitch, error) || !check_off_pole(dec, error) ||
-        !require_positive("--accuracy", "", k, error)) {
+    double f = setting->f, N = setting->N, pitch = setting->pitch;
+    if (!check_npf(f, N, pitch, error) || !check_off_pole(setting->dec, error) ||
+        !require_positive("--accuracy", "", setting->k, error)) {
         return false;
     }
-    *t = k * (16.9 * N + 0.10 * f + 13.7 * (pitch * 1000)) / (f * cos(dec));
+    *t = setting->k * (16.9 * N + 0.10 * f + 13.7 * (pitch * 1000)) / (f * cos(setting->dec));
     return answer_positive("the longest time", *t, error);
 }
 

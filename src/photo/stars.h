@@ -41,16 +41,19 @@ struct star_trail {
 bool star_trail(double f, double dec, double t, struct star_trail *trail, struct error *error);
 
 /*
- * Bound on the trail anywhere in the frame of a rectilinear lens.
+ * Longest trail anywhere in the frame of a rectilinear lens, however the camera is turned.
  *
  * Given     f, dec, t      as star_trail
  *           half_diagonal  of the sensor, mm, >= 0
  * Result    worst          mm; not below `linear`
- * Formula   f w t cos(max(|dec| - theta, 0)) (1 + (half_diagonal/f)^2), theta =
- *           atan(half_diagonal/f): the fastest star in the frame at the corner's scale
- * Source    gnomonic scale along the radius is f/cos^2 theta (Snyder, eq. 22-2)
+ * Formula   with c = cos |dec|, s = sin |dec|, R = half_diagonal/f, k = cosine of the angle between
+ *           a point at the distance R and the direction to the equator, the speed of the image is
+ *           f w sqrt(c^2 (1 + R^2)^2 + R^2 s^2 + 2 s c R k - c^2 R^2 (2 + R^2) k^2), greatest at
+ *           k = s/(c R (2 + R^2)), or at 1: f w (c + s R)
+ * Source    derived here: the velocity p x d of a direction d about the pole p, in the gnomonic
+ *           projection; it grows outwards, so that a corner has it. test_stars.c turns the sky
  * Errors    numbers outside their ranges
- * Limits    short exposures; an upper bound, reached where the equator runs out of a corner
+ * Limits    to first order in time; a corner that points elsewhere has a shorter one
  */
 bool star_trail_worst(double f, double dec, double t, double half_diagonal, double *worst,
                       struct error *error);
@@ -113,19 +116,21 @@ bool star_rule_time(double constant, double f, double crop, double *t, struct er
  */
 bool npf_simple_time(double f, double N, double pitch, double *t, struct error *error);
 
+struct npf_setting {
+    double f, N, pitch; /* as npf_simple_time */
+    double dec;         /* declination, rad; the pole is refused */
+    double k;           /* accuracy, > 0: 1 points, 2 slightly drawn out, 3 drawn out */
+};
+
 /*
  * The NPF rule in full.
  *
- * Given     f, N, pitch   as npf_simple_time
- *           dec           declination, rad; the pole is refused
- *           k             accuracy, > 0: 1 points, 2 slightly drawn out, 3 drawn out
  * Result    t             s
  * Formula   t = k (16.9 N + 0.10 f + 13.7 p)/(f cos dec), p in um: diffraction, seeing, pixel
  * Source    as npf_simple_time; 13.7 p/(f cos dec) is the time a star takes over one pixel
  * Errors    numbers outside their ranges; |dec| = 90 deg
  */
-bool npf_full_time(double f, double N, double pitch, double dec, double k, double *t,
-                   struct error *error);
+bool npf_full_time(const struct npf_setting *setting, double *t, struct error *error);
 
 /*
  * Michaud's "4 - crop" rule, for a head without calculator.

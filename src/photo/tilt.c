@@ -216,17 +216,18 @@ struct tilt_reach tilt_along(const struct tilt *camera, double rise)
                                .behind = behind};
 }
 
-bool tilt_coverage(const struct tilt *camera, double width, double height, double rise,
-                   double shift, struct tilt_coverage *coverage, struct error *error)
+bool tilt_coverage(const struct tilt *camera, const struct tilt_frame *frame,
+                   struct tilt_coverage *coverage, struct error *error)
 {
+    double width = frame->width, height = frame->height;
     if (!check_positive("sensor width", " mm", width, error) ||
         !check_positive("sensor height", " mm", height, error)) {
         return false;
     }
     double worst = 0, v = camera->image, sine = camera->B, cosine = cos(camera->tilt);
     for (int i = 0; i < 4; i++) {
-        double x = shift + (i & 1 ? width : -width) / 2;
-        double y = -rise + (i & 2 ? height : -height) / 2;
+        double x = frame->shift + (i & 1 ? width : -width) / 2;
+        double y = -frame->rise + (i & 2 ? height : -height) / 2;
         double along = v * cosine + y * sine;
         if (!(along > 0)) {
             return fail(error, ERROR_DOMAIN,
@@ -240,9 +241,10 @@ bool tilt_coverage(const struct tilt *camera, double width, double height, doubl
     return true;
 }
 
-bool tilt_shift_limit(double f, double image, double circle, double width, double height,
+bool tilt_shift_limit(const struct tilt *camera, double circle, const struct tilt_frame *frame,
                       double *limit, struct error *error)
 {
+    double f = camera->f, image = camera->image, width = frame->width, height = frame->height;
     if (!check_positive("--focal-length", " mm", f, error) ||
         !check_positive("--image", " mm", image, error)) {
         return false;

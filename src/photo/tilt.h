@@ -137,29 +137,35 @@ bool tilt_point_focused(double f, double z, double h, struct tilt_point *point,
  */
 struct tilt_reach tilt_along(const struct tilt *camera, double rise);
 
+/* A frame behind a lens, mm. */
+struct tilt_frame {
+    double width, height; /* > 0; the height in the plane of the tilt */
+    double rise;          /* the lens raised against the frame's middle */
+    double shift;         /* the lens moved sideways */
+};
+
 /*
  * The image circle that tilt and shift ask for.
  *
- * Given     camera         solved
- *           width, height  of the frame, mm, > 0; height in the plane of the tilt
- *           rise           the lens raised against the frame's middle, mm
- *           shift          the lens moved sideways, mm
+ * Given     camera  solved
  * Formula   corner (x, y) on the sensor: tan(angle) = sqrt(x^2 + (y cos a - v' sin a)^2)/
  *           (v' cos a + y sin a), the greatest of the four; circle = 2 f tan(angle)
  * Errors    a corner lies beside or before the lens: no circle is large enough
  * Limits    compare with the circle the maker states for infinity (and the f-number in use)
  */
-bool tilt_coverage(const struct tilt *camera, double width, double height, double rise,
-                   double shift, struct tilt_coverage *coverage, struct error *error);
+bool tilt_coverage(const struct tilt *camera, const struct tilt_frame *frame,
+                   struct tilt_coverage *coverage, struct error *error);
 
 /*
  * How far an untilted lens may be moved along the frame's height (exchange the sides for sideways).
  *
- * Given     f > 0, v' >= f; circle, the image circle's diameter at infinity; width, height, mm
+ * Given     camera  its f > 0 and v' >= f
+ *           circle  the image circle's diameter at infinity, mm
+ *           frame   its width and height
  * Result    sqrt((circle v'/(2 f))^2 - (width/2)^2) - height/2, mm
  * Errors    the circle does not cover the frame
  */
-bool tilt_shift_limit(double f, double image, double circle, double width, double height,
+bool tilt_shift_limit(const struct tilt *camera, double circle, const struct tilt_frame *frame,
                       double *limit, struct error *error);
 
 /*
