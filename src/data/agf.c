@@ -1,4 +1,4 @@
-/* file/agf.c - glass catalogues in the AGF format, as makers of glass publish them. */
+/* data/agf.c - glass catalogues in the AGF format, as makers of glass publish them. */
 /* SPDX-License-Identifier: MIT */
 #include "data/agf.h"
 
@@ -70,14 +70,14 @@ static bool fail_word(const struct reader *reader, struct text word, struct erro
                       const char *what)
 {
     size_t column = (size_t)(word.start - reader->line.start) + 1;
-    fail_at(error, ERROR_DATA, reader->line.start, reader->line.length, column, "'%.*s' %s",
+    fail_at(error, ERROR_DATA, reader->line, column, "'%.*s' %s",
             (int)(word.length < 60 ? word.length : 60), word.start, what);
     return error_locate(error, reader->source, reader->number, column);
 }
 
 static bool fail_line(const struct reader *reader, struct error *error, const char *what)
 {
-    fail_at(error, ERROR_DATA, reader->line.start, reader->line.length, 1, "%s", what);
+    fail_at(error, ERROR_DATA, reader->line, 1, "%s", what);
     return error_locate(error, reader->source, reader->number, 1);
 }
 

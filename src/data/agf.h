@@ -1,7 +1,7 @@
-/* file/agf.h - glass catalogues in the AGF format, as makers of glass publish them. */
+/* data/agf.h - glass catalogues in the AGF format, as makers of glass publish them. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_AGF_H
-#define LENSCALC_FILE_AGF_H
+#ifndef LENSCALC_DATA_AGF_H
+#define LENSCALC_DATA_AGF_H
 
 #include "data/glass_catalog.h"
 

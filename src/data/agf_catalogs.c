@@ -1,4 +1,4 @@
-/* file/agf_catalogs.c - the AGF files of the user. */
+/* data/agf_catalogs.c - the AGF files of the user. */
 /* SPDX-License-Identifier: MIT */
 #include "data/agf_catalogs.h"
 

@@ -1,7 +1,7 @@
-/* file/agf_catalogs.h - the AGF files of the user. */
+/* data/agf_catalogs.h - the AGF files of the user. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_AGF_CATALOGS_H
-#define LENSCALC_FILE_AGF_CATALOGS_H
+#ifndef LENSCALC_DATA_AGF_CATALOGS_H
+#define LENSCALC_DATA_AGF_CATALOGS_H
 
 #include "data/agf.h"
 

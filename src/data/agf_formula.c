@@ -1,4 +1,4 @@
-/* file/agf_formula.c - the thirteen dispersion formulas of AGF files. */
+/* data/agf_formula.c - the thirteen dispersion formulas of AGF files. */
 /* SPDX-License-Identifier: MIT */
 #include "data/agf_formula.h"
 

@@ -1,7 +1,7 @@
-/* file/agf_formula.h - the thirteen dispersion formulas of AGF files. */
+/* data/agf_formula.h - the thirteen dispersion formulas of AGF files. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_AGF_FORMULA_H
-#define LENSCALC_FILE_AGF_FORMULA_H
+#ifndef LENSCALC_DATA_AGF_FORMULA_H
+#define LENSCALC_DATA_AGF_FORMULA_H
 
 #include "optics/glass.h"
 

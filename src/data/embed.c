@@ -1,4 +1,4 @@
-/* file/embed.c - build-time program: files into a C source of const arrays. */
+/* data/embed.c - build-time program: files into a C source of const arrays. */
 /* SPDX-License-Identifier: MIT */
 #include "data/embedded.h"
 
@@ -141,7 +141,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "embed: more than %d files\n", MOST_FILES - 1);
         return 1;
     }
-    printf("/* Made from lensdb by file/embed.c. */\n#include \"data/embedded.h\"\n\n");
+    printf("/* Made from lensdb by data/embed.c. */\n#include \"data/embedded.h\"\n\n");
     for (int i = 1; i < argc; i++) {
         struct source *source = &sources[i];
         source->path = argv[i];

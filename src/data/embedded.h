@@ -1,7 +1,7 @@
-/* file/embedded.h - the files of lensdb inside the program. */
+/* data/embedded.h - the files of lensdb inside the program. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_EMBEDDED_H
-#define LENSCALC_FILE_EMBEDDED_H
+#ifndef LENSCALC_DATA_EMBEDDED_H
+#define LENSCALC_DATA_EMBEDDED_H
 
 #include <stddef.h>
 

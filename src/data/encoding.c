@@ -1,4 +1,4 @@
-/* file/encoding.c - text files of other programs in any encoding, made UTF-8. */
+/* data/encoding.c - text files of other programs in any encoding, made UTF-8. */
 /* SPDX-License-Identifier: MIT */
 #include "data/encoding.h"
 
@@ -18,29 +18,10 @@ static unsigned byte_at(struct text content, size_t at)
     return (unsigned char)content.start[at];
 }
 
-/* Length of the UTF-8 character that begins here; 0 = it is none. */
-static size_t utf8_length(struct text content, size_t at)
-{
-    unsigned first = byte_at(content, at);
-    size_t length = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-    if (first > 0xf4 || at + length > content.length) {
-        return 0;
-    }
-    for (size_t i = 1; i < length; i++) {
-        if ((byte_at(content, at + i) & 0xc0) != 0x80) {
-            return 0;
-        }
-    }
-    unsigned second = length > 2 ? byte_at(content, at + 1) : 0;
-    bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
-    bool beyond = (first == 0xed && second > 0x9f) || (first == 0xf4 && second > 0x8f);
-    return overlong || beyond ? 0 : length;
-}
-
 static bool is_utf8(struct text content)
 {
     for (size_t at = 0; at < content.length;) {
-        size_t length = utf8_length(content, at);
+        size_t length = text_utf8_length(content.start + at, content.length - at);
         if (length == 0) {
             return false;
         }

@@ -1,7 +1,7 @@
-/* file/encoding.h - text files of other programs in any encoding, made UTF-8. */
+/* data/encoding.h - text files of other programs in any encoding, made UTF-8. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_ENCODING_H
-#define LENSCALC_FILE_ENCODING_H
+#ifndef LENSCALC_DATA_ENCODING_H
+#define LENSCALC_DATA_ENCODING_H
 
 #include "base/arena.h"
 #include "base/error.h"

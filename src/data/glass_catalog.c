@@ -1,10 +1,11 @@
-/* file/glass_catalog.c - glasses by name: the embedded catalogues and the user's own. */
+/* data/glass_catalog.c - glasses by name: the embedded catalogues and the user's own. */
 /* SPDX-License-Identifier: MIT */
 #include "data/glass_catalog.h"
 
 #include "base/number.h"
 #include "data/agf_catalogs.h"
 #include "data/embedded.h"
+#include "data/glass_alias.h"
 #include "data/glass_table.h"
 
 #include <math.h>
@@ -261,31 +262,86 @@ static bool is_same_glass(const struct glass *a, const struct glass *b)
            memcmp(a->coefficients, b->coefficients, a->count * sizeof a->coefficients[0]) == 0;
 }
 
-/* One name, several glasses: refuse, naming them, unless they are the same. */
-static bool choose(const struct search *search, struct glass_record *record, struct error *error)
+/* The glasses that were found but for one (null: all), as they have to be typed. */
+static const char *list_found(const struct search *search, const struct glass_record *but,
+                              bool current_only, const char *separator)
 {
-    bool same = true;
-    char names[300] = "";
-    size_t used = 0;
-    *record = search->found[0];
+    struct growing list = {.arena = search->arena};
     for (size_t i = 0; i < search->count; i++) {
         const struct glass_record *one = &search->found[i];
-        same = same && (i == 0 || is_same_glass(&one->glass, &search->found[0].glass));
+        if (one == but || (current_only && !text_equal(one->status, "current"))) {
+            continue;
+        }
+        growing_string(&list, list.length > 0 ? separator : "");
+        growing_text(&list, one->glass.catalog);
+        growing_string(&list, ":");
+        growing_text(&list, one->glass.name);
+        if (one->line > 0) {
+            growing_format(&list, " (line %ld)", one->line);
+        }
+        growing_string(&list, text_equal(one->status, "obsolete") ? " (obsolete)" : "");
+    }
+    growing_put(&list, "", 1);
+    return growing_done(&list).start;
+}
+
+/* The only one that is current, or else that is not obsolete; null if there is none. */
+static const struct glass_record *current_of(const struct search *search)
+{
+    const struct glass_record *current = NULL, *alive = NULL;
+    size_t current_count = 0, alive_count = 0;
+    for (size_t i = 0; i < search->count; i++) {
+        const struct glass_record *one = &search->found[i];
+        if (text_equal(one->status, "current")) {
+            current = one;
+            current_count++;
+        }
+        if (!text_equal(one->status, "obsolete")) {
+            alive = one;
+            alive_count++;
+        }
+    }
+    return current_count == 1 ? current : current_count == 0 && alive_count == 1 ? alive : NULL;
+}
+
+/* The first of the same glasses, but rather a current one; false if they are not the same. */
+static bool are_same(const struct search *search, struct glass_record *record)
+{
+    *record = search->found[0];
+    for (size_t i = 1; i < search->count; i++) {
+        const struct glass_record *one = &search->found[i];
+        if (!is_same_glass(&one->glass, &search->found[0].glass)) {
+            return false;
+        }
         if (text_equal(one->status, "current") && !text_equal(record->status, "current")) {
             *record = *one;
         }
-        char line[32] = "";
-        if (one->line > 0) {
-            snprintf(line, sizeof line, " (line %ld)", one->line);
-        }
-        int length = snprintf(
-            names + used, sizeof names - used, "%s%.*s:%.*s%s%s", i > 0 ? ", " : "",
-            (int)one->glass.catalog.length, one->glass.catalog.start, (int)one->glass.name.length,
-            one->glass.name.start, line, text_equal(one->status, "obsolete") ? " (obsolete)" : "");
-        used += length > 0 && (size_t)length < sizeof names - used ? (size_t)length : 0;
     }
-    return same || fail(error, ERROR_USAGE, "several glasses are called '%.*s': %s",
-                        (int)search->name.length, search->name.start, names);
+    return true;
+}
+
+/* One name, several glasses: refuse, naming them, unless the current one may be taken. */
+static bool choose(const struct search *search, enum glass_naming naming,
+                   struct glass_record *record, struct error *error)
+{
+    if (are_same(search, record)) {
+        return true;
+    }
+    const struct glass_record *one = current_of(search);
+    if (naming == GLASS_CURRENT && one != NULL) {
+        *record = *one;
+        record->taken_as = arena_printf(
+            search->arena, "%.*s:%.*s, the %s; others of that name: %s",
+            (int)one->glass.catalog.length, one->glass.catalog.start, (int)one->glass.name.length,
+            one->glass.name.start,
+            text_equal(one->status, "current") ? "current one" : "only one not obsolete",
+            list_found(search, one, false, ", "));
+        return true;
+    }
+    fail(error, ERROR_USAGE, "several glasses are called '%.*s': %s", (int)search->name.length,
+         search->name.start, list_found(search, NULL, false, ", "));
+    const char *current = list_found(search, NULL, true, " or ");
+    return current[0] != '\0' ? error_hint(error, "say %s", current) : false;
 }
 
 static void suggest_agf(const struct search *search, struct nearest *nearest, struct nearest *other)
@@ -322,19 +378,17 @@ static void suggest(struct search *search, struct error *error)
         error_hint(error, "did you mean '%.*s%s%.*s'?", prefixed ? (int)search->catalog.length : 0,
                    search->catalog.start, prefixed ? ":" : "", (int)nearest.best.length,
                    nearest.best.start);
-    } else if (other.best.start != NULL && search->catalog.length > 0) {
+    } else if (other.best.start != NULL && search->catalog.length > 0 &&
+               !text_same_name(other.best, search->catalog)) {
         error_hint(error, "did you mean '%.*s:%.*s'?", (int)other.best.length, other.best.start,
                    (int)search->name.length, search->name.start);
     }
 }
 
-bool glass_find(struct lensdb *db, struct text name, struct arena *arena,
-                struct glass_record *record, struct error *error)
+/* Find all glasses that answer to a name. */
+static bool search_for(struct search *search, struct text name, struct error *error)
 {
-    struct search *search = ARENA_NEW(arena, struct search);
     struct text rest = text_trim(name);
-    search->db = db;
-    search->arena = arena;
     search->typed = rest;
     search->catalog = text_cut(&rest, ':');
     search->name = rest;
@@ -346,16 +400,59 @@ bool glass_find(struct lensdb *db, struct text name, struct arena *arena,
     if (!search_user(search, error) || (search->count == 0 && !search_embedded(search, error))) {
         return false;
     }
-    if (search->count == 0) {
-        int shown = text_shown(search->typed);
-        fail(error, ERROR_USAGE, "glass '%.*s' is in no catalogue", shown, search->typed.start);
-        if (search->typed.length < 60) {
+    keep_exact(search);
+    return true;
+}
+
+static bool is_unknown(struct text name, struct error *error)
+{
+    fail(error, ERROR_USAGE, "glass '%.*s' is in no catalogue", text_shown(name), name.start);
+    return name.length < 60;
+}
+
+/* No catalogue has the name: it may be that of another program. */
+static bool find_alias(struct search *search, enum glass_naming naming, struct glass_record *record,
+                       struct error *error)
+{
+    struct text typed = search->typed, material;
+    if (!glass_alias(search->db, typed, search->arena, &material, error)) {
+        if (error->code == ERROR_NONE && is_unknown(typed, error)) {
             suggest(search, error);
         }
         return false;
     }
-    keep_exact(search);
-    return choose(search, record, error);
+    if (!search_for(search, material, error)) {
+        return false;
+    }
+    if (search->count == 0) {
+        return is_unknown(typed, error) && false;
+    }
+    if (naming == GLASS_OWN_NAMES) {
+        return is_unknown(typed, error) &&
+               error_hint(error, "did you mean '%.*s'?", (int)material.length, material.start);
+    }
+    if (!choose(search, naming, record, error)) {
+        return false;
+    }
+    const struct glass *glass = &record->glass;
+    record->taken_as =
+        arena_printf(search->arena, "%.*s:%.*s, which '%.*s' stands for",
+                     (int)glass->catalog.length, glass->catalog.start, (int)glass->name.length,
+                     glass->name.start, (int)typed.length, typed.start);
+    return true;
+}
+
+bool glass_find(struct lensdb *db, struct text name, enum glass_naming naming, struct arena *arena,
+                struct glass_record *record, struct error *error)
+{
+    struct search *search = ARENA_NEW(arena, struct search);
+    search->db = db;
+    search->arena = arena;
+    if (!search_for(search, name, error)) {
+        return false;
+    }
+    return search->count > 0 ? choose(search, naming, record, error)
+                             : find_alias(search, naming, record, error);
 }
 
 /* What is made of numbers alone has no facts beside them. */
@@ -380,15 +477,15 @@ static bool read_all(struct text text, struct pair *value)
     return text.length > 0 && pair_read(text.start, end, NUMBER_UNSCALED, value) == end;
 }
 
-bool glass_find_medium(struct lensdb *db, struct text text, struct arena *arena,
-                       struct glass_record *record, struct error *error)
+bool glass_find_medium(struct lensdb *db, struct text text, enum glass_naming naming,
+                       struct arena *arena, struct glass_record *record, struct error *error)
 {
     struct text rest = text_trim(text), name = rest;
     struct text first = text_cut(&rest, '/');
     struct pair nd, Vd;
     const double highest = 100; /* above that a number is the name of a glass, as 4786 */
     if (!read_all(first, &nd) || (rest.start != NULL && !read_all(rest, &Vd)) || nd.hi > highest) {
-        return glass_find(db, text, arena, record, error);
+        return glass_find(db, text, naming, arena, record, error);
     }
     if (!(nd.hi > 0)) {
         return fail(error, ERROR_DOMAIN, "an index is above 0");

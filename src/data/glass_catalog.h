@@ -1,7 +1,7 @@
-/* file/glass_catalog.h - glasses by name: the embedded catalogues and the user's own. */
+/* data/glass_catalog.h - glasses by name: the embedded catalogues and the user's own. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_GLASS_CATALOG_H
-#define LENSCALC_FILE_GLASS_CATALOG_H
+#ifndef LENSCALC_DATA_GLASS_CATALOG_H
+#define LENSCALC_DATA_GLASS_CATALOG_H
 
 #include "data/lensdb.h"
 #include "optics/glass.h"
@@ -15,8 +15,9 @@ struct glass_record {
     double density;                  /* g/cm^3 */
     double expansion, expansion_hot; /* 1e-6/K, -30 to 70 and 20 (or 100) to 300 C */
     enum lensdb_place place;
-    long line;           /* in an AGF file; else 0 */
-    const char *warning; /* what is doubtful in an AGF file; null = nothing */
+    long line;            /* in an AGF file; else 0 */
+    const char *taken_as; /* what a name was taken as that is not its own; null = as typed */
+    const char *warning;  /* what is doubtful in its data, and where; null = nothing */
 };
 
 enum { GLASS_CATALOG_COLUMNS = 22 };
@@ -56,15 +57,24 @@ bool glass_catalogs_open(struct glass_catalogs *catalogs, struct lensdb *db, str
 bool glass_catalogs_next(struct glass_catalogs *catalogs, struct glass_record *record,
                          struct error *error);
 
+/* How far a name may be from that of one glass. */
+enum glass_naming {
+    GLASS_OWN_NAMES, /* it is the name of one glass, as in a lens file */
+    GLASS_ALIASES,   /* what other programs call it, where no catalogue has the name */
+    GLASS_CURRENT    /* that, and of several glasses the one that is current: for a question only */
+};
+
 /*
  * Find a glass by NAME or CATALOG:NAME. Case, blanks, '-' and '_' do not count, unless two glasses
  * differ by nothing else. The user's glasses come before the embedded ones.
  *
- * Given     arena  for what the glass points to
+ * Given     arena   for what the glass points to
+ * Result    record->taken_as says which glass it is where naming decided
  * Errors    ERROR_USAGE with a suggestion: there is none; or several catalogues have the name with
- *           different data (the message names them)
+ *           different data (the message names them). GLASS_CURRENT takes the only one of status
+ *           "current"; where none is, the only one that is not "obsolete"
  */
-bool glass_find(struct lensdb *db, struct text name, struct arena *arena,
+bool glass_find(struct lensdb *db, struct text name, enum glass_naming naming, struct arena *arena,
                 struct glass_record *record, struct error *error);
 
 /*
@@ -74,7 +84,7 @@ bool glass_find(struct lensdb *db, struct text name, struct arena *arena,
  * Errors    as glass_find; ERROR_DOMAIN: an index not above 0, Vd 0
  * Limits    a number above 100 is no index but a name
  */
-bool glass_find_medium(struct lensdb *db, struct text text, struct arena *arena,
-                       struct glass_record *record, struct error *error);
+bool glass_find_medium(struct lensdb *db, struct text text, enum glass_naming naming,
+                       struct arena *arena, struct glass_record *record, struct error *error);
 
 #endif

@@ -1,4 +1,4 @@
-/* file/glass_table.c - read the rows of a catalogue of glasses. */
+/* data/glass_table.c - read the rows of a catalogue of glasses. */
 /* SPDX-License-Identifier: MIT */
 #include "data/glass_table.h"
 
@@ -28,6 +28,7 @@ enum column {
     TRANSMITTANCE,
     SOURCE,
     LICENCE,
+    WARNING,
     COLUMNS
 };
 
@@ -55,6 +56,7 @@ static const char *const names[COLUMNS] = {
     [TRANSMITTANCE] = "transmittance_10mm",
     [SOURCE] = "source",
     [LICENCE] = "licence",
+    [WARNING] = "warning",
 };
 
 _Static_assert((int)COLUMNS <= (int)GLASS_CATALOG_COLUMNS, "room for all columns");
@@ -263,8 +265,15 @@ bool glass_table_read(const struct glass_table *table, bool complete, struct are
         .licence = cell(table, LICENCE),
         .place = table->place,
     };
+    const struct text warning = cell(table, WARNING);
     if (record->glass.name.length == 0) {
         return bad(table, NAME, "is missing", error);
+    }
+    if (warning.length > 0) {
+        record->warning =
+            arena_printf(arena, "%.*s:%.*s: %.*s", (int)table->catalog.length, table->catalog.start,
+                         (int)record->glass.name.length, record->glass.name.start,
+                         (int)warning.length, warning.start);
     }
     return read_formula(table, &record->glass, arena, error) && read_facts(table, record, error) &&
            (!complete || read_points(table, TRANSMITTANCE, 1, arena, &record->glass.transmittance,

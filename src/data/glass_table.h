@@ -1,7 +1,7 @@
-/* file/glass_table.h - read the rows of a catalogue of glasses. */
+/* data/glass_table.h - read the rows of a catalogue of glasses. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_GLASS_TABLE_H
-#define LENSCALC_FILE_GLASS_TABLE_H
+#ifndef LENSCALC_DATA_GLASS_TABLE_H
+#define LENSCALC_DATA_GLASS_TABLE_H
 
 #include "data/glass_catalog.h"
 

@@ -1,4 +1,4 @@
-/* file/index_table.c - measured indices of refraction, as a table of the user's. */
+/* data/index_table.c - measured indices of refraction, as a table of the user's. */
 /* SPDX-License-Identifier: MIT */
 #include "data/index_table.h"
 

@@ -1,7 +1,7 @@
-/* file/index_table.h - measured indices of refraction, as a table of the user's. */
+/* data/index_table.h - measured indices of refraction, as a table of the user's. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_INDEX_TABLE_H
-#define LENSCALC_FILE_INDEX_TABLE_H
+#ifndef LENSCALC_DATA_INDEX_TABLE_H
+#define LENSCALC_DATA_INDEX_TABLE_H
 
 #include "base/arena.h"
 #include "base/error.h"

@@ -1,4 +1,4 @@
-/* file/lensdb.c - the program's data, and the user's own in front of it. */
+/* data/lensdb.c - the program's data, and the user's own in front of it. */
 /* SPDX-License-Identifier: MIT */
 #include "data/lensdb.h"
 

@@ -1,13 +1,13 @@
-/* file/lensdb.h - the program's data, and the user's own in front of it. */
+/* data/lensdb.h - the program's data, and the user's own in front of it. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_LENSDB_H
-#define LENSCALC_FILE_LENSDB_H
+#ifndef LENSCALC_DATA_LENSDB_H
+#define LENSCALC_DATA_LENSDB_H
 
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "optics/growing.h"
 #include "data/tsv.h"
+#include "optics/growing.h"
 #include "photo/format.h"
 
 #include <stdbool.h>

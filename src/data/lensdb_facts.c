@@ -1,4 +1,4 @@
-/* file/lensdb_facts.c - films, scenes and filters of lensdb. */
+/* data/lensdb_facts.c - films, scenes and filters of lensdb. */
 /* SPDX-License-Identifier: MIT */
 #include "data/lensdb_facts.h"
 
@@ -25,13 +25,14 @@ enum {
     FILM_MAKER,
     FILM_STATUS,
     FILM_SOURCE,
-    FILM_NOTE
+    FILM_NOTE,
+    FILM_ISO
 };
-static const struct layout films = {
-    "films.tsv",
-    4,
-    9,
-    {"film", "model", "parameters", "onset_s", "valid_to_s", "maker", "status", "source", "note"}};
+static const struct layout films = {"films.tsv",
+                                    4,
+                                    10,
+                                    {"film", "model", "parameters", "onset_s", "valid_to_s",
+                                     "maker", "status", "source", "note", "iso"}};
 
 enum { SCENE_NAME, SCENE_EV100, SCENE_SCENE, SCENE_CONFIDENCE, SCENE_SOURCE };
 static const struct layout scenes = {
@@ -103,6 +104,7 @@ bool lensdb_films_next(struct lensdb_facts *facts, struct lensdb_film *film, str
                                  .status = cell_of(facts, FILM_STATUS),
                                  .source = cell_of(facts, FILM_SOURCE),
                                  .note = cell_of(facts, FILM_NOTE),
+                                 .speeds = cell_of(facts, FILM_ISO),
                                  .place = facts->place,
                                  .file = facts->tsv.source,
                                  .line = facts->tsv.line};
@@ -213,6 +215,41 @@ static bool has_all_words(const struct lensdb_film *film, struct text typed)
         }
     }
     return false;
+}
+
+/* Does a number stand in a text, not as a part of a longer one? */
+static bool has_number(struct text text, struct text number)
+{
+    for (size_t i = 0; i + number.length <= text.length; i++) {
+        const char *at = text.start + i, *behind = at + number.length;
+        bool starts = i == 0 || at[-1] < '0' || at[-1] > '9';
+        bool ends = behind == text.start + text.length || *behind < '0' || *behind > '9';
+        if (starts && ends && memcmp(at, number.start, number.length) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+double lensdb_film_speed(const struct lensdb_film *film, struct text typed)
+{
+    struct text rest = film->speeds;
+    double speed = NAN, only = NAN, value;
+    size_t count = 0, named = 0;
+    while (rest.start != NULL) {
+        struct text word = text_cut(&rest, ' ');
+        const char *end = word.start + word.length;
+        if (word.length > 0 && number_read(word.start, end, NUMBER_UNSCALED, &value) == end &&
+            value > 0 && value < INFINITY) {
+            count++;
+            only = value;
+            if (has_number(typed, word)) {
+                named++;
+                speed = value;
+            }
+        }
+    }
+    return count == 1 ? only : named == 1 ? speed : (double)NAN;
 }
 
 static bool is_called(const struct lensdb_film *film, struct text typed)

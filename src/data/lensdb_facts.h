@@ -1,12 +1,12 @@
-/* file/lensdb_facts.h - films, scenes and filters of lensdb. */
+/* data/lensdb_facts.h - films, scenes and filters of lensdb. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_LENSDB_FACTS_H
-#define LENSCALC_FILE_LENSDB_FACTS_H
+#ifndef LENSCALC_DATA_LENSDB_FACTS_H
+#define LENSCALC_DATA_LENSDB_FACTS_H
 
 #include "data/lensdb.h"
 #include "photo/reciprocity.h"
 
-enum { LENSDB_FACT_COLUMNS = 9 };
+enum { LENSDB_FACT_COLUMNS = 10 };
 
 /* A table of facts being read. */
 struct lensdb_facts {
@@ -21,6 +21,7 @@ struct lensdb_film {
     struct text model, parameters; /* as photo/reciprocity.h reads them, and "step" */
     double onset, valid_to;        /* s; valid_to is NaN where none is stated */
     struct text status, source, note;
+    struct text speeds; /* ISO, of the box; several with blanks between; empty where not stated */
     enum lensdb_place place;
     const char *file; /* where it stands, for messages */
     long line;
@@ -68,6 +69,14 @@ bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filte
  */
 bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *film,
                       struct error *error);
+
+/*
+ * The speed a film is sold with.
+ *
+ * Given     typed  as the user named it: of several speeds the one that stands in it counts
+ * Result    ISO; NaN: not stated, or several
+ */
+double lensdb_film_speed(const struct lensdb_film *film, struct text typed);
 
 /* The film's correction as numbers. ERROR_DATA with file and line if the table cannot be read. */
 bool lensdb_film_model(const struct lensdb_film *film, struct reciprocity *model,

@@ -1,4 +1,4 @@
-/* file/lines.c - spectral lines by name. */
+/* data/lines.c - spectral lines by name. */
 /* SPDX-License-Identifier: MIT */
 #include "data/lines.h"
 

@@ -1,7 +1,7 @@
-/* file/lines.h - spectral lines by name. */
+/* data/lines.h - spectral lines by name. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_LINES_H
-#define LENSCALC_FILE_LINES_H
+#ifndef LENSCALC_DATA_LINES_H
+#define LENSCALC_DATA_LINES_H
 
 #include "base/number.h"
 #include "data/lensdb.h"

@@ -1,4 +1,4 @@
-/* file/tsv.c - tables of lensdb: tab-separated, comments above, names in the first line. */
+/* data/tsv.c - tables of lensdb: tab-separated, comments above, names in the first line. */
 /* SPDX-License-Identifier: MIT */
 #include "data/tsv.h"
 

@@ -1,7 +1,7 @@
-/* file/tsv.h - tables of lensdb: tab-separated, comments above, names in the first line. */
+/* data/tsv.h - tables of lensdb: tab-separated, comments above, names in the first line. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_TSV_H
-#define LENSCALC_FILE_TSV_H
+#ifndef LENSCALC_DATA_TSV_H
+#define LENSCALC_DATA_TSV_H
 
 #include "base/error.h"
 #include "base/text.h"

@@ -1,4 +1,4 @@
-/* file/whole_file.c - all that a file holds, in memory. */
+/* data/whole_file.c - all that a file holds, in memory. */
 /* SPDX-License-Identifier: MIT */
 #include "data/whole_file.h"
 

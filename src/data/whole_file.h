@@ -1,7 +1,7 @@
-/* file/whole_file.h - all that a file holds, in memory. */
+/* data/whole_file.h - all that a file holds, in memory. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_WHOLE_FILE_H
-#define LENSCALC_FILE_WHOLE_FILE_H
+#ifndef LENSCALC_DATA_WHOLE_FILE_H
+#define LENSCALC_DATA_WHOLE_FILE_H
 
 #include "base/arena.h"
 #include "base/error.h"

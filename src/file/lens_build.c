@@ -42,6 +42,9 @@ struct surface *lens_build_surface(struct lens_build *build)
                                 .radius = no_figure,
                                 .curvature = no_figure,
                                 .thickness = figure_zero(),
+                                .focal = no_figure,
+                                .hiatus = no_figure,
+                                .distortion = {no_figure, no_figure, no_figure},
                                 .diameter = no_figure,
                                 .conic = no_figure,
                                 .medium = medium_air};
@@ -65,7 +68,7 @@ void lens_build_stop(struct lens_build *build, size_t index)
         index > 0 ? &lens->surfaces[index - 1].medium : &lens->object_medium;
     bool bare = surface->kind == SURFACE_REFRACT && surface->is_plane && !surface->has_curvature &&
                 surface->coefficients == 0 && surface->conic.value.hi == 0 &&
-                surface->curved == CURVED_BOTH && is_same_medium(before, &surface->medium);
+                surface_is_round(surface) && is_same_medium(before, &surface->medium);
     surface->kind = bare ? SURFACE_STOP : surface->kind;
     surface->is_stop = true;
     lens->stop = index;

@@ -75,35 +75,6 @@ static const struct figure *change_all(const struct change *change, const struct
     return copy;
 }
 
-static const struct displacement *change_displacement(const struct change *change,
-                                                      const struct displacement *from)
-{
-    if (from == NULL) {
-        return NULL;
-    }
-    struct displacement *copy = ARENA_NEW(change->arena, struct displacement);
-    *copy = *from;
-    change_figure(change, 1, &copy->decenter[0]);
-    change_figure(change, 1, &copy->decenter[1]);
-    return copy;
-}
-
-/* R and t are lengths, c is 1/length, A4 length^-3; k and glass are numbers. */
-static int dimension_of(struct text what)
-{
-    if (text_equal(what, "R") || text_equal(what, "t")) {
-        return 1;
-    }
-    if (text_equal(what, "c")) {
-        return -1;
-    }
-    int order = 0;
-    for (size_t i = 1; i < what.length && what.start[0] == 'A'; i++) {
-        order = 10 * order + (what.start[i] - '0');
-    }
-    return order > 0 ? 1 - order : 0;
-}
-
 static const struct vary *change_varies(const struct change *change, const struct surface *surface)
 {
     if (surface->vary_count == 0) {
@@ -112,7 +83,7 @@ static const struct vary *change_varies(const struct change *change, const struc
     struct vary *copy = ARENA_ARRAY(change->arena, surface->vary_count, struct vary);
     for (size_t i = 0; i < surface->vary_count; i++) {
         copy[i] = surface->varies[i];
-        int power = dimension_of(copy[i].what);
+        int power = parameter_length(copy[i].kind, copy[i].order);
         if (copy[i].has_bounds && power != 0) {
             change_figure(change, power, &copy[i].low);
             change_figure(change, power, &copy[i].high);
@@ -123,29 +94,18 @@ static const struct vary *change_varies(const struct change *change, const struc
 
 static void change_surface(const struct change *change, struct surface *surface)
 {
-    if (!surface->is_plane) {
-        change_figure(change, 1, &surface->radius);
-    }
-    if (surface->has_curvature) {
-        change_figure(change, -1, &surface->curvature);
-    }
-    if (surface->has_thickness) {
-        change_figure(change, 1, &surface->thickness);
+    for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
+        const struct figure *from = parameter_figure(surface, each.kind, each.order);
+        int power = parameter_length(each.kind, each.order);
+        if (from != NULL && power != 0) {
+            struct figure to = *from;
+            change_figure(change, power, &to);
+            parameter_put(surface, each.kind, each.order, to, change->arena);
+        }
     }
     if (surface->has_diameter) {
         change_figure(change, 1, &surface->diameter);
     }
-    if (surface->kind == SURFACE_THICK) {
-        change_figure(change, 1, &surface->focal);
-        change_figure(change, 1, &surface->hiatus);
-    }
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        if ((surface->coefficients >> i & 1) != 0) {
-            change_figure(change, -(2 * i + 1), &surface->coefficient[i]);
-        }
-    }
-    surface->moved = change_displacement(change, surface->moved);
-    surface->bend = change_displacement(change, surface->bend);
     surface->varies = change_varies(change, surface);
 }
 

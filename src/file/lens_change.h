@@ -29,15 +29,18 @@ const struct lens *lens_one_position(const struct lens *lens, size_t position, s
  *
  * Result    object and image change places where both are at a finite distance; else the lens
  *           looks at infinity again, with the image at the paraxial focus. An aperture given as
- *           f-number, entrance pupil or NA becomes the diameter that the stop has with it
+ *           f-number, entrance pupil or NA becomes the diameter that the stop has with it. Marks
+ *           of thicknesses and glasses go to the surface that they lie behind now; those behind
+ *           the last are left out: lens_marks_left_out names them
  * Formula   an even number of mirrors: R -> -R, A -> -A, t as it is; an odd one: R and A as they
- *           are, t -> -t. A bend of the axis is undone in the order z, y, x, shift, each on a
- *           plane of its own
+ *           are, t -> -t; the signs are in optics/parameter. A bend of the axis is undone in the
+ *           order z, y, x, shift, each on a plane of its own
  * Source    derived here: the property tests turn lenses twice
  * Errors    ERROR_DOMAIN: an aperture that is not at the stop and no stop; distances of the object
  *           or apertures that change between positions; variable distances beside an odd number of
  *           mirrors
  */
+const char *lens_marks_left_out(const struct lens *lens, struct arena *arena); /* null: none */
 const struct lens *lens_reversed(const struct lens *lens, struct arena *arena, struct error *error);
 
 #endif

@@ -8,6 +8,8 @@
 #include <math.h>
 #include <string.h>
 
+const struct file_type lens_file_type = {{"lens", "lenscalc's own"}, ".lens"};
+
 static const double radians = 0.017453292519943295;
 
 /* A file being read. Arrays grow by doubling in the arena. */
@@ -419,9 +421,12 @@ static bool add_surface(struct parser *parser, enum surface_kind kind, struct er
     lens->surfaces = arena_grow(parser->words.arena, lens->surfaces, last, &parser->surface_room,
                                 sizeof lens->surfaces[0]);
     struct surface *surface = &lens->surfaces[last];
-    const struct medium *before =
-        last > 0 ? &lens->surfaces[last - 1].medium : &lens->object_medium;
-    if (!lens_surface_read(&parser->words, kind, before, find_variable, parser, surface, error) ||
+    const struct lens_surface_line line = {.kind = kind,
+                                           .before = last > 0 ? &lens->surfaces[last - 1].medium
+                                                              : &lens->object_medium,
+                                           .variable = find_variable,
+                                           .context = parser};
+    if (!lens_surface_read(&parser->words, &line, surface, error) ||
         !find_glass(parser, &surface->medium, error)) {
         return false;
     }
@@ -542,6 +547,31 @@ static bool finish(struct parser *parser, struct error *error)
     return true;
 }
 
+/*
+ * Control characters but tabs and line ends have no place in a prescription, and would reach the
+ * terminal with its title: those of ASCII, and U+0080 to U+009F.
+ */
+static bool refuse_controls(const char *source, struct text content, struct error *error)
+{
+    long line = 1;
+    size_t begin = 0;
+    for (size_t i = 0; i < content.length; i++) {
+        unsigned char c = (unsigned char)content.start[i];
+        unsigned char next = i + 1 < content.length ? (unsigned char)content.start[i + 1] : 0;
+        bool wide = c == 0xc2 && next >= 0x80 && next < 0xa0;
+        if (wide || c == 0x7f || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) {
+            fail(error, ERROR_DATA, "not plain text: the control character U+%04X",
+                 wide ? next : c);
+            return error_locate(error, source, line, i - begin + 1);
+        }
+        if (c == '\n') {
+            line++;
+            begin = i + 1;
+        }
+    }
+    return true;
+}
+
 bool lens_read(const char *source, struct text content, const struct glass_source *glasses,
                struct arena *arena, struct lens *lens, struct error *error)
 {
@@ -551,7 +581,8 @@ bool lens_read(const char *source, struct text content, const struct glass_sourc
                           .object = {{INFINITY, 0}, {NULL, 0}, LENS_NONE},
                           .object_medium = medium_air,
                           .stop = LENS_NONE};
-    if (!lens_words_open(&parser.words, source, content, arena, error)) {
+    if (!lens_words_open(&parser.words, source, content, arena, error) ||
+        !refuse_controls(source, content, error)) {
         return false;
     }
     while (lens_words_line(&parser.words)) {

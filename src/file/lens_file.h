@@ -5,15 +5,20 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "base/file_type.h"
 #include "base/text.h"
 #include "optics/lens.h"
 
 #include <stdbool.h>
 
+extern const struct file_type lens_file_type;
+
 /* Who knows the glasses that a lens names. */
 struct glass_source {
     /* Fills glass_index and glass of a medium whose `written` is the name. ERROR_DATA if unknown */
     bool (*find)(void *context, struct medium *medium, struct error *error);
+    /* The same where the name may be another program's; the medium's warning says what it is */
+    bool (*find_foreign)(void *context, struct medium *medium, struct error *error);
     void *context;
 };
 

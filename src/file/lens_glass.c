@@ -13,11 +13,11 @@ static bool index_of(const void *glass, double wavelength, struct pair *index, s
     return true;
 }
 
-static bool find(void *context, struct medium *medium, struct error *error)
+static bool find_named(const struct lens_glasses *glasses, enum glass_naming naming,
+                       struct medium *medium, struct error *error)
 {
-    const struct lens_glasses *glasses = context;
     struct glass_record record;
-    if (!glass_find(glasses->db, medium->written, glasses->arena, &record, error)) {
+    if (!glass_find(glasses->db, medium->written, naming, glasses->arena, &record, error)) {
         return false;
     }
     struct glass *glass = ARENA_NEW(glasses->arena, struct glass);
@@ -25,7 +25,23 @@ static bool find(void *context, struct medium *medium, struct error *error)
     medium->glass = glass;
     medium->glass_index = index_of;
     medium->warning = record.warning;
+    if (record.taken_as != NULL) {
+        const char *taken = arena_printf(glasses->arena, "the glass is %s", record.taken_as);
+        medium->warning = record.warning == NULL
+                              ? taken
+                              : arena_printf(glasses->arena, "%s; %s", taken, record.warning);
+    }
     return true;
+}
+
+static bool find(void *context, struct medium *medium, struct error *error)
+{
+    return find_named(context, GLASS_OWN_NAMES, medium, error);
+}
+
+static bool find_foreign(void *context, struct medium *medium, struct error *error)
+{
+    return find_named(context, GLASS_ALIASES, medium, error);
 }
 
 struct medium lens_glass_medium(const struct glass *glass)
@@ -41,5 +57,5 @@ const struct glass *lens_glass_of(const struct medium *medium)
 
 struct glass_source lens_glass_source(struct lens_glasses *glasses)
 {
-    return (struct glass_source){find, glasses};
+    return (struct glass_source){find, find_foreign, glasses};
 }

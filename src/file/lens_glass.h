@@ -3,8 +3,8 @@
 #ifndef LENSCALC_FILE_LENS_GLASS_H
 #define LENSCALC_FILE_LENS_GLASS_H
 
-#include "file/lens_file.h"
 #include "data/lensdb.h"
+#include "file/lens_file.h"
 #include "optics/glass.h"
 
 /* Where glasses are looked for, and where they are kept. */

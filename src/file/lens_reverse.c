@@ -32,30 +32,28 @@ static struct figure negative(struct figure figure, struct arena *arena)
     return figure;
 }
 
-static struct figure flipped(const struct turn *turn, struct figure figure, bool flip)
+/* Has the number the other sign in the lens turned around? */
+static bool turns(const struct turn *turn, enum parameter_kind kind)
 {
-    return flip ? negative(figure, turn->arena) : figure;
+    enum parameter_turn with = parameter_type(kind)->turn;
+    return with == (turn->flips ? TURN_WITH_AXES : TURN_WITH_MIRRORS);
 }
 
-/* Half a turn about y: x, and turns about x and z, change their signs. */
-static const struct displacement *turn_displacement(const struct turn *turn,
-                                                    const struct displacement *from)
+static struct figure turned(const struct turn *turn, enum parameter_kind kind, struct figure figure)
 {
-    if (from == NULL || !turn->flips) {
-        return from;
-    }
-    struct displacement *to = ARENA_NEW(turn->arena, struct displacement);
-    *to = *from;
-    to->decenter[0] = negative(from->decenter[0], turn->arena);
-    to->tilt[0] = negative(from->tilt[0], turn->arena);
-    to->tilt[2] = negative(from->tilt[2], turn->arena);
-    return to;
+    return turns(turn, kind) ? negative(figure, turn->arena) : figure;
+}
+
+/* Undone, and then turned. */
+static struct figure undone(const struct turn *turn, enum parameter_kind kind, struct figure figure)
+{
+    return turns(turn, kind) ? figure : negative(figure, turn->arena);
 }
 
 static void set_thickness(const struct turn *turn, struct surface *to, const struct surface *from)
 {
     to->has_thickness = from->has_thickness;
-    to->thickness = flipped(turn, from->thickness, !turn->flips);
+    to->thickness = turned(turn, PARAMETER_THICKNESS, from->thickness);
 }
 
 /* The plane behind a surface on which one part of a bend is undone. */
@@ -73,38 +71,108 @@ static struct displacement *add_plane(struct turn *turn)
     return bend;
 }
 
-/* Undo a bend: z, y, x, shift; then half a turn about y. */
+/* Undo a bend: z, y, x, shift. */
 static void add_bends(struct turn *turn, const struct displacement *bend)
 {
     for (int i = 2; i >= 0; i--) {
         if (bend->tilt[i].value.hi != 0) {
-            bool stays = turn->flips && i != 1;
-            add_plane(turn)->tilt[i] = flipped(turn, bend->tilt[i], !stays);
+            const enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BEND_TILT_X + i);
+            add_plane(turn)->tilt[i] = undone(turn, kind, bend->tilt[i]);
         }
     }
     if (bend->decenter[0].value.hi != 0 || bend->decenter[1].value.hi != 0) {
         struct displacement *shift = add_plane(turn);
-        shift->decenter[0] = flipped(turn, bend->decenter[0], !turn->flips);
-        shift->decenter[1] = negative(bend->decenter[1], turn->arena);
+        shift->decenter[0] = undone(turn, PARAMETER_BEND_DECENTER_X, bend->decenter[0]);
+        shift->decenter[1] = undone(turn, PARAMETER_BEND_DECENTER_Y, bend->decenter[1]);
     }
 }
 
-static void turn_vary(struct turn *turn, struct surface *surface)
+static void turn_mark(const struct turn *turn, struct vary *vary)
 {
-    struct vary *copy = ARENA_ARRAY(turn->arena, surface->vary_count, struct vary);
-    for (size_t i = 0; i < surface->vary_count; i++) {
-        struct vary *vary = &copy[i];
-        *vary = surface->varies[i];
-        bool thickness = text_equal(vary->what, "t");
-        bool sign = text_equal(vary->what, "R") || text_equal(vary->what, "c") ||
-                    vary->what.start[0] == 'A';
-        if (vary->has_bounds && ((sign && turn->flips) || (thickness && !turn->flips))) {
-            struct figure low = vary->low;
-            vary->low = negative(vary->high, turn->arena);
-            vary->high = negative(low, turn->arena);
+    if (vary->has_bounds && turns(turn, vary->kind)) {
+        struct figure low = vary->low;
+        vary->low = negative(vary->high, turn->arena);
+        vary->high = negative(low, turn->arena);
+    }
+}
+
+/* Of what a mark is: the surface, the gap behind it, or the medium in the gap. */
+enum owner { OWNED_BY_SURFACE, OWNED_BY_GAP, OWNED_BY_MEDIUM };
+
+static enum owner owner_of(enum parameter_kind kind)
+{
+    return kind == PARAMETER_THICKNESS                             ? OWNED_BY_GAP
+           : (parameter_type(kind)->is & PARAMETER_IS_BEHIND) != 0 ? OWNED_BY_MEDIUM
+                                                                   : OWNED_BY_SURFACE;
+}
+
+/* Marks of one owner, from a surface as it was to where the owner lies now. */
+static void add_marks(const struct turn *turn, struct surface *to, const struct surface *from,
+                      enum owner owner)
+{
+    struct vary *all = ARENA_ARRAY(turn->arena, to->vary_count + from->vary_count + 1, struct vary);
+    for (size_t i = 0; i < to->vary_count; i++) {
+        all[i] = to->varies[i];
+    }
+    to->varies = all;
+    for (size_t i = 0; i < from->vary_count; i++) {
+        if (owner_of(from->varies[i].kind) == owner) {
+            all[to->vary_count] = from->varies[i];
+            turn_mark(turn, &all[to->vary_count++]);
         }
     }
-    surface->varies = copy;
+}
+
+/* Marks of the gap before a surface, and of its medium, which mirrors have from before them. */
+static void add_marks_behind(const struct turn *turn, struct surface *to, size_t index)
+{
+    const struct surface *surfaces = turn->from->surfaces;
+    size_t medium = index - 1;
+    add_marks(turn, to, &surfaces[index - 1], OWNED_BY_GAP);
+    while (medium > 0 && surface_reflects(&surfaces[medium])) {
+        medium--;
+    }
+    if (!surface_reflects(&surfaces[index])) {
+        add_marks(turn, to, &surfaces[medium], OWNED_BY_MEDIUM);
+    }
+}
+
+/* One more of these marks, in words. */
+static const char *join_marks(const char *all, const struct surface *surface, size_t number,
+                              enum owner owner, struct arena *arena)
+{
+    for (size_t i = 0; i < surface->vary_count; i++) {
+        const struct vary *vary = &surface->varies[i];
+        if (owner_of(vary->kind) == owner) {
+            all = arena_printf(arena, "%s%s%s~ of surface %zu", all != NULL ? all : "",
+                               all != NULL ? ", " : "",
+                               parameter_name(vary->kind, vary->order, arena), number);
+        }
+    }
+    return all;
+}
+
+const char *lens_marks_left_out(const struct lens *lens, struct arena *arena)
+{
+    size_t last = lens->surface_count - 1, medium = last;
+    const char *all = join_marks(NULL, &lens->surfaces[last], last + 1, OWNED_BY_GAP, arena);
+    while (medium > 0 && surface_reflects(&lens->surfaces[medium])) {
+        medium--;
+    }
+    return join_marks(all, &lens->surfaces[medium], medium + 1, OWNED_BY_MEDIUM, arena);
+}
+
+/* What lies on the surface itself. */
+static void turn_numbers(const struct turn *turn, struct surface *surface)
+{
+    for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
+        const struct figure *figure = parameter_figure(surface, each.kind, each.order);
+        bool is_behind = (parameter_type(each.kind)->is & PARAMETER_IS_BEHIND) != 0;
+        if (figure != NULL && !is_behind && turns(turn, each.kind)) {
+            parameter_put(surface, each.kind, each.order, negative(*figure, turn->arena),
+                          turn->arena);
+        }
+    }
 }
 
 static void add_surface(struct turn *turn, size_t index)
@@ -113,14 +181,11 @@ static void add_surface(struct turn *turn, size_t index)
     struct surface *to = lens_build_surface(&turn->build);
     *to = from->surfaces[index];
     to->medium = index > 0 ? from->surfaces[index - 1].medium : from->object_medium;
-    to->radius = flipped(turn, to->radius, turn->flips && !to->is_plane);
-    to->curvature = flipped(turn, to->curvature, turn->flips);
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        to->coefficient[i] = flipped(turn, to->coefficient[i], turn->flips);
-    }
-    to->moved = turn_displacement(turn, to->moved);
     to->bend = NULL;
-    turn_vary(turn, to);
+    turn_numbers(turn, to);
+    to->varies = NULL;
+    to->vary_count = 0;
+    add_marks(turn, to, &from->surfaces[index], OWNED_BY_SURFACE);
     to->has_thickness = true;
     to->thickness = figure_zero();
     if (from->surfaces[index].is_stop) {
@@ -131,7 +196,9 @@ static void add_surface(struct turn *turn, size_t index)
     }
     if (index > 0) {
         struct lens *lens = turn->build.lens;
-        set_thickness(turn, &lens->surfaces[lens->surface_count - 1], &from->surfaces[index - 1]);
+        struct surface *last = &lens->surfaces[lens->surface_count - 1];
+        set_thickness(turn, last, &from->surfaces[index - 1]);
+        add_marks_behind(turn, last, index);
     }
 }
 
@@ -153,9 +220,9 @@ static void turn_conjugates(struct turn *turn)
         last->thickness = (struct figure){.variable = LENS_NONE};
         return;
     }
-    lens->object = flipped(turn, back->thickness, !turn->flips);
+    lens->object = turned(turn, PARAMETER_THICKNESS, back->thickness);
     last->has_thickness = true;
-    last->thickness = flipped(turn, from->object, !turn->flips);
+    last->thickness = turned(turn, PARAMETER_THICKNESS, from->object);
     lens->field_kind = from->field_kind == FIELD_HEIGHT  ? FIELD_IMAGE
                        : from->field_kind == FIELD_IMAGE ? FIELD_HEIGHT
                                                          : from->field_kind;
@@ -202,7 +269,7 @@ static bool turn_aperture(struct turn *turn, struct error *error)
 static bool surface_distorts(const struct surface *surface)
 {
     bool distorts = false;
-    for (int i = 0; i < 3 && surface->kind == SURFACE_THICK; i++) {
+    for (int i = 0; i < 3 && surface_has(surface, SURFACE_HAS_FOCAL); i++) {
         distorts = distorts || fabs(surface->distortion[i].value.hi) > 0;
     }
     return distorts;
@@ -217,7 +284,11 @@ static bool check(const struct turn *turn, struct error *error)
                     "--position");
     }
     for (size_t i = 0; i < from->surface_count; i++) {
-        if (!turn->flips && from->surfaces[i].thickness.variable != LENS_NONE) {
+        const struct surface *surface = &from->surfaces[i];
+        bool varies =
+            surface->thickness.variable != LENS_NONE ||
+            (surface_has(surface, SURFACE_HAS_FOCAL) && surface->hiatus.variable != LENS_NONE);
+        if (!turn->flips && varies) {
             return fail(error, ERROR_DOMAIN,
                         "--reverse: distances beside an odd number of mirrors change between the "
                         "positions: choose one with --position");
@@ -237,7 +308,7 @@ const struct lens *lens_reversed(const struct lens *lens, struct arena *arena, s
     struct turn turn = {.from = lens, .arena = arena, .flips = true};
     struct lens *to = ARENA_NEW(arena, struct lens);
     for (size_t i = 0; i < lens->surface_count; i++) {
-        turn.flips = turn.flips != (lens->surfaces[i].kind == SURFACE_REFLECT);
+        turn.flips = turn.flips != surface_reflects(&lens->surfaces[i]);
     }
     if (!check(&turn, error)) {
         return NULL;

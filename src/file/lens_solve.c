@@ -6,6 +6,17 @@
 
 #include <math.h>
 
+/* The field that is farthest out; NaN without one. */
+static double edge_of_field(const struct lens *lens)
+{
+    double field = lens->field_count > 0 ? lens->fields[lens->field_count - 1].value.hi : NAN;
+    for (size_t i = 0; i + 1 < lens->field_count; i++) {
+        double other = lens->fields[i].value.hi;
+        field = fabs(other) > fabs(field) ? other : field;
+    }
+    return field;
+}
+
 /* Height and n u before the first vertex. */
 static bool start_of(const struct lens *lens, enum solve_ray ray, struct arena *arena,
                      double *height, double *slope, struct error *error)
@@ -13,32 +24,30 @@ static bool start_of(const struct lens *lens, enum solve_ray ray, struct arena *
     struct first_order first;
     struct aperture_setting aperture = lens_aperture(lens);
     struct conjugate_object object = lens_object(lens);
-    double field = lens->field_count > 0 ? lens->fields[lens->field_count - 1].value.hi : NAN;
-    for (size_t i = 0; i + 1 < lens->field_count; i++) {
-        double other = lens->fields[i].value.hi;
-        field = fabs(other) > fabs(field) ? other : field;
-    }
+    double field = edge_of_field(lens);
+    enum field_kind kind = isnan(field) ? FIELD_NONE : lens->field_kind;
     if (!first_order_of_lens(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &first,
                              error)) {
         return false;
     }
-    bool none = aperture.kind == APERTURE_NONE;
-    if (!none &&
-        !first_order_aperture(&first, &object, &aperture,
-                              isnan(field) ? FIELD_NONE : lens->field_kind, field, error)) {
-        if (ray == SOLVE_CHIEF) {
+    bool none = aperture.kind == APERTURE_NONE ||
+                !first_order_aperture(&first, &object, &aperture, kind, field, error);
+    if (ray == SOLVE_CHIEF) {
+        if (none && aperture.kind != APERTURE_NONE) {
             return false;
         }
-        none = true;
+        *height = first.chief_y;
+        *slope = first.chief_v;
+        return (isfinite(*height) && isfinite(*slope)) ||
+               fail(error, ERROR_DOMAIN, "a solve of a chief ray wants a stop and a field");
     }
-    *height = ray == SOLVE_MARGINAL ? first.marginal_y : first.chief_y;
-    *slope = ray == SOLVE_MARGINAL ? first.marginal_v : first.chief_v;
-    if (ray == SOLVE_MARGINAL && (none || !isfinite(*height) || !isfinite(*slope))) {
+    *height = first.marginal_y;
+    *slope = first.marginal_v;
+    if (none || !isfinite(*height) || !isfinite(*slope)) { /* any ray from there does */
         *height = object.is_infinite ? 1 : object.distance.hi;
         *slope = object.is_infinite ? 0 : first.index_object;
     }
-    return (isfinite(*height) && isfinite(*slope)) ||
-           fail(error, ERROR_DOMAIN, "a solve of a chief ray wants a stop and a field");
+    return true;
 }
 
 static bool follow(const struct lens *lens, size_t surface, enum solve_ray ray, struct arena *arena,

@@ -6,16 +6,15 @@
 
 static const double radians = 0.017453292519943295;
 
-enum { MOST_VARIES = 16 };
-
 /* A surface being read: the displacement and the marks live in the arena once there is one. */
 struct reading {
     struct lens_words *words;
     struct surface *surface;
     struct displacement *moved;
     struct vary *varies;
-    lens_variable_function *variable;
-    void *context;
+    const struct lens_surface_line *line;
+    bool stops;    /* the word stop stands there already */
+    unsigned seen; /* bit i: extras[i] stands there already */
 };
 
 static bool is_name(struct text text)
@@ -47,8 +46,9 @@ static bool read_radius(struct lens_words *words, struct surface *surface, struc
 }
 
 /* A length, or the name of a variable, or '-' for none. */
-static bool read_cell(struct lens_words *words, const char *what, lens_variable_function *variable,
-                      void *context, struct figure *figure, bool *is_given, struct error *error)
+static bool read_cell(struct lens_words *words, const char *what,
+                      const struct lens_surface_line *line, struct figure *figure, bool *is_given,
+                      struct error *error)
 {
     struct text word = lens_words_next(words);
     *figure = (struct figure){.typed = word, .variable = LENS_NONE};
@@ -57,7 +57,7 @@ static bool read_cell(struct lens_words *words, const char *what, lens_variable_
         return true;
     }
     if (is_name(word) && !text_equal(word, "inf")) {
-        figure->variable = variable(context, word);
+        figure->variable = line->variable(line->context, word);
         return true;
     }
     return lens_words_figure(words, word, words->scale, what, figure, error) ||
@@ -96,6 +96,7 @@ static struct displacement *displacement_of(struct reading *reading)
 {
     if (reading->moved == NULL) {
         reading->moved = ARENA_NEW(reading->words->arena, struct displacement);
+        *reading->moved = displacement_none;
         reading->surface->moved = reading->moved;
     }
     return reading->moved;
@@ -103,24 +104,27 @@ static struct displacement *displacement_of(struct reading *reading)
 
 static bool read_decenter(struct reading *reading, struct text value, struct error *error)
 {
-    return lens_words_vector(reading->words, value, reading->words->scale, 1, "decentre",
-                             displacement_of(reading)->decenter, 2, error);
+    const struct vector_form form = {"decentre", 2, reading->words->scale, 0};
+    return lens_words_vector(reading->words, value, &form, displacement_of(reading)->decenter,
+                             error);
 }
 
 static bool read_tilt(struct reading *reading, struct text value, struct error *error)
 {
-    return lens_words_vector(reading->words, value, NUMBER_UNSCALED, radians, "tilt",
-                             displacement_of(reading)->tilt, 2, error);
+    const struct vector_form form = {"tilt", 2, NUMBER_UNSCALED, radians};
+    return lens_words_vector(reading->words, value, &form, displacement_of(reading)->tilt, error);
 }
 
 static bool read_cylinder(struct reading *reading, struct text value, struct error *error)
 {
-    bool x = text_equal(value, "x");
-    if (!x && !text_equal(value, "y")) {
-        return lens_words_fail(reading->words, value, error, "a cylinder is cyl=x or cyl=y");
+    for (size_t i = 0; i < sizeof surface_sections / sizeof surface_sections[0]; i++) {
+        const char *word = surface_sections[i].word;
+        if (word != NULL && text_equal(value, word)) {
+            reading->surface->curved = (enum curved)i;
+            return true;
+        }
     }
-    reading->surface->curved = x ? CURVED_X : CURVED_Y;
-    return true;
+    return lens_words_fail(reading->words, value, error, "a cylinder is cyl=x or cyl=y");
 }
 
 static bool read_name(struct reading *reading, struct text value, struct error *error)
@@ -139,8 +143,8 @@ static bool read_hiatus(struct reading *reading, struct text value, struct error
 {
     struct surface *surface = reading->surface;
     if (is_name(value)) {
-        surface->hiatus =
-            (struct figure){.typed = value, .variable = reading->variable(reading->context, value)};
+        surface->hiatus = (struct figure){
+            .typed = value, .variable = reading->line->variable(reading->line->context, value)};
         return true;
     }
     return lens_words_figure(reading->words, value, reading->words->scale, "hiatus",
@@ -149,43 +153,68 @@ static bool read_hiatus(struct reading *reading, struct text value, struct error
 
 static bool read_distortion(struct reading *reading, struct text value, struct error *error)
 {
-    return lens_words_vector(reading->words, value, NUMBER_UNSCALED, 1, "distortion",
-                             reading->surface->distortion, 3, error);
+    const struct vector_form form = {"distortion", 3, NUMBER_UNSCALED, 0};
+    return lens_words_vector(reading->words, value, &form, reading->surface->distortion, error);
 }
 
-/* What may stand behind the diameter; of a thick lens only what is `thick`. */
+/* What may stand behind the diameter, and what a surface must have for it: 0 is nothing. */
 static const struct {
     const char *key;
     bool (*read)(struct reading *reading, struct text value, struct error *error);
-    enum { OF_SURFACE = 1, OF_THICK = 2 } of;
-} extras[] = {{"c", read_curvature, OF_SURFACE},
-              {"k", read_conic, OF_SURFACE},
-              {"decenter", read_decenter, OF_SURFACE | OF_THICK},
-              {"tilt", read_tilt, OF_SURFACE | OF_THICK},
-              {"cyl", read_cylinder, OF_SURFACE},
-              {"name", read_name, OF_SURFACE | OF_THICK},
-              {"hiatus", read_hiatus, OF_THICK},
-              {"distortion", read_distortion, OF_THICK}};
+    unsigned of;
+} extras[] = {{"c", read_curvature, SURFACE_HAS_CURVE},
+              {"k", read_conic, SURFACE_HAS_CURVE},
+              {"decenter", read_decenter, 0},
+              {"tilt", read_tilt, 0},
+              {"cyl", read_cylinder, SURFACE_HAS_CURVE},
+              {"name", read_name, 0},
+              {"hiatus", read_hiatus, SURFACE_HAS_FOCAL},
+              {"distortion", read_distortion, SURFACE_HAS_FOCAL}};
 
-/* A2 .. A20: the index of the coefficient, -1 for other words. */
-static int coefficient_of(struct text key)
+static bool refuse_twice(const struct lens_words *words, struct text word, struct text key,
+                         const char *sign, struct error *error)
 {
-    int order = 0;
-    for (size_t i = 1; i < key.length && i < 3; i++) {
-        order = key.start[i] >= '0' && key.start[i] <= '9' ? 10 * order + key.start[i] - '0' : 99;
-    }
-    bool sound = key.length >= 2 && key.length <= 3 && key.start[0] == 'A' && key.start[1] != '0';
-    return sound && order % 2 == 0 && order >= 2 && order <= 20 ? order / 2 - 1 : -1;
+    return lens_words_fail(words, word, error, "'%.*s%s' is there twice", text_shown(key),
+                           key.start, sign);
 }
 
-static bool read_coefficient(struct reading *reading, int at, struct text value,
+static bool read_coefficient(struct reading *reading, int order, struct text value,
                              struct error *error)
 {
-    struct figure *figure = &reading->surface->coefficient[at];
-    reading->surface->coefficients |= 1u << at;
-    return lens_words_figure(reading->words, value, NUMBER_UNSCALED, "coefficient", figure,
-                             error) &&
-           rescale(reading->words, 2 * at + 1, figure);
+    struct figure figure = {.variable = LENS_NONE};
+    if (!lens_words_figure(reading->words, value, NUMBER_UNSCALED, "coefficient", &figure, error)) {
+        return false;
+    }
+    rescale(reading->words, order - 1, &figure);
+    parameter_put(reading->surface, PARAMETER_COEFFICIENT, order, figure, reading->words->arena);
+    return true;
+}
+
+/* [2,10], in the unit that the number itself has. */
+static bool read_bounds(const struct lens_words *words, struct text bounds, struct vary *vary,
+                        struct error *error)
+{
+    int length = parameter_length(vary->kind, vary->order);
+    struct figure both[2] = {{.variable = LENS_NONE}, {.variable = LENS_NONE}};
+    struct text inside = {bounds.start + 1, bounds.length >= 2 ? bounds.length - 2 : 0};
+    if (bounds.start[0] != '[' || bounds.start[bounds.length - 1] != ']' ||
+        memchr(bounds.start, ',', bounds.length) == NULL) {
+        return lens_words_fail(words, bounds, error, "bounds are written [low,high]");
+    }
+    const struct vector_form form = {"bounds", 2, length == 1 ? words->scale : NUMBER_UNSCALED, 0};
+    if (!lens_words_vector(words, inside, &form, both, error)) {
+        return false;
+    }
+    for (int i = 0; i < 2 && length < 0; i++) {
+        both[i].value = lens_words_per_length(both[i].value, words->scale, -length);
+    }
+    if (both[0].value.hi > both[1].value.hi) {
+        return lens_words_fail(words, bounds, error, "the lower bound is above the upper");
+    }
+    vary->has_bounds = true;
+    vary->low = both[0];
+    vary->high = both[1];
+    return true;
 }
 
 /* R~, t~[2,10], glass~ */
@@ -194,77 +223,93 @@ static bool read_vary(struct reading *reading, struct text what, struct text bou
 {
     struct surface *surface = reading->surface;
     struct lens_words *words = reading->words;
-    bool is_thick = surface->kind == SURFACE_THICK;
-    bool known = is_thick ? text_equal(what, "f") || text_equal(what, "t")
-                          : text_equal(what, "R") || text_equal(what, "t") ||
-                                text_equal(what, "c") || text_equal(what, "k") ||
-                                text_equal(what, "glass") || coefficient_of(what) >= 0;
-    if (!known) {
-        return lens_words_fail(words, what, error, "'%.*s~' cannot vary: R, c, t, k, A4 or glass",
-                               (int)(what.length < 20 ? what.length : 20), what.start);
+    struct vary vary = {.order = 0};
+    if (!parameter_name_read(what, &vary.kind, &vary.order) ||
+        !parameter_is_mark(vary.kind, surface)) {
+        return lens_words_fail(words, what, error, "'%.*s~' cannot vary: %s",
+                               (int)(what.length < 20 ? what.length : 20), what.start,
+                               parameter_marks(surface, words->arena));
     }
-    if (surface->vary_count == MOST_VARIES) {
-        return lens_words_fail(words, what, error, "more than %d marks", MOST_VARIES);
+    if (parameter_is_marked(vary.kind, vary.order, surface)) {
+        return refuse_twice(words, what, what, "~", error);
+    }
+    if (surface->vary_count == PARAMETER_MOST_MARKS) {
+        return lens_words_fail(words, what, error, "more than %d marks", PARAMETER_MOST_MARKS);
     }
     if (reading->varies == NULL) {
-        reading->varies = ARENA_ARRAY(words->arena, MOST_VARIES, struct vary);
+        reading->varies = ARENA_ARRAY(words->arena, PARAMETER_MOST_MARKS, struct vary);
         surface->varies = reading->varies;
     }
-    struct vary *vary = &reading->varies[surface->vary_count++];
-    *vary = (struct vary){.what = what};
-    if (bounds.length == 0) {
-        return true;
-    }
-    struct figure both[2] = {{.variable = LENS_NONE}, {.variable = LENS_NONE}};
-    struct text inside = {bounds.start + 1, bounds.length >= 2 ? bounds.length - 2 : 0};
-    if (bounds.start[0] != '[' || bounds.start[bounds.length - 1] != ']' ||
-        memchr(bounds.start, ',', bounds.length) == NULL) {
-        return lens_words_fail(words, bounds, error, "bounds are written [low,high]");
-    }
-    bool is_length = text_equal(what, "R") || text_equal(what, "t") || text_equal(what, "f");
-    if (!lens_words_vector(words, inside, is_length ? words->scale : NUMBER_UNSCALED, 1, "bounds",
-                           both, 2, error)) {
+    if (bounds.length > 0 && !read_bounds(words, bounds, &vary, error)) {
         return false;
     }
-    vary->has_bounds = true;
-    vary->low = both[0];
-    vary->high = both[1];
+    reading->varies[surface->vary_count++] = vary;
     return true;
 }
 
-static bool read_extra(struct reading *reading, struct text word, struct error *error)
+/* Not a word of a surface: one of the table may have been meant. */
+static bool refuse_extra(struct reading *reading, struct text word, struct text key,
+                         struct error *error)
 {
-    struct lens_words *words = reading->words;
-    struct text value = word, key = text_cut(&value, '=');
-    const char *tilde = memchr(word.start, '~', word.length);
-    if (value.start == NULL && text_equal(word, "stop")) {
-        reading->surface->is_stop = true;
-        return true;
-    }
-    if (tilde != NULL && (value.start == NULL || tilde < value.start)) {
-        return read_vary(reading, text_between(word.start, tilde),
-                         text_between(tilde + 1, word.start + word.length), error);
-    }
     struct nearest nearest = {.typed = key};
-    bool is_thick = reading->surface->kind == SURFACE_THICK;
     for (size_t i = 0; i < sizeof extras / sizeof extras[0]; i++) {
-        if ((extras[i].of & (is_thick ? OF_THICK : OF_SURFACE)) == 0) {
-            continue;
+        if (extras[i].of == 0 || surface_has(reading->surface, extras[i].of)) {
+            nearest_offer(&nearest, text_of(extras[i].key));
         }
-        if (value.start != NULL && text_equal(key, extras[i].key)) {
-            return extras[i].read(reading, value, error);
-        }
-        nearest_offer(&nearest, text_of(extras[i].key));
     }
-    if (value.start != NULL && coefficient_of(key) >= 0 && !is_thick) {
-        return read_coefficient(reading, coefficient_of(key), value, error);
-    }
-    lens_words_fail(words, word, error, "unknown word '%.*s' after the diameter",
+    lens_words_fail(reading->words, word, error, "unknown word '%.*s' after the diameter",
                     (int)(word.length < 40 ? word.length : 40), word.start);
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s='?", (int)nearest.best.length, nearest.best.start);
     }
     return false;
+}
+
+/* The row of extras that the surface may have; their number if there is none. */
+static size_t find_extra(const struct surface *surface, struct text key)
+{
+    size_t i = 0, count = sizeof extras / sizeof extras[0];
+    while (i < count && !(text_equal(key, extras[i].key) &&
+                          (extras[i].of == 0 || surface_has(surface, extras[i].of)))) {
+        i++;
+    }
+    return i;
+}
+
+/* A word behind the diameter: stop, a mark (R~), or key=value. */
+static bool read_extra(struct reading *reading, struct text word, struct error *error)
+{
+    struct text value = word, key = text_cut(&value, '=');
+    const char *tilde = memchr(word.start, '~', word.length);
+    if (value.start == NULL && text_equal(word, "stop")) {
+        bool again = reading->stops;
+        reading->stops = reading->surface->is_stop = true;
+        return !again || refuse_twice(reading->words, word, word, "", error);
+    }
+    if (tilde != NULL && (value.start == NULL || tilde < value.start)) {
+        return read_vary(reading, text_between(word.start, tilde),
+                         text_between(tilde + 1, word.start + word.length), error);
+    }
+    if (value.start == NULL) {
+        return refuse_extra(reading, word, key, error);
+    }
+    size_t i = find_extra(reading->surface, key);
+    if (i < sizeof extras / sizeof extras[0]) {
+        if ((reading->seen & 1u << i) != 0) {
+            return refuse_twice(reading->words, word, key, "=", error);
+        }
+        reading->seen |= 1u << i;
+        return extras[i].read(reading, value, error);
+    }
+    enum parameter_kind kind;
+    int order;
+    if (!parameter_name_read(key, &kind, &order) || kind != PARAMETER_COEFFICIENT ||
+        !parameter_suits(kind, reading->surface)) {
+        return refuse_extra(reading, word, key, error);
+    }
+    return parameter_figure(reading->surface, kind, order) != NULL
+               ? refuse_twice(reading->words, word, key, "=", error)
+               : read_coefficient(reading, order, value, error);
 }
 
 static bool read_medium(struct lens_words *words, const struct medium *before,
@@ -274,12 +319,12 @@ static bool read_medium(struct lens_words *words, const struct medium *before,
     if (!text_equal(word, "mirror")) {
         return lens_words_medium(words, word, &surface->medium, error);
     }
-    if (surface->kind == SURFACE_STOP || surface->kind == SURFACE_THICK) {
+    if (!surface_has(surface, SURFACE_MAY_MIRROR)) {
         return lens_words_fail(words, word, error,
-                               surface->kind == SURFACE_STOP
-                                   ? "a stop that is a mirror: write it as a surface "
-                                     "with the word stop behind its diameter"
-                                   : "a thick lens is no mirror");
+                               surface_has(surface, SURFACE_HAS_FOCAL)
+                                   ? "a thick lens is no mirror"
+                                   : "a stop that is a mirror: write it as a surface "
+                                     "with the word stop behind its diameter");
     }
     surface->kind = SURFACE_REFLECT;
     surface->medium = *before;
@@ -287,13 +332,13 @@ static bool read_medium(struct lens_words *words, const struct medium *before,
 }
 
 /* The cell in place of the radius: a number or a variable, not 0. */
-static bool read_focal(struct lens_words *words, lens_variable_function *variable, void *context,
+static bool read_focal(struct lens_words *words, const struct lens_surface_line *line,
                        struct surface *surface, struct error *error)
 {
     bool is_given;
     surface->is_plane = true;
     surface->radius = (struct figure){.variable = LENS_NONE};
-    if (!read_cell(words, "focal length", variable, context, &surface->focal, &is_given, error)) {
+    if (!read_cell(words, "focal length", line, &surface->focal, &is_given, error)) {
         return false;
     }
     bool is_number = surface->focal.variable == LENS_NONE;
@@ -302,20 +347,19 @@ static bool read_focal(struct lens_words *words, lens_variable_function *variabl
                            "a thick lens has a focal length other than 0");
 }
 
-bool lens_surface_read(struct lens_words *words, enum surface_kind kind,
-                       const struct medium *before, lens_variable_function *variable, void *context,
+bool lens_surface_read(struct lens_words *words, const struct lens_surface_line *line,
                        struct surface *surface, struct error *error)
 {
-    struct reading reading = {words, surface, NULL, NULL, variable, context};
-    bool is_stop = kind == SURFACE_STOP;
-    *surface = (struct surface){.kind = kind, .is_stop = is_stop};
+    struct reading reading = {.words = words, .surface = surface, .line = line};
+    bool is_stop = line->kind == SURFACE_STOP;
+    *surface = (struct surface){.kind = line->kind, .is_stop = is_stop};
     surface->curvature.variable = surface->conic.variable = LENS_NONE;
     surface->focal.variable = surface->hiatus.variable = LENS_NONE;
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         surface->coefficient[i].variable = LENS_NONE;
     }
-    if (kind == SURFACE_THICK ? !read_focal(words, variable, context, surface, error)
-                              : !read_radius(words, surface, error)) {
+    if (surface_has(surface, SURFACE_HAS_FOCAL) ? !read_focal(words, line, surface, error)
+                                                : !read_radius(words, surface, error)) {
         return false;
     }
     if (is_stop && !surface->is_plane) {
@@ -323,11 +367,9 @@ bool lens_surface_read(struct lens_words *words, enum surface_kind kind,
                                "a stop is a plane: for a stop on glass put the word stop behind "
                                "the diameter of its surface");
     }
-    if (!read_cell(words, "thickness", variable, context, &surface->thickness,
-                   &surface->has_thickness, error) ||
-        !read_medium(words, before, surface, error) ||
-        !read_cell(words, "diameter", variable, context, &surface->diameter, &surface->has_diameter,
-                   error)) {
+    if (!read_cell(words, "thickness", line, &surface->thickness, &surface->has_thickness, error) ||
+        !read_medium(words, line->before, surface, error) ||
+        !read_cell(words, "diameter", line, &surface->diameter, &surface->has_diameter, error)) {
         return false;
     }
     if (surface->has_diameter && surface->diameter.variable == LENS_NONE &&
@@ -347,6 +389,8 @@ bool lens_surface_read(struct lens_words *words, enum surface_kind kind,
 bool lens_bend_read(struct lens_words *words, const struct displacement **bend, struct error *error)
 {
     struct displacement *all = ARENA_NEW(words->arena, struct displacement);
+    bool has_decenter = false, has_tilt = false;
+    *all = displacement_none;
     for (struct text word = lens_words_next(words); word.length > 0;
          word = lens_words_next(words)) {
         struct text value = word, key = text_cut(&value, '=');
@@ -354,10 +398,15 @@ bool lens_bend_read(struct lens_words *words, const struct displacement **bend, 
         if (value.start == NULL || (!decenter && !tilt)) {
             return lens_words_fail(words, word, error, "a bend has decenter=x,y and tilt=ax,ay,az");
         }
-        bool read = decenter ? lens_words_vector(words, value, words->scale, 1, "decentre",
-                                                 all->decenter, 2, error)
-                             : lens_words_vector(words, value, NUMBER_UNSCALED, radians, "tilt",
-                                                 all->tilt, 3, error);
+        bool *seen = decenter ? &has_decenter : &has_tilt;
+        if (*seen) {
+            return refuse_twice(words, word, key, "=", error);
+        }
+        *seen = true;
+        const struct vector_form shift = {"decentre", 2, words->scale, 0};
+        const struct vector_form turn = {"tilt", 3, NUMBER_UNSCALED, radians};
+        bool read = decenter ? lens_words_vector(words, value, &shift, all->decenter, error)
+                             : lens_words_vector(words, value, &turn, all->tilt, error);
         if (!read) {
             return false;
         }

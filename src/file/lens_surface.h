@@ -8,15 +8,16 @@
 /* Finds or makes the variable of this name and gives its index. */
 typedef size_t lens_variable_function(void *context, struct text name);
 
-/*
- * Read what follows the word `surface`, `stop` or `thick`.
- *
- * Given     kind      SURFACE_REFRACT for `surface`, SURFACE_STOP, SURFACE_THICK
- *           before    the medium before the surface; what a mirror leaves it in
- *           variable  for cells that are names
- */
-bool lens_surface_read(struct lens_words *words, enum surface_kind kind,
-                       const struct medium *before, lens_variable_function *variable, void *context,
+/* What the line stands in. */
+struct lens_surface_line {
+    enum surface_kind kind;      /* SURFACE_REFRACT for `surface`, SURFACE_STOP, SURFACE_THICK */
+    const struct medium *before; /* the surface; what a mirror leaves it in */
+    lens_variable_function *variable; /* for cells that are names */
+    void *context;                    /* of variable */
+};
+
+/* Read what follows the word `surface`, `stop` or `thick`. */
+bool lens_surface_read(struct lens_words *words, const struct lens_surface_line *line,
                        struct surface *surface, struct error *error);
 
 /* Read what follows `bend`. */

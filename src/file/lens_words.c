@@ -107,7 +107,7 @@ bool lens_words_fail(const struct lens_words *words, struct text word, struct er
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    fail_at(error, ERROR_DATA, words->line.start, words->line.length, column, "%s", message);
+    fail_at(error, ERROR_DATA, words->line, column, "%s", message);
     return error_locate(error, words->source, words->number, column);
 }
 
@@ -302,21 +302,22 @@ bool lens_words_medium(const struct lens_words *words, struct text text, struct 
            (abbe.start == NULL || read_index(words, abbe, "Abbe number", &medium->abbe, error));
 }
 
-bool lens_words_vector(const struct lens_words *words, struct text text, struct number_scale scale,
-                       double factor, const char *what, struct figure *figures, size_t count,
-                       struct error *error)
+bool lens_words_vector(const struct lens_words *words, struct text text,
+                       const struct vector_form *form, struct figure *figures, struct error *error)
 {
     struct text rest = text;
-    for (size_t i = 0; i < count && rest.start != NULL; i++) {
-        if (!lens_words_figure(words, text_cut(&rest, ','), scale, what, &figures[i], error)) {
+    for (size_t i = 0; i < form->count && rest.start != NULL; i++) {
+        if (!lens_words_figure(words, text_cut(&rest, ','), form->scale, form->what, &figures[i],
+                               error)) {
             return false;
         }
-        if (factor != 1) {
-            figures[i].value = pair_multiply(figures[i].value, pair_of(factor));
+        if (form->factor != 0) {
+            figures[i].value = pair_multiply(figures[i].value, pair_of(form->factor));
         }
     }
     if (rest.start != NULL) {
-        return lens_words_fail(words, rest, error, "the %s has more than %zu numbers", what, count);
+        return lens_words_fail(words, rest, error, "the %s has more than %zu numbers", form->what,
+                               form->count);
     }
     return true;
 }

@@ -78,9 +78,16 @@ bool lens_words_wavelength(const struct lens_words *words, struct text text, dou
 bool lens_words_medium(const struct lens_words *words, struct text text, struct medium *medium,
                        struct error *error);
 
-/* Two or three numbers with commas between, of which those not given stay 0. */
-bool lens_words_vector(const struct lens_words *words, struct text text, struct number_scale scale,
-                       double factor, const char *what, struct figure *figures, size_t count,
-                       struct error *error);
+/* Two or three numbers with commas between. */
+struct vector_form {
+    const char *what; /* "decentre" */
+    size_t count;
+    struct number_scale scale;
+    double factor; /* 0 = 1 */
+};
+
+/* Read them; those not given stay 0. */
+bool lens_words_vector(const struct lens_words *words, struct text text,
+                       const struct vector_form *form, struct figure *figures, struct error *error);
 
 #endif

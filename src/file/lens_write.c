@@ -1,7 +1,7 @@
 /* file/lens_write.c - a lens as a .lens file. */
 /* SPDX-License-Identifier: MIT */
-#include "optics/growing.h"
 #include "file/lens_file.h"
+#include "optics/growing.h"
 
 #include <math.h>
 #include <string.h>
@@ -89,7 +89,7 @@ static void put_thick(struct writer *writer, const struct surface *surface)
 
 static void put_extras(struct writer *writer, const struct surface *surface)
 {
-    if (surface->kind == SURFACE_THICK) {
+    if (surface_has(surface, SURFACE_HAS_FOCAL)) {
         put_thick(writer, surface);
     }
     if (surface->has_curvature) {
@@ -100,10 +100,13 @@ static void put_extras(struct writer *writer, const struct surface *surface)
         put_string(writer, " k=");
         put_figure(writer, &surface->conic, 1);
     }
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        if ((surface->coefficients >> i & 1) != 0) {
-            put_string(writer, arena_printf(writer->arena, " A%d=", 2 * i + 2));
-            put_figure(writer, &surface->coefficient[i], pow(writer->unit, -(2 * i + 1)));
+    for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
+        const enum parameter_kind kind = PARAMETER_COEFFICIENT;
+        const struct figure *figure = parameter_figure(surface, kind, order);
+        if (figure != NULL) {
+            const char *name = parameter_name(kind, order, writer->arena);
+            put_string(writer, arena_printf(writer->arena, " %s=", name));
+            put_figure(writer, figure, pow(writer->unit, parameter_length(kind, order)));
         }
     }
     if (surface->is_stop && surface->kind != SURFACE_STOP) {
@@ -112,17 +115,19 @@ static void put_extras(struct writer *writer, const struct surface *surface)
     if (surface->moved != NULL) {
         put_displacement(writer, surface->moved, 2);
     }
-    if (surface->curved != CURVED_BOTH) {
-        put_string(writer, surface->curved == CURVED_X ? " cyl=x" : " cyl=y");
+    if (!surface_is_round(surface)) {
+        put_string(writer, " cyl=");
+        put_string(writer, surface_section(surface)->word);
     }
     for (size_t i = 0; i < surface->vary_count; i++) {
         const struct vary *vary = &surface->varies[i];
         put(writer, " ", 1);
-        put(writer, vary->what.start, vary->what.length);
+        put_string(writer, parameter_name(vary->kind, vary->order, writer->arena));
         put(writer, "~", 1);
         if (vary->has_bounds) {
             const struct figure both[2] = {vary->low, vary->high};
-            put_vector(writer, "[", both, 2, writer->unit);
+            put_vector(writer, "[", both, 2,
+                       pow(writer->unit, parameter_length(vary->kind, vary->order)));
             put(writer, "]", 1);
         }
     }
@@ -139,14 +144,14 @@ static void put_surface(struct writer *writer, const struct surface *surface)
         put(writer, "\n", 1);
     }
     size_t start = writer->text.length;
-    bool is_thick = surface->kind == SURFACE_THICK;
-    put_string(writer, is_thick ? "thick" : surface->kind == SURFACE_STOP ? "stop" : "surface");
+    bool is_thick = surface_has(surface, SURFACE_HAS_FOCAL);
+    put_string(writer, surface_traits(surface)->word);
     put_tab(writer, start, 12);
     put_cell(writer, is_thick || !surface->is_plane, is_thick ? &surface->focal : &surface->radius);
     put_tab(writer, start, 26);
     put_cell(writer, surface->has_thickness, &surface->thickness);
     put_tab(writer, start, 38);
-    if (surface->kind == SURFACE_REFLECT) {
+    if (surface_reflects(surface)) {
         put_string(writer, "mirror");
     } else {
         put(writer, surface->medium.written.start, surface->medium.written.length);

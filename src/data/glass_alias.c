@@ -1,0 +1,70 @@
+/* data/glass_alias.c - what materials are called elsewhere. */
+/* SPDX-License-Identifier: MIT */
+#include "data/glass_alias.h"
+
+static const char FILE_NAME[] = "glass_aliases.tsv";
+
+/* A name being looked for; what stays empty was not typed, or is not found. */
+struct search {
+    struct text catalog, name;
+    struct text real_catalog, material;
+};
+
+/* "MISC" of "MISC:NACL" or "MISC:"; empty where no catalogue stands. The rest is behind the ':'. */
+static struct text cut_catalog(struct text *text)
+{
+    struct text rest = *text, first = text_cut(&rest, ':');
+    if (rest.start == NULL) {
+        return (struct text){"", 0};
+    }
+    *text = rest;
+    return first;
+}
+
+/* Look through one table; the first row counts. */
+static bool look_through(struct search *search, struct tsv *tsv, struct error *error)
+{
+    size_t alias, material;
+    if (!tsv_column(tsv, "alias", &alias, error) ||
+        !tsv_column(tsv, "material", &material, error)) {
+        return false;
+    }
+    while (tsv_next(tsv, error)) {
+        struct text typed = tsv->cells[alias], real = tsv->cells[material], name = real;
+        struct text own = cut_catalog(&typed), catalog = cut_catalog(&name);
+        if (own.length > 0) {
+            bool meant = search->real_catalog.length == 0 && text_same_name(own, search->catalog);
+            search->real_catalog = meant ? catalog : search->real_catalog;
+        } else if (search->material.length == 0 && text_same_name(typed, search->name)) {
+            search->material = real;
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+bool glass_alias(struct lensdb *db, struct text name, struct arena *arena, struct text *material,
+                 struct error *error)
+{
+    struct search search = {.name = text_trim(name)};
+    search.catalog = cut_catalog(&search.name);
+    error->code = ERROR_NONE;
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
+        struct tsv tsv;
+        bool open = lensdb_open(db, place, FILE_NAME, &tsv, error);
+        if (open ? !look_through(&search, &tsv, error) : error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    struct text wanted = search.real_catalog.length > 0 ? search.real_catalog : search.catalog;
+    struct text rest = search.material, catalog = cut_catalog(&rest);
+    if (search.material.length > 0 && (wanted.length == 0 || text_same_name(wanted, catalog))) {
+        *material = text_of(arena_string(arena, search.material.start, search.material.length));
+        return true;
+    }
+    if (search.real_catalog.length > 0) {
+        *material = text_of(arena_printf(arena, "%.*s:%.*s", (int)wanted.length, wanted.start,
+                                         (int)search.name.length, search.name.start));
+        return true;
+    }
+    return false;
+}
