@@ -1,4 +1,4 @@
-/* file/command_words.c - the words of lens files that are made of commands: CODE V and OSLO. */
+/* exchange/command_words.c - the words of lens files that are made of commands: CODE V and OSLO. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/command_words.h"
 
@@ -214,9 +214,9 @@ bool commands_end(const struct commands *commands, size_t word, struct error *er
 }
 
 bool commands_count(const struct commands *commands, const struct command_word *word,
-                    struct text text, const char *what, size_t least, size_t *value,
-                    struct error *error)
+                    const struct command_count *count, size_t *value, struct error *error)
 {
+    struct text text = count->digits;
     *value = 0;
     for (size_t i = 0; i < text.length && *value < 1000000; i++) {
         if (text.start[i] < '0' || text.start[i] > '9') {
@@ -226,7 +226,7 @@ bool commands_count(const struct commands *commands, const struct command_word *
         }
     }
     const struct command_word shown = {text, word->line, word->number, false};
-    return (text.length > 0 && *value >= least && *value < 1000000) ||
+    return (text.length > 0 && *value >= count->least && *value < 1000000) ||
            commands_fail(commands, text.length > 0 ? &shown : word, error,
-                         "the %s is a whole number from %zu on", what, least);
+                         "the %s is a whole number from %zu on", count->what, count->least);
 }

@@ -1,7 +1,7 @@
-/* file/command_words.h - the words of lens files that are made of commands: CODE V and OSLO. */
+/* exchange/command_words.h - the words of lens files that are made of commands: CODE V and OSLO. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_COMMAND_WORDS_H
-#define LENSCALC_FILE_COMMAND_WORDS_H
+#ifndef LENSCALC_EXCHANGE_COMMAND_WORDS_H
+#define LENSCALC_EXCHANGE_COMMAND_WORDS_H
 
 #include "base/arena.h"
 #include "base/error.h"
@@ -75,9 +75,13 @@ bool commands_figure(const struct commands *commands, size_t word, struct number
 /* Nothing may follow from this word on. */
 bool commands_end(const struct commands *commands, size_t word, struct error *error);
 
-/* A whole number of at least `least`. */
+/* A whole number in a word, or in the part of it that is no letter. */
+struct command_count {
+    struct text digits;
+    const char *what; /* "number of the surface" */
+    size_t least;
+};
 bool commands_count(const struct commands *commands, const struct command_word *word,
-                    struct text text, const char *what, size_t least, size_t *value,
-                    struct error *error);
+                    const struct command_count *count, size_t *value, struct error *error);
 
 #endif

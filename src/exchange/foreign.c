@@ -1,63 +1,13 @@
-/* file/foreign.c - lens files of other programs: which there are, and what they lose. */
+/* exchange/foreign.c - lens files of other programs: their glasses, and what is lost. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/foreign.h"
 
-#include "exchange/codev/codev.h"
-#include "data/encoding.h"
 #include "file/lens_glass.h"
-#include "exchange/lens_json.h"
-#include "exchange/oslo/oslo.h"
-#include "exchange/pbrt.h"
-#include "exchange/zemax/zemax.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-const struct foreign_format *const foreign_formats[] = {
-    &zemax_format, &codev_format, &oslo_format, &pbrt_format, &lens_json_format, NULL,
-};
-
-const struct foreign_format *foreign_by_name(struct text name)
-{
-    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
-        if (text_same(name, (*one)->name)) {
-            return *one;
-        }
-    }
-    return NULL;
-}
-
-static bool ends_with(struct text path, const char *ending)
-{
-    struct text last = text_of(ending);
-    return path.length > last.length &&
-           text_same((struct text){path.start + path.length - last.length, last.length}, ending);
-}
-
-const struct foreign_format *foreign_by_ending(struct text path)
-{
-    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
-        if (ends_with(path, (*one)->ending)) {
-            return *one;
-        }
-    }
-    return NULL;
-}
-
-const struct foreign_format *foreign_of(struct text source, struct text content)
-{
-    if (ends_with(source, ".lens")) {
-        return NULL;
-    }
-    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
-        if ((*one)->is_like(content)) {
-            return *one;
-        }
-    }
-    return foreign_by_ending(source);
-}
 
 static void add_loss(struct foreign_job *job, long line, const char *what)
 {
@@ -104,6 +54,19 @@ static int by_line(const void *a, const void *b)
     return (left > right) - (left < right);
 }
 
+/* What was read goes to a terminal: '?' for control characters. */
+static const char *printable(const char *words, struct arena *arena)
+{
+    char *copy = arena_string(arena, words, strlen(words));
+    for (char *at = copy; *at != '\0'; at++) {
+        unsigned char c = (unsigned char)*at, next = (unsigned char)at[1];
+        bool wide = c == 0xc2 && next >= 0x80 && next < 0xa0; /* U+0080 to U+009F */
+        at[0] = wide || c < 0x20 || c == 0x7f ? '?' : at[0];
+        at[wide ? 1 : 0] = wide ? '?' : at[0];
+    }
+    return copy;
+}
+
 void foreign_losses(const struct foreign_job *job, struct growing *list)
 {
     const struct foreign_loss **losses =
@@ -118,7 +81,7 @@ void foreign_losses(const struct foreign_job *job, struct growing *list)
             growing_format(list, ":%ld", losses[i]->line);
         }
         growing_string(list, ": lost: ");
-        growing_string(list, losses[i]->what);
+        growing_string(list, printable(losses[i]->what, job->arena));
         growing_string(list, "\n");
     }
 }
@@ -135,12 +98,26 @@ static struct text without_blanks(struct arena *arena, const char *name)
     return text_of(word);
 }
 
+/* Without what a .lens file refuses: blanks, delete and the control characters of C0 and C1. */
+static bool is_plain(struct text name)
+{
+    unsigned char before = 0;
+    for (size_t i = 0; i < name.length; i++) {
+        unsigned char one = (unsigned char)name.start[i];
+        if (one <= 0x20 || one == 0x7f || (before == 0xc2 && one >= 0x80 && one < 0xa0)) {
+            return false;
+        }
+        before = one;
+    }
+    return true;
+}
+
 /* Would the word be taken for a glass in a .lens file too? */
 static bool is_glass_word(struct text name)
 {
     char c = name.length > 0 ? name.start[0] : '\0';
     bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-    return letter && memchr(name.start, '#', name.length) == NULL &&
+    return letter && is_plain(name) && memchr(name.start, '#', name.length) == NULL &&
            memchr(name.start, '{', name.length) == NULL &&
            memchr(name.start, '"', name.length) == NULL && !text_equal(name, "air") &&
            !text_equal(name, "mirror");
@@ -151,7 +128,7 @@ static bool ask(const struct foreign_job *job, const char *written, struct mediu
                 struct error *error)
 {
     *medium = (struct medium){.kind = MEDIUM_GLASS, .written = text_of(written), .index = {1, 0}};
-    if (!job->glasses->find(job->glasses->context, medium, error)) {
+    if (!job->glasses->find_foreign(job->glasses->context, medium, error)) {
         return false;
     }
     const struct glass *glass = lens_glass_of(medium);
@@ -182,17 +159,17 @@ static bool ask_catalog(const struct foreign_job *job, struct text catalog, stru
                                           medium, error));
 }
 
-bool foreign_glass(struct foreign_job *job, const struct lens_words *words, struct text name,
-                   const struct text *catalogs, size_t count, struct medium *medium,
-                   struct error *error)
+bool foreign_glass(struct foreign_job *job, const struct lens_words *words,
+                   const struct foreign_name *named, struct medium *medium, struct error *error)
 {
+    const struct text name = named->name;
     if (job->glasses == NULL) {
         *medium = (struct medium){.kind = MEDIUM_GLASS, .written = name, .index = {1, 0}};
         return is_glass_word(name) ||
                lens_words_fail(words, name, error, "this cannot be the name of a glass");
     }
-    for (size_t i = 0; i < count; i++) {
-        if (ask_catalog(job, catalogs[i], name, medium, error)) {
+    for (size_t i = 0; i < named->catalog_count; i++) {
+        if (ask_catalog(job, named->catalogs[i], name, medium, error)) {
             return true;
         }
     }
@@ -206,46 +183,4 @@ bool foreign_glass(struct foreign_job *job, const struct lens_words *words, stru
     }
     lens_words_fail(words, name, error, "%s", found.message);
     return error_hint(error, "%s", found.hint);
-}
-
-bool foreign_read(struct foreign_job *job, struct text content, struct lens *lens,
-                  struct error *error)
-{
-    struct text source = text_of(job->source), text = content;
-    if (ends_with(source, ".lens")) {
-        return lens_read(job->source, content, job->glasses, job->arena, lens, error);
-    }
-    if (ends_with(source, ".agf")) {
-        fail(error, ERROR_DATA, "an AGF file is a catalogue of glasses, not a lens");
-        error_locate(error, job->source, 0, 0);
-        return error_hint(error, "--agf FILE adds its glasses");
-    }
-    bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
-    const struct foreign_format *format = foreign_of(source, is_text ? text : content);
-    if (format == NULL) {
-        return lens_read(job->source, is_text ? text : content, job->glasses, job->arena, lens,
-                         error);
-    }
-    if (!is_text) {
-        return false;
-    }
-    if (format->read == NULL) {
-        fail(error, ERROR_DATA, "lenscalc writes files of the format '%s' but does not read them",
-             format->name);
-        return error_locate(error, job->source, 0, 0);
-    }
-    return format->read(job, text, lens, error);
-}
-
-bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
-                   const struct lens *lens, struct text *text, struct error *error)
-{
-    for (size_t i = 0; i < lens->surface_count && !format->has_thick; i++) {
-        if (lens->surfaces[i].kind == SURFACE_THICK) {
-            return fail(error, ERROR_DATA,
-                        "surface %zu is a thick lens: a %s file has none, only .lens and .json",
-                        i + 1, format->ending);
-        }
-    }
-    return format->write(job, lens, text, error);
 }

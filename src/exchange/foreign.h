@@ -1,14 +1,15 @@
-/* file/foreign.h - lens files of other programs: which there are, and what they lose. */
+/* exchange/foreign.h - lens files of other programs: a format, its glasses, and what is lost. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_FOREIGN_H
-#define LENSCALC_FILE_FOREIGN_H
+#ifndef LENSCALC_EXCHANGE_FOREIGN_H
+#define LENSCALC_EXCHANGE_FOREIGN_H
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "base/file_type.h"
 #include "base/text.h"
-#include "optics/growing.h"
 #include "file/lens_file.h"
 #include "file/lens_words.h"
+#include "optics/growing.h"
 #include "optics/lens.h"
 
 #include <stdbool.h>
@@ -32,9 +33,7 @@ struct foreign_job {
 
 /* A kind of file. `read` or `write` is null where it does not exist. */
 struct foreign_format {
-    const char *name;   /* "zmx" */
-    const char *ending; /* ".zmx" */
-    const char *help;   /* "Zemax sequential lens" */
+    struct file_type type; /* "zmx", "Zemax OpticStudio", ".zmx" */
     /* Does the text look like one? Content decides before the name's ending does. */
     bool (*is_like)(struct text content);
     /*
@@ -54,21 +53,6 @@ struct foreign_format {
                   struct error *error);
     bool has_thick; /* it can hold a thick lens among the surfaces */
 };
-
-/* All of them; ends with null. */
-extern const struct foreign_format *const foreign_formats[];
-
-/* The format of this name ("zmx"), or of a file name's ending; null if there is none. */
-const struct foreign_format *foreign_by_name(struct text name);
-const struct foreign_format *foreign_by_ending(struct text path);
-
-/*
- * The format of a file: what its content looks like, else its ending; null for a .lens file.
- *
- * Given     source   its name; one that ends in .lens is never foreign
- *           content  UTF-8
- */
-const struct foreign_format *foreign_of(struct text source, struct text content);
 
 /*
  * In the text of a loss: what stands before it cannot be kept, what stands behind is done then. An
@@ -93,37 +77,24 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
  */
 void foreign_losses(const struct foreign_job *job, struct growing *list);
 
+/* A glass as a file has it. */
+struct foreign_name {
+    struct text name;
+    const struct text *catalogs; /* names in the order of the file */
+    size_t catalog_count;        /* may be 0 */
+};
+
 /*
  * Find a glass as the file's catalogues have it, so that homonyms are decided by their order.
  *
- * Given     catalogs  names in the order of the file; count may be 0
- *           medium    receives it, written CATALOG:NAME as the catalogue spells it
+ * Given     medium  receives it, written CATALOG:NAME as the catalogue spells it
  * Result    false with ERROR_NONE where no catalogue has it: the reader may know an index
  * Errors    ERROR_DATA with the place: several catalogues have the name with different data
  * Note      where none of the file's catalogues has the glass, but exactly one glass of that name
- *           is known, it is that one: a name is never changed
+ *           is known, it is that one. A name is never changed but by glass_alias, and then the
+ *           medium has a warning
  */
-bool foreign_glass(struct foreign_job *job, const struct lens_words *words, struct text name,
-                   const struct text *catalogs, size_t count, struct medium *medium,
-                   struct error *error);
-
-/*
- * Write a lens in a format.
- *
- * Errors    ERROR_DATA: a thick lens that the format has not, which cannot be left out even when
- *           lossy; as the format's writer
- */
-bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
-                   const struct lens *lens, struct text *text, struct error *error);
-
-/*
- * Read a lens in whichever format it is, a .lens file included.
- *
- * Given     job      source, arena, glasses, lossy
- *           content  bytes as they lie in the file
- * Errors    as lens_read, encoding_to_utf8 and the format's reader
- */
-bool foreign_read(struct foreign_job *job, struct text content, struct lens *lens,
-                  struct error *error);
+bool foreign_glass(struct foreign_job *job, const struct lens_words *words,
+                   const struct foreign_name *named, struct medium *medium, struct error *error);
 
 #endif

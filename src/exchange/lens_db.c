@@ -1,11 +1,11 @@
-/* file/lens_db.c - lenses by name: the user's folder, the embedded ones, files. */
+/* exchange/lens_db.c - lenses by name: the user's folder, the embedded ones, files. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_db.h"
 
 #include "data/embedded.h"
-#include "exchange/foreign.h"
-#include "file/lens_glass.h"
 #include "data/whole_file.h"
+#include "exchange/lens_formats.h"
+#include "file/lens_glass.h"
 
 #include <errno.h>
 #include <stdlib.h>

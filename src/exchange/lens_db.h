@@ -1,10 +1,11 @@
-/* file/lens_db.h - lenses by name: the user's folder, the embedded ones, files. */
+/* exchange/lens_db.h - lenses by name: the user's folder, the embedded ones, files. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_LENS_DB_H
-#define LENSCALC_FILE_LENS_DB_H
+#ifndef LENSCALC_EXCHANGE_LENS_DB_H
+#define LENSCALC_EXCHANGE_LENS_DB_H
 
-#include "file/lens_file.h"
 #include "data/lensdb.h"
+#include "exchange/lens_formats.h"
+#include "file/lens_file.h"
 
 /*
  * The text of a lens.

@@ -1,4 +1,4 @@
-/* file/lens_json.c - a lens as JSON, for other programs and scripts. */
+/* exchange/lens_json.c - a lens as JSON, for other programs and scripts. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_json.h"
 
@@ -233,17 +233,20 @@ static void put_coefficients(struct writer *writer, const struct surface *surfac
         return;
     }
     put_key(writer, "coefficients_mm");
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        if ((surface->coefficients >> i & 1) != 0) {
-            growing_format(&writer->out.text, "%s\"A%d\":", before, 2 * (i + 1));
-            put_figure(writer, &surface->coefficient[i], 1);
+    for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
+        const enum parameter_kind kind = PARAMETER_COEFFICIENT;
+        const struct figure *figure = parameter_figure(surface, kind, order);
+        if (figure != NULL) {
+            growing_format(&writer->out.text, "%s\"%s\":", before,
+                           parameter_name(kind, order, writer->out.text.arena));
+            put_figure(writer, figure, 1);
             before = ",";
         }
     }
     put(writer, "}");
 }
 
-/* What the designer may change; bounds of lengths in mm. */
+/* What the designer may change; bounds in mm, 1/mm .. */
 static void put_varies(struct writer *writer, const struct surface *surface)
 {
     for (size_t i = 0; i < surface->vary_count; i++) {
@@ -252,7 +255,7 @@ static void put_varies(struct writer *writer, const struct surface *surface)
             put_key(writer, "vary");
         }
         put(writer, i == 0 ? "[{\"what\":" : ",{\"what\":");
-        put_text(writer, vary->what);
+        put_string(writer, parameter_name(vary->kind, vary->order, writer->out.text.arena));
         if (vary->has_bounds) {
             put_key(writer, "low");
             put_value(writer, &vary->low, 1);
@@ -269,7 +272,7 @@ static bool put_medium(struct writer *writer, const struct surface *surface, str
     const struct lens *lens = writer->lens;
     size_t waves = lens->wavelength_count > 0 ? lens->wavelength_count : 1;
     put_key(writer, "medium");
-    if (surface->kind == SURFACE_REFLECT) {
+    if (surface_reflects(surface)) {
         put(writer, "\"mirror\"");
         return true;
     }
@@ -292,7 +295,7 @@ static bool put_medium(struct writer *writer, const struct surface *surface, str
 /* What only a thick lens has. */
 static void put_thick(struct writer *writer, const struct surface *surface)
 {
-    if (surface->kind != SURFACE_THICK) {
+    if (!surface_has(surface, SURFACE_HAS_FOCAL)) {
         return;
     }
     put_optional(writer, "focal_mm", true, &surface->focal);
@@ -307,12 +310,10 @@ static void put_thick(struct writer *writer, const struct surface *surface)
 
 static bool put_surface(struct writer *writer, size_t i, struct error *error)
 {
-    static const char *const kinds[] = {"refract", "reflect", "stop", "thick"};
-    static const char *const curved[] = {"", "x", "y"};
     const struct surface *surface = &writer->lens->surfaces[i];
     bool is_plane = surface->is_plane && !surface->has_curvature;
     growing_format(&writer->out.text, "%s\n{\"surface\":%zu,\"kind\":\"%s\",\"is_stop\":%s",
-                   i > 0 ? "," : "", i + 1, kinds[surface->kind],
+                   i > 0 ? "," : "", i + 1, surface_traits(surface)->key,
                    surface->is_stop ? "true" : "false");
     put_key(writer, "name");
     put_string(writer, surface->name);
@@ -330,9 +331,9 @@ static bool put_surface(struct writer *writer, size_t i, struct error *error)
     put_optional(writer, "conic", true, &surface->conic);
     put_coefficients(writer, surface);
     put_thick(writer, surface);
-    if (surface->curved != CURVED_BOTH) {
+    if (!surface_is_round(surface)) {
         put_key(writer, "cylinder");
-        put_string(writer, curved[surface->curved]);
+        put_string(writer, surface_section(surface)->key);
     }
     put_displacement(writer, "moved", surface->moved);
     put_displacement(writer, "bend_before", surface->bend);
@@ -405,9 +406,7 @@ static bool is_like(struct text content)
 }
 
 const struct foreign_format lens_json_format = {
-    .name = "json",
-    .ending = ".json",
-    .help = "JSON, as lenscalc writes it",
+    .type = {{"json", "JSON, for other programs"}, ".json"},
     .is_like = is_like,
     .read = lens_json_read,
     .write = write_json,

@@ -1,7 +1,7 @@
-/* file/lens_json.h - a lens as JSON, for other programs and scripts. */
+/* exchange/lens_json.h - a lens as JSON, for other programs and scripts. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_LENS_JSON_H
-#define LENSCALC_FILE_LENS_JSON_H
+#ifndef LENSCALC_EXCHANGE_LENS_JSON_H
+#define LENSCALC_EXCHANGE_LENS_JSON_H
 
 #include "exchange/foreign.h"
 

@@ -1,4 +1,4 @@
-/* file/lens_json_read.c - a lens from the JSON that lenscalc writes. */
+/* exchange/lens_json_read.c - a lens from the JSON that lenscalc writes. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_json.h"
 #include "exchange/lens_json_reading.h"
@@ -7,39 +7,51 @@
 
 static const double radians = 0.017453292519943295;
 
+static bool read_wave(struct json_reading *reading, const struct json_value *item,
+                      struct error *error)
+{
+    static const char *const keys[] = {"name", "wavelength_nm", "weight", NULL};
+    const struct json_value *name = json_item(item, "name"),
+                            *wave = json_item(item, "wavelength_nm"),
+                            *weight = json_item(item, "weight");
+    struct figure figure = {.value = {1, 0}}, length;
+    if (json_is_null(wave)) {
+        return json_wrong(reading, item, error, "a wavelength without its nm");
+    }
+    if (!json_check_keys(reading, item, keys, error) ||
+        !json_read_figure(reading, wave, JSON_PLAIN, &length, error) ||
+        (!json_is_null(weight) && !json_read_figure(reading, weight, JSON_PLAIN, &figure, error))) {
+        return false;
+    }
+    double micrometres = 0;
+    number_read(wave->text.start, wave->text.start + wave->text.length,
+                (struct number_scale){1, -3}, &micrometres);
+    if (!(micrometres >= 0.001 && micrometres <= 1000) || !(figure.value.hi >= 0)) {
+        return json_wrong(reading, item, error,
+                          "a wavelength is within 1 to 1e6 nm, a weight is not below 0");
+    }
+    struct lens_wavelength *one =
+        lens_build_wavelength(&reading->build, micrometres, figure.value.hi);
+    double named = 0;
+    struct lens_words words = json_place(reading, item);
+    struct error ignored;
+    if (!json_is_null(name) && name->kind == JSON_STRING &&
+        lens_words_wavelength(&words, name->text, &named, &ignored) && named == micrometres) {
+        one->typed = name->text; /* as it was typed, if it is this one */
+    }
+    return true;
+}
+
 static bool read_waves(struct json_reading *reading, const struct json_value *value,
                        struct error *error)
 {
-    static const char *const keys[] = {"name", "wavelength_nm", "weight", NULL};
+    if (!json_check_array(reading, value, "wavelengths", error)) {
+        return false;
+    }
     for (const struct json_value *item = json_is_null(value) ? NULL : value->first; item != NULL;
          item = item->next) {
-        const struct json_value *name = json_item(item, "name"),
-                                *wave = json_item(item, "wavelength_nm"),
-                                *weight = json_item(item, "weight");
-        struct figure figure = {.value = {1, 0}}, length;
-        if (json_is_null(wave) || !json_check_keys(reading, item, keys, error) ||
-            !json_read_figure(reading, wave, JSON_PLAIN, &length, error) ||
-            (!json_is_null(weight) &&
-             !json_read_figure(reading, weight, JSON_PLAIN, &figure, error))) {
-            return !json_is_null(wave)
-                       ? false
-                       : json_wrong(reading, item, error, "a wavelength without its nm");
-        }
-        double micrometres = 0;
-        number_read(wave->text.start, wave->text.start + wave->text.length,
-                    (struct number_scale){1, -3}, &micrometres);
-        if (!(micrometres >= 0.001 && micrometres <= 1000) || !(figure.value.hi >= 0)) {
-            return json_wrong(reading, item, error,
-                              "a wavelength is within 1 to 1e6 nm, a weight is not below 0");
-        }
-        struct lens_wavelength *one =
-            lens_build_wavelength(&reading->build, micrometres, figure.value.hi);
-        double named = 0;
-        struct lens_words words = json_place(reading, item);
-        struct error ignored;
-        if (!json_is_null(name) && name->kind == JSON_STRING &&
-            lens_words_wavelength(&words, name->text, &named, &ignored) && named == micrometres) {
-            one->typed = name->text; /* as it was typed, if it is this one */
+        if (!read_wave(reading, item, error)) {
+            return false;
         }
     }
     return true;
@@ -83,6 +95,28 @@ static bool read_object(struct json_reading *reading, const struct json_value *v
     return true;
 }
 
+/* Whether the object is infinite: one truth, or one for each position. */
+static bool check_infinite(struct json_reading *reading, const struct json_value *value,
+                           struct error *error)
+{
+    static const char key[] = "object_is_infinite", other[] = "object_mm";
+    const struct lens *lens = reading->build.lens;
+    size_t i = 0;
+    if (json_is_null(value) || value->kind != JSON_ARRAY) {
+        return json_check_truth(reading, value, lens->object_is_infinite, key, other, error);
+    }
+    if (!json_check_count(reading, value, error)) {
+        return false;
+    }
+    for (const struct json_value *item = value->first; item != NULL; item = item->next) {
+        const struct figure *object = lens->objects != NULL ? &lens->objects[i++] : &lens->object;
+        if (!json_check_truth(reading, item, isinf(object->value.hi), key, other, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool read_fields(struct json_reading *reading, const struct json_value *root,
                         struct error *error)
 {
@@ -91,11 +125,17 @@ static bool read_fields(struct json_reading *reading, const struct json_value *r
     const struct json_value *kind = json_item(root, "field_kind"),
                             *fields = json_item(root, "fields");
     int choice = 0;
-    if (json_is_null(kind) || json_is_null(fields) || fields->count == 0) {
+    if (!json_check_array(reading, fields, "numbers", error) ||
+        (!json_is_null(kind) && !json_read_choice(reading, kind, kinds, 4, &choice, error))) {
+        return false;
+    }
+    if (json_is_null(fields) || fields->count == 0) {
         return true;
     }
-    if (!json_read_choice(reading, kind, kinds, 4, &choice, error) ||
-        !json_read_figures(reading, fields, choice == FIELD_ANGLE ? JSON_ANGLE : JSON_LENGTH,
+    if (choice == FIELD_NONE) {
+        return json_wrong(reading, fields, error, "fields without their kind");
+    }
+    if (!json_read_figures(reading, fields, choice == FIELD_ANGLE ? JSON_ANGLE : JSON_LENGTH,
                            &lens->fields, error)) {
         return false;
     }
@@ -117,16 +157,16 @@ static bool read_aperture(struct json_reading *reading, const struct json_value 
     const struct json_value *kind = json_item(root, "aperture_kind"),
                             *value = json_item(root, "aperture");
     int choice = 0;
-    if (json_is_null(kind)) {
-        return true;
-    }
-    if (!json_read_choice(reading, kind, kinds, 5, &choice, error)) {
+    if (!json_is_null(kind) && !json_read_choice(reading, kind, kinds, 5, &choice, error)) {
         return false;
     }
     lens->aperture_kind = (enum aperture_kind)choice;
     if (choice <= APERTURE_STOP) {
         lens->aperture.typed = text_of("stop");
-        return true;
+        return json_is_null(value) ||
+               json_wrong(reading, value, error,
+                          choice == APERTURE_STOP ? "the stop's diameter is that of its surface"
+                                                  : "an aperture without its kind");
     }
     if (json_is_null(value)) {
         return json_wrong(reading, kind, error, "an aperture without its value");
@@ -161,6 +201,9 @@ static bool read_stated(struct json_reading *reading, const struct json_value *r
     for (int i = 0; i < STATED_COUNT; i++) {
         const struct json_value *value = json_item(root, keys[i]);
         struct figure *figures = NULL;
+        if (!json_check_array(reading, value, "numbers", error)) {
+            return false;
+        }
         if (json_is_null(value) || value->count == 0) {
             continue;
         }
@@ -180,6 +223,9 @@ static bool read_stated(struct json_reading *reading, const struct json_value *r
 static bool read_notes(struct json_reading *reading, const struct json_value *value,
                        struct error *error)
 {
+    if (!json_check_array(reading, value, "texts", error)) {
+        return false;
+    }
     for (const struct json_value *item = json_is_null(value) ? NULL : value->first; item != NULL;
          item = item->next) {
         if (item->kind != JSON_STRING) {
@@ -206,6 +252,9 @@ static bool read_positions(struct json_reading *reading, const struct json_value
 {
     enum { MOST = 1000 };
     struct lens *lens = reading->build.lens;
+    if (!json_check_array(reading, value, "names", error)) {
+        return false;
+    }
     if (json_is_null(value)) {
         return true;
     }
@@ -267,6 +316,34 @@ static bool read_surfaces(struct json_reading *reading, const struct json_value 
     return value->count > 0 || json_wrong(reading, value, error, "the lens has no surface");
 }
 
+/* The number of the surface that says it is the stop. */
+static bool check_stop(struct json_reading *reading, const struct json_value *value,
+                       struct error *error)
+{
+    const struct lens *lens = reading->build.lens;
+    struct figure number = {.value = {0, 0}};
+    if (value == NULL) {
+        return true;
+    }
+    if (value->kind != JSON_NULL && !json_read_figure(reading, value, JSON_PLAIN, &number, error)) {
+        return false;
+    }
+    double stop = lens->stop == LENS_NONE ? 0 : (double)lens->stop + 1;
+    return number.value.hi == stop ||
+           json_wrong(reading, value, error, "stop_surface contradicts is_stop");
+}
+
+/* What the lens is called and what is said of it. */
+static bool read_words(struct json_reading *reading, const struct json_value *root,
+                       struct error *error)
+{
+    struct lens *lens = reading->build.lens;
+    return json_read_text(reading, json_item(root, "lens"), &lens->title, error) &&
+           json_read_text(reading, json_item(root, "source"), &lens->source, error) &&
+           json_read_text(reading, json_item(root, "kind"), &lens->kind, error) &&
+           read_notes(reading, json_item(root, "notes"), error);
+}
+
 static bool read_root(struct json_reading *reading, const struct json_value *root,
                       struct error *error)
 {
@@ -278,21 +355,19 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
                                        "stop_surface",   "stated_efl_mm", "stated_bfl_mm",
                                        "stated_fnumber", "surfaces",      NULL};
     struct lens *lens = reading->build.lens;
-    return json_check_keys(reading, root, keys, error) &&
-           json_read_text(reading, json_item(root, "lens"), &lens->title, error) &&
-           json_read_text(reading, json_item(root, "source"), &lens->source, error) &&
-           json_read_text(reading, json_item(root, "kind"), &lens->kind, error) &&
-           read_notes(reading, json_item(root, "notes"), error) &&
+    return json_check_keys(reading, root, keys, error) && read_words(reading, root, error) &&
            read_unit(reading, json_item(root, "unit"), error) &&
            read_positions(reading, json_item(root, "positions"), error) &&
            read_waves(reading, json_item(root, "wavelengths"), error) &&
            read_object(reading, json_item(root, "object_mm"), error) &&
+           check_infinite(reading, json_item(root, "object_is_infinite"), error) &&
            json_read_medium(reading, json_item(root, "object_medium"), &lens->object_medium,
                             error) &&
            read_fields(reading, root, error) && read_aperture(reading, root, error) &&
            read_focus(reading, json_item(root, "focus"), error) &&
            read_stated(reading, root, error) &&
-           read_surfaces(reading, json_item(root, "surfaces"), error);
+           read_surfaces(reading, json_item(root, "surfaces"), error) &&
+           check_stop(reading, json_item(root, "stop_surface"), error);
 }
 
 static bool refuse(struct json_reading *reading, struct error *error)

@@ -1,4 +1,4 @@
-/* file/lens_json_reading.c - numbers, texts and media of a lens in JSON. */
+/* exchange/lens_json_reading.c - numbers, texts and media of a lens in JSON. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_json_reading.h"
 
@@ -164,6 +164,24 @@ bool json_read_figures(struct json_reading *reading, const struct json_value *va
         }
     }
     return true;
+}
+
+bool json_check_array(struct json_reading *reading, const struct json_value *value,
+                      const char *what, struct error *error)
+{
+    return json_is_null(value) || value->kind == JSON_ARRAY ||
+           json_wrong(reading, value, error, "an array of %s is wanted here", what);
+}
+
+bool json_check_truth(struct json_reading *reading, const struct json_value *value, bool truth,
+                      const char *key, const char *other, struct error *error)
+{
+    bool said;
+    if (json_is_null(value)) {
+        return true;
+    }
+    return json_read_truth(reading, value, &said, error) &&
+           (said == truth || json_wrong(reading, value, error, "%s contradicts %s", key, other));
 }
 
 bool json_check_count(struct json_reading *reading, const struct json_value *value,

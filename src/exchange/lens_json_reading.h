@@ -1,7 +1,7 @@
-/* file/lens_json_reading.h - numbers, texts and media of a lens in JSON, while it is read. */
+/* exchange/lens_json_reading.h - numbers, texts and media of a lens in JSON, while it is read. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_LENS_JSON_READING_H
-#define LENSCALC_FILE_LENS_JSON_READING_H
+#ifndef LENSCALC_EXCHANGE_LENS_JSON_READING_H
+#define LENSCALC_EXCHANGE_LENS_JSON_READING_H
 
 #include "base/json_read.h"
 #include "exchange/foreign.h"
@@ -51,6 +51,18 @@ bool json_read_figure(struct json_reading *reading, const struct json_value *val
 /* An array of numbers, in the arena. */
 bool json_read_figures(struct json_reading *reading, const struct json_value *value, int power,
                        struct figure **figures, struct error *error);
+
+/* An array of what the word says, or nothing. */
+bool json_check_array(struct json_reading *reading, const struct json_value *value,
+                      const char *what, struct error *error);
+
+/*
+ * What a key says that another one says too: nothing, or the same.
+ *
+ * Given     key, other  their names, for the message
+ */
+bool json_check_truth(struct json_reading *reading, const struct json_value *value, bool truth,
+                      const char *key, const char *other, struct error *error);
 
 /* As many items as the lens has positions, at least one. */
 bool json_check_count(struct json_reading *reading, const struct json_value *value,

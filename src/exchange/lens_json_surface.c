@@ -1,4 +1,4 @@
-/* file/lens_json_surface.c - a surface of a lens in JSON. */
+/* exchange/lens_json_surface.c - a surface of a lens in JSON. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_json_reading.h"
 
@@ -25,8 +25,6 @@ static bool read_cell(struct json_reading *reading, const struct json_value *val
                               .variable = lens_build_variable(&reading->build, name, values)};
     return true;
 }
-
-enum { MOST_VARIES = 16 };
 
 static bool read_displacement(struct json_reading *reading, const struct json_value *value,
                               size_t turns, const struct displacement **moved, struct error *error)
@@ -56,9 +54,6 @@ static bool read_displacement(struct json_reading *reading, const struct json_va
            json_wrong(reading, turn, error, "a surface is not turned about z");
 }
 
-static const char *const coefficient_keys[] = {"A2",  "A4",  "A6",  "A8",  "A10", "A12",
-                                               "A14", "A16", "A18", "A20", NULL};
-
 static bool read_coefficients(struct json_reading *reading, const struct json_value *value,
                               struct surface *surface, struct error *error)
 {
@@ -66,52 +61,51 @@ static bool read_coefficients(struct json_reading *reading, const struct json_va
         return true;
     }
     if (value->kind != JSON_OBJECT) {
-        return json_wrong(reading, value, error, "an object with A2 .. A20 is wanted here");
+        return json_wrong(reading, value, error, "an object with A1 .. A20 is wanted here");
     }
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        const struct json_value *item = json_item(value, coefficient_keys[i]);
-        if (item != NULL) {
-            surface->coefficients |= 1u << i;
-            if (!json_read_figure(reading, item, -(2 * i + 1), &surface->coefficient[i], error)) {
-                return false;
-            }
+    const char *keys[LENS_COEFFICIENTS + 1] = {NULL};
+    for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
+        const enum parameter_kind kind = PARAMETER_COEFFICIENT;
+        struct arena *arena = reading->job->arena;
+        struct figure figure;
+        keys[order - 1] = parameter_name(kind, order, arena);
+        const struct json_value *item = json_item(value, keys[order - 1]);
+        if (item == NULL) {
+            continue;
         }
-    }
-    return json_check_keys(reading, value, coefficient_keys, error);
-}
-
-static bool is_vary(struct text what)
-{
-    static const char *const words[] = {"R", "t", "c", "k", "glass"};
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        if (text_equal(what, words[i])) {
-            return true;
+        if (!json_read_figure(reading, item, parameter_length(kind, order), &figure, error)) {
+            return false;
         }
+        parameter_put(surface, kind, order, figure, arena);
     }
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        if (text_equal(what, coefficient_keys[i])) {
-            return true;
-        }
-    }
-    return false;
+    return json_check_keys(reading, value, keys, error);
 }
 
 static bool read_vary(struct json_reading *reading, const struct json_value *value,
-                      struct vary *vary, struct error *error)
+                      const struct surface *surface, struct vary *vary, struct error *error)
 {
     static const char *const keys[] = {"what", "low", "high", NULL};
     const struct json_value *what = json_item(value, "what"), *low = json_item(value, "low"),
                             *high = json_item(value, "high");
+    *vary = (struct vary){.has_bounds = low != NULL};
     if (value->kind != JSON_OBJECT || what == NULL || what->kind != JSON_STRING ||
-        !is_vary(what->text) || (low == NULL) != (high == NULL)) {
-        return json_wrong(reading, value, error, "what varies is R, c, t, k, A4 or glass");
+        !parameter_name_read(what->text, &vary->kind, &vary->order) ||
+        !parameter_is_mark(vary->kind, surface) || (low == NULL) != (high == NULL)) {
+        return json_wrong(reading, value, error, "what varies is %s",
+                          parameter_marks(surface, reading->job->arena));
     }
-    int power =
-        text_equal(what->text, "R") || text_equal(what->text, "t") ? JSON_LENGTH : JSON_PLAIN;
-    *vary = (struct vary){.what = what->text, .has_bounds = low != NULL};
-    return json_check_keys(reading, value, keys, error) &&
-           (low == NULL || (json_read_figure(reading, low, power, &vary->low, error) &&
-                            json_read_figure(reading, high, power, &vary->high, error)));
+    if (parameter_is_marked(vary->kind, vary->order, surface)) {
+        return json_wrong(reading, value, error, "'%.*s' is marked twice", text_shown(what->text),
+                          what->text.start);
+    }
+    int power = parameter_length(vary->kind, vary->order);
+    if (!json_check_keys(reading, value, keys, error) ||
+        (low != NULL && (!json_read_figure(reading, low, power, &vary->low, error) ||
+                         !json_read_figure(reading, high, power, &vary->high, error)))) {
+        return false;
+    }
+    return low == NULL || vary->low.value.hi <= vary->high.value.hi ||
+           json_wrong(reading, low, error, "the lower bound is above the upper");
 }
 
 static bool read_varies(struct json_reading *reading, const struct json_value *value,
@@ -120,16 +114,17 @@ static bool read_varies(struct json_reading *reading, const struct json_value *v
     if (json_is_null(value)) {
         return true;
     }
-    if (value->kind != JSON_ARRAY || value->count > MOST_VARIES) {
+    if (value->kind != JSON_ARRAY || value->count > PARAMETER_MOST_MARKS) {
         return json_wrong(reading, value, error, "an array of at most %d is wanted here",
-                          MOST_VARIES);
+                          PARAMETER_MOST_MARKS);
     }
     struct vary *varies = ARENA_ARRAY(reading->job->arena, value->count + 1, struct vary);
     surface->varies = varies;
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
-        if (!read_vary(reading, item, &varies[surface->vary_count++], error)) {
+        if (!read_vary(reading, item, surface, &varies[surface->vary_count], error)) {
             return false;
         }
+        surface->vary_count++;
     }
     return true;
 }
@@ -145,7 +140,10 @@ static bool read_curve(struct json_reading *reading, const struct json_value *ob
     if (!surface->is_plane && surface->has_curvature) {
         return json_wrong(reading, curvature, error, "a curvature beside a radius");
     }
-    return (surface->is_plane ||
+    return json_check_truth(reading, json_item(object, "radius_is_infinite"),
+                            surface->is_plane && !surface->has_curvature, "radius_is_infinite",
+                            "radius_mm", error) &&
+           (surface->is_plane ||
             json_read_figure(reading, radius, JSON_LENGTH, &surface->radius, error)) &&
            (!surface->has_curvature ||
             json_read_figure(reading, curvature, -1, &surface->curvature, error));
@@ -176,18 +174,24 @@ static bool read_conic(struct json_reading *reading, const struct json_value *va
 static bool read_kind(struct json_reading *reading, const struct json_value *object,
                       struct surface *surface, struct error *error)
 {
-    static const char *const kinds[] = {"refract", "reflect", "stop", "thick"};
-    static const char *const curved[] = {"both", "x", "y"};
+    enum { SECTIONS = sizeof surface_sections / sizeof surface_sections[0] };
+    const char *kinds[SURFACE_KINDS], *curved[SECTIONS];
     const struct json_value *kind = json_item(object, "kind"), *stop = json_item(object, "is_stop"),
                             *cylinder = json_item(object, "cylinder");
     int choice = 0, sections = 0;
+    for (size_t i = 0; i < SURFACE_KINDS; i++) {
+        kinds[i] = surface_kinds[i].key;
+    }
+    for (size_t i = 0; i < SECTIONS; i++) {
+        curved[i] = surface_sections[i].key;
+    }
     if (kind == NULL) {
         return json_wrong(reading, object, error, "the kind of the surface is missing");
     }
-    if (!json_read_choice(reading, kind, kinds, 4, &choice, error) ||
+    if (!json_read_choice(reading, kind, kinds, SURFACE_KINDS, &choice, error) ||
         (!json_is_null(stop) && !json_read_truth(reading, stop, &surface->is_stop, error)) ||
         (!json_is_null(cylinder) &&
-         !json_read_choice(reading, cylinder, curved, 3, &sections, error))) {
+         !json_read_choice(reading, cylinder, curved, SECTIONS, &sections, error))) {
         return false;
     }
     surface->kind = (enum surface_kind)choice;
@@ -206,7 +210,7 @@ static bool read_thick(struct json_reading *reading, const struct json_value *ob
     const struct json_value *distortion = json_item(object, "distortion");
     struct figure *terms = NULL;
     bool is_given;
-    if (surface->kind != SURFACE_THICK) {
+    if (!surface_has(surface, SURFACE_HAS_FOCAL)) {
         const struct json_value *odd = focal != NULL ? focal : hiatus != NULL ? hiatus : distortion;
         return odd == NULL || json_wrong(reading, odd, error, "only a thick lens has this");
     }
@@ -234,6 +238,114 @@ static bool read_thick(struct json_reading *reading, const struct json_value *ob
     return true;
 }
 
+/* Surfaces are counted from 1. */
+static bool check_number(struct json_reading *reading, const struct json_value *value,
+                         struct error *error)
+{
+    struct figure number;
+    size_t count = reading->build.lens->surface_count;
+    if (json_is_null(value)) {
+        return true;
+    }
+    return json_read_figure(reading, value, JSON_PLAIN, &number, error) &&
+           (number.value.hi == (double)count ||
+            json_wrong(reading, value, error, "another surface, where surface %zu must stand",
+                       count));
+}
+
+/* What a surface without a curve has not. */
+static bool check_curve(struct json_reading *reading, const struct json_value *object,
+                        const struct surface *surface, struct error *error)
+{
+    static const char *const keys[] = {"conic", "coefficients_mm", "cylinder"};
+    const bool odd[] = {surface->conic.value.hi != 0, !json_is_null(json_item(object, keys[1])),
+                        !surface_is_round(surface)};
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        if (odd[i] && !surface_has(surface, SURFACE_HAS_CURVE)) {
+            return json_wrong(reading, json_item(object, keys[i]), error,
+                              "%s belongs to a surface that is curved", keys[i]);
+        }
+    }
+    return true;
+}
+
+/* The indices are for others: the medium decides, and must not say anything else. */
+static bool check_index(struct json_reading *reading, const struct json_value *value,
+                        const struct surface *surface, struct error *error)
+{
+    const struct lens *lens = reading->build.lens;
+    const double rounding = 1e-9; /* of another program that has written them again */
+    size_t count = lens->wavelength_count > 0 ? lens->wavelength_count : 1, i = 0;
+    if (json_is_null(value)) {
+        return true;
+    }
+    if (value->kind != JSON_ARRAY || value->count != count) {
+        return json_wrong(reading, value, error, "an array of %zu indices is wanted here", count);
+    }
+    for (const struct json_value *item = value->first; item != NULL; item = item->next, i++) {
+        double wavelength = lens->wavelength_count > 0 ? lens->wavelengths[i].wavelength
+                                                       : lens_primary_wavelength(lens);
+        struct figure figure;
+        struct pair index;
+        struct error unknown;
+        if (!json_read_figure(reading, item, JSON_PLAIN, &figure, error)) {
+            return false;
+        }
+        if (medium_index(&surface->medium, wavelength, &index, &unknown) &&
+            !(fabs(figure.value.hi - index.hi) <= rounding)) {
+            return json_wrong(reading, item, error, "the index of %.*s is %.10g here",
+                              text_shown(surface->medium.written), surface->medium.written.start,
+                              index.hi);
+        }
+    }
+    return true;
+}
+
+/* A mirror has no medium of its own. */
+static bool read_medium(struct json_reading *reading, const struct json_value *object,
+                        struct surface *surface, struct error *error)
+{
+    const struct json_value *medium = json_item(object, "medium");
+    bool is_mirror =
+        medium != NULL && medium->kind == JSON_STRING && text_equal(medium->text, "mirror");
+    if (!json_is_null(medium) && is_mirror != surface_reflects(surface)) {
+        return json_wrong(reading, medium, error,
+                          "the kind \"reflect\" and the medium \"mirror\" go together");
+    }
+    if (surface_reflects(surface)) {
+        return true;
+    }
+    return json_read_medium(reading, medium, &surface->medium, error) &&
+           check_index(reading, json_item(object, "index"), surface, error);
+}
+
+/* Thickness and diameter: numbers, or d3 and a3 in the positions. */
+static bool read_sizes(struct json_reading *reading, const struct json_value *object,
+                       struct surface *surface, struct error *error)
+{
+    struct arena *arena = reading->job->arena;
+    size_t number = reading->build.lens->surface_count;
+    return read_cell(reading, json_item(object, "thickness_mm"),
+                     arena_printf(arena, "d%zu", number), &surface->thickness,
+                     &surface->has_thickness, error) &&
+           read_cell(reading, json_item(object, "diameter_mm"), arena_printf(arena, "a%zu", number),
+                     &surface->diameter, &surface->has_diameter, error);
+}
+
+/* What may stand beside: it shapes, moves or marks the surface. */
+static bool read_beside(struct json_reading *reading, const struct json_value *object,
+                        struct surface *surface, struct error *error)
+{
+    const struct json_value *conic = json_item(object, "conic");
+    return (json_is_null(conic) || read_conic(reading, conic, &surface->conic, error)) &&
+           check_curve(reading, object, surface, error) &&
+           read_coefficients(reading, json_item(object, "coefficients_mm"), surface, error) &&
+           read_displacement(reading, json_item(object, "moved"), 2, &surface->moved, error) &&
+           read_displacement(reading, json_item(object, "bend_before"), 3, &surface->bend, error) &&
+           read_varies(reading, json_item(object, "vary"), surface, error) &&
+           read_thick(reading, object, surface, error);
+}
+
 bool json_read_surface(struct json_reading *reading, const struct json_value *object,
                        struct error *error)
 {
@@ -259,38 +371,25 @@ bool json_read_surface(struct json_reading *reading, const struct json_value *ob
                                        "distortion",
                                        NULL};
     struct lens *lens = reading->build.lens;
-    struct arena *arena = reading->job->arena;
     if (object->kind != JSON_OBJECT) {
         return json_wrong(reading, object, error, "a surface is an object");
     }
     struct medium medium = lens->surface_count > 0 ? lens->surfaces[lens->surface_count - 1].medium
                                                    : lens->object_medium;
     struct surface *surface = lens_build_surface(&reading->build);
-    const struct json_value *conic = json_item(object, "conic");
     if (!json_check_keys(reading, object, keys, error) ||
+        !check_number(reading, json_item(object, "surface"), error) ||
         !read_curve(reading, object, surface, error) ||
         !read_kind(reading, object, surface, error)) {
         return false;
     }
-    bool reflects = surface->kind == SURFACE_REFLECT;
-    surface->medium = reflects ? medium : medium_air;
+    surface->medium = surface_reflects(surface) ? medium : medium_air;
     if (surface->is_stop && lens->stop != LENS_NONE) {
         return json_wrong(reading, object, error, "a second stop");
     }
     lens->stop = surface->is_stop ? lens->surface_count - 1 : lens->stop;
-    return (reflects ||
-            json_read_medium(reading, json_item(object, "medium"), &surface->medium, error)) &&
+    return read_medium(reading, object, surface, error) &&
            read_name(reading, json_item(object, "name"), surface, error) &&
-           read_cell(reading, json_item(object, "thickness_mm"),
-                     arena_printf(arena, "d%zu", lens->surface_count), &surface->thickness,
-                     &surface->has_thickness, error) &&
-           read_cell(reading, json_item(object, "diameter_mm"),
-                     arena_printf(arena, "a%zu", lens->surface_count), &surface->diameter,
-                     &surface->has_diameter, error) &&
-           (json_is_null(conic) || read_conic(reading, conic, &surface->conic, error)) &&
-           read_coefficients(reading, json_item(object, "coefficients_mm"), surface, error) &&
-           read_displacement(reading, json_item(object, "moved"), 2, &surface->moved, error) &&
-           read_displacement(reading, json_item(object, "bend_before"), 3, &surface->bend, error) &&
-           read_varies(reading, json_item(object, "vary"), surface, error) &&
-           read_thick(reading, object, surface, error);
+           read_sizes(reading, object, surface, error) &&
+           read_beside(reading, object, surface, error);
 }

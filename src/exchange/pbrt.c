@@ -1,4 +1,4 @@
-/* file/pbrt.c - read lens tables of the realistic camera of pbrt. */
+/* exchange/pbrt.c - read lens tables of the realistic camera of pbrt. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/pbrt.h"
 
@@ -53,7 +53,7 @@ static void read_comments(struct lens_build *build, struct text content)
     struct text rest = content, line, comment;
     while (next_line(&rest, &line, &comment)) {
         if (comment.length > 0 && build->lens->title == NULL) {
-            build->lens->title = arena_string(build->arena, comment.start, comment.length);
+            build->lens->title = lens_build_string(build, comment);
         } else if (comment.length > 0) {
             lens_build_note(build, comment);
         }
@@ -179,9 +179,7 @@ static bool read(struct foreign_job *job, struct text content, struct lens *lens
 }
 
 const struct foreign_format pbrt_format = {
-    .name = "dat",
-    .ending = ".dat",
-    .help = "lens table of pbrt's realistic camera",
+    .type = {{"dat", "pbrt"}, ".dat"},
     .is_like = is_like,
     .read = read,
     .write = pbrt_write,

@@ -1,7 +1,7 @@
-/* file/pbrt.h - lens tables of the realistic camera of pbrt. */
+/* exchange/pbrt.h - lens tables of the realistic camera of pbrt. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_PBRT_H
-#define LENSCALC_FILE_PBRT_H
+#ifndef LENSCALC_EXCHANGE_PBRT_H
+#define LENSCALC_EXCHANGE_PBRT_H
 
 #include "exchange/foreign.h"
 

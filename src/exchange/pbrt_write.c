@@ -1,8 +1,8 @@
-/* file/pbrt_write.c - write lens tables of the realistic camera of pbrt. */
+/* exchange/pbrt_write.c - write lens tables of the realistic camera of pbrt. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lens_build.h"
 #include "exchange/pbrt.h"
 #include "exchange/writing.h"
+#include "file/lens_build.h"
 #include "optics/wavelength.h"
 
 #include <math.h>
@@ -63,10 +63,10 @@ static bool lose_header(struct writer *writer)
 
 static bool lose_shape(struct writer *writer, const struct surface *surface, size_t number)
 {
-    if (surface->kind == SURFACE_REFLECT) {
+    if (surface_reflects(surface)) {
         return refuse(writer, number, "is a mirror");
     }
-    if (surface->curved != CURVED_BOTH) {
+    if (!surface_is_round(surface)) {
         return refuse(writer, number, "is a cylinder");
     }
     if (!surface->has_diameter) {

@@ -1,4 +1,4 @@
-/* file/remarks.c - what lenscalc keeps in comments of other programs' files. */
+/* exchange/remarks.c - what lenscalc keeps in comments of other programs' files. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/remarks.h"
 

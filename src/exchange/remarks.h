@@ -1,11 +1,11 @@
-/* file/remarks.h - what lenscalc keeps in comments of other programs' files. */
+/* exchange/remarks.h - what lenscalc keeps in comments of other programs' files. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_REMARKS_H
-#define LENSCALC_FILE_REMARKS_H
+#ifndef LENSCALC_EXCHANGE_REMARKS_H
+#define LENSCALC_EXCHANGE_REMARKS_H
 
 #include "base/text.h"
-#include "optics/growing.h"
 #include "file/lens_build.h"
+#include "optics/growing.h"
 #include "optics/lens.h"
 
 #include <stdbool.h>

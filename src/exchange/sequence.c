@@ -1,4 +1,4 @@
-/* file/sequence.c - a lens as CODE V and OSLO have it: surfaces, pick-ups, tilts, solves. */
+/* exchange/sequence.c - a lens as CODE V and OSLO have it: surfaces, pick-ups, tilts, solves. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/sequence.h"
 
@@ -6,8 +6,6 @@
 
 #include <math.h>
 #include <string.h>
-
-const struct figure sequence_nothing = {{0, 0}, {NULL, 0}, LENS_NONE};
 
 struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at)
 {
@@ -49,11 +47,6 @@ struct figure sequence_negate(struct figure figure, struct arena *arena)
     }
     figure.value = pair_negate(figure.value);
     return figure;
-}
-
-void sequence_per_length(const struct commands *commands, int power, struct figure *figure)
-{
-    figure->value = lens_words_per_length(figure->value, commands->scale, power);
 }
 
 struct figure sequence_diameter(const struct figure *radius, struct arena *arena)
@@ -130,6 +123,7 @@ static void follow_profile(const struct sequence *sequence, const struct sequenc
     follow_curve(sequence, pickup, source, target);
     target->conic = source->conic;
     target->curved = source->curved;
+    target->is_special = source->is_special;
     target->coefficients = source->coefficients;
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         target->coefficient[i] = pickup->scale.hi < 0
@@ -233,16 +227,17 @@ static void put_curve(const struct sequence *sequence, const struct sequence_sur
     }
 }
 
+/* Beside a shift along the axis, which goes into the thicknesses. */
 static bool is_moved(const struct sequence_surface *surface)
 {
-    bool some = false;
+    bool some = sequence_is_some(&surface->shift[0]) || sequence_is_some(&surface->shift[1]);
     for (int i = 0; i < 3; i++) {
-        some = some || sequence_is_some(&surface->shift[i]) || sequence_is_some(&surface->turn[i]);
+        some = some || sequence_is_some(&surface->turn[i]);
     }
     return some;
 }
 
-/* Shift and turns; the shift along the axis has gone into the thicknesses. */
+/* Shift and turns. */
 static const struct displacement *displacement_of(const struct sequence *sequence,
                                                   const struct sequence_surface *from,
                                                   bool turn_only)
@@ -351,7 +346,8 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     return true;
 }
 
-bool sequence_is_infinite(const struct sequence *sequence, const struct figure *distance)
+/* Is the object so far away that its program takes it as infinitely far? */
+static bool is_infinite(const struct sequence *sequence, const struct figure *distance)
 {
     const struct commands *commands = sequence->commands;
     struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
@@ -363,7 +359,7 @@ bool sequence_check_fnumber(const struct sequence *sequence, struct error *error
     const struct sequence_surface *object = &sequence->surfaces[0];
     const struct lens_words place = commands_place(sequence->commands, &object->at);
     if (sequence->count == 0 || sequence->build->lens->aperture_kind != APERTURE_FNUMBER ||
-        sequence_is_infinite(sequence, &object->thickness)) {
+        is_infinite(sequence, &object->thickness)) {
         return true;
     }
     return foreign_loss(sequence->job, &place, object->at.text, error,
@@ -376,14 +372,15 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     struct lens *lens = sequence->build->lens;
     struct sequence_surface *object = &sequence->surfaces[0];
     const struct lens_words place = commands_place(sequence->commands, &object->at);
-    if ((sequence_is_some(&object->curve) || is_moved(object)) &&
+    bool along = sequence_is_some(&object->shift[2]);
+    if ((sequence_is_some(&object->curve) || is_moved(object) || along) &&
         !foreign_loss(sequence->job, &place, object->at.text, error,
                       "a curved or tilted object" LOSS_INSTEAD "taken as a plane")) {
         return false;
     }
     lens->object_medium = object->medium;
     const struct figure infinite = {{INFINITY, 0}, text_of("inf"), LENS_NONE};
-    lens->object_is_infinite = sequence_is_infinite(sequence, &object->thickness);
+    lens->object_is_infinite = is_infinite(sequence, &object->thickness);
     lens->object = lens->object_is_infinite
                        ? infinite
                        : cell(sequence, "", &object->thickness, NULL, object->extra);
@@ -397,7 +394,7 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     }
     struct figure *objects = ARENA_ARRAY(sequence->job->arena, count, struct figure);
     for (size_t i = 0; i < count; i++) {
-        objects[i] = sequence_is_infinite(sequence, &object->thicknesses[i])
+        objects[i] = is_infinite(sequence, &object->thicknesses[i])
                          ? infinite
                          : cell(sequence, "", &object->thicknesses[i], NULL, object->extra);
     }

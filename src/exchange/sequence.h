@@ -1,7 +1,7 @@
-/* file/sequence.h - a lens as CODE V and OSLO have it: from object to image, with solves. */
+/* exchange/sequence.h - a lens as CODE V and OSLO have it: from object to image, with solves. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_SEQUENCE_H
-#define LENSCALC_FILE_SEQUENCE_H
+#ifndef LENSCALC_EXCHANGE_SEQUENCE_H
+#define LENSCALC_EXCHANGE_SEQUENCE_H
 
 #include "base/error.h"
 #include "exchange/command_words.h"
@@ -63,6 +63,7 @@ struct sequence_surface {
     unsigned coefficients;
     struct figure coefficient[LENS_COEFFICIENTS];
     enum curved curved;
+    bool is_special; /* its coefficients are those of CODE V's SPS ODD */
     bool is_stop;
     const char *name;
     enum sequence_move move;
@@ -86,7 +87,7 @@ struct sequence {
 };
 
 /* A number that was not given. */
-extern const struct figure sequence_nothing;
+static const struct figure sequence_nothing = {{0, 0}, {NULL, 0}, LENS_NONE};
 
 /* One more surface, a plane in air; valid until the next one is added. */
 struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at);
@@ -100,7 +101,11 @@ bool sequence_is_some(const struct figure *figure);
 struct figure sequence_negate(struct figure figure, struct arena *arena);
 
 /* A figure of 1/length^power that was read as a plain number. */
-void sequence_per_length(const struct commands *commands, int power, struct figure *figure);
+static inline void sequence_per_length(const struct commands *commands, int power,
+                                       struct figure *figure)
+{
+    figure->value = lens_words_per_length(figure->value, commands->scale, power);
+}
 
 /* A full diameter from the radius that was read. */
 struct figure sequence_diameter(const struct figure *radius, struct arena *arena);
@@ -108,9 +113,6 @@ struct figure sequence_diameter(const struct figure *radius, struct arena *arena
 /* A medium from what a .lens file would have for it. */
 bool sequence_medium(const struct commands *commands, const struct command_word *at,
                      const char *written, struct medium *medium, struct error *error);
-
-/* Is the object so far away that its program takes it as infinitely far? */
-bool sequence_is_infinite(const struct sequence *sequence, const struct figure *distance);
 
 /* An f-number is that of an object at infinity; of a near one it means something else. */
 bool sequence_check_fnumber(const struct sequence *sequence, struct error *error);

@@ -1,4 +1,4 @@
-/* file/sequence_solve.c - thicknesses and curvatures that follow from rays, in all positions. */
+/* exchange/sequence_solve.c - gaps and curvatures that follow from rays. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/sequence.h"
 

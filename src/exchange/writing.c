@@ -1,4 +1,4 @@
-/* file/writing.c - the digits and names of a lens as CODE V and OSLO files have them. */
+/* exchange/writing.c - the digits and names of a lens as CODE V and OSLO files have them. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/writing.h"
 
@@ -21,7 +21,8 @@ void writing_begin(struct writing *writing, const struct lens *lens, bool has_me
     writing->scale = is_metre ? (struct number_scale){1, 0} : lens_unit_scale(lens->unit);
 }
 
-struct figure writing_first(const struct writing *writing, const struct figure *figure)
+/* The figure in the first position, where a variable stands for it. */
+static struct figure first_of(const struct writing *writing, const struct figure *figure)
 {
     return figure->variable != LENS_NONE ? writing->lens->variables[figure->variable].values[0]
                                          : *figure;
@@ -29,7 +30,7 @@ struct figure writing_first(const struct writing *writing, const struct figure *
 
 struct text writing_length(const struct writing *writing, const struct figure *figure, int power)
 {
-    const struct figure first = writing_first(writing, figure);
+    const struct figure first = first_of(writing, figure);
     struct arena *arena = writing->arena;
     if (first.typed.start != NULL) {
         return writing->shift == 0 || power == 0

@@ -1,7 +1,7 @@
-/* file/writing.h - the digits and names of a lens as CODE V and OSLO files have them. */
+/* exchange/writing.h - the digits and names of a lens as CODE V and OSLO files have them. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_WRITING_H
-#define LENSCALC_FILE_WRITING_H
+#ifndef LENSCALC_EXCHANGE_WRITING_H
+#define LENSCALC_EXCHANGE_WRITING_H
 
 #include "base/arena.h"
 #include "base/text.h"
@@ -24,9 +24,6 @@ struct writing {
 /* Begin; a lens in metres is written in millimetres where the program has no metres. */
 void writing_begin(struct writing *writing, const struct lens *lens, bool has_metres,
                    struct arena *arena);
-
-/* The figure in the first position, where a variable stands for it. */
-struct figure writing_first(const struct writing *writing, const struct figure *figure);
 
 /*
  * The digits of a figure: those typed, or, of a computed number, as many as it needs.

@@ -1,7 +1,7 @@
-/* file/codev.h - CODE V sequence files (.seq) while they are read. */
+/* exchange/codev/codev.h - CODE V sequence files (.seq) while they are read. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_CODEV_H
-#define LENSCALC_FILE_CODEV_H
+#ifndef LENSCALC_EXCHANGE_CODEV_CODEV_H
+#define LENSCALC_EXCHANGE_CODEV_CODEV_H
 
 #include "exchange/foreign.h"
 #include "exchange/sequence.h"
@@ -67,12 +67,14 @@ bool codev_is_zero(const struct codev *codev, size_t first);
 /* Commands of a surface; `what` tells relatives apart. */
 typedef bool codev_command(struct codev *codev, int what, struct error *error);
 
-codev_command codev_surface;   /* S, SO, SI */
-codev_command codev_curve;     /* RDY CUY RDX CUX */
-codev_command codev_thickness; /* THI */
-codev_command codev_glass;     /* GLA RMD */
-codev_command codev_shape;     /* CYL */
-codev_command codev_constant;  /* K A B C D .. */
+codev_command codev_surface;          /* S, SO, SI */
+codev_command codev_curve;            /* RDY CUY RDX CUX */
+codev_command codev_thickness;        /* THI */
+codev_command codev_glass;            /* GLA RMD */
+codev_command codev_shape;            /* CYL */
+codev_command codev_constant;         /* K A B C D .. */
+codev_command codev_special;          /* SPS */
+codev_command codev_special_constant; /* SCO */
 codev_command codev_stop;
 codev_command codev_label;
 codev_command codev_aperture; /* CIR */
@@ -93,6 +95,9 @@ struct codev_key {
     char letters[4];
 };
 struct codev_key codev_key(struct text word);
+
+/* Is the key one of a list? */
+bool codev_is_in(const char (*list)[4], size_t count, const char *key);
 
 /* One number of each position behind `ZOO NAME`, or a single one with Zk. */
 bool codev_values(struct codev *codev, const struct codev_qualifiers *qualifiers,

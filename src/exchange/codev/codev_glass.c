@@ -1,4 +1,4 @@
-/* file/codev_glass.c - the glasses of a CODE V file: names, codes, its own catalogue. */
+/* exchange/codev/codev_glass.c - the glasses of a CODE V file: names, codes, its own catalogue. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
@@ -188,9 +188,10 @@ bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, str
     while (cut > 0 && text.start[cut - 1] != '_') {
         cut--;
     }
-    struct text name = {text.start, cut > 1 ? cut - 1 : text.length};
     const struct text catalog = {text.start + cut, text.length - cut};
-    if (foreign_glass(codev->job, &place, name, &catalog, cut > 1, &surface->medium, error)) {
+    const struct foreign_name named = {
+        {text.start, cut > 1 ? cut - 1 : text.length}, &catalog, cut > 1};
+    if (foreign_glass(codev->job, &place, &named, &surface->medium, error)) {
         return true;
     }
     if (error->code == ERROR_NONE) {

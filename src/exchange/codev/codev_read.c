@@ -1,4 +1,4 @@
-/* file/codev_read.c - read a CODE V sequence file. */
+/* exchange/codev/codev_read.c - read a CODE V sequence file. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
@@ -6,130 +6,10 @@
 #include "exchange/remarks.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 static const struct command_grammar grammar = {
     .comment = "!", .quotes = "'\"", .separator = ';', .continuation = '&', .infinity = 1e10};
-
-struct codev_key codev_key(struct text word)
-{
-    struct codev_key key = {{0}};
-    for (size_t i = 0; i < word.length && i < 3; i++) {
-        char c = word.start[i];
-        key.letters[i] = c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
-    }
-    return key;
-}
-
-bool codev_lose(struct codev *codev, struct error *error, const char *format, ...)
-{
-    char message[sizeof error->message];
-    const struct command_word *word = &codev->commands.words[0];
-    const struct lens_words place = commands_place(&codev->commands, word);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    return foreign_loss(codev->job, &place, word->text, error, "%.*s: %s",
-                        (int)(word->text.length < 20 ? word->text.length : 20), word->text.start,
-                        message);
-}
-
-bool codev_is_zero(const struct codev *codev, size_t first)
-{
-    const struct number_scale plain = {1, 0};
-    for (size_t i = first; i < codev->commands.count; i++) {
-        const struct text word = codev->commands.words[i].text;
-        double value = 1;
-        if (number_read(word.start, word.start + word.length, plain, &value) == NULL ||
-            value != 0) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* S3, SO, SI, SS (the stop), S'label'; false where it is none of these. */
-static bool surface_named(const struct codev *codev, struct text name, size_t *surface)
-{
-    const struct sequence *sequence = &codev->sequence;
-    char first = name.length > 0 ? (char)(name.start[0] | 32) : 0;
-    size_t value = 0;
-    if (name.length == 1 && (first == 'o' || first == 'i')) {
-        *surface = first == 'o' ? 0 : sequence->count - 1;
-        return sequence->count > 0;
-    }
-    for (size_t i = 0; i < sequence->count; i++) {
-        const struct sequence_surface *one = &sequence->surfaces[i];
-        bool is_stop = name.length == 1 && first == 's' && one->is_stop;
-        bool is_label = name.length > 2 && (first == '\'' || first == '"') && one->name != NULL &&
-                        text_same((struct text){name.start + 1, name.length - 2}, one->name);
-        if (is_stop || is_label) {
-            *surface = i;
-            return true;
-        }
-    }
-    for (size_t i = 0; i < name.length; i++) {
-        if (name.start[i] < '0' || name.start[i] > '9' || value > 100000) {
-            return false;
-        }
-        value = 10 * value + (size_t)(name.start[i] - '0');
-    }
-    *surface = value;
-    return name.length > 0 && value < sequence->count;
-}
-
-static bool read_surfaces(struct codev *codev, const struct command_word *word,
-                          struct codev_qualifiers *qualifiers, struct error *error)
-{
-    struct text name = {word->text.start + 1, word->text.length - 1}, last = name;
-    for (size_t i = 0; i + 1 < name.length; i++) {
-        if (name.start[i] == '.' && name.start[i + 1] == '.') {
-            last = (struct text){name.start + i + 2, name.length - i - 2};
-            name.length = i;
-        }
-    }
-    qualifiers->has_surface = true;
-    return (surface_named(codev, name, &qualifiers->surface) &&
-            surface_named(codev, last, &qualifiers->end)) ||
-           commands_fail(&codev->commands, word, error, "there is no surface '%.*s'",
-                         (int)(word->text.length < 40 ? word->text.length : 40), word->text.start);
-}
-
-bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers,
-                      struct error *error)
-{
-    struct commands *commands = &codev->commands;
-    *qualifiers =
-        (struct codev_qualifiers){.surface = codev->surface, .end = codev->surface, .next = first};
-    for (; qualifiers->next < commands->count; qualifiers->next++) {
-        const struct command_word *word = &commands->words[qualifiers->next];
-        char letter = word->text.length > 1 ? (char)(word->text.start[0] | 32) : 0;
-        char second = letter != 0 ? word->text.start[1] : 0;
-        bool digit = second >= '0' && second <= '9';
-        if (word->is_quoted) {
-            break;
-        }
-        if (letter == 's' && (digit || word->text.length == 2 || second == '\'' || second == '"')) {
-            if (!read_surfaces(codev, word, qualifiers, error)) {
-                return false;
-            }
-        } else if ((letter == 'z' || letter == 'f' || letter == 'w') && digit) {
-            struct text number = {word->text.start + 1, word->text.length - 1};
-            size_t value;
-            if (!commands_count(commands, word, number, "number", 1, &value, error)) {
-                return false;
-            }
-            qualifiers->zoom = letter == 'z' ? value : qualifiers->zoom;
-            qualifiers->field = letter == 'f' ? value : qualifiers->field;
-        } else {
-            break;
-        }
-    }
-    return true;
-}
 
 static bool read_pim(struct codev *codev, int what, struct error *error)
 {
@@ -223,6 +103,8 @@ static const struct {
     {"G", codev_constant, 16, true},
     {"H", codev_constant, 18, true},
     {"J", codev_constant, 20, true},
+    {"SPS", codev_special, 0, false},
+    {"SCO", codev_special_constant, 0, false},
     {"STO", codev_stop, 0, true},
     {"SLB", codev_label, 0, true},
     {"CIR", codev_aperture, 0, true},
@@ -258,7 +140,6 @@ static const struct {
     {"XTO", lose, 1, false},
     {"YTO", lose, 1, false},
     {"AAS", lose, 1, false},
-    {"SPS", lose, 1, false},
     {"DIF", lose, 2, false},
     {"HOR", lose, 2, false},
     {"HWL", lose, 2, false},
@@ -272,35 +153,10 @@ static const struct {
     {"INC", lose, 5, false},
 };
 
-/* Displays, tolerances, variables of the optimiser, bookkeeping. */
-static const char harmless[][4] = {
-    "GO",  "INI", "CCY", "CCX", "THC", "CUC", "GLC", "KC",  "AC",  "BC",  "CC",  "DC",
-    "EC",  "FC",  "GC",  "HC",  "JC",  "XDC", "YDC", "ZDC", "ADC", "BDC", "CDC", "DER",
-    "CLS", "UID", "WTF", "DOR", "POL", "CA",  "CUM", "THM", "CAX", "COM", "HCC", "DSX",
-    "DSY", "BTX", "BTY", "DLF", "DLT", "DLR", "DLN", "DLV", "TIR", "CMP", "SD",  "MFL",
-    "CWL", "INT", "RMX", "DEL", "CIN", "TOL", "DPT", "FVR", "SAV", "LDM", "PTB",
-};
-
 /* Beginnings of macros; these are refused even where losses are allowed. */
 static const char macros[][4] = {"IN",  "OUT", "LCL", "GBL", "FOR", "IF",  "ELS", "WHI",
                                  "UNT", "EVA", "RUN", "WRI", "WRT", "GOT", "RFD", "NUM",
                                  "STR", "AUT", "FCT", "ROW", "BUF", "DO",  "INS", "DEL"};
-
-static bool is_in(const char (*list)[4], size_t count, const char *key)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (strcmp(list[i], key) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-bool codev_is_harmless(struct text word)
-{
-    const struct codev_key key = codev_key(word);
-    return is_in(harmless, sizeof harmless / sizeof harmless[0], key.letters);
-}
 
 static bool is_surface_line(struct text word)
 {
@@ -334,7 +190,7 @@ static bool run_command(struct codev *codev, struct error *error)
         }
         return keywords[i].run(codev, keywords[i].what, error);
     }
-    if (is_macro || is_in(macros, sizeof macros / sizeof macros[0], key.letters)) {
+    if (is_macro || codev_is_in(macros, sizeof macros / sizeof macros[0], key.letters)) {
         return refuse_macro(codev, 0, error);
     }
     return codev_is_harmless(word->text) || codev_lose(codev, error, "an unknown command");
@@ -454,9 +310,7 @@ static bool codev_is_like(struct text content)
     return object && image;
 }
 
-const struct foreign_format codev_format = {.name = "seq",
-                                            .ending = ".seq",
-                                            .help = "CODE V sequence file",
+const struct foreign_format codev_format = {.type = {{"seq", "CODE V"}, ".seq"},
                                             .is_like = codev_is_like,
                                             .read = codev_read,
                                             .write = codev_write};

@@ -1,4 +1,4 @@
-/* file/codev_surface.c - the surfaces of a CODE V file. */
+/* exchange/codev/codev_surface.c - the surfaces of a CODE V file. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
@@ -70,7 +70,9 @@ static bool check_place(struct codev *codev, struct error *error)
         return true;
     }
     const struct text digits = {text.start + 1, text.length - 1};
-    return commands_count(commands, word, digits, "number of the surface", 1, &number, error) &&
+    return commands_count(commands, word,
+                          &(struct command_count){digits, "number of the surface", 1}, &number,
+                          error) &&
            (number == next ||
             commands_fail(commands, word, error, "surface %zu, where surface %zu must stand",
                           number, next));
@@ -134,9 +136,28 @@ static bool read_solve(struct codev *codev, const struct codev_qualifiers *quali
                       "a solve that is not known" LOSS_INSTEAD "the number of the file stands");
 }
 
+/* A curvature in x: that of a cylinder, the other way. */
+static bool set_curve_x(struct codev *codev, struct sequence_surface *surface, struct figure figure,
+                        bool is_radius, struct error *error)
+{
+    if (surface->curved == CURVED_BOTH) {
+        return codev_lose(codev, error, "a curvature in x of a surface that is no cylinder");
+    }
+    if (figure.value.hi == 0) {
+        return true;
+    }
+    if (surface->curved == CURVED_Y && sequence_is_some(&surface->curve)) {
+        return codev_lose(codev, error, "a surface that is curved in x and in y");
+    }
+    surface->curved = CURVED_X;
+    set_curve(codev, surface, figure, is_radius);
+    return true;
+}
+
 bool codev_curve(struct codev *codev, int what, struct error *error)
 {
-    bool is_radius = what == 'R' || what == 'r', is_x = what == 'r' || what == 'c', is_solve;
+    bool is_radius = what == 'R' || what == 'r', is_x = what == 'r' || what == 'c';
+    bool is_solve = false;
     struct commands *commands = &codev->commands;
     struct codev_qualifiers qualifiers;
     struct figure figure;
@@ -144,7 +165,7 @@ bool codev_curve(struct codev *codev, int what, struct error *error)
         (!is_x && !read_solve(codev, &qualifiers, false, &is_solve, error))) {
         return false;
     }
-    if (!is_x && is_solve) {
+    if (is_solve) {
         return true;
     }
     if (!commands_figure(commands, qualifiers.next, is_radius ? commands->scale : plain,
@@ -156,16 +177,9 @@ bool codev_curve(struct codev *codev, int what, struct error *error)
     if (qualifiers.zoom > 1) {
         return codev_lose(codev, error, "a curvature of position %zu alone", qualifiers.zoom);
     }
-    if (is_x && surface->curved == CURVED_BOTH) {
-        return codev_lose(codev, error, "a curvature in x of a surface that is no cylinder");
+    if (is_x) {
+        return set_curve_x(codev, surface, figure, is_radius, error);
     }
-    if (is_x && figure.value.hi == 0) {
-        return true;
-    }
-    if (is_x && surface->curved == CURVED_Y && sequence_is_some(&surface->curve)) {
-        return codev_lose(codev, error, "a surface that is curved in x and in y");
-    }
-    surface->curved = is_x ? CURVED_X : surface->curved;
     set_curve(codev, surface, figure, is_radius);
     return true;
 }
@@ -220,6 +234,21 @@ bool codev_shape(struct codev *codev, int what, struct error *error)
     return commands_end(&codev->commands, qualifiers.next, error);
 }
 
+/* The conic, or the coefficient of r^order. */
+static void set_constant(struct codev *codev, struct sequence_surface *surface, int order,
+                         struct figure figure)
+{
+    int at = surface_term(order);
+    if (order == 0) {
+        surface->conic = figure;
+        return;
+    }
+    bool is_some = figure.value.hi != 0;
+    sequence_per_length(&codev->commands, order - 1, &figure);
+    surface->coefficient[at] = figure;
+    surface->coefficients = (surface->coefficients & ~(1u << at)) | ((unsigned)is_some << at);
+}
+
 bool codev_constant(struct codev *codev, int what, struct error *error)
 {
     struct codev_qualifiers qualifiers;
@@ -232,15 +261,74 @@ bool codev_constant(struct codev *codev, int what, struct error *error)
     if (qualifiers.zoom > 1) {
         return codev_lose(codev, error, "a constant of position %zu alone", qualifiers.zoom);
     }
-    if (what == 0) {
-        surface->conic = figure;
-        return true;
+    set_constant(codev, surface, what, figure);
+    return true;
+}
+
+/* SPS ODD: a conic and powers of r, odd ones too; the number behind it is a normal radius. */
+bool codev_special(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    struct codev_qualifiers qualifiers;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
     }
-    int at = what / 2 - 1; /* A is the coefficient of r^4 */
-    sequence_per_length(&codev->commands, what - 1, &figure);
-    surface->coefficient[at] = figure;
-    bool is_some = figure.value.hi != 0;
-    surface->coefficients = (surface->coefficients & ~(1u << at)) | ((unsigned)is_some << at);
+    const struct command_word kind = commands_word(&codev->commands, qualifiers.next);
+    struct figure radius = sequence_nothing;
+    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    surface->is_special = text_same(kind.text, "ODD");
+    if (!surface->is_special) {
+        return codev_lose(codev, error, "a surface of a shape that lenscalc has not");
+    }
+    if (qualifiers.next + 1 < codev->commands.count &&
+        !commands_figure(&codev->commands, qualifiers.next + 1, plain, "radius", &radius, error)) {
+        return false;
+    }
+    return radius.value.hi == 0 || radius.value.hi == 1 ||
+           codev_lose(codev, error, "a radius that r is divided by");
+}
+
+/* The order that ARn, or C(n + 1), of SPS ODD is of; 0 is the conic, -1 is neither. */
+static int special_order(struct text name)
+{
+    size_t letters = name.length > 1 && (name.start[1] | 32) == 'r' ? 2 : 1;
+    const struct text letter = {name.start, letters};
+    long number = 0;
+    if (text_same(name, "K")) {
+        return 0;
+    }
+    for (size_t i = letters; i < name.length; i++) {
+        bool digit = name.start[i] >= '0' && name.start[i] <= '9' && number < 1000;
+        number = digit ? 10 * number + (name.start[i] - '0') : 10000;
+    }
+    bool sound = number > 0 && number < 1000;
+    return sound && text_same(letter, "AR")  ? (int)number
+           : sound && text_same(letter, "C") ? (int)number - 1
+                                             : -1;
+}
+
+bool codev_special_constant(struct codev *codev, int what, struct error *error)
+{
+    (void)what;
+    struct codev_qualifiers qualifiers;
+    struct figure figure;
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+        return false;
+    }
+    struct commands *commands = &codev->commands;
+    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    const struct command_word name = commands_word(commands, qualifiers.next);
+    int order = name.text.length > 0 ? special_order(name.text) : -1;
+    if (!commands_figure(commands, qualifiers.next + 1, plain, "coefficient", &figure, error) ||
+        !commands_end(commands, qualifiers.next + 2, error)) {
+        return false;
+    }
+    bool is_known = surface->is_special && (order == 0 || surface_term(order) >= 0);
+    if (!is_known || qualifiers.zoom > 1) {
+        return figure.value.hi == 0 ||
+               codev_lose(codev, error, "a constant of a shape that lenscalc has not");
+    }
+    set_constant(codev, surface, order, figure);
     return true;
 }
 
@@ -276,6 +364,28 @@ bool codev_label(struct codev *codev, int what, struct error *error)
     return commands_end(&codev->commands, qualifiers.next + 1, error);
 }
 
+/* What an aperture is, by the word before its radius. */
+enum aperture_word { APERTURE_RADIUS, APERTURE_CLEAR, APERTURE_EDGE, APERTURE_HOLE };
+
+static enum aperture_word aperture_word(struct text word)
+{
+    static const struct {
+        const char *word;
+        enum aperture_word kind;
+    } words[] = {{"CLR", APERTURE_CLEAR},
+                 {"EDG", APERTURE_EDGE},
+                 {"OBS", APERTURE_HOLE},
+                 {"HOL", APERTURE_HOLE}};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (text_same(word, words[i].word)) {
+            return words[i].kind;
+        }
+    }
+    bool is_label = word.length > 1 && (word.start[0] | 32) == 'l' &&
+                    (word.start[1] == '\'' || word.start[1] == '"');
+    return is_label ? APERTURE_CLEAR : APERTURE_RADIUS;
+}
+
 bool codev_aperture(struct codev *codev, int what, struct error *error)
 {
     (void)what;
@@ -288,16 +398,14 @@ bool codev_aperture(struct codev *codev, int what, struct error *error)
     }
     size_t at = qualifiers.next;
     for (; at < commands->count; at++) {
-        const struct text word = commands->words[at].text;
-        if (text_same(word, "OBS") || text_same(word, "HOL")) {
+        enum aperture_word kind = aperture_word(commands->words[at].text);
+        if (kind == APERTURE_HOLE) {
             return codev_lose(codev, error, "an obscuration or hole");
         }
-        bool is_label = word.length > 1 && (word.start[0] | 32) == 'l' &&
-                        (word.start[1] == '\'' || word.start[1] == '"');
-        if (!text_same(word, "EDG") && !text_same(word, "CLR") && !is_label) {
+        if (kind == APERTURE_RADIUS) {
             break;
         }
-        is_edge = is_edge || text_same(word, "EDG");
+        is_edge = is_edge || kind == APERTURE_EDGE;
     }
     if (!commands_figure(commands, at, commands->scale, "radius of the aperture", &radius, error) ||
         !commands_end(commands, at + 1, error)) {

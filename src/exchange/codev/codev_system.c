@@ -1,4 +1,4 @@
-/* file/codev_system.c - what a CODE V file says of the whole lens: light, fields, positions. */
+/* exchange/codev/codev_system.c - the whole lens of a .seq: light, fields, positions. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
@@ -11,6 +11,26 @@
 static const struct number_scale plain = {1, 0};
 static const double radians = 0.017453292519943295;
 
+static struct text without_quotes(struct text text)
+{
+    bool is_quoted = text.length > 1 && text.start[0] == '"' && text.start[text.length - 1] == '"';
+    return is_quoted ? (struct text){text.start + 1, text.length - 2} : text;
+}
+
+/* A title as the name of a position, which is one word; one that cannot be a name is left out. */
+static void name_position(struct codev *codev, size_t position, struct text title)
+{
+    struct lens *lens = codev->build.lens;
+    char *name = arena_string(codev->job->arena, title.start, title.length);
+    for (char *at = name; *at != '\0'; at++) {
+        *at = strchr(" \t#\"", *at) != NULL ? '-' : *at;
+    }
+    if (name[0] != '\0' && !text_same(text_of(name), "all") &&
+        lens_position_find(lens, text_of(name)) == LENS_NONE) {
+        lens->positions[position] = name;
+    }
+}
+
 bool codev_title(struct codev *codev, int what, struct error *error)
 {
     (void)what;
@@ -19,28 +39,17 @@ bool codev_title(struct codev *codev, int what, struct error *error)
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
-    struct text title = commands_word(&codev->commands, qualifiers.next).text;
-    if (title.length > 1 && title.start[0] == '"' && title.start[title.length - 1] == '"') {
-        title = (struct text){title.start + 1, title.length - 2};
-    }
+    struct text title = without_quotes(commands_word(&codev->commands, qualifiers.next).text);
     if (qualifiers.zoom == 0 || (qualifiers.zoom == 1 && lens->position_count == 0)) {
         lens->title = title.length > 0 ? arena_string(codev->job->arena, title.start, title.length)
                                        : lens->title;
         return true;
     }
-    char *name = arena_string(codev->job->arena, title.start, title.length);
-    for (char *at = name; *at != '\0'; at++) {
-        *at = *at == ' ' || *at == '\t' || *at == '#' || *at == '"' ? '-' : *at;
-    }
     if (qualifiers.zoom > lens->position_count) {
         return commands_fail(&codev->commands, &codev->commands.words[0], error,
                              "position %zu of %zu", qualifiers.zoom, lens->position_count);
     }
-    bool usable = name[0] != '\0' && !text_same(text_of(name), "all") &&
-                  lens_position_find(lens, text_of(name)) == LENS_NONE;
-    if (usable) {
-        lens->positions[qualifiers.zoom - 1] = name;
-    }
+    name_position(codev, qualifiers.zoom - 1, title);
     return true;
 }
 
@@ -103,7 +112,8 @@ bool codev_reference(struct codev *codev, int what, struct error *error)
 {
     (void)what;
     const struct command_word word = commands_word(&codev->commands, 1);
-    return commands_count(&codev->commands, &word, word.text, "number of the wavelength", 1,
+    return commands_count(&codev->commands, &word,
+                          &(struct command_count){word.text, "number of the wavelength", 1},
                           &codev->primary, error) &&
            commands_end(&codev->commands, 2, error);
 }
@@ -253,7 +263,8 @@ static bool set_positions(struct codev *codev, struct error *error)
     struct lens *lens = codev->build.lens;
     const struct command_word word = codev->commands.words[1];
     size_t count;
-    if (!commands_count(&codev->commands, &word, word.text, "number of positions", 1, &count,
+    if (!commands_count(&codev->commands, &word,
+                        &(struct command_count){word.text, "number of positions", 1}, &count,
                         error) ||
         !commands_end(&codev->commands, 2, error)) {
         return false;
@@ -323,6 +334,34 @@ static bool zoom_aperture(struct codev *codev, int what, struct error *error)
     return true;
 }
 
+/* Numbers of a surface in positions: of a thickness or a diameter, or none that differs. */
+static bool zoom_surface(struct codev *codev, char kind, struct error *error)
+{
+    struct codev_qualifiers qualifiers;
+    struct commands *commands = &codev->commands;
+    if (!codev_qualifiers(codev, 2, &qualifiers, error)) {
+        return false;
+    }
+    if (codev->sequence.count == 0) {
+        return commands_fail(commands, &commands->words[0], error,
+                             "positions of a surface before the first surface");
+    }
+    bool is_list = qualifiers.next < commands->count;
+    struct sequence_surface *surface = &codev->sequence.surfaces[qualifiers.surface];
+    if (kind != 0) {
+        return !is_list || codev_values(codev, &qualifiers,
+                                        kind == 't' ? &surface->thickness : &surface->diameter,
+                                        kind == 't' ? &surface->thicknesses : &surface->diameters,
+                                        kind == 'c', error);
+    }
+    const struct text word = commands_word(commands, 1).text;
+    return (is_list && codev_is_zero(codev, qualifiers.next)) ||
+           codev_lose(codev, error,
+                      "'%.*s' in positions: only thicknesses, diameters and "
+                      "apertures change with them",
+                      (int)(word.length < 20 ? word.length : 20), word.start);
+}
+
 bool codev_zoom(struct codev *codev, int what, struct error *error)
 {
     (void)what;
@@ -331,65 +370,67 @@ bool codev_zoom(struct codev *codev, int what, struct error *error)
         char what;
     } names[] = {{"TIT", ' '}, {"EPD", 'E'}, {"FNO", 'F'}, {"NAO", 'O'},
                  {"NA", 'N'},  {"THI", 't'}, {"CIR", 'c'}};
-    const struct command_word word = commands_word(&codev->commands, 1);
-    struct codev_qualifiers qualifiers;
+    const struct text word = commands_word(&codev->commands, 1).text;
     char kind = 0;
-    if (word.text.length > 0 && word.text.start[0] >= '0' && word.text.start[0] <= '9') {
+    if (word.length > 0 && word.start[0] >= '0' && word.start[0] <= '9') {
         return set_positions(codev, error);
     }
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        kind = text_same(word.text, names[i].name) ? names[i].what : kind;
+        kind = text_same(word, names[i].name) ? names[i].what : kind;
     }
-    if (kind == ' ' || (kind == 0 && codev_is_harmless(word.text))) {
+    if (kind == ' ' || (kind == 0 && codev_is_harmless(word))) {
         return true;
     }
-    if (kind >= 'A' && kind <= 'Z') {
-        return zoom_aperture(codev, kind, error);
+    return kind >= 'A' && kind <= 'Z' ? zoom_aperture(codev, kind, error)
+                                      : zoom_surface(codev, kind, error);
+}
+
+static const struct pickup_name {
+    const char *name;
+    enum sequence_what what;
+} pickup_names[] = {{"RDY", SEQUENCE_RADIUS},    {"CUY", SEQUENCE_CURVATURE},
+                    {"THI", SEQUENCE_THICKNESS}, {"CIR", SEQUENCE_DIAMETER},
+                    {"K", SEQUENCE_CONIC},       {"GLA", SEQUENCE_MEDIUM}};
+
+static const struct pickup_name *pickup_named(struct text word)
+{
+    for (size_t i = 0; i < sizeof pickup_names / sizeof pickup_names[0]; i++) {
+        if (text_same(word, pickup_names[i].name)) {
+            return &pickup_names[i];
+        }
     }
-    if (!codev_qualifiers(codev, 2, &qualifiers, error)) {
-        return false;
+    return NULL;
+}
+
+/* The scale and offset behind a pick-up, where there are any. */
+static bool read_change(struct codev *codev, size_t first, struct sequence_pickup *pickup,
+                        struct error *error)
+{
+    struct commands *commands = &codev->commands;
+    struct figure numbers[2] = {{.value = {1, 0}}, {.value = {0, 0}}};
+    bool is_length = pickup->what == SEQUENCE_RADIUS || pickup->what == SEQUENCE_THICKNESS;
+    for (size_t i = 0; i < 2 && first + i < commands->count; i++) {
+        if (!commands_figure(commands, first + i, i == 1 && is_length ? commands->scale : plain,
+                             i == 0 ? "scale" : "offset", &numbers[i], error)) {
+            return false;
+        }
     }
-    if (codev->sequence.count == 0) {
-        return commands_fail(&codev->commands, &codev->commands.words[0], error,
-                             "positions of a surface before the first surface");
+    if (pickup->what == SEQUENCE_CURVATURE) {
+        sequence_per_length(commands, 1, &numbers[1]);
     }
-    bool is_list = qualifiers.next < codev->commands.count;
-    struct sequence_surface *surface = &codev->sequence.surfaces[qualifiers.surface];
-    if (kind == 0 && is_list && codev_is_zero(codev, qualifiers.next)) {
-        return true;
-    }
-    if (kind == 0) {
-        return codev_lose(codev, error,
-                          "'%.*s' in positions: only thicknesses, diameters and "
-                          "apertures change with them",
-                          (int)(word.text.length < 20 ? word.text.length : 20), word.text.start);
-    }
-    return !is_list ||
-           codev_values(codev, &qualifiers, kind == 't' ? &surface->thickness : &surface->diameter,
-                        kind == 't' ? &surface->thicknesses : &surface->diameters, kind == 'c',
-                        error);
+    pickup->scale = numbers[0].value;
+    pickup->offset = numbers[1].value;
+    return true;
 }
 
 /* PIK RDY S4 Z1 RDY S2 Z1 -1.0 0.5 */
 bool codev_pickup(struct codev *codev, int what, struct error *error)
 {
     (void)what;
-    static const struct {
-        const char *name;
-        enum sequence_what what;
-    } names[] = {{"RDY", SEQUENCE_RADIUS},    {"CUY", SEQUENCE_CURVATURE},
-                 {"THI", SEQUENCE_THICKNESS}, {"CIR", SEQUENCE_DIAMETER},
-                 {"K", SEQUENCE_CONIC},       {"GLA", SEQUENCE_MEDIUM}};
     struct commands *commands = &codev->commands;
-    const struct command_word word = commands_word(commands, 1);
-    struct sequence_pickup pickup = {.scale = {1, 0}, .at = commands->words[0]};
+    const struct pickup_name *name = pickup_named(commands_word(commands, 1).text);
     struct codev_qualifiers to, from;
-    struct figure numbers[2] = {{.value = {1, 0}}, {.value = {0, 0}}};
-    size_t found = 0;
-    while (found < sizeof names / sizeof names[0] && !text_same(word.text, names[found].name)) {
-        found++;
-    }
-    if (found == sizeof names / sizeof names[0]) {
+    if (name == NULL) {
         return codev_lose(codev, error,
                           "a pick-up that is not known" LOSS_INSTEAD
                           "the number of the file stands");
@@ -398,25 +439,15 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
         !codev_qualifiers(codev, to.next + 1, &from, error)) {
         return false;
     }
-    if (!text_same(commands_word(commands, to.next).text, names[found].name) || to.zoom > 1 ||
+    if (!text_same(commands_word(commands, to.next).text, name->name) || to.zoom > 1 ||
         from.zoom > 1) {
         return codev_lose(codev, error, "a pick-up between unlike numbers or positions");
     }
-    pickup.what = names[found].what;
-    bool is_length = pickup.what == SEQUENCE_RADIUS || pickup.what == SEQUENCE_THICKNESS;
-    for (size_t i = 0; i < 2 && from.next + i < commands->count; i++) {
-        if (!commands_figure(commands, from.next + i, i == 1 && is_length ? commands->scale : plain,
-                             i == 0 ? "scale" : "offset", &numbers[i], error)) {
-            return false;
-        }
+    struct sequence_pickup pickup = {
+        .what = name->what, .target = to.surface, .source = from.surface, .at = commands->words[0]};
+    if (!read_change(codev, from.next, &pickup, error)) {
+        return false;
     }
-    if (pickup.what == SEQUENCE_CURVATURE) {
-        sequence_per_length(commands, 1, &numbers[1]);
-    }
-    pickup.target = to.surface;
-    pickup.source = from.surface;
-    pickup.scale = numbers[0].value;
-    pickup.offset = numbers[1].value;
     sequence_pick_up(&codev->sequence, pickup);
     return commands_end(commands, from.next + 2, error);
 }

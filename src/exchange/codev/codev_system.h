@@ -1,7 +1,7 @@
-/* file/codev_system.h - what a CODE V file says of the whole lens. */
+/* exchange/codev/codev_system.h - what a CODE V file says of the whole lens. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_CODEV_SYSTEM_H
-#define LENSCALC_FILE_CODEV_SYSTEM_H
+#ifndef LENSCALC_EXCHANGE_CODEV_CODEV_SYSTEM_H
+#define LENSCALC_EXCHANGE_CODEV_CODEV_SYSTEM_H
 
 #include "exchange/codev/codev.h"
 

@@ -1,10 +1,10 @@
-/* file/codev_write.c - a lens as a CODE V sequence file. */
+/* exchange/codev/codev_write.c - a lens as a CODE V sequence file. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
-#include "file/decimal.h"
 #include "exchange/remarks.h"
 #include "exchange/writing.h"
+#include "file/decimal.h"
 
 #include <math.h>
 #include <string.h>
@@ -344,32 +344,70 @@ static void put_displacement(struct output *output, const struct displacement *a
     put_string(output, back ? "\n  DAR\n" : "\n");
 }
 
-static bool put_asphere(struct output *output, const struct surface *surface, struct error *error)
+/* ASP has the even powers from r^4 on, SPS ODD all; of a cylinder there is only ASP. */
+static const struct asphere {
+    const char *head, *conic;
+} conic_shape = {"  CON\n", "  K"}, even_shape = {"  ASP\n", "  K"},
+  odd_shape = {"  SPS ODD 0.0\n", "  SCO K"};
+
+static bool is_of_asp(int term)
 {
-    static const char letters[] = " ABCDEFGHJ";
-    struct writing *writing = &output->writing;
+    return term > 0 && term < LENS_EVEN;
+}
+
+static bool is_term_given(const struct surface *surface, int term)
+{
+    return (surface->coefficients >> term & 1) != 0;
+}
+
+/* The simplest shape that has all the surface's terms; null for a sphere. */
+static const struct asphere *shape_of(const struct surface *surface)
+{
     bool conic = surface->conic.value.hi != 0 || surface->conic.typed.start != NULL;
-    bool asphere = (surface->coefficients & ~1u) != 0;
-    if (asphere || conic) {
-        put_string(output, asphere ? "  ASP\n" : "  CON\n");
-        put_command(output, "  K",
-                    conic ? writing_length(writing, &surface->conic, 0) : text_of("0.0"));
-    }
-    for (int i = 1; i < LENS_COEFFICIENTS; i++) {
-        if ((surface->coefficients >> i & 1) != 0) {
-            put_command(output, arena_printf(output->job->arena, "  %c", letters[i]),
-                        writing_length(writing, &surface->coefficient[i], -(2 * i + 1)));
+    const struct asphere *shape = conic ? &conic_shape : NULL;
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        if (is_term_given(surface, i) && is_of_asp(i)) {
+            shape = shape == &odd_shape ? shape : &even_shape;
+        } else if (is_term_given(surface, i) && surface->coefficient[i].value.hi != 0) {
+            shape = &odd_shape;
         }
     }
-    return (surface->coefficients & 1) == 0 || surface->coefficient[0].value.hi == 0 ||
-           lose(output, error, "CODE V has no coefficient A2");
+    return shape;
+}
+
+static bool put_asphere(struct output *output, const struct surface *surface, struct error *error)
+{
+    static const char letters[] = "  ABCDEFGHJ";
+    struct writing *writing = &output->writing;
+    struct arena *arena = output->job->arena;
+    const struct asphere *shape = shape_of(surface);
+    bool is_odd = shape == &odd_shape;
+    bool conic = surface->conic.value.hi != 0 || surface->conic.typed.start != NULL;
+    if (is_odd && !surface_is_round(surface)) {
+        return lose(output, error, "CODE V has no cylinder with the coefficient A2 or odd ones");
+    }
+    if (shape != NULL) {
+        put_string(output, shape->head);
+        put_command(output, shape->conic,
+                    conic ? writing_length(writing, &surface->conic, 0) : text_of("0.0"));
+    }
+    for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
+        int i = surface_term(order);
+        if (is_term_given(surface, i) && (is_odd || is_of_asp(i))) {
+            put_command(output,
+                        is_odd ? arena_printf(arena, "  SCO AR%d", order)
+                               : arena_printf(arena, "  %c", letters[order / 2]),
+                        writing_length(writing, &surface->coefficient[i], 1 - order));
+        }
+    }
+    return true;
 }
 
 static bool put_details(struct output *output, const struct surface *surface, struct error *error)
 {
     struct writing *writing = &output->writing;
     bool along_x = surface->curved == CURVED_X;
-    if (surface->curved != CURVED_BOTH) {
+    if (!surface_is_round(surface)) {
         put_string(output, "  CYL\n");
     }
     if (surface->has_curvature) {
@@ -418,7 +456,7 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     put_string(output, " ");
     put(output,
         surface->has_thickness ? writing_length(writing, &surface->thickness, 1) : text_of("0.0"));
-    if (surface->kind == SURFACE_REFLECT) {
+    if (surface_reflects(surface)) {
         put_string(output, " REFL");
     } else if (!put_medium(output, &surface->medium, error)) {
         return false;

@@ -1,7 +1,7 @@
-/* file/oslo.h - OSLO lens files, .len. */
+/* exchange/oslo/oslo.h - OSLO lens files, .len. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_OSLO_H
-#define LENSCALC_FILE_OSLO_H
+#ifndef LENSCALC_EXCHANGE_OSLO_OSLO_H
+#define LENSCALC_EXCHANGE_OSLO_OSLO_H
 
 #include "exchange/foreign.h"
 

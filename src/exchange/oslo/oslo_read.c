@@ -1,12 +1,11 @@
-/* file/oslo_read.c - read an OSLO lens file. */
+/* exchange/oslo/oslo_read.c - read an OSLO lens file. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/oslo/oslo.h"
 #include "exchange/oslo/oslo_words.h"
 #include "exchange/remarks.h"
 #include "exchange/sequence.h"
 
-#include <stdarg.h>
-#include <stdio.h>
+#include <math.h>
 #include <string.h>
 
 static const struct command_grammar grammar = {
@@ -71,7 +70,10 @@ static bool read_field(struct oslo *oslo, int what, struct error *error)
     oslo->field_is = (enum oslo_field)what;
     oslo->field_at = oslo->commands.words[0];
     return read_one(oslo, what == OSLO_ANGLE ? plain : oslo->commands.scale, "field", &oslo->field,
-                    error);
+                    error) &&
+           (what != OSLO_ANGLE || fabs(oslo->field.value.hi) <= 180 ||
+            commands_fail(&oslo->commands, &oslo->commands.words[1], error,
+                          "a field angle is not beyond 180 degrees"));
 }
 
 static bool read_note(struct oslo *oslo, int what, struct error *error)
@@ -167,7 +169,7 @@ static bool read_conic(struct oslo *oslo, int what, struct error *error)
 static bool put_coefficient(struct oslo *oslo, int order, struct error *error)
 {
     struct sequence_surface *surface = present(oslo);
-    int at = order / 2 - 1;
+    int at = surface_term(order);
     if (!read_one(oslo, plain, "coefficient", &surface->coefficient[at], error)) {
         return false;
     }
@@ -181,19 +183,20 @@ static bool read_general(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
     const struct command_word word = commands_word(&oslo->commands, 1);
-    oslo->is_general = text_same(word.text, "ASR");
-    return oslo->is_general || text_same(word.text, "ADO") ||
-           oslo_lose(oslo, error, "an asphere that is no even one");
+    oslo->asphere_step = text_same(word.text, "ASR") ? 2 : text_same(word.text, "ARA") ? 1 : 0;
+    return oslo->asphere_step > 0 || text_same(word.text, "ADO") ||
+           oslo_lose(oslo, error, "an asphere that is no polynomial of r");
 }
 
-/* AS1 is the coefficient of r^2, AS2 of r^4 .. where the surface is ASP ASR. */
+/* AS1 is the coefficient of r^2, AS2 of r^4 .. of ASP ASR; of r, r^2 .. of ASP ARA. */
 static bool read_general_coefficient(struct oslo *oslo, struct error *error)
 {
     const struct command_word *word = &oslo->commands.words[0];
     const struct text digits = {word->text.start + 2, word->text.length - 2};
     struct figure figure;
     size_t index;
-    if (!commands_count(&oslo->commands, word, digits, "number of the coefficient", 0, &index,
+    if (!commands_count(&oslo->commands, word,
+                        &(struct command_count){digits, "number of the coefficient", 0}, &index,
                         error) ||
         !read_one(oslo, plain, "coefficient", &figure, error)) {
         return false;
@@ -201,12 +204,13 @@ static bool read_general_coefficient(struct oslo *oslo, struct error *error)
     if (figure.value.hi == 0) {
         return true;
     }
-    if (!oslo->is_general || index == 0 || index > LENS_COEFFICIENTS) {
+    int order = index <= LENS_COEFFICIENTS ? oslo->asphere_step * (int)index : 0;
+    if (surface_term(order) < 0) {
         return oslo_lose(oslo, error,
-                         "a coefficient of another asphere than ASP ASR, of order 2 "
+                         "a coefficient of another asphere than ASP ASR and ASP ARA, of order 1 "
                          "to 20");
     }
-    return put_coefficient(oslo, 2 * (int)index, error);
+    return put_coefficient(oslo, order, error);
 }
 
 /* X Y Z: decentres; A B C: tilts, of which those about x and y are left-handed in OSLO. */
@@ -246,8 +250,10 @@ static bool read_move(struct oslo *oslo, int what, struct error *error)
     struct sequence_surface *surface = present(oslo);
     const struct command_word word = commands_word(&oslo->commands, 1);
     size_t to = oslo->surface;
-    if (word.text.length > 0 && !commands_count(&oslo->commands, &word, word.text,
-                                                "number of the surface", 0, &to, error)) {
+    if (word.text.length > 0 &&
+        !commands_count(&oslo->commands, &word,
+                        &(struct command_count){word.text, "number of the surface", 0}, &to,
+                        error)) {
         return false;
     }
     surface->move = (enum sequence_move)what;
@@ -452,20 +458,6 @@ static bool run_command(struct oslo *oslo, struct error *error)
     return oslo_lose(oslo, error, "an unknown command");
 }
 
-bool oslo_lose(struct oslo *oslo, struct error *error, const char *format, ...)
-{
-    char message[sizeof error->message];
-    const struct command_word *word = &oslo->commands.words[0];
-    const struct lens_words place = commands_place(&oslo->commands, word);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    return foreign_loss(oslo->job, &place, word->text, error, "%.*s: %s",
-                        (int)(word->text.length < 20 ? word->text.length : 20), word->text.start,
-                        message);
-}
-
 /* The unit may stand behind lengths. */
 static bool read_unit(struct oslo *oslo, struct text content, struct error *error)
 {
@@ -565,9 +557,7 @@ static bool oslo_is_like(struct text content)
     return false;
 }
 
-const struct foreign_format oslo_format = {.name = "len",
-                                           .ending = ".len",
-                                           .help = "OSLO lens file",
+const struct foreign_format oslo_format = {.type = {{"len", "OSLO"}, ".len"},
                                            .is_like = oslo_is_like,
                                            .read = oslo_read,
                                            .write = oslo_write};

@@ -1,7 +1,7 @@
-/* file/oslo_system.c - what an OSLO file says of the whole lens, and its glasses. */
+/* exchange/oslo/oslo_system.c - what an OSLO file says of the whole lens, and its glasses. */
 /* SPDX-License-Identifier: MIT */
-#include "file/decimal.h"
 #include "exchange/oslo/oslo_words.h"
+#include "file/decimal.h"
 
 #include <math.h>
 #include <string.h>
@@ -82,7 +82,8 @@ static bool read_entry(struct oslo *oslo, bool is_weight, struct error *error)
     const struct command_word *word = &oslo->commands.words[0];
     const struct text digits = {word->text.start + 2, word->text.length - 2};
     size_t *count = is_weight ? &oslo->weight_count : &oslo->wave_count, number;
-    if (!commands_count(&oslo->commands, word, digits, "number of the wavelength", 1, &number,
+    if (!commands_count(&oslo->commands, word,
+                        &(struct command_count){digits, "number of the wavelength", 1}, &number,
                         error) ||
         !check_wave(oslo, 1, is_weight, error) || !commands_end(&oslo->commands, 2, error)) {
         return false;
@@ -191,9 +192,10 @@ static bool find_glass(struct oslo *oslo, const struct command_word *word, struc
         if (word->text.length <= length || !text_same(first, makers[i].prefix)) {
             continue;
         }
-        const struct text name = {word->text.start + length, word->text.length - length};
         const struct text catalog = text_of(makers[i].catalog);
-        if (foreign_glass(oslo->job, &place, name, &catalog, 1, medium, error)) {
+        const struct foreign_name named = {
+            {word->text.start + length, word->text.length - length}, &catalog, 1};
+        if (foreign_glass(oslo->job, &place, &named, medium, error)) {
             return true;
         }
         if (error->code != ERROR_NONE) {

@@ -1,7 +1,7 @@
-/* file/oslo_words.h - an OSLO lens file while it is read. */
+/* exchange/oslo/oslo_words.h - an OSLO lens file while it is read. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_OSLO_WORDS_H
-#define LENSCALC_FILE_OSLO_WORDS_H
+#ifndef LENSCALC_EXCHANGE_OSLO_OSLO_WORDS_H
+#define LENSCALC_EXCHANGE_OSLO_OSLO_WORDS_H
 
 #include "exchange/sequence.h"
 
@@ -16,7 +16,8 @@ struct oslo {
     struct sequence sequence;
     struct lens_build build;
     size_t surface; /* the present one */
-    bool has_begun, has_ended, has_stop, is_general, in_points;
+    bool has_begun, has_ended, has_stop, in_points;
+    int asphere_step;             /* ASi is the coefficient of r^(step i); 0 = of no such asphere */
     struct command_word aperture; /* where it stands */
     enum oslo_field field_is;
     struct figure field;

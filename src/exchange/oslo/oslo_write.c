@@ -1,9 +1,9 @@
-/* file/oslo_write.c - a lens as an OSLO lens file. */
+/* exchange/oslo/oslo_write.c - a lens as an OSLO lens file. */
 /* SPDX-License-Identifier: MIT */
-#include "file/decimal.h"
 #include "exchange/oslo/oslo.h"
 #include "exchange/remarks.h"
 #include "exchange/writing.h"
+#include "file/decimal.h"
 
 #include <math.h>
 #include <string.h>
@@ -215,22 +215,26 @@ static void put_medium(struct output *output, const struct medium *medium)
                                                            : "";
         put_string(output, "GLA ");
         put_string(output, prefix);
-        put_command(output, "", name);
+        growing_text(&writing->text, name);
+        put_string(output, "\n");
     }
 }
 
 static void put_coefficients(struct output *output, const struct surface *surface)
 {
     static const char *const words[] = {NULL, "AD", "AE", "AF", "AG"};
-    bool general = (surface->coefficients & ~0x1eu) != 0;
+    bool odd = surface_odd(surface) != 0, general = (surface->coefficients & ~0x1eu) != 0;
+    int step = odd ? 1 : 2;
     if (general) {
-        growing_format(&output->writing.text, "ASP ASR %d\n", LENS_COEFFICIENTS);
+        growing_format(&output->writing.text, odd ? "ASP ARA %d\n" : "ASP ASR %d\n",
+                       LENS_COEFFICIENTS / step);
     }
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+    for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
+        int i = surface_term(order);
         if ((surface->coefficients >> i & 1) != 0) {
             put_command(output,
-                        general ? arena_printf(output->job->arena, "AS%d", i + 1) : words[i],
-                        writing_length(&output->writing, &surface->coefficient[i], -(2 * i + 1)));
+                        general ? arena_printf(output->job->arena, "AS%d", order / step) : words[i],
+                        writing_length(&output->writing, &surface->coefficient[i], 1 - order));
         }
     }
 }
@@ -260,7 +264,7 @@ static bool put_shape(struct output *output, const struct surface *surface, stru
         put_command(output, "CC", writing_length(writing, &surface->conic, 0));
     }
     put_coefficients(output, surface);
-    return surface->curved == CURVED_BOTH ||
+    return surface_is_round(surface) ||
            lose(output, error, "a cylinder" LOSS_INSTEAD "written as curved in both sections");
 }
 
@@ -268,6 +272,26 @@ static void put_next(struct output *output)
 {
     put_string(output, "NXT\n");
     output->number++;
+}
+
+static bool is_moved_twice(const struct surface *surface)
+{
+    return surface->moved != NULL && surface->bend != NULL;
+}
+
+/* What goes before the surface: its name, and a bend that needs a plane of its own. */
+static void put_before(struct output *output, const struct surface *surface,
+                       const struct medium *before)
+{
+    if (surface->name != NULL) {
+        growing_format(&output->writing.text, OSLO_REMARK OSLO_NAME "%zu %s\n",
+                       output->number + is_moved_twice(surface), surface->name);
+    }
+    if (is_moved_twice(surface)) {
+        put_medium(output, before);
+        put_displacement(output, surface->bend, false);
+        put_next(output);
+    }
 }
 
 static bool put_surface(struct output *output, size_t index, struct error *error)
@@ -278,17 +302,8 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     bool is_last = index + 1 == lens->surface_count;
     bool solved = is_last && lens->focus == FOCUS_PARAXIAL;
     put_next(output);
-    if (surface->name != NULL) {
-        growing_format(&output->writing.text, OSLO_REMARK OSLO_NAME "%zu %s\n",
-                       output->number + (surface->moved != NULL && surface->bend != NULL),
-                       surface->name);
-    }
-    if (surface->moved != NULL && surface->bend != NULL) { /* the bend on a plane of its own */
-        put_medium(output, before);
-        put_displacement(output, surface->bend, false);
-        put_next(output);
-    }
-    if (surface->kind == SURFACE_REFLECT) {
+    put_before(output, surface, before);
+    if (surface_reflects(surface)) {
         put_string(output, "RFL\n");
     } else {
         put_medium(output, &surface->medium);

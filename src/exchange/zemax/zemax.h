@@ -1,9 +1,11 @@
-/* file/zemax.h - Zemax sequential lens files, .zmx. */
+/* exchange/zemax/zemax.h - Zemax sequential lens files, .zmx. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_ZEMAX_H
-#define LENSCALC_FILE_ZEMAX_H
+#ifndef LENSCALC_EXCHANGE_ZEMAX_ZEMAX_H
+#define LENSCALC_EXCHANGE_ZEMAX_ZEMAX_H
 
 #include "exchange/foreign.h"
+
+enum { ZEMAX_TERMS = 8 }; /* of an asphere, among its parameters */
 
 /*
  * .zmx as OpticStudio and its forerunners write it.

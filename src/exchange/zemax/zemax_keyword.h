@@ -1,7 +1,7 @@
-/* file/zemax_keyword.h - keywords of a .zmx file, each with the function that reads its line. */
+/* exchange/zemax/zemax_keyword.h - keywords of .zmx, each with its reader. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_ZEMAX_KEYWORD_H
-#define LENSCALC_FILE_ZEMAX_KEYWORD_H
+#ifndef LENSCALC_EXCHANGE_ZEMAX_ZEMAX_KEYWORD_H
+#define LENSCALC_EXCHANGE_ZEMAX_ZEMAX_KEYWORD_H
 
 #include "exchange/zemax/zemax_parse.h"
 

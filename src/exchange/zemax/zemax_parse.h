@@ -1,21 +1,20 @@
-/* file/zemax_parse.h - a .zmx file as it stands, line by line, before it is a lens. */
+/* exchange/zemax/zemax_parse.h - a .zmx file as it stands, line by line, before it is a lens. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_ZEMAX_PARSE_H
-#define LENSCALC_FILE_ZEMAX_PARSE_H
+#ifndef LENSCALC_EXCHANGE_ZEMAX_ZEMAX_PARSE_H
+#define LENSCALC_EXCHANGE_ZEMAX_ZEMAX_PARSE_H
 
 #include "exchange/foreign.h"
-#include "file/lens_build.h"
 #include "exchange/remarks.h"
+#include "exchange/zemax/zemax.h"
+#include "file/lens_build.h"
 
 enum {
     ZEMAX_PARAMETERS = 13, /* PARM 1 .. 12 */
     ZEMAX_EXTRAS = 24,     /* XDAT 1 .. 23 */
     ZEMAX_SURFACES = 2000,
     ZEMAX_WAVES = 64,
-    ZEMAX_FIELDS = 64,
     ZEMAX_CATALOGS = 64,
-    ZEMAX_CONFIGURATIONS = 100,
-    ZEMAX_NUMBERS = 12
+    ZEMAX_CONFIGURATIONS = 100
 };
 
 /* One line: its keyword, where it stands, and the numbers after the keyword. */
@@ -24,7 +23,7 @@ struct zemax_line {
     struct text keyword;
     struct text first; /* the first word after the keyword */
     size_t count;      /* numbers before the first word that is none */
-    struct figure numbers[ZEMAX_NUMBERS];
+    struct figure *numbers;
     bool infinite; /* the first word is INFINITY */
 };
 

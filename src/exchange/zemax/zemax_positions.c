@@ -1,4 +1,4 @@
-/* file/zemax_positions.c - distances and apertures of a .zmx file in all its configurations. */
+/* exchange/zemax/zemax_positions.c - gaps and apertures of all configurations. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_solve.h"
 
@@ -167,13 +167,13 @@ static bool set_diameters(struct zemax_file *file, const size_t *places,
     if (place == LENS_NONE || lens->surfaces[place].diameter.variable != LENS_NONE) {
         return true;
     }
+    const struct zemax_line *first = setting->line;
     struct figure *values = ARENA_ARRAY(file->job->arena, file->configurations, struct figure);
     for (size_t p = 0; p < file->configurations; p++) {
         bool next = setting != NULL && setting->configuration == (long)p + 1 &&
                     zemax_number(setting->line, 2) > 0;
         if (!next) {
-            return setting == NULL ||
-                   zemax_loss(file, setting->line, error,
+            return zemax_loss(file, setting != NULL ? setting->line : first, error,
                               "semi-diameters that are not one for each configuration");
         }
         struct pair half = setting->line->numbers[2].value;
@@ -188,6 +188,25 @@ static bool set_diameters(struct zemax_file *file, const size_t *places,
     return true;
 }
 
+static bool is_aperture(const struct zemax_file *file, const struct zemax_line *line)
+{
+    return text_same(line->keyword, "APER") && line->count > 2 &&
+           file->build.lens->aperture_kind > APERTURE_STOP;
+}
+
+/* One that lenscalc has no positions of: its value must be the same in all configurations. */
+static bool check_constant(struct zemax_file *file, const struct zemax_setting *before,
+                           const struct zemax_setting *one, struct error *error)
+{
+    bool varies =
+        is_same_operand(before, one) && zemax_number(before->line, 2) != zemax_number(one->line, 2);
+    return !varies || text_same(one->line->keyword, "THIC") ||
+           zemax_loss(file, one->line, error,
+                      "%.4s %ld changes between the configurations" LOSS_INSTEAD
+                      "the first one's value stands",
+                      one->line->keyword.start, one->surface);
+}
+
 /* All operands but THIC: an aperture each, or the same value in all configurations. */
 static bool check_settings(struct zemax_file *file, const size_t *places, struct error *error)
 {
@@ -199,23 +218,16 @@ static bool check_settings(struct zemax_file *file, const size_t *places, struct
     }
     for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
         const struct zemax_line *line = one->line;
-        bool aperture = text_same(line->keyword, "APER") && line->count > 2 &&
-                        lens->aperture_kind > APERTURE_STOP;
-        bool varies =
-            is_same_operand(before, one) && zemax_number(before->line, 2) != zemax_number(line, 2);
-        if (aperture && !set_aperture(file, one, apertures)) {
-            return lens_words_fail(&line->words, line->numbers[2].typed, error,
-                                   "the aperture must be above 0");
-        }
-        bool diameter = text_same(line->keyword, "SDIA");
-        if (diameter && !set_diameters(file, places, one, error)) {
-            return false;
-        }
-        if (varies && !aperture && !diameter && !text_same(line->keyword, "THIC") &&
-            !zemax_loss(file, line, error,
-                        "%.4s %ld changes between the configurations" LOSS_INSTEAD
-                        "the first one's value stands",
-                        line->keyword.start, one->surface)) {
+        if (is_aperture(file, line)) {
+            if (!set_aperture(file, one, apertures)) {
+                return lens_words_fail(&line->words, line->numbers[2].typed, error,
+                                       "the aperture must be above 0");
+            }
+        } else if (text_same(line->keyword, "SDIA")) {
+            if (!set_diameters(file, places, one, error)) {
+                return false;
+            }
+        } else if (!check_constant(file, before, one, error)) {
             return false;
         }
         before = one;

@@ -1,4 +1,4 @@
-/* file/zemax_read.c - a .zmx file as a lens: system data, positions, solves. */
+/* exchange/zemax/zemax_read.c - a .zmx file as a lens: system data, positions, solves. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax.h"
 #include "exchange/zemax/zemax_parse.h"
@@ -311,9 +311,7 @@ static bool is_like(struct text content)
 }
 
 const struct foreign_format zemax_format = {
-    .name = "zmx",
-    .ending = ".zmx",
-    .help = "Zemax OpticStudio, sequential lens",
+    .type = {{"zmx", "Zemax OpticStudio"}, ".zmx"},
     .is_like = is_like,
     .read = read,
     .write = zemax_write,

@@ -1,10 +1,25 @@
-/* file/zemax_solve.c - what follows from rays or other surfaces in a .zmx file: the solves. */
+/* exchange/zemax/zemax_solve.c - solves and pick-ups of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_solve.h"
 
 #include "file/lens_solve.h"
 
 #include <math.h>
+
+void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to)
+{
+    const struct figure none = {.variable = LENS_NONE};
+    to->is_plane = true;
+    to->has_curvature = false;
+    to->radius = to->curvature = none;
+    if (curvature.value.hi == 0) {
+        return;
+    }
+    to->is_plane =
+        !figure_radius_of(&curvature, file->build.lens->unit, file->job->arena, &to->radius);
+    to->has_curvature = to->is_plane;
+    to->curvature = to->is_plane ? curvature : none;
+}
 
 /* The codes of a curvature's solves, CURV c code a b column; 0 fixed, 1 variable. */
 enum {
@@ -262,6 +277,39 @@ static bool is_near(struct pair value, struct pair other, double relative, doubl
     return fabs(pair_subtract(value, other).hi) <= relative * fabs(value.hi) + more;
 }
 
+static bool is_of_ray(int code)
+{
+    return code == MARGINAL_ANGLE || code == CHIEF_ANGLE || code == F_NUMBER ||
+           (code >= MARGINAL_NORMAL && code <= APLANATIC);
+}
+
+/* What the solve gives; false where the file's number is kept, with `kept` as the answer. */
+static bool solved_curvature(struct solving *solving, size_t at, int code, struct pair *value,
+                             bool *kept, struct error *error)
+{
+    const struct zemax_line *line = solving->file->surfaces[at].curvature;
+    *kept = false;
+    if (is_of_ray(code)) {
+        struct solve_state state;
+        bool chief = code == CHIEF_ANGLE || code == CHIEF_NORMAL;
+        if (!follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state, kept, error)) {
+            return false;
+        }
+        *value = curvature_of_ray(solving, at, code, &state);
+    } else if (code > F_NUMBER || code == ELEMENT_POWER) {
+        *kept = keep(solving, at, line, "lenscalc does not know", error);
+        return false;
+    } else if (!curvature_of_surface(solving, at, code, value)) {
+        *kept = keep(solving, at, line, "follows no earlier surface", error);
+        return false;
+    }
+    if (!(fabs(value->hi) < 1e12)) {
+        *kept = keep(solving, at, line, "has no answer", error);
+        return false;
+    }
+    return true;
+}
+
 /* The curvature of a surface by its solve; the file's digits where they are the same number. */
 static bool solve_curve(struct solving *solving, size_t at, struct error *error)
 {
@@ -269,30 +317,16 @@ static bool solve_curve(struct solving *solving, size_t at, struct error *error)
     const struct zemax_line *line = from->curvature;
     int code = line != NULL && !from->has_free_curvature ? (int)zemax_number(line, 1) : 0;
     struct pair value = {0, 0};
-    bool of_ray = code == MARGINAL_ANGLE || code == CHIEF_ANGLE || code == F_NUMBER ||
-                  (code >= MARGINAL_NORMAL && code <= APLANATIC);
+    bool kept;
     if (code < MARGINAL_ANGLE || solving->places[at] == LENS_NONE) {
         return true;
     }
-    if (of_ray) {
-        struct solve_state state;
-        bool done = false, chief = code == CHIEF_ANGLE || code == CHIEF_NORMAL;
-        if (!follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state, &done,
-                    error)) {
-            return done;
-        }
-        value = curvature_of_ray(solving, at, code, &state);
-    } else if (code > F_NUMBER || code == ELEMENT_POWER) {
-        return keep(solving, at, line, "lenscalc does not know", error);
-    } else if (!curvature_of_surface(solving, at, code, &value)) {
-        return keep(solving, at, line, "follows no earlier surface", error);
-    }
-    if (!(fabs(value.hi) < 1e12)) {
-        return keep(solving, at, line, "has no answer", error);
+    if (!solved_curvature(solving, at, code, &value, &kept, error)) {
+        return kept;
     }
     struct figure figure = figure_per_length(line->numbers[0], solving->file->build.lens->unit, -1);
     if (!is_near(value, figure.value, 4e-15, 0)) {
-        figure = curvature_figure(solving, value, of_ray);
+        figure = curvature_figure(solving, value, is_of_ray(code));
     }
     solving->curvature[at] = figure;
     zemax_set_curvature(solving->file, figure, &solving->lens.surfaces[solving->places[at]]);

@@ -1,7 +1,7 @@
-/* file/zemax_solve.h - what follows from rays or other surfaces in a .zmx file: the solves. */
+/* exchange/zemax/zemax_solve.h - solves and pick-ups of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_ZEMAX_SOLVE_H
-#define LENSCALC_FILE_ZEMAX_SOLVE_H
+#ifndef LENSCALC_EXCHANGE_ZEMAX_ZEMAX_SOLVE_H
+#define LENSCALC_EXCHANGE_ZEMAX_ZEMAX_SOLVE_H
 
 #include "exchange/zemax/zemax_surface.h"
 
@@ -26,5 +26,8 @@ bool zemax_solve_surface(struct solving *solving, size_t at, struct error *error
 
 /* Notes of the lens where a solve gives another number than the file has, beyond its rounding. */
 void zemax_remark_solves(const struct solving *solving);
+
+/* A curvature of a surface, 1/mm: as a radius where a short one has it as its reciprocal. */
+void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to);
 
 #endif

@@ -1,6 +1,8 @@
-/* file/zemax_surface.c - the surfaces of a .zmx file as those of a lens. */
+/* exchange/zemax/zemax_surface.c - the surfaces of a .zmx file as those of a lens. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_surface.h"
+
+#include "exchange/zemax/zemax_solve.h"
 
 #include <math.h>
 #include <string.h>
@@ -99,32 +101,13 @@ static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line
                       length, line->keyword.start, nd, Vd);
 }
 
-/* The program's own names of a material that lensdb has by its full name, of the same formula. */
-static struct text own_name(struct text name)
-{
-    static const char *const same[][2] = {{"SILICA", "FUSED_SILICA"}, {"F_SILICA", "FUSED_SILICA"}};
-    for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
-        if (text_same(name, same[i][0])) {
-            return text_of(same[i][1]);
-        }
-    }
-    return name;
-}
-
-/* In the file's catalogues; else by a name of our own; else as the file describes it. */
+/* In the file's catalogues, else as the file describes it. */
 static bool find_glass(struct zemax_file *file, const struct zemax_line *line,
                        struct medium *medium, struct error *error)
 {
-    struct text own = own_name(line->keyword);
-    if (foreign_glass(file->job, &line->words, line->keyword, file->catalogs, file->catalog_count,
-                      medium, error)) {
-        return true;
-    }
-    if (error->code == ERROR_NONE && own.start != line->keyword.start &&
-        foreign_glass(file->job, &line->words, own, NULL, 0, medium, error)) {
-        return true;
-    }
-    return error->code == ERROR_NONE && unknown_glass(file, line, medium, error);
+    const struct foreign_name named = {line->keyword, file->catalogs, file->catalog_count};
+    return foreign_glass(file->job, &line->words, &named, medium, error) ||
+           (error->code == ERROR_NONE && unknown_glass(file, line, medium, error));
 }
 
 bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
@@ -175,42 +158,37 @@ static struct figure in_unit(struct zemax_file *file, struct figure figure, int 
     return figure_per_length(figure, file->build.lens->unit, power);
 }
 
-void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to)
-{
-    const struct figure none = {.variable = LENS_NONE};
-    to->is_plane = true;
-    to->has_curvature = false;
-    to->radius = to->curvature = none;
-    if (curvature.value.hi == 0) {
-        return;
-    }
-    to->is_plane =
-        !figure_radius_of(&curvature, file->build.lens->unit, file->job->arena, &to->radius);
-    to->has_curvature = to->is_plane;
-    to->curvature = to->is_plane ? curvature : none;
-}
-
-static void set_coefficient(struct zemax_file *file, struct surface *to, size_t index,
+static void set_coefficient(struct zemax_file *file, struct surface *to, int order,
                             struct figure figure)
 {
     if (figure.value.hi != 0) {
-        to->coefficient[index] = in_unit(file, figure, -(int)(2 * index + 1));
-        to->coefficients |= 1u << index;
+        int i = surface_term(order);
+        to->coefficient[i] = in_unit(file, figure, 1 - order);
+        to->coefficients |= 1u << i;
     }
 }
 
 static bool set_even(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
 {
-    for (size_t i = 1; i <= 8; i++) {
-        set_coefficient(file, to, i - 1, parameter(file, at, i));
+    for (int i = 1; i <= ZEMAX_TERMS; i++) {
+        set_coefficient(file, to, 2 * i, parameter(file, at, (size_t)i));
     }
     (void)error;
     return true;
 }
 
-/* XDAT 1 N, XDAT 2 r0, XDAT i+2 alpha_2i: alpha (r/r0)^2i */
-static bool set_extended(struct zemax_file *file, size_t at, struct surface *to,
-                         struct error *error)
+static bool set_odd(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
+{
+    for (int i = 1; i <= ZEMAX_TERMS; i++) {
+        set_coefficient(file, to, i, parameter(file, at, (size_t)i));
+    }
+    (void)error;
+    return true;
+}
+
+/* XDAT 1 N, XDAT 2 r0, XDAT i+2 alpha_i: alpha (r/r0)^(i step) */
+static bool read_extended(struct zemax_file *file, size_t at, int step, struct surface *to,
+                          struct error *error)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     double terms = zemax_number(from->extras[1], 1), norm = zemax_number(from->extras[2], 1);
@@ -220,22 +198,37 @@ static bool set_extended(struct zemax_file *file, size_t at, struct surface *to,
     }
     for (size_t i = 1; (double)i <= terms && i + 2 < ZEMAX_EXTRAS; i++) {
         const struct zemax_line *line = from->extras[i + 2];
-        scale = pair_multiply(scale, pair_multiply(r0, r0));
+        int order = step * (int)i;
+        for (int k = 0; k < step; k++) {
+            scale = pair_multiply(scale, r0);
+        }
         if (zemax_number(line, 1) == 0) {
             continue;
         }
-        if (i > LENS_COEFFICIENTS) {
-            return zemax_loss(file, line, error, "the coefficient A%zu: lenscalc goes up to A20",
-                              2 * i);
+        if (order > LENS_COEFFICIENTS) {
+            return zemax_loss(file, line, error, "the coefficient A%d: lenscalc goes up to A20",
+                              order);
         }
         struct figure figure = line->numbers[1];
         if (r0.hi != 1 || r0.lo != 0) {
             figure = figure_computed(pair_divide(figure.value, scale), NUMBER_UNSCALED,
                                      file->job->arena);
         }
-        set_coefficient(file, to, i - 1, figure);
+        set_coefficient(file, to, order, figure);
     }
     return true;
+}
+
+static bool set_extended(struct zemax_file *file, size_t at, struct surface *to,
+                         struct error *error)
+{
+    return read_extended(file, at, 2, to, error);
+}
+
+static bool set_extended_odd(struct zemax_file *file, size_t at, struct surface *to,
+                             struct error *error)
+{
+    return read_extended(file, at, 1, to, error);
 }
 
 /* The tangents of a plane z = x tan a + y tan b as turns about its vertex. */
@@ -243,7 +236,7 @@ static bool set_tilted(struct zemax_file *file, size_t at, struct surface *to, s
 {
     struct displacement *moved = ARENA_NEW(file->job->arena, struct displacement);
     double a = parameter(file, at, 1).value.hi, b = parameter(file, at, 2).value.hi;
-    double turns[3] = {atan(b), -atan(a * cos(atan(b))), 0};
+    double turns[3] = {atan(b), atan(-a * cos(atan(b))) + 0., 0}; /* -0 + 0 is 0 */
     (void)error;
     for (int i = 0; i < 3; i++) {
         moved->tilt[i] = figure_of(turns[i] / radians, file->job->arena);
@@ -287,8 +280,9 @@ static bool set_nothing(struct zemax_file *file, size_t at, struct surface *to, 
 static const struct {
     const char *type;
     bool (*set)(struct zemax_file *file, size_t at, struct surface *to, struct error *error);
-} types[] = {{"STANDARD", set_nothing}, {"EVENASPH", set_even},     {"XASPHERE", set_extended},
-             {"TILTSURF", set_tilted},  {"TOROIDAL", set_toroidal}, {"COORDBRK", set_nothing}};
+} types[] = {{"STANDARD", set_nothing},  {"EVENASPH", set_even},         {"XASPHERE", set_extended},
+             {"ODDASPHE", set_odd},      {"XOSPHERE", set_extended_odd}, {"TILTSURF", set_tilted},
+             {"TOROIDAL", set_toroidal}, {"COORDBRK", set_nothing}};
 
 static bool set_type(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
 {
@@ -310,25 +304,44 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
                         (int)(type.length < 20 ? type.length : 20), type.start);
 }
 
+/* Is a pick-up's number a surface before this one, in the same configuration? */
+static bool is_earlier(double source, size_t at, double configuration)
+{
+    return source >= 0 && source < (double)at && configuration == 0;
+}
+
+/* DIAM value code surface column scale: does the semi-diameter not follow as it says? */
+static bool is_diameter_astray(const struct zemax_file *file, size_t at)
+{
+    const struct zemax_line *line = file->surfaces[at].diameter;
+    if (zemax_number(line, 1) != 2) {
+        return false;
+    }
+    double source = zemax_number(line, 2);
+    bool sound = is_earlier(source, at, zemax_number(line, 3));
+    const struct zemax_line *other = sound ? file->surfaces[(size_t)source].diameter : NULL;
+    double scale = line->count > 4 ? zemax_number(line, 4) : 1, is = zemax_number(line, 0);
+    return !(fabs(scale * zemax_number(other, 0) - is) <= 1e-9 * is);
+}
+
+static bool is_parameter_astray(const struct zemax_line *line, size_t at)
+{
+    return line != NULL &&
+           !(line->count >= 3 && is_earlier(zemax_number(line, 1), at, zemax_number(line, 4)));
+}
+
 /*
  * The numbers of other pick-ups stand as the program stored them; where that is not what the
- * pick-up gives, it is lost. DIAM value code surface column scale; CONI has no place for one.
+ * pick-up gives, it is lost. CONI has no place for a scale.
  */
 static bool check_pickups(struct zemax_file *file, size_t at, struct error *error)
 {
     const struct zemax_surface *from = &file->surfaces[at];
-    const struct zemax_line *line = from->diameter;
-    double source = zemax_number(line, 2);
-    bool sound = source >= 0 && source < (double)at && zemax_number(line, 3) == 0;
-    if (zemax_number(line, 1) == 2) {
-        const struct zemax_line *other = sound ? file->surfaces[(size_t)source].diameter : NULL;
-        double scale = line->count > 4 ? zemax_number(line, 4) : 1, is = zemax_number(line, 0);
-        if (!(fabs(scale * zemax_number(other, 0) - is) <= 1e-9 * is) &&
-            !zemax_loss(file, line, error,
-                        "a semi-diameter that follows another number" LOSS_INSTEAD
-                        "the file's number stands")) {
-            return false;
-        }
+    if (is_diameter_astray(file, at) &&
+        !zemax_loss(file, from->diameter, error,
+                    "a semi-diameter that follows another number" LOSS_INSTEAD
+                    "the file's number stands")) {
+        return false;
     }
     if (zemax_number(from->conic, 1) > 1 &&
         !zemax_loss(file, from->conic, error,
@@ -337,14 +350,10 @@ static bool check_pickups(struct zemax_file *file, size_t at, struct error *erro
         return false;
     }
     for (size_t i = 0; i < ZEMAX_PARAMETERS; i++) {
-        line = from->pickups[i];
-        source = zemax_number(line, 1);
-        sound = line == NULL || (line->count >= 3 && source >= 0 && source < (double)at &&
-                                 zemax_number(line, 4) == 0);
-        if (!sound && !zemax_loss(file, line, error,
-                                  "a parameter that follows no earlier surface" LOSS_INSTEAD
-                                  "the file's number "
-                                  "stands")) {
+        if (is_parameter_astray(from->pickups[i], at) &&
+            !zemax_loss(file, from->pickups[i], error,
+                        "a parameter that follows no earlier surface" LOSS_INSTEAD
+                        "the file's number stands")) {
             return false;
         }
     }
@@ -490,6 +499,9 @@ bool zemax_surfaces(struct zemax_file *file, struct error *error)
                 continue;
             }
             flush_bend(file);
+            if (lens->surface_count > 0) {
+                set_comment(file, &file->surfaces[i], &lens->surfaces[lens->surface_count - 1]);
+            }
         } else if (!add_surface(file, i, error)) {
             return false;
         }

@@ -1,16 +1,13 @@
-/* file/zemax_surface.h - the surfaces of a .zmx file as those of a lens. */
+/* exchange/zemax/zemax_surface.h - the surfaces of a .zmx file as those of a lens. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_ZEMAX_SURFACE_H
-#define LENSCALC_FILE_ZEMAX_SURFACE_H
+#ifndef LENSCALC_EXCHANGE_ZEMAX_ZEMAX_SURFACE_H
+#define LENSCALC_EXCHANGE_ZEMAX_ZEMAX_SURFACE_H
 
 #include "exchange/zemax/zemax_parse.h"
 
 /* The medium behind a surface; that before it where it is a mirror (which *medium becomes). */
 bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
                   const struct medium *before, struct medium *medium, struct error *error);
-
-/* A curvature of a surface, 1/mm: as a radius where a short one has it as its reciprocal. */
-void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to);
 
 /* Is the image plane set by the solve that brings the marginal ray to height 0 there? */
 bool zemax_focuses(const struct zemax_file *file);

@@ -1,4 +1,4 @@
-/* file/zemax_system.c - the lines of a .zmx file before its surfaces: units, aperture, light. */
+/* exchange/zemax/zemax_system.c - the system of a .zmx file: units, aperture, light. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_keyword.h"
 
@@ -129,6 +129,10 @@ static bool read_waves(struct zemax_file *file, struct text keyword, struct erro
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     bool weights = text_same(keyword, "WWGT") || text_same(keyword, "WWGN");
+    if (line->count > ZEMAX_WAVES) {
+        return lens_words_fail(&line->words, line->numbers[ZEMAX_WAVES].typed, error,
+                               "more than %d wavelengths", ZEMAX_WAVES);
+    }
     for (size_t i = 0; i < line->count; i++) {
         double value = line->numbers[i].value.hi;
         if (!weights && !(value >= 0.001 && value <= 1000)) {

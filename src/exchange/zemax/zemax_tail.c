@@ -1,4 +1,4 @@
-/* file/zemax_tail.c - what stands behind the surfaces of a .zmx file: configurations, operands. */
+/* exchange/zemax/zemax_tail.c - what stands behind the surfaces of a .zmx. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_keyword.h"
 

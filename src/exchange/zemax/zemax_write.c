@@ -1,10 +1,10 @@
-/* file/zemax_write.c - a lens as a .zmx file. */
+/* exchange/zemax/zemax_write.c - a lens as a .zmx file. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lens_build.h"
 #include "exchange/remarks.h"
 #include "exchange/zemax/zemax.h"
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_writer.h"
+#include "file/lens_build.h"
 #include "optics/wavelength.h"
 
 #include <math.h>

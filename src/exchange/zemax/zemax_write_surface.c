@@ -1,14 +1,13 @@
-/* file/zemax_write_surface.c - surfaces and media of a .zmx file. */
+/* exchange/zemax/zemax_write_surface.c - surfaces and media of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
+#include "exchange/zemax/zemax.h"
+#include "exchange/zemax/zemax_writer.h"
 #include "file/lens_build.h"
 #include "file/lens_glass.h"
-#include "exchange/zemax/zemax_writer.h"
 #include "optics/glass.h"
 
 #include <math.h>
 #include <string.h>
-
-enum { EVEN_TERMS = 8 };
 
 /* The value in the first position. */
 static const struct figure *first_of(const struct zemax_writer *writer, const struct figure *figure)
@@ -220,46 +219,73 @@ static void put_break(struct zemax_writer *writer, const struct displacement *mo
     growing_string(&writer->out, undo ? "  PARM 6 1\r\n" : "  PARM 6 0\r\n");
 }
 
+/*
+ * The types that hold aspheric terms: term i is the coefficient of r^(step i), in PARM i, or as
+ * extra data behind the number of terms and the radius that r is a part of.
+ */
+static const struct asphere_type {
+    const char *name;
+    int step, terms;
+    bool extra;
+} asphere_types[] = {{"EVENASPH", 2, ZEMAX_TERMS, false},
+                     {"XASPHERE", 2, LENS_COEFFICIENTS / 2, true},
+                     {"ODDASPHE", 1, ZEMAX_TERMS, false},
+                     {"XOSPHERE", 1, LENS_COEFFICIENTS, true}};
+
+/* The first type that holds all that was given; null where there is nothing. */
+static const struct asphere_type *asphere_type_of(const struct surface *surface)
+{
+    for (size_t k = 0; surface->coefficients != 0; k++) {
+        const struct asphere_type *type = &asphere_types[k];
+        unsigned held = 0;
+        for (int i = 1; i <= type->terms; i++) {
+            held |= 1u << surface_term(i * type->step);
+        }
+        if ((surface->coefficients & ~held) == 0) {
+            return type;
+        }
+    }
+    return NULL;
+}
+
 static const char *type_of(const struct surface *surface)
 {
-    return surface->curved != CURVED_BOTH               ? "TOROIDAL"
-           : (surface->coefficients >> EVEN_TERMS) != 0 ? "XASPHERE"
-           : surface->coefficients != 0                 ? "EVENASPH"
-                                                        : "STANDARD";
+    const struct asphere_type *type = asphere_type_of(surface);
+    return !surface_is_round(surface) ? "TOROIDAL" : type != NULL ? type->name : "STANDARD";
 }
 
 static void put_coefficients(struct zemax_writer *writer, const struct surface *surface)
 {
-    bool extended = (surface->coefficients >> EVEN_TERMS) != 0;
-    if (extended) {
-        growing_string(&writer->out, "  XDAT 1 10 0 0 1 0 0 \"\"\r\n  XDAT 2 1 0 0 1 0 0 \"\"\r\n");
+    const struct asphere_type *type = asphere_type_of(surface);
+    if (type != NULL && type->extra) {
+        growing_format(&writer->out, "  XDAT 1 %d 0 0 1 0 0 \"\"\r\n  XDAT 2 1 0 0 1 0 0 \"\"\r\n",
+                       type->terms);
     }
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+    for (int term = 1; type != NULL && term <= type->terms; term++) {
+        int order = term * type->step, i = surface_term(order);
         struct figure figure = surface->coefficient[i];
         if ((surface->coefficients >> i & 1) == 0) {
             continue;
         }
-        if (figure.typed.start == NULL) { /* from mm to the lens's unit */
+        if (figure.typed.start == NULL && order > 1) { /* from mm to the lens's unit */
             struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
-            struct pair unit = figure_per_length(one, writer->lens->unit, 2 * i + 1).value;
+            struct pair unit = figure_per_length(one, writer->lens->unit, order - 1).value;
             figure.value = pair_multiply(figure.value, unit);
         }
-        growing_format(&writer->out, extended ? "  XDAT %d " : "  PARM %d ",
-                       extended ? i + 3 : i + 1);
+        growing_format(&writer->out, type->extra ? "  XDAT %d " : "  PARM %d ",
+                       type->extra ? term + 2 : term);
         growing_figure(&writer->out, &figure, NUMBER_UNSCALED);
-        growing_string(&writer->out, extended ? " 0 0 1 0 0 \"\"\r\n" : "\r\n");
+        growing_string(&writer->out, type->extra ? " 0 0 1 0 0 \"\"\r\n" : "\r\n");
     }
 }
 
-static bool put_shape(struct zemax_writer *writer, const struct surface *surface, size_t number,
-                      struct error *error)
+/* CURV, of the section in y; a cylinder's other way stands in the first parameter, as a radius. */
+static void put_curve(struct zemax_writer *writer, const struct surface *surface)
 {
-    bool cylinder = surface->curved != CURVED_BOTH, cross = surface->curved == CURVED_X;
-    bool has_conic = surface->conic.value.hi != 0;
+    bool plane = surface->is_plane && !surface->has_curvature;
+    bool cross = surface->curved == CURVED_X;
     growing_string(&writer->out, "  CURV ");
-    if (surface->is_plane && !surface->has_curvature) {
-        growing_string(&writer->out, "0");
-    } else if (cross) {
+    if (plane || cross) {
         growing_string(&writer->out, "0");
     } else if (surface->has_curvature) {
         put_curvature(writer, &surface->curvature);
@@ -267,13 +293,21 @@ static bool put_shape(struct zemax_writer *writer, const struct surface *surface
         put_reciprocal(writer, &surface->radius);
     }
     growing_string(&writer->out, " 0 0 0 0 \"\"\r\n");
-    if (cross && (surface->has_curvature || !surface->is_plane)) {
+    if (cross && !plane) {
         struct figure radius = surface->radius;
         if (surface->has_curvature) {
             radius = (struct figure){.value = pair_divide(pair_of(1), surface->curvature.value)};
         }
         put_parameter(writer, 1, &radius, false, false);
     }
+}
+
+static bool put_shape(struct zemax_writer *writer, const struct surface *surface, size_t number,
+                      struct error *error)
+{
+    bool cylinder = !surface_is_round(surface), cross = surface->curved == CURVED_X;
+    bool has_conic = surface->conic.value.hi != 0;
+    put_curve(writer, surface);
     if (has_conic && !cross) {
         growing_string(&writer->out, "  CONI ");
         growing_figure(&writer->out, &surface->conic, NUMBER_UNSCALED);
@@ -352,7 +386,7 @@ bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *
     if (surface->has_diameter) {
         put_diameter(writer, surface);
     }
-    if (surface->kind == SURFACE_REFLECT) {
+    if (surface_reflects(surface)) {
         growing_string(&writer->out, "  GLAS MIRROR 0 0 0 0 0 0 0 0 0 0\r\n");
     } else if (!zemax_put_medium(writer, &surface->medium, error)) {
         return false;

@@ -1,7 +1,7 @@
-/* file/zemax_writer.h - the parts of writing a .zmx file. */
+/* exchange/zemax/zemax_writer.h - the parts of writing a .zmx file. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_FILE_ZEMAX_WRITER_H
-#define LENSCALC_FILE_ZEMAX_WRITER_H
+#ifndef LENSCALC_EXCHANGE_ZEMAX_ZEMAX_WRITER_H
+#define LENSCALC_EXCHANGE_ZEMAX_ZEMAX_WRITER_H
 
 #include "exchange/foreign.h"
 #include "optics/growing.h"

@@ -1,0 +1,102 @@
+/* exchange/lens_formats.c - the table of other programs' lens files, and any file as a lens. */
+/* SPDX-License-Identifier: MIT */
+#include "exchange/lens_formats.h"
+
+#include "data/encoding.h"
+#include "exchange/codev/codev.h"
+#include "exchange/lens_json.h"
+#include "exchange/oslo/oslo.h"
+#include "exchange/pbrt.h"
+#include "exchange/zemax/zemax.h"
+
+const struct foreign_format *const foreign_formats[] = {
+    &zemax_format, &codev_format, &oslo_format, &pbrt_format, &lens_json_format, NULL,
+};
+
+const struct foreign_format *foreign_by_name(struct text name)
+{
+    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
+        if (text_same(name, (*one)->type.word.word)) {
+            return *one;
+        }
+    }
+    return NULL;
+}
+
+const struct file_type *lens_types(size_t i)
+{
+    return i == 0                           ? &lens_file_type
+           : foreign_formats[i - 1] != NULL ? &foreign_formats[i - 1]->type
+                                            : NULL;
+}
+
+static const struct foreign_format *by_ending(struct text path)
+{
+    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
+        if (file_type_ends(path, (*one)->type.ending)) {
+            return *one;
+        }
+    }
+    return NULL;
+}
+
+/*
+ * The format of a file: what its content looks like, else its ending; null for a .lens file.
+ *
+ * Given     source   its name; one that ends in .lens is never foreign
+ *           content  UTF-8
+ */
+static const struct foreign_format *format_of(struct text source, struct text content)
+{
+    if (file_type_ends(source, lens_file_type.ending)) {
+        return NULL;
+    }
+    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
+        if ((*one)->is_like(content)) {
+            return *one;
+        }
+    }
+    return by_ending(source);
+}
+
+bool foreign_read(struct foreign_job *job, struct text content, struct lens *lens,
+                  struct error *error)
+{
+    struct text source = text_of(job->source), text = content;
+    if (file_type_ends(source, lens_file_type.ending)) {
+        return lens_read(job->source, content, job->glasses, job->arena, lens, error);
+    }
+    if (file_type_ends(source, ".agf")) {
+        fail(error, ERROR_DATA, "an AGF file is a catalogue of glasses, not a lens");
+        error_locate(error, job->source, 0, 0);
+        return error_hint(error, "--agf FILE adds its glasses");
+    }
+    bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
+    const struct foreign_format *format = format_of(source, is_text ? text : content);
+    if (format == NULL) {
+        return lens_read(job->source, is_text ? text : content, job->glasses, job->arena, lens,
+                         error);
+    }
+    if (!is_text) {
+        return false;
+    }
+    if (format->read == NULL) {
+        fail(error, ERROR_DATA, "lenscalc writes files of the format '%s' but does not read them",
+             format->type.word.word);
+        return error_locate(error, job->source, 0, 0);
+    }
+    return format->read(job, text, lens, error);
+}
+
+bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
+                   const struct lens *lens, struct text *text, struct error *error)
+{
+    for (size_t i = 0; i < lens->surface_count && !format->has_thick; i++) {
+        if (surface_has(&lens->surfaces[i], SURFACE_HAS_FOCAL)) {
+            return fail(error, ERROR_DATA,
+                        "surface %zu is a thick lens: a %s file has none, only .lens and .json",
+                        i + 1, format->type.ending);
+        }
+    }
+    return format->write(job, lens, text, error);
+}

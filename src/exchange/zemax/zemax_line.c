@@ -1,0 +1,62 @@
+/* exchange/zemax/zemax_line.c - a line of a .zmx file: its keyword and its numbers. */
+/* SPDX-License-Identifier: MIT */
+#include "exchange/zemax/zemax_keyword.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+double zemax_number(const struct zemax_line *line, size_t at)
+{
+    return line != NULL && at < line->count ? line->numbers[at].value.hi : 0;
+}
+
+void zemax_remark(struct zemax_file *file, const char *format, ...)
+{
+    char text[200];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    lens_build_note(&file->build, text_of(text));
+}
+
+struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
+                                 struct number_scale scale)
+{
+    struct zemax_line *line = ARENA_NEW(file->job->arena, struct zemax_line);
+    struct lens_words words = file->words, counting = words;
+    size_t room = 0;
+    while (lens_words_next(&counting).length > 0) {
+        room++;
+    }
+    line->words = words;
+    line->keyword = keyword;
+    line->numbers = ARENA_ARRAY(file->job->arena, room, struct figure);
+    for (struct text word = lens_words_next(&words); word.length > 0;
+         word = lens_words_next(&words)) {
+        struct figure figure = {.typed = word, .variable = LENS_NONE};
+        const char *end = word.start + word.length;
+        if (line->first.start == NULL) {
+            line->first = word;
+            line->infinite = text_same(word, "INFINITY");
+        }
+        bool number = pair_read(word.start, end, scale, &figure.value) == end &&
+                      fabs(figure.value.hi) < 1e100;
+        if (!number) {
+            break;
+        }
+        line->numbers[line->count++] = figure;
+    }
+    return line;
+}
+
+bool zemax_has_number(const struct zemax_line *line, struct error *error)
+{
+    if (line->count > 0) {
+        return true;
+    }
+    struct text word = line->first.start != NULL ? line->first : line->keyword;
+    return lens_words_fail(&line->words, word, error, "%.*s wants a number", 4,
+                           line->keyword.start);
+}
