@@ -189,20 +189,38 @@ static void compare_aperture(const struct check_problem *problem, enum check_qua
 
 /* -------- by field -------- */
 
-static bool find_chief(const struct check_problem *problem, double fraction, struct arena *arena,
-                       struct beam *beam, struct ray *chief)
+static struct check_chief find_chief(const struct check_problem *problem, double fraction,
+                                     struct arena *arena)
 {
     struct field_point field = problem->field;
+    struct check_chief chief = {.fraction = fraction};
     struct error ignored;
     struct aim aim;
     field.value[0] *= fraction;
     field.value[1] *= fraction;
-    if (!beam_of_field(&field, &problem->object, problem->first, beam, &ignored) ||
-        !aim_open(problem->forward, beam, arena, &aim, &ignored)) {
-        return false;
+    chief.has_beam = beam_of_field(&field, &problem->object, problem->first, &chief.beam, &ignored);
+    chief.found = chief.has_beam && aim_open(problem->forward, &chief.beam, arena, &aim, &ignored);
+    if (chief.found) {
+        chief.ray = aim_chief(&aim);
     }
-    *chief = aim_chief(&aim);
-    return true;
+    return chief;
+}
+
+/* The same, once for all quantities. */
+static struct check_chief recall_chief(const struct check_problem *problem, double fraction,
+                                       struct arena *arena)
+{
+    if (problem->chiefs == NULL) {
+        return find_chief(problem, fraction, arena);
+    }
+    int exponent;
+    double mantissa = frexp(fraction, &exponent);
+    size_t slot = (size_t)(mantissa * 1e9) + 37 * (size_t)(64 - exponent);
+    struct check_chief *kept = &problem->chiefs[slot % CHECK_CHIEFS];
+    if (kept->fraction != fraction) {
+        *kept = find_chief(problem, fraction, arena);
+    }
+    return *kept;
 }
 
 /* The paraxial chief ray of the same object point at the first vertex. */
@@ -226,9 +244,11 @@ static void compare_field(const struct check_problem *problem, enum check_quanti
 {
     const struct first_order *first = problem->first;
     size_t axis = problem->section == SECTION_X ? 0 : 1;
-    struct beam beam;
-    struct ray chief;
-    if (!find_chief(problem, fraction, arena, &beam, &chief)) {
+    const struct check_chief known = recall_chief(problem, fraction, arena);
+    const struct beam beam = known.beam;
+    const struct ray chief = known.ray;
+    value->angle = known.has_beam ? atan2(beam.axis[axis], beam.axis[2]) : (double)NAN;
+    if (!known.found) {
         value->status = RAY_NOT_CONVERGED;
         value->surface = problem->forward->stop + 1;
         return;
@@ -237,7 +257,6 @@ static void compare_field(const struct check_problem *problem, enum check_quanti
     struct meridional ray = follow(problem, problem->forward, &chief, arena);
     paraxial_chief(problem, &beam, &y, &u);
     paraxial_end(first, y, first->index_object * u, &y_end, &v_end);
-    value->angle = atan2(beam.axis[axis], beam.axis[2]);
     value->scale = place_scale(first);
     switch (quantity) {
     case CHECK_IMAGE_HEIGHT:

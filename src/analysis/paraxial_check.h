@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "optics/first_order.h"
 #include "trace/aim.h"
+#include "trace/beam.h"
 #include "trace/system.h"
 
 #include <stdbool.h>
@@ -34,6 +35,15 @@ enum check_quantity {
 /* Does it depend on the field, else on the aperture? */
 bool check_is_of_field(enum check_quantity quantity);
 
+/* Chief rays that were looked for: the same fractions are asked for again and again. */
+struct check_chief {
+    double fraction; /* of the field; 0 = not used */
+    bool has_beam, found;
+    struct beam beam;
+    struct ray ray;
+};
+enum { CHECK_CHIEFS = 256 };
+
 /* A lens at one wavelength. */
 struct check_problem {
     const struct system *forward, *backward; /* without clip */
@@ -42,6 +52,7 @@ struct check_problem {
     enum lens_section section;
     double plane;             /* the image plane, from the last vertex, mm; NaN if there is none */
     struct field_point field; /* the largest, on the axis of the section; kind FIELD_NONE: none */
+    struct check_chief *chiefs; /* CHECK_CHIEFS of them, at first all 0; null: nothing is kept */
 };
 
 /* Does it make sense for this lens: finite or infinite object, afocal, with stop and field? */
@@ -53,7 +64,8 @@ struct check_value {
                        length (afocal: length of the lens); NaN where nothing is apt */
     double fnumber; /* of the height: |rear focal length|/(2 h), near objects: working */
     double height;  /* h, in the paraxial entrance pupil; NaN: field */
-    double angle;   /* of the chief ray before the lens, rad; NaN: aperture */
+    double angle;   /* of the chief ray before the lens, rad, of a lost one too; NaN: aperture, or a
+                       field that no beam has */
     enum ray_status status; /* of the ray, and where it was lost */
     size_t surface;
 };

@@ -2,14 +2,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/pupil_shape.h"
 
+#include "analysis/contour.h"
+#include "analysis/folding.h"
 #include "trace/aim.h"
 #include "trace/clear.h"
 #include "trace/dispatch.h"
 #include "trace/sample.h"
 
 #include <math.h>
-
-static const double pi = 3.141592653589793;
 
 /* Below this direction cosine a plane across the axis counts as not met: 89.9 degrees. */
 static const double ALONG = 1.7e-3;
@@ -94,6 +94,30 @@ static bool find_chief(const struct pupil_question *question, const struct clear
     return true;
 }
 
+/* -------- the rays that are looked at -------- */
+
+/* The edges, the extreme ones and the corners, the arms of integrals, last the chief ray. */
+static size_t arms_from(const struct clear_pupil *clear)
+{
+    return clear->edge_count + PUPIL_ENDS + 2 * clear->arcs;
+}
+
+/* Without the chief ray. */
+static size_t ray_count(const struct clear_pupil *clear)
+{
+    return arms_from(clear) + clear->arm_count;
+}
+
+static const double *place_of(const struct clear_pupil *clear, const double chief[2], size_t i)
+{
+    const size_t ends = clear->edge_count, arms = arms_from(clear), tips = ends + PUPIL_ENDS;
+    return i < ends               ? clear->edges[i].at
+           : i < tips             ? clear->ends[i - ends].at
+           : i < arms             ? clear->corners[i - tips].at
+           : i < ray_count(clear) ? clear->arms[i - arms].edge.at
+                                  : chief;
+}
+
 /* -------- outlines -------- */
 
 /* Where a line crosses z = const; NaN where it runs along it, or the other way. */
@@ -107,48 +131,40 @@ static void cross(const struct ray *ray, double z, double heading, double point[
 }
 
 /*
- * The largest of sign * coordinate: a parabola through the extreme point and its neighbours, or one
- * of the extreme edges behind them, which find corners.
+ * The largest of sign * coordinate: a parabola through the extreme point and its neighbours where
+ * one surface ends all three, or one of the extreme edges and corners behind them.
  */
-static double extreme(const double (*points)[2], size_t count, int axis, double sign, size_t *which)
+static double extreme(const struct clear_pupil *clear, const double (*points)[2], int axis,
+                      double sign, size_t *which)
 {
+    const size_t count = clear->edge_count;
     size_t best = 0;
     for (size_t i = 1; i < count; i++) {
         best = sign * points[i][axis] > sign * points[best][axis] ? i : best;
     }
-    double before = points[(best + count - 1) % count][axis], here = points[best][axis];
-    double after = points[(best + 1) % count][axis], bend = before - 2 * here + after;
+    const size_t last = (best + count - 1) % count, next = (best + 1) % count;
+    double before = points[last][axis], here = points[best][axis];
+    double after = points[next][axis], bend = before - 2 * here + after;
     double slope = (after - before) / 2, more = -slope * slope / (2 * bend);
     *which = best;
     /* at a corner the neighbours say nothing of the peak */
-    bool smooth = isfinite(more) && fabs(slope) <= 0.5000001 * fabs(bend) && sign * more > 0;
+    bool smooth = isfinite(more) && fabs(slope) <= 0.5000001 * fabs(bend) && sign * more > 0 &&
+                  clear->edges[last].surface == clear->edges[best].surface &&
+                  clear->edges[next].surface == clear->edges[best].surface;
     here = smooth ? here + more : here;
-    for (size_t i = count; i < count + PUPIL_ENDS; i++) {
+    for (size_t i = count; i < arms_from(clear); i++) {
         here = sign * points[i][axis] > sign * here ? points[i][axis] : here;
     }
     return here;
 }
 
-/* Bounds, area and centroid of an outline. */
-static void measure(const double (*points)[2], size_t count, struct pupil_extent *extent,
-                    size_t limit[PUPIL_ENDS])
+/* Bounds of an outline. */
+static void bound(const struct clear_pupil *clear, const double (*points)[2],
+                  struct pupil_extent *extent, size_t limit[PUPIL_ENDS])
 {
-    double twice = 0, moment[2] = {0, 0};
-    const double *o = points[0];
-    for (size_t i = 0; i < count; i++) {
-        const double *p = points[i], *q = points[(i + 1) % count];
-        double px = p[0] - o[0], py = p[1] - o[1], qx = q[0] - o[0], qy = q[1] - o[1];
-        double twist = px * qy - qx * py;
-        twice += twist;
-        moment[0] += twist * (px + qx);
-        moment[1] += twist * (py + qy);
-    }
-    double turn = 2 * pi / (double)count;
-    extent->area = fabs(twice) / 2 * (turn / sin(turn));
     for (int k = 0; k < 2; k++) {
-        extent->centre[k] = o[k] + moment[k] / (3 * twice);
-        extent->high[k] = extreme(points, count, k, 1, &limit[k]);
-        extent->low[k] = extreme(points, count, k, -1, &limit[k + 2]);
+        extent->high[k] = extreme(clear, points, k, 1, &limit[k]);
+        extent->low[k] = extreme(clear, points, k, -1, &limit[k + 2]);
         /* what symmetry makes 0 */
         double small = 1e-12 * (extent->high[k] - extent->low[k]);
         extent->centre[k] = fabs(extent->centre[k]) < small ? 0 : extent->centre[k];
@@ -157,21 +173,25 @@ static void measure(const double (*points)[2], size_t count, struct pupil_extent
 }
 
 /* The outline of rays in a plane, with its limits as numbers of edges. */
-static void look_at(const struct ray *rays, size_t count, double z, double heading,
-                    struct arena *arena, struct pupil_extent *extent, size_t limit[PUPIL_ENDS])
+static void look_at(const struct clear_pupil *clear, const struct ray *rays, double z,
+                    double heading, struct arena *arena, struct pupil_extent *extent,
+                    size_t limit[PUPIL_ENDS])
 {
-    double(*points)[2] = arena_array(arena, count + PUPIL_ENDS, sizeof *points);
+    const size_t edges = clear->edge_count, count = ray_count(clear);
+    double(*points)[2] = arena_array(arena, count, sizeof *points);
     bool met = isfinite(z);
     *extent = (struct pupil_extent){.z = z};
-    for (size_t i = 0; i < count + PUPIL_ENDS; i++) {
+    for (size_t i = 0; i < count; i++) {
         cross(&rays[i], met ? z : 0, heading, points[i]);
         met = met && isfinite(points[i][0]) && isfinite(points[i][1]);
     }
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
-        limit[i] = count;
+        limit[i] = edges;
     }
     if (met) {
-        measure((const double(*)[2])points, count, extent, limit);
+        extent->area =
+            contour_area(clear, (const double(*)[2])points + arms_from(clear), extent->centre);
+        bound(clear, (const double(*)[2])points, extent, limit);
         return;
     }
     extent->area = extent->low[0] = extent->low[1] = extent->high[0] = extent->high[1] = NAN;
@@ -199,54 +219,37 @@ static double weight(const struct beam *beam, const double at[2], enum measure w
     return what == COSINES ? facing * cosine : facing * way * way / (cosine * cosine * cosine);
 }
 
-/* Over the star of the edges: equal angles, Gauss's points along each. */
+/* Over the star of the edges: what each arm stands for, Gauss's points along it. */
 static double integrate(const struct beam *beam, const struct clear_pupil *clear, enum measure what,
                         double z)
 {
     enum { POINTS = 8 };
     double x[POINTS], w[POINTS], sum = 0;
     gauss_rule(POINTS, x, w);
-    for (size_t i = 0; i < clear->edge_count; i++) {
-        const double *edge = clear->edges[i].at, *c = clear->centre;
+    for (size_t i = 0; i < clear->arm_count; i++) {
+        const double *edge = clear->arms[i].edge.at, *c = clear->centre;
         double arm[2] = {edge[0] - c[0], edge[1] - c[1]}, along = 0;
         for (size_t k = 0; k < POINTS; k++) {
             const double at[2] = {c[0] + x[k] * arm[0], c[1] + x[k] * arm[1]};
             along += w[k] * x[k] * weight(beam, at, what, z);
         }
-        sum += along * (arm[0] * arm[0] + arm[1] * arm[1]);
+        sum += 2 * along * clear->arms[i].area;
     }
-    return sum * 2 * pi / (double)clear->edge_count;
+    return sum;
 }
 
 /* -------- both sides -------- */
 
-/* Behind the edges come the extreme ones, found in finer steps, and last the chief ray. */
-static size_t ray_count(const struct clear_pupil *clear)
-{
-    return clear->edge_count + PUPIL_ENDS + 1;
-}
-
-static const double *place_of(const struct clear_pupil *clear, const double chief[2], size_t i)
-{
-    size_t count = clear->edge_count;
-    return i < count                ? clear->edges[i].at
-           : i < count + PUPIL_ENDS ? clear->ends[i - count].at
-                                    : chief;
-}
-
-/* All edges and the chief ray, through to the stop or to the other side. */
-static struct ray *trace_edges(const struct pupil_question *question,
-                               const struct clear_pupil *clear, const double chief[2], size_t to,
-                               struct arena *arena)
+/* Rays of the beam, taken through to the place `to`. */
+static struct ray *trace_places(const struct pupil_question *question, const double (*at)[2],
+                                size_t count, size_t to, struct arena *arena)
 {
     const struct system *system = question->open;
-    size_t count = ray_count(clear);
     struct rays rays = rays_new(arena, count);
     struct ray *out = ARENA_ARRAY(arena, count, struct ray);
     double n = to == 0 ? question->beam->n : system_index_after(system, to - 1);
     for (size_t i = 0; i < count; i++) {
-        const double *at = place_of(clear, chief, i);
-        struct ray ray = beam_ray(question->beam, at[0], at[1]);
+        struct ray ray = beam_ray(question->beam, at[i][0], at[i][1]);
         rays_set(&rays, i, question->beam->n, &ray);
     }
     if (to > 0) {
@@ -258,22 +261,77 @@ static struct ray *trace_edges(const struct pupil_question *question,
     return out;
 }
 
+/* All edges and the chief ray, through to the stop or to the other side. */
+static struct ray *trace_edges(const struct pupil_question *question,
+                               const struct clear_pupil *clear, const double chief[2], size_t to,
+                               struct arena *arena)
+{
+    size_t count = ray_count(clear) + 1;
+    double(*at)[2] = arena_array(arena, count, sizeof *at);
+    for (size_t i = 0; i < count; i++) {
+        const double *place = place_of(clear, chief, i);
+        at[i][0] = place[0];
+        at[i][1] = place[1];
+    }
+    return trace_places(question, (const double(*)[2])at, count, to, arena);
+}
+
+/* Where a folded bundle covers a plane twice its edges enclose nothing that has a meaning. */
+static void check_fold(const struct ray *rays, size_t count, double z, double heading,
+                       struct arena *arena, struct pupil_extent *extent)
+{
+    double(*points)[2] = arena_array(arena, count, sizeof *points);
+    if (extent->outline == NULL) {
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        cross(&rays[i], z, heading, points[i]);
+    }
+    extent->folds = folding_seen((const double(*)[2])points, count);
+    if (!extent->folds) {
+        return;
+    }
+    extent->area = extent->centre[0] = extent->centre[1] = NAN;
+    for (int k = 0; k < 2; k++) {
+        double slack = 1e-6 * (extent->high[k] - extent->low[k]), low = INFINITY, high = -INFINITY;
+        for (size_t i = 0; i < count; i += 3) { /* those within the edge */
+            low = fmin(low, points[i][k]);
+            high = fmax(high, points[i][k]);
+        }
+        /* a fold reaches beyond the edges: where it ends is not known */
+        extent->low[k] = low < extent->low[k] - slack ? (double)NAN : extent->low[k];
+        extent->high[k] = high > extent->high[k] + slack ? (double)NAN : extent->high[k];
+    }
+}
+
+/* The side that the bundle leaves on. */
+static void check_folds(const struct pupil_question *question, const struct clear_pupil *clear,
+                        double heading, struct arena *arena, struct pupil_side *side)
+{
+    size_t count;
+    const double(*at)[2] = folding_places(clear, arena, &count);
+    const struct ray *rays = trace_places(question, at, count, question->open->places, arena);
+    check_fold(rays, count, side->pupil.z, heading, arena, &side->pupil);
+    check_fold(rays, count, 0, heading, arena, &side->vertex);
+}
+
 /* What the rays do on one side; the last of them is the chief ray. */
 static void fill_side(const struct clear_pupil *clear, const struct ray *rays, bool has_chief,
                       double z, double heading, struct arena *arena, struct pupil_side *side)
 {
+    const struct ray *chief = &rays[ray_count(clear)];
     size_t count = clear->edge_count, ends[PUPIL_ENDS], vertex[PUPIL_ENDS];
-    look_at(rays, count, z, heading, arena, &side->pupil, ends);
-    look_at(rays, count, 0, heading, arena, &side->vertex, vertex);
+    look_at(clear, rays, z, heading, arena, &side->pupil, ends);
+    look_at(clear, rays, 0, heading, arena, &side->vertex, vertex);
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
         size_t edge = ends[i] < count ? ends[i] : vertex[i];
         side->limit[i] = edge < count ? clear->edges[edge].surface : 0;
     }
-    side->chief = rays[count + PUPIL_ENDS];
+    side->chief = *chief;
     if (!has_chief || side->chief.status == RAY_MISS) {
         side->chief = (struct ray){.point = {NAN, NAN, NAN}, .cosine = {NAN, NAN, NAN}};
     } else if (side->chief.cosine[2] * heading > ALONG) {
-        cross(&rays[count + PUPIL_ENDS], 0, heading, side->chief.point);
+        cross(chief, 0, heading, side->chief.point);
         side->chief.point[2] = 0;
     }
 }
@@ -293,11 +351,11 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
                       const double chief[2], struct arena *arena, struct pupil_shape *shape)
 {
     const struct system *system = question->open;
-    size_t count = clear->edge_count, which, to = system_place(system, system->stop) + 1;
+    size_t count = arms_from(clear), which, to = system_place(system, system->stop) + 1;
     const struct ray *rays = trace_edges(question, clear, chief, to, arena);
-    double(*points)[2] = arena_array(arena, count + PUPIL_ENDS, sizeof *points);
-    double(*across)[2] = arena_array(arena, count + PUPIL_ENDS, sizeof *across);
-    for (size_t i = 0; i < count + PUPIL_ENDS; i++) {
+    double(*points)[2] = arena_array(arena, count, sizeof *points);
+    double(*across)[2] = arena_array(arena, count, sizeof *across);
+    for (size_t i = 0; i < count; i++) {
         double own[3] = {rays[i].point[0], rays[i].point[1], rays[i].point[2]};
         system_to_own(system, system->stop, own);
         for (int k = 0; k < 2; k++) {
@@ -308,8 +366,8 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
     shape->stop = (const double(*)[2])points;
     shape->across = (const double(*)[2])across;
     for (int k = 0; k < 2; k++) {
-        double high = extreme(shape->stop, count, k, 1, &which);
-        double low = extreme(shape->stop, count, k, -1, &which);
+        double high = extreme(clear, shape->stop, k, 1, &which);
+        double low = extreme(clear, shape->stop, k, -1, &which);
         shape->vignetting[k] = fabs(1 - high) < 1e-6 ? 0 : 1 - high;
         shape->vignetting[k + 2] = fabs(1 + low) < 1e-6 ? 0 : 1 + low;
     }
@@ -349,12 +407,12 @@ bool pupil_shape(const struct pupil_question *question, struct arena *arena,
     guess.centre[0] = chief[0];
     guess.centre[1] = chief[1];
     clear_find(question->clipped, beam, &guess, question->directions, arena, &clear);
-    /* the centre, the edges and four bounds, by bisection in about 60 steps */
-    shape->rays = 60 * (question->directions + 5 * RAYS_BLOCK);
     shape->is_empty = clear.is_empty;
     if (clear.is_empty) {
         return true;
     }
+    /* the centre, the edges, the arms and four bounds, by bisection in about 60 steps */
+    shape->rays = 60 * (question->directions + clear.arm_count * (clear.arcs > 0) + 5 * RAYS_BLOCK);
     const double *middle = shape->has_chief ? chief : clear.centre;
     const struct ray *in = trace_edges(question, &clear, middle, 0, arena);
     const struct ray *out = trace_edges(question, &clear, middle, open->places, arena);
@@ -364,6 +422,8 @@ bool pupil_shape(const struct pupil_question *question, struct arena *arena,
               reverse ? -heading[0] : heading[0], arena, &shape->entrance);
     fill_side(&clear, reverse ? in : out, shape->has_chief, question->first->exit_pupil,
               reverse ? -heading[1] : heading[1], arena, &shape->exit);
+    check_folds(question, &clear, reverse ? -heading[0] : heading[1], arena,
+                reverse ? &shape->entrance : &shape->exit);
     limit_by_beam(&clear, &shape->entrance);
     limit_by_beam(&clear, &shape->exit);
     fill_stop(question, &clear, middle, arena, shape);

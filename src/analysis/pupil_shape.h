@@ -17,10 +17,11 @@ enum pupil_end { PUPIL_RIGHT, PUPIL_UPPER, PUPIL_LEFT, PUPIL_LOWER, PUPIL_ENDS }
 
 /* The outline in one plane across the axis; all NaN where the rays do not cross it. */
 struct pupil_extent {
-    double z;                   /* of the plane, mm, from the first or the last vertex */
-    double low[2], high[2];     /* x, y, mm */
-    double centre[2];           /* centroid */
-    double area;                /* mm^2 */
+    double z;               /* of the plane, mm, from the first or the last vertex */
+    double low[2], high[2]; /* x, y, mm */
+    double centre[2];       /* centroid */
+    double area;            /* mm^2 */
+    bool folds; /* some points are met twice: area, centroid and unknown bounds are NaN */
     const double (*outline)[2]; /* one point an edge, mm; counterclockwise or clockwise */
 };
 
@@ -61,17 +62,19 @@ struct pupil_question {
  *
  * Given     question  as above
  * Result    outline, bounds and areas on both sides. On the side of the point areas are integrals
- *           over the beam, on the other side those of the polygon of the edges
+ *           over the beam, on the other side those of the curve of the edges (contour.h), which
+ *           a bundle that folds there has none of (folding.h)
  * Formula   edges by trace/clear.h. Area in a plane z, as seen from a point at the distance h from
  *           it, per area of the beam's plane at the distance d: d h^2/(rho^3 cos^3), rho the way to
  *           the beam's plane, cos the direction cosine along z; projected solid angle per area:
  *           cos d/rho^3. Vignetting is measured in the stop, as pupil coordinates are
  * Source    [Welford86] ch. 5 (pupils); derived here: dw = d/rho^3 dA
  * Errors    ERROR_DOMAIN: no stop, or no radius of it. A point from which nothing arrives is data
- *           about 7e4 rays with 512 edges: 5 ms for a lens of 12 surfaces
- * Limits    1e-5 of the areas with 512 edges (cat's eyes; discs and ellipses 1e-12); a plane that
- *           rays meet at more than 89.9 deg counts as not met. A central obstruction is not
- *           modelled: the pupil of a mirror telescope has no hole
+ *           about 1e5 rays with 512 edges: 5 ms for a lens of 12 surfaces
+ * Limits    1e-7 of the areas (discs, ellipses and wide arcs 1e-9); a shape with more than
+ *           CLEAR_CORNERS corners: 1e-4 with 512 edges; a plane that rays meet at more than
+ *           89.9 deg counts as not met. A central obstruction is not modelled: the pupil of a
+ *           mirror telescope has no hole
  */
 bool pupil_shape(const struct pupil_question *question, struct arena *arena,
                  struct pupil_shape *shape, struct error *error);

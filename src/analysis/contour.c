@@ -1,0 +1,131 @@
+/* analysis/contour.c - Green's theorem on edges in smooth pieces. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/contour.h"
+
+#include "trace/sample.h"
+
+#include <math.h>
+
+static const double pi = 3.141592653589793;
+
+/* d/dt on a circle: central differences of eighth order. */
+static void slope_on_circle(const double (*points)[2], size_t count, size_t i, double slope[2])
+{
+    static const double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+    const double step = 2 * pi / (double)count;
+    slope[0] = slope[1] = 0;
+    for (size_t k = 1; k <= 4; k++) {
+        const double *after = points[(i + k) % count], *before = points[(i + count - k) % count];
+        for (int axis = 0; axis < 2; axis++) {
+            slope[axis] += weights[k - 1] * (after[axis] - before[axis]) / step;
+        }
+    }
+}
+
+/* Barycentric weights of Gauss's points, and the points on 0..1. */
+struct nodes {
+    double x[CLEAR_ARC], gauss[CLEAR_ARC], weight[CLEAR_ARC];
+};
+
+static void set_nodes(struct nodes *nodes)
+{
+    gauss_rule(CLEAR_ARC, nodes->x, nodes->gauss);
+    for (size_t i = 0; i < CLEAR_ARC; i++) {
+        double x = nodes->x[i];
+        nodes->weight[i] = (i % 2 == 0 ? 1 : -1) * sqrt(x * (1 - x) * nodes->gauss[i]);
+    }
+}
+
+/* d/dt of the polynomial through one piece at its i-th point. */
+static void slope_on_arc(const struct nodes *nodes, const double (*points)[2], size_t i,
+                         double width, double slope[2])
+{
+    slope[0] = slope[1] = 0;
+    for (size_t k = 0; k < CLEAR_ARC; k++) {
+        if (k == i) {
+            continue;
+        }
+        double d = nodes->weight[k] / nodes->weight[i] / (nodes->x[i] - nodes->x[k]) / width;
+        for (int axis = 0; axis < 2; axis++) {
+            slope[axis] += d * (points[k][axis] - points[i][axis]);
+        }
+    }
+}
+
+/* The polynomial through one piece at its beginning (0) or its end (1). */
+static void end_of_arc(const struct nodes *nodes, const double (*points)[2], double end,
+                       double at[2])
+{
+    double below = 0, above[2] = {0, 0};
+    for (size_t k = 0; k < CLEAR_ARC; k++) {
+        double share = nodes->weight[k] / (end - nodes->x[k]);
+        below += share;
+        for (int axis = 0; axis < 2; axis++) {
+            above[axis] += share * points[k][axis];
+        }
+    }
+    at[0] = above[0] / below;
+    at[1] = above[1] / below;
+}
+
+/* Twice the area, and three halves of its first moments, about one point of the curve. */
+struct sums {
+    const double *about;
+    double twice, moment[2];
+};
+
+/* A bit of the curve at a point, in a direction. */
+static void add(struct sums *sums, const double at[2], const double along[2])
+{
+    double x = at[0] - sums->about[0], y = at[1] - sums->about[1];
+    double cross = x * along[1] - y * along[0];
+    sums->twice += cross;
+    sums->moment[0] += x * cross;
+    sums->moment[1] += y * cross;
+}
+
+static void add_circle(const double (*points)[2], size_t count, struct sums *sums)
+{
+    const double dt = 2 * pi / (double)count;
+    for (size_t i = 0; i < count; i++) {
+        double slope[2];
+        slope_on_circle(points, count, i, slope);
+        add(sums, points[i], (double[2]){slope[0] * dt, slope[1] * dt});
+    }
+}
+
+/* Corners are known to some 1e-8: straight to the next piece, so that the curve is closed. */
+static void add_arcs(const struct clear_pupil *clear, const double (*points)[2], struct sums *sums)
+{
+    struct nodes nodes;
+    set_nodes(&nodes);
+    for (size_t arc = 0; arc < clear->arcs; arc++) {
+        const double(*here)[2] = points + arc * CLEAR_ARC;
+        const double(*next)[2] = points + (arc + 1) % clear->arcs * CLEAR_ARC;
+        double slope[2], from[2], to[2], width = clear->arc_angles[arc];
+        for (size_t k = 0; k < CLEAR_ARC; k++) {
+            double dt = nodes.gauss[k] * width;
+            slope_on_arc(&nodes, here, k, width, slope);
+            add(sums, here[k], (double[2]){slope[0] * dt, slope[1] * dt});
+        }
+        end_of_arc(&nodes, here, 1, from);
+        end_of_arc(&nodes, next, 0, to);
+        add(sums, (double[2]){(from[0] + to[0]) / 2, (from[1] + to[1]) / 2},
+            (double[2]){to[0] - from[0], to[1] - from[1]});
+    }
+}
+
+double contour_area(const struct clear_pupil *clear, const double (*points)[2], double centre[2])
+{
+    struct sums sums = {.about = points[0]};
+    if (clear->arcs == 0) {
+        add_circle(points, clear->arm_count, &sums);
+    } else {
+        add_arcs(clear, points, &sums);
+    }
+    for (int k = 0; k < 2; k++) {
+        /* the centroid of a triangle lies two thirds of the way from its tip */
+        centre[k] = sums.about[k] + 2 * sums.moment[k] / (3 * sums.twice);
+    }
+    return fabs(sums.twice) / 2;
+}

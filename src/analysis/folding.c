@@ -1,0 +1,45 @@
+/* analysis/folding.c - the sign of the Jacobian over a bundle. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/folding.h"
+
+#include <math.h>
+
+enum { ARMS = 128, RINGS = 12 };
+
+/* Of the size of the beam: differences keep about nine digits. */
+static const double STEP = 1e-6;
+
+const double (*folding_places(const struct clear_pupil *clear, struct arena *arena,
+                              size_t *count))[2]
+{
+    const size_t arms = clear->edge_count < ARMS ? clear->edge_count : ARMS;
+    const double size = fmax(clear->high[0] - clear->low[0], clear->high[1] - clear->low[1]);
+    *count = 3 * arms * RINGS;
+    double(*at)[2] = arena_array(arena, *count, sizeof *at), (*next)[2] = at;
+    for (size_t i = 0; i < arms; i++) {
+        const double *edge = clear->edges[i * clear->edge_count / arms].at, *c = clear->centre;
+        for (size_t ring = 0; ring < RINGS; ring++, next += 3) {
+            /* the last one at the edge, where folds begin */
+            double share = (double)(ring + 1) / RINGS;
+            for (int k = 0; k < 2; k++) {
+                next[0][k] = next[1][k] = next[2][k] = c[k] + share * (edge[k] - c[k]);
+            }
+            next[1][0] += STEP * size;
+            next[2][1] += STEP * size;
+        }
+    }
+    return (const double(*)[2])at;
+}
+
+bool folding_seen(const double (*points)[2], size_t count)
+{
+    double least = 0, most = 0;
+    for (size_t i = 0; i + 2 < count; i += 3) {
+        const double *here = points[i], *right = points[i + 1], *upper = points[i + 2];
+        double det = (right[0] - here[0]) * (upper[1] - here[1]) -
+                     (right[1] - here[1]) * (upper[0] - here[0]);
+        least = fmin(least, det);
+        most = fmax(most, det);
+    }
+    return fmin(-least, most) > 1e-6 * fmax(-least, most);
+}

@@ -1,0 +1,140 @@
+/* analysis/setup.h - one lens in one position made ready to be asked. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_ANALYSIS_SETUP_H
+#define LENSCALC_ANALYSIS_SETUP_H
+
+#include "analysis/setup_question.h"
+#include "base/arena.h"
+#include "base/error.h"
+#include "optics/first_order.h"
+#include "optics/paraxial.h"
+#include "trace/system.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct setup_wavelength {
+    double wavelength; /* um */
+    double weight;
+};
+
+/*
+ * A lens in one position. What all wavelengths share is fixed at the primary one of the lens,
+ * whichever are asked for: the radius of the stop, fields given as image heights, the image plane.
+ */
+struct setup {
+    const struct lens *lens; /* in this position */
+    const char *position;    /* its name; null = the only one */
+    enum lens_section section;
+    struct conjugate_object object;
+    const struct setup_wavelength *wavelengths; /* at least one */
+    size_t wavelength_count;
+    const struct setup_field *fields; /* on the axis of the section */
+    size_t field_count;               /* 0: FIELDS_LARGEST of a lens without any */
+    const char *fields_from;          /* FIELDS_SPREAD: how they were found, in words; else null */
+    struct field_point edge;          /* the one farthest from the axis; FIELD_NONE: none */
+    struct first_order first;         /* at the primary wavelength; chief ray: of the edge */
+    /* by setup_place_image */
+    double image;        /* the image plane, behind the last vertex, mm; NaN = none */
+    const char *focus;   /* "paraxial", "table", "best", "given"; null = no image plane */
+    const char *warning; /* what the lens asks for and cannot have; null = nothing */
+    /* internal: systems that were asked for, and where they lie */
+    struct arena *arena;
+    const struct system **systems;
+};
+
+/* Which coordinate fields have: 0 = x, 1 = y. */
+static inline size_t setup_axis(const struct setup *setup)
+{
+    return setup->section == SECTION_X ? 0 : 1;
+}
+
+/*
+ * Make a lens ready. Nothing is compiled for exact rays yet.
+ *
+ * Given     question  as above; one lens_check has passed
+ *           arena     for all that the setup points to
+ * Result    aperture: the f-number asked for, else what the lens states; its stop's radius is
+ *           first.stop_radius, NaN where neither says one (then the stop's own diameter limits)
+ * Formula   FIELDS_SPREAD: from the axis in equal steps of the angle, or of the height of a near
+ *           object; half diagonal of 35 mm film 21.633 mm = f tan(angle)
+ * Errors    as first_order_of_lens and first_order_aperture; ERROR_DOMAIN: FIELDS_SPREAD of a lens
+ *           without fields and of a near object or a focal length below 12.5 mm
+ */
+bool setup_open(const struct setup_question *question, struct arena *arena, struct setup *setup,
+                struct error *error);
+
+/*
+ * Find the image plane. What the file asks for but cannot be is replaced by the paraxial image,
+ * with a warning; what the user asks for is not.
+ *
+ * Given     asked  PLANE_OF_LENS: as the file says
+ * Errors    ERROR_DOMAIN: a table without an image distance; as lens_best_focus; an image at
+ *           infinity that was asked for by name
+ */
+bool setup_place_image(struct setup *setup, const struct plane_value *asked, struct error *error);
+
+/* The same lens, aperture, fields and image plane at another wavelength, um. */
+struct setup setup_at_wavelength(const struct setup *setup, double wavelength, struct arena *arena);
+
+/* A setup at one wavelength, paraxially. */
+struct setup_light {
+    double wavelength; /* um */
+    struct paraxial_system system;
+    struct first_order first; /* with the stop that the primary wavelength has */
+};
+
+/*
+ * First-order data at one of the wavelengths.
+ *
+ * Given     wavelength  its place in the list
+ * Errors    as paraxial_compile
+ */
+bool setup_light(const struct setup *setup, size_t wavelength, struct setup_light *light,
+                 struct error *error);
+
+/* The systems a setup has for exact rays, at each wavelength. */
+enum setup_which {
+    SETUP_OPEN = 0,    /* rims lose no rays, no path, forward, ending behind the last surface */
+    SETUP_CLIPPED = 1, /* clear apertures and the stop lose rays */
+    SETUP_REVERSED = 2,
+    SETUP_PATH = 4,
+    SETUP_IMAGE = 8, /* with the image plane, if there is one */
+    SETUP_SYSTEMS = 16
+};
+
+/*
+ * The system for exact rays at one of the wavelengths, compiled when it is first asked for; after
+ * that it is read-only. It lies in the setup's arena: ask before setting a mark there that you
+ * will go back to, and before starting threads.
+ *
+ * Given     wavelength  its place in the list; which: enumerators above, joined by |
+ * Result    null with `error` set: as system_compile
+ */
+const struct system *setup_system(const struct setup *setup, size_t wavelength, unsigned which,
+                                  struct error *error);
+
+/*
+ * The same with rims that somebody else found for surfaces without a diameter, not kept.
+ *
+ * Given     lens  the setup's, but for diameters
+ */
+bool setup_compile(const struct setup *setup, const struct lens *lens, size_t wavelength,
+                   unsigned which, struct system *system, struct error *error);
+
+/*
+ * Where first-order data have the image: as the file has it where it says `focus table`, else the
+ * paraxial image of `first`; from the last vertex, mm. A best focus counts as the paraxial one.
+ */
+struct pair setup_paraxial_image(const struct lens *lens, const struct first_order *first);
+
+/* -------- analysis/setup_fields.c -------- */
+
+/* The edge of the field, where it is an image height as the primary wavelength sees its object. */
+struct field_point setup_edge_in_object(const struct setup *setup);
+
+/* Internal to setup_open: fields, fields_from and edge; setup->first is still without aperture. */
+bool setup_choose_fields(const struct setup_question *question, struct setup *setup,
+                         struct error *error);
+
+#endif
