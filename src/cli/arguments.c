@@ -7,27 +7,35 @@
 static void list_options(struct arguments *arguments, struct arena *arena)
 {
     const struct command *command = arguments->command;
-    arguments->count = command->option_count + common_option_count;
-    arguments->all = ARENA_ARRAY(arena, arguments->count, struct argument);
-    for (size_t i = 0; i < arguments->count; i++) {
-        bool own = i < command->option_count;
-        arguments->all[i].option =
-            own ? &command->options[i] : &common_options[i - command->option_count];
-        arguments->all[i].is_common = !own;
+    size_t own = command->option_count + command->artifact_count;
+    arguments->all = ARENA_ARRAY(arena, own + common_option_count, struct argument);
+    for (size_t i = 0; i < own; i++) {
+        arguments->all[i].option = command_option(command, i);
+        arguments->all[i].is_input = i < command->option_count;
+    }
+    arguments->count = own;
+    for (size_t i = 0; command_common_option(command, i) != NULL; i++) {
+        arguments->all[arguments->count].option = command_common_option(command, i);
+        arguments->all[arguments->count++].is_common = true;
     }
 }
 
-/* A word as people write option names: '_' may stand for '-'. */
+/* As people write option names: '_' may stand for '-'. */
+static bool is_called(const struct option *option, struct text name)
+{
+    const char *known = option->name;
+    size_t at = 0;
+    while (at < name.length && known[at] != '\0' &&
+           (name.start[at] == known[at] || (name.start[at] == '_' && known[at] == '-'))) {
+        at++;
+    }
+    return at == name.length && known[at] == '\0';
+}
+
 struct argument *arguments_find(const struct arguments *arguments, struct text name)
 {
     for (size_t i = 0; i < arguments->count; i++) {
-        const char *known = arguments->all[i].option->name;
-        size_t at = 0;
-        while (at < name.length && known[at] != '\0' &&
-               (name.start[at] == known[at] || (name.start[at] == '_' && known[at] == '-'))) {
-            at++;
-        }
-        if (at == name.length && known[at] == '\0') {
+        if (is_called(arguments->all[i].option, name)) {
             return &arguments->all[i];
         }
     }
@@ -54,6 +62,13 @@ static bool unknown(const struct arguments *arguments, struct text name, const c
                     struct error *error)
 {
     struct nearest nearest = {.typed = name};
+    for (size_t i = 0; i < common_option_count; i++) {
+        const char *why = command_has_no_use(arguments->command, &common_options[i]);
+        if (why != NULL && is_called(&common_options[i], name)) {
+            return fail(error, ERROR_USAGE, "--%s does nothing here: %s %s", common_options[i].name,
+                        arguments->command->name, why);
+        }
+    }
     for (size_t i = 0; i < arguments->count; i++) {
         nearest_offer(&nearest, text_of(arguments->all[i].option->name));
     }
@@ -214,4 +229,26 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
         }
     }
     return check_standard_input(arguments, error);
+}
+
+bool arguments_common(const struct arguments *arguments, const struct reader *reader,
+                      struct common *common, struct error *error)
+{
+    for (size_t i = 0; i < arguments->count; i++) {
+        const struct argument *argument = &arguments->all[i];
+        const struct option *option = argument->option;
+        if (!argument->is_common) {
+            continue;
+        }
+        void *member = (char *)common + option->offset;
+        if (argument->is_given && option->kind == &kind_flag) {
+            *(bool *)member = true;
+        } else if (argument->is_given || option->fallback != NULL) {
+            struct text text = argument->is_given ? argument->text : text_of(option->fallback);
+            if (!option_read(reader, option, text, member, error)) {
+                return false;
+            }
+        }
+    }
+    return true;
 }

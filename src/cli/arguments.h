@@ -8,12 +8,13 @@
 /* An option and what was typed for it. */
 struct argument {
     const struct option *option;
-    bool is_common;
+    bool is_input;  /* of the command's input struct */
+    bool is_common; /* of struct common; if neither, of an artifact */
     bool is_given;
     struct text text; /* empty for a flag */
 };
 
-/* All options of a command: its own first, then the common ones. */
+/* All options of a command: its own first, those of its artifacts, then the common ones. */
 struct arguments {
     const struct command *command;
     struct argument *all;
@@ -33,5 +34,13 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
 struct argument *arguments_find(const struct arguments *arguments, struct text name);
 
 bool arguments_given(const struct arguments *arguments, const char *name);
+
+/*
+ * The common options into their struct.
+ *
+ * Errors    as option_read
+ */
+bool arguments_common(const struct arguments *arguments, const struct reader *reader,
+                      struct common *common, struct error *error);
 
 #endif

@@ -153,28 +153,6 @@ static bool next_row(struct batch *batch, struct text *line, struct error *error
     return false;
 }
 
-bool batch_read_cell(const struct batch *batch, const struct batch_column *column, struct text cell,
-                     void *input, struct error *error)
-{
-    char *member = (char *)input + column->option->offset;
-    if (column->is_infinite) {
-        if (text_equal(cell, "true")) {
-            *(double *)(void *)member = INFINITY;
-        } else if (text_equal(cell, "false")) {
-            /* no infinity is left over from the row before */
-            if (isinf(*(const double *)(const void *)member)) {
-                memcpy(member, (const char *)batch->constants + column->option->offset,
-                       sizeof(double));
-            }
-        } else {
-            return fail(error, ERROR_DATA, "'%.*s' is neither true nor false", text_shown(cell),
-                        cell.start);
-        }
-        return true;
-    }
-    return option_read(batch->reader, &column->as_read, cell, member, error);
-}
-
 /* An empty cell is what the option is without the row. */
 static void reset_member(const struct batch *batch, const struct option *option, void *input)
 {
@@ -376,17 +354,6 @@ enum batch_result batch_next(struct batch *batch, void *input, struct error *err
     return read ? BATCH_ROW : BATCH_BAD_ROW;
 }
 
-bool batch_has(const struct batch *batch, const char *option)
-{
-    for (size_t i = 0; i < batch->column_count; i++) {
-        const struct batch_column *column = &batch->columns[i];
-        if (column->option != NULL && strcmp(column->option->name, option) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static bool set_format(struct batch *batch, enum batch_format format, struct text first,
                        struct error *error)
 {
@@ -521,15 +488,14 @@ static bool begin(struct batch *batch, enum batch_format format, struct error *e
     return true;
 }
 
-bool batch_open(struct batch *batch, const char *path, enum batch_format format,
-                const struct arguments *arguments, const struct reader *reader,
-                const void *constants, struct error *error)
+bool batch_open(struct batch *batch, const struct batch_source *source, struct error *error)
 {
+    const char *path = source->path;
     *batch = (struct batch){.source = strcmp(path, "-") == 0 ? "standard input" : path,
                             .descriptor = STDIN_FILENO,
-                            .reader = reader,
-                            .arguments = arguments,
-                            .constants = constants,
+                            .reader = source->reader,
+                            .arguments = source->arguments,
+                            .constants = source->constants,
                             .capacity = BLOCK,
                             .next_line = 1};
     if (strcmp(path, "-") != 0) {
@@ -543,7 +509,7 @@ bool batch_open(struct batch *batch, const char *path, enum batch_format format,
         return fail(error, ERROR_IO, "out of memory reading %s", path);
     }
     batch->at = batch->end = batch->buffer;
-    return begin(batch, format, error);
+    return begin(batch, source->format, error);
 }
 
 void batch_close(struct batch *batch)

@@ -68,17 +68,22 @@ struct batch {
 
 enum batch_result { BATCH_ROW, BATCH_BAD_ROW, BATCH_END, BATCH_FAILED };
 
+/* What a batch is read from, and into what. */
+struct batch_source {
+    const char *path; /* "-" for standard input */
+    enum batch_format format;
+    const struct arguments *arguments;
+    const struct reader *reader;
+    const void *constants; /* the input as the command line left it: the value of empty cells */
+};
+
 /*
  * Open the file and read its header.
  *
- * Given     path      "-" for standard input
- *           constants the input struct as the command line left it: the value of empty cells
  * Errors    ERROR_IO; ERROR_DATA with line and column: no header, a column twice, a unit that
  *           does not fit; ERROR_USAGE: a column that is also given as an option
  */
-bool batch_open(struct batch *batch, const char *path, enum batch_format format,
-                const struct arguments *arguments, const struct reader *reader,
-                const void *constants, struct error *error);
+bool batch_open(struct batch *batch, const struct batch_source *source, struct error *error);
 
 /*
  * Read the next row into the input.
@@ -93,8 +98,6 @@ void batch_close(struct batch *batch);
 bool batch_has(const struct batch *batch, const char *option);
 
 /* Internal to batch.c, batch_header.c and batch_json.c. */
-bool batch_column_find(const struct batch *batch, struct text name, struct batch_column *column,
-                       struct error *error);
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error);
 bool batch_settle_columns(struct batch *batch, struct error *error);
 bool batch_read_cell(const struct batch *batch, const struct batch_column *column, struct text cell,

@@ -5,6 +5,39 @@
 #include <math.h>
 #include <string.h>
 
+bool batch_read_cell(const struct batch *batch, const struct batch_column *column, struct text cell,
+                     void *input, struct error *error)
+{
+    char *member = (char *)input + column->option->offset;
+    if (column->is_infinite) {
+        if (text_equal(cell, "true")) {
+            *(double *)(void *)member = INFINITY;
+        } else if (text_equal(cell, "false")) {
+            /* no infinity is left over from the row before */
+            if (isinf(*(const double *)(const void *)member)) {
+                memcpy(member, (const char *)batch->constants + column->option->offset,
+                       sizeof(double));
+            }
+        } else {
+            return fail(error, ERROR_DATA, "'%.*s' is neither true nor false", text_shown(cell),
+                        cell.start);
+        }
+        return true;
+    }
+    return option_read(batch->reader, &column->as_read, cell, member, error);
+}
+
+bool batch_has(const struct batch *batch, const char *option)
+{
+    for (size_t i = 0; i < batch->column_count; i++) {
+        const struct batch_column *column = &batch->columns[i];
+        if (column->option != NULL && strcmp(column->option->name, option) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 enum { MOST_COLUMNS = 4096 };
 
 /* The option that a name without unit stands for: "f", "focal_length" or "focal". */
@@ -19,7 +52,7 @@ static const struct option *option_of(const struct batch *batch, struct text nam
         }
     }
     const struct argument *argument = arguments_find(batch->arguments, name);
-    return argument != NULL && !argument->is_common ? argument->option : NULL;
+    return argument != NULL && argument->is_input ? argument->option : NULL;
 }
 
 /* "far_is_infinite" beside "far_m" in the rows of another lenscalc. */
@@ -122,14 +155,19 @@ static void set_scale(struct batch_column *column, const struct reader *reader)
     bool limited = column->option->lowest != 0 || column->option->highest != 0;
     column->lowest = limited ? column->option->lowest : -INFINITY;
     column->highest = limited ? column->option->highest : INFINITY;
+    if (column->option->unusual != NULL) {
+        /* the short way leaves what is doubted to the long one */
+        column->lowest = fmax(column->lowest, column->option->usual[0]);
+        column->highest = fmin(column->highest, column->option->usual[1]);
+    }
     column->offset = column->option->offset;
     column->is_coc = column->option->kind == &kind_coc;
     bool labels = reader->nominal && dimension != NULL && dimension->series != NULL;
     column->is_plain = (column->option->kind == &kind_quantity && !labels) || column->is_coc;
 }
 
-bool batch_column_find(const struct batch *batch, struct text name, struct batch_column *column,
-                       struct error *error)
+static bool find_column(const struct batch *batch, struct text name, struct batch_column *column,
+                        struct error *error)
 {
     const char *unit = NULL;
     struct text typed;
@@ -180,7 +218,7 @@ static bool check_new(const struct batch *batch, const struct batch_column *colu
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error)
 {
     struct batch_column column;
-    if (!batch_column_find(batch, name, &column, error) || !check_new(batch, &column, error)) {
+    if (!find_column(batch, name, &column, error) || !check_new(batch, &column, error)) {
         return error_locate(error, batch->source, batch->line, at);
     }
     if (batch->column_count == MOST_COLUMNS) {

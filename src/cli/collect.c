@@ -62,6 +62,21 @@ static bool is_fraction(double value)
     return value < 0.3 && whole < 1e6 && fabs(whole * value - 1) < 1e-12;
 }
 
+/* A number as people write it: f/2.8, 1/125 s, 3 m. */
+static const char *number_words(const struct collection *collection, const struct axis *axis,
+                                double value, bool with_unit)
+{
+    const struct dimension *dimension = axis->option->dimension;
+    if (with_unit && dimension == &dimension_fnumber) {
+        return arena_printf(collection->arena, "f/%.4g", value);
+    }
+    bool unit = with_unit && axis->unit != NULL && axis->unit->label[0] != '\0';
+    bool fraction = dimension == &dimension_time && is_fraction(value);
+    return arena_printf(collection->arena, fraction ? "1/%.0f%s%s" : "%.6g%s%s",
+                        fraction ? 1 / value : value, unit ? " " : "",
+                        unit ? axis->unit->label : "");
+}
+
 const char *axis_value(const struct collection *collection, const struct axis *axis, size_t i,
                        bool with_unit)
 {
@@ -79,18 +94,9 @@ const char *axis_value(const struct collection *collection, const struct axis *a
                             ((const struct coc_value *)(const void *)member)->coc.value,
                             with_unit ? " mm" : "");
     }
-    double value =
-        axis->unit != NULL ? unit_from_own(axis->unit, axis_number(axis, i)) : axis_number(axis, i);
-    if (with_unit && option->dimension == &dimension_fnumber) {
-        return arena_printf(collection->arena, "f/%.4g", value);
-    }
-    bool unit = with_unit && axis->unit != NULL && axis->unit->label[0] != '\0';
-    if (option->dimension == &dimension_time && is_fraction(value)) {
-        return arena_printf(collection->arena, "1/%.0f%s%s", 1 / value, unit ? " " : "",
-                            unit ? axis->unit->label : "");
-    }
-    return arena_printf(collection->arena, "%.6g%s%s", value, unit ? " " : "",
-                        unit ? axis->unit->label : "");
+    double own = axis_number(axis, i);
+    double value = axis->unit != NULL ? unit_from_own(axis->unit, own) : own;
+    return number_words(collection, axis, value, with_unit);
 }
 
 /* Distances in feet where the user reads feet; other units stay. */
@@ -105,15 +111,15 @@ static struct shown in_system(const struct collection *collection, struct shown 
     return shown;
 }
 
-bool collection_columns(const struct collection *collection, const char *names, char separator,
-                        bool convert, struct shown **shown, size_t *count, struct error *error)
+bool collection_columns(const struct collection *collection, const struct column_names *wanted,
+                        struct shown **shown, size_t *count, struct error *error)
 {
-    struct text rest = text_of(names);
-    size_t most = strlen(names) + 1;
+    struct text rest = text_of(wanted->names);
+    size_t most = rest.length + 1;
     *shown = ARENA_ARRAY(collection->arena, most, struct shown);
     *count = 0;
     while (rest.start != NULL) {
-        struct text name = text_trim(text_cut(&rest, separator));
+        struct text name = text_trim(text_cut(&rest, wanted->separator));
         struct shown found;
         if (text_equal(name, "error")) {
             continue;
@@ -121,7 +127,7 @@ bool collection_columns(const struct collection *collection, const char *names, 
         if (!report_find_column(collection->sheet, name, collection->arena, &found, error)) {
             return false;
         }
-        (*shown)[(*count)++] = convert ? in_system(collection, found) : found;
+        (*shown)[(*count)++] = wanted->convert ? in_system(collection, found) : found;
     }
     return *count > 0 || fail(error, ERROR_USAGE, "no column is named");
 }

@@ -3,9 +3,10 @@
 #ifndef LENSCALC_CLI_COMMAND_H
 #define LENSCALC_CLI_COMMAND_H
 
+#include "cli/artifact.h"
 #include "cli/option.h"
+#include "report/doubts.h"
 #include "report/output.h"
-#include "draw/svg.h"
 #include "report/table.h"
 
 #include <stdbool.h>
@@ -18,32 +19,16 @@ struct run {
     void *state;         /* the command's own from one block to the next; null at first */
     struct lensdb *db;
     bool (*emit)(struct run *run, const void *row);
-    void *driver; /* the driver's own */
-    bool force;   /* files may be replaced */
+    void *driver;           /* the driver's own */
+    struct doubts *doubts;  /* what is doubtful about the answer, see report/doubts.h; or null */
+    struct error shortfall; /* set by a command whose rows stand, but are less than was asked: it is
+                               printed beside them, and the question counts as failed */
 };
 
 /* Hand out one row; false when no more are wanted (then return true). */
 static inline bool run_emit(struct run *run, const void *row)
 {
     return run->emit(run, row);
-}
-
-/* A drawing that an option asks for with a file name. */
-struct drawing {
-    const char *option; /* "scale" */
-    size_t offset;      /* of the file name in the input struct */
-    bool (*draw)(const void *input, struct svg *svg, struct error *error);
-};
-
-/* Which options a question has, on the command line or as columns of its batch. */
-struct asking {
-    bool (*given)(const void *asked, const char *option);
-    const void *asked;
-};
-
-static inline bool asking_given(const struct asking *asking, const char *option)
-{
-    return asking->given(asking->asked, option);
 }
 
 /* An example for --help and for the tests: what follows "lenscalc". */
@@ -77,7 +62,8 @@ struct command {
     /* Has the option several values in one input, as a list of positions has? null: never. */
     bool (*varies)(const void *input, const char *option);
     /*
-     * Compute the rows of one input, handing each to run_emit.
+     * Compute the rows of one input, handing each to run_emit. Null: the answer is an artifact, the
+     * one of --output.
      *
      * Given     input  the command's struct, values in the program's own units; NaN = not given
      * Errors    whatever is refused; rows handed out before stay
@@ -90,15 +76,13 @@ struct command {
     void (*run_block)(const struct block *block, struct run *run);
     /* Does every input of this batch make one row? `input` as the options set it. */
     bool (*takes_blocks)(const void *input, const struct asking *asking);
-    /* Instead of rows: write text (help, completion). */
-    bool (*print)(const void *input, struct output *output, struct error *error);
     const struct explanation *explanations; /* ends with a null column */
-    const struct drawing *drawings;         /* ends with a null option */
-    size_t lens; /* offset of a struct photo_lens_question in the input; 0 = no --lens */
-    /* --plot as a picture of its own, of all inputs of the sweep; null: columns are plotted. */
-    bool (*picture)(const void *const *inputs, size_t count, struct svg *svg, struct error *error);
+    /* Everything else that it makes, each with its option; --plot among them is its own. */
+    const struct artifact *artifacts;
+    size_t artifact_count;
     const char *plot; /* columns to plot, separated by commas; further choices by '|' */
     const char *cell; /* columns in the cells of --table */
+    unsigned reads;   /* enum reads: data that `run` uses beside what its options read */
     bool needs_ceres; /* runs in lenscalc-ceres, the program with the solver */
 };
 
@@ -109,6 +93,8 @@ struct command {
 
 /* And that of a command whose rows are all alike: `columns` of a struct, `explanations`, `run`. */
 #define COMMAND_ANSWERS(S) .sheet = SHEET(columns, S), .explanations = explanations, .run = run
+
+#define COMMAND_MAKES(list) .artifacts = list, .artifact_count = sizeof list / sizeof list[0]
 
 /* All commands in the order of the manual; ends with null. */
 extern const struct command *const commands[];
@@ -123,8 +109,23 @@ struct common {
     long digits;
 };
 
-/* Does the command have an option of its own in place of this common one? */
-bool command_overrides(const struct command *command, const struct option *common);
+/* Option i of a command: its own, then those of its artifacts; null behind the last. */
+const struct option *command_option(const struct command *command, size_t i);
+
+/* Common option i that it has a use for and none of its own by that name; null behind the last. */
+const struct option *command_common_option(const struct command *command, size_t i);
+
+/* "prints no rows": why a common option would do nothing; null: it does something. */
+const char *command_has_no_use(const struct command *command, const struct option *common);
+
+/* For `makes_many`, of a command whose answers have several rows whatever is asked. */
+bool command_always_many(const void *input);
+
+struct format;
+
+/* The output format that --format or one of its short forms asks for; two are refused. */
+bool common_format(const struct common *common, bool has_format, const struct format **format,
+                   struct error *error);
 
 extern const struct option common_options[];
 extern const size_t common_option_count;

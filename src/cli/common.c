@@ -2,23 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 
+#include "report/report.h"
+
 #include <string.h>
 
 static const struct word unit_words[] = {
     {"metric", "millimetres, metres"},
     {"imperial", "feet and inches for distances"},
-    {NULL, NULL},
-};
-
-/* In the order of formats[]. */
-static const struct word format_words[] = {
-    {"text", "aligned table with units"},
-    {"csv", "comma-separated values"},
-    {"tsv", "tab-separated values"},
-    {"json", "one JSON object"},
-    {"jsonl", "one JSON object a row"},
-    {"markdown", "table for a document"},
-    {"html", "page to print"},
     {NULL, NULL},
 };
 
@@ -34,8 +24,8 @@ static const struct word batch_format_words[] = {
 #define COMMON(member_name) OPTION(struct common, member_name)
 
 const struct option common_options[] = {
-    {COMMON(format), .name = "format", .value = "FORMAT", .words = format_words, .fallback = "text",
-     .help = "how to print"},
+    {COMMON(format), .name = "format", .value = "FORMAT", .word_at = format_word,
+     .fallback = "text", .help = "how to print"},
     {COMMON(csv), .name = "csv", .help = "short for --format csv"},
     {COMMON(tsv), .name = "tsv", .help = "short for --format tsv"},
     {COMMON(json), .name = "json", .help = "short for --format json"},
@@ -48,7 +38,7 @@ const struct option common_options[] = {
      .help = "metric or imperial distances in text, markdown and html"},
     {COMMON(table), .name = "table", .value = "ROW,COL[:VALUE]",
      .help = "cross-table of two swept options; VALUE is a column, or two as near_m+far_m"},
-    {COMMON(plot), .name = "plot", .value = "FILE.svg", .flags = OPTION_FILE,
+    {COMMON(plot), .name = "plot", .value = "FILE", .flags = OPTION_FILE, .types = drawing_types,
      .help = "draw the results against the swept option"},
     {COMMON(explain), .name = "explain", .help = "print formulas, numbers put in, and sources"},
     {COMMON(nominal), .name = "nominal",
@@ -59,8 +49,7 @@ const struct option common_options[] = {
      .fallback = "auto", .help = "what the rows of --batch are"},
     {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},
     {COMMON(force), .name = "force",
-     .help = "sweep even over more than a million rows; "
-             "replace the file of fit --output"},
+     .help = "sweep even over more than a million rows; replace files that would be kept"},
     {COMMON(output), .name = "output", .letter = 'o', .value = "FILE", .flags = OPTION_FILE,
      .help = "write to FILE, which appears only when it is complete"},
     {COMMON(lensdb), .name = "lensdb", .value = "DIR", .flags = OPTION_FILE,
@@ -74,14 +63,187 @@ const struct option common_options[] = {
 
 const size_t common_option_count = sizeof common_options / sizeof common_options[0];
 
-bool command_overrides(const struct command *command, const struct option *common)
+const struct option *command_option(const struct command *command, size_t i)
 {
+    if (i < command->option_count) {
+        return &command->options[i];
+    }
+    i -= command->option_count;
+    return i < command->artifact_count ? &command->artifacts[i].option : NULL;
+}
+
+bool command_always_many(const void *input)
+{
+    (void)input;
+    return true;
+}
+
+/* -------- which common options a command has a use for -------- */
+
+static bool has_rows(const struct command *command)
+{
+    return command->run != NULL;
+}
+
+/* How many options may have several values that the same columns answer? */
+static size_t count_varying(const struct command *command, bool numbers)
+{
+    size_t count = 0;
     for (size_t i = 0; i < command->option_count; i++) {
-        if (text_equal(text_of(command->options[i].name), common->name)) {
-            return true;
+        const struct option *option = &command->options[i];
+        bool other = option->kind->is_list && option->kind != &kind_choice;
+        count += option->kind->number_of != NULL ||
+                 (!numbers && (other || (option->flags & OPTION_MANY) != 0));
+    }
+    return count;
+}
+
+static bool takes_many(const struct command *command)
+{
+    return has_rows(command) && count_varying(command, false) > 0;
+}
+
+static bool takes_two(const struct command *command)
+{
+    return has_rows(command) && count_varying(command, false) > 1 &&
+           command->makes_many != command_always_many;
+}
+
+static bool has_curves(const struct command *command)
+{
+    return has_rows(command) && count_varying(command, true) > 0 &&
+           command->makes_many != command_always_many;
+}
+
+static bool is_in_metres(const struct dimension *dimension, const char *unit)
+{
+    return dimension == &dimension_length && unit != NULL && strcmp(unit, "m") == 0;
+}
+
+/* Where there are several sheets one of them repeats what is asked for. */
+static bool has_distances(const struct command *command)
+{
+    bool found = false;
+    for (size_t i = 0; i < command->sheet.column_count && !found; i++) {
+        const struct column *column = &command->sheet.columns[i];
+        found = is_in_metres(column->dimension, column->unit);
+    }
+    for (size_t i = 0; i < command->option_count && !found; i++) {
+        const struct option *option = &command->options[i];
+        found = command->choose_sheet != NULL && is_in_metres(option->dimension, option->unit);
+    }
+    return found;
+}
+
+static bool has_formulas(const struct command *command)
+{
+    return command->explanations != NULL;
+}
+
+static bool has_series(const struct command *command)
+{
+    bool found = false;
+    for (size_t i = 0; i < command->option_count && !found; i++) {
+        const struct dimension *dimension = command->options[i].dimension;
+        found = dimension != NULL && dimension->series != NULL;
+    }
+    return found;
+}
+
+static bool is_forced(const struct command *command)
+{
+    bool found = takes_many(command);
+    for (size_t i = 0; i < command->artifact_count && !found; i++) {
+        found = command->artifacts[i].is_kept;
+    }
+    return found;
+}
+
+/* Does an answer depend on such data? */
+static bool reads(const struct command *command, unsigned data)
+{
+    unsigned found = command->reads;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        bool named = option->dimension == &dimension_wavelength;
+        found |= option->kind->reads | (named ? READS_LENSDB : 0);
+    }
+    return (found & data) != 0 || (data == READS_LENSDB && has_series(command));
+}
+
+static bool reads_lensdb(const struct command *command)
+{
+    return reads(command, READS_LENSDB);
+}
+
+static bool reads_glasses(const struct command *command)
+{
+    return reads(command, READS_GLASSES);
+}
+
+static bool reads_lenses(const struct command *command)
+{
+    return reads(command, READS_LENSES);
+}
+
+/* What a command must have for an option to do anything, and what is said where it has not. */
+static const struct {
+    const char *option;
+    bool (*is_used)(const struct command *command);
+    const char *why_not;
+} uses[] = {
+    {"format", has_rows, "prints no rows"},
+    {"csv", has_rows, "prints no rows"},
+    {"tsv", has_rows, "prints no rows"},
+    {"json", has_rows, "prints no rows"},
+    {"jsonl", has_rows, "prints no rows"},
+    {"columns", has_rows, "prints no rows"},
+    {"digits", has_rows, "prints no rows"},
+    {"units", has_distances, "prints no distances in metres"},
+    {"table", takes_two, "has no value for each pair of two swept options"},
+    {"plot", has_curves, "has no value for each value of a swept option"},
+    {"explain", has_formulas, "has no formulas to show"},
+    {"nominal", has_series, "takes no f-number, time or ISO"},
+    {"batch", takes_many, "reads no rows"},
+    {"batch-format", takes_many, "reads no rows"},
+    {"fail-fast", takes_many, "answers one question"},
+    {"force", is_forced, "has nothing to force"},
+    {"lensdb", reads_lensdb, "uses no data of lensdb"},
+    {"agf", reads_glasses, "uses no glasses"},
+    {"lossy", reads_lenses, "reads no lenses"},
+};
+
+static bool overrides(const struct command *command, const struct option *common)
+{
+    size_t i = 0;
+    while (command_option(command, i) != NULL &&
+           strcmp(command_option(command, i)->name, common->name) != 0) {
+        i++;
+    }
+    return command_option(command, i) != NULL;
+}
+
+const char *command_has_no_use(const struct command *command, const struct option *common)
+{
+    const char *why = NULL;
+    for (size_t i = 0; i < sizeof uses / sizeof uses[0] && why == NULL; i++) {
+        if (strcmp(uses[i].option, common->name) == 0 && !uses[i].is_used(command)) {
+            why = uses[i].why_not;
         }
     }
-    return false;
+    return why;
+}
+
+const struct option *command_common_option(const struct command *command, size_t i)
+{
+    for (size_t at = 0; at < common_option_count; at++) {
+        const struct option *option = &common_options[at];
+        if (!overrides(command, option) && command_has_no_use(command, option) == NULL &&
+            i-- == 0) {
+            return option;
+        }
+    }
+    return NULL;
 }
 
 const struct command *command_find(struct text name)
@@ -92,4 +254,18 @@ const struct command *command_find(struct text name)
         }
     }
     return NULL;
+}
+
+bool common_format(const struct common *common, bool has_format, const struct format **format,
+                   struct error *error)
+{
+    if (common->csv + common->tsv + common->json + common->jsonl + has_format > 1) {
+        return fail(error, ERROR_USAGE, "more than one output format is given");
+    }
+    *format = common->csv     ? &format_csv
+              : common->tsv   ? &format_tsv
+              : common->json  ? &format_json
+              : common->jsonl ? &format_jsonl
+                              : formats[common->format];
+    return true;
 }

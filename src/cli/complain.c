@@ -32,6 +32,25 @@ void error_print(const struct error *error, const char *command)
     }
 }
 
+void print_beside(const struct report *report, bool is_table)
+{
+    struct doubts *doubts = report->doubts;
+    bool has_place = report->format == &format_json || format_is_for_people(report->format);
+    if (report->explain != NULL && !has_place) {
+        fprintf(stderr, "%s\n", report->explain);
+    }
+    if (has_place && !is_table) {
+        return;
+    }
+    for (size_t i = 0; i < doubts->count; i++) {
+        fprintf(stderr, "lenscalc: %s: warning: %s\n", report->command, doubts->texts[i]);
+    }
+    const char *more = doubts_left_out(doubts);
+    if (more != NULL) {
+        fprintf(stderr, "lenscalc: %s: warning: %s\n", report->command, more);
+    }
+}
+
 double progress_now(void)
 {
     struct timespec time;

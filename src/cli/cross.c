@@ -3,6 +3,7 @@
 #include "cli/collect.h"
 #include "report/grid.h"
 #include "report/readable.h"
+#include "report/row.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -67,8 +68,9 @@ static bool read_specification(const struct collection *collection, const char *
                     collection->sweep->axis_count);
     }
     bool people = !is_machine(report), typed = values.start != NULL;
-    if (!collection_columns(collection, names, '+', people && !typed, &cross->values,
-                            &cross->value_count, error)) {
+    const struct column_names wanted = {
+        .names = names, .separator = '+', .convert = people && !typed};
+    if (!collection_columns(collection, &wanted, &cross->values, &cross->value_count, error)) {
         return error_prefix(error, "--table: ");
     }
     return !people ||

@@ -5,9 +5,8 @@
 #include "cli/batch.h"
 #include "cli/collect.h"
 #include "cli/complain.h"
-#include "cli/drawings.h"
 #include "cli/help.h"
-#include "commands/photo/photo_lens.h"
+#include "cli/idle.h"
 #include "cli/queue.h"
 #include "cli/relay.h"
 #include "report/explain.h"
@@ -34,7 +33,10 @@ struct driver {
     struct selection selection;
     struct output output;
     struct collection collection;
-    struct arena kept;         /* of the command, until the end */
+    struct artifacts artifacts;
+    struct asking asking; /* the columns of a batch count as given */
+    struct arena kept;    /* of the command, until the end */
+    struct doubts doubts;
     struct queue queue;        /* rows of the batch that wait to be computed together */
     const struct text *passed; /* columns handed through, of the row being printed */
     void *input;
@@ -42,52 +44,10 @@ struct driver {
     bool is_batch, is_open, begun, collects;
     size_t index; /* of the present combination of the sweep */
     size_t good, failed;
+    bool answered;         /* at least one input, if only in part */
     const void *explained; /* the row whose numbers --explain puts in */
     double started;
 };
-
-/* Common options into their struct. */
-static bool read_common(struct driver *driver, struct error *error)
-{
-    for (size_t i = 0; i < driver->arguments.count; i++) {
-        const struct argument *argument = &driver->arguments.all[i];
-        const struct option *option = argument->option;
-        void *member = (char *)&driver->common + option->offset;
-        if (!argument->is_common) {
-            continue;
-        }
-        if (argument->is_given && option->kind == &kind_flag) {
-            *(bool *)member = true;
-        } else if (argument->is_given || option->fallback != NULL) {
-            struct text text = argument->is_given ? argument->text : text_of(option->fallback);
-            if (!option_read(&driver->reader, option, text, member, error)) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-static bool choose_format(struct driver *driver, struct error *error)
-{
-    const struct common *common = &driver->common;
-    int shorts = common->csv + common->tsv + common->json + common->jsonl;
-    if (shorts + arguments_given(&driver->arguments, "format") > 1) {
-        return fail(error, ERROR_USAGE, "more than one output format is given");
-    }
-    driver->report.format = common->csv     ? &format_csv
-                            : common->tsv   ? &format_tsv
-                            : common->json  ? &format_json
-                            : common->jsonl ? &format_jsonl
-                                            : formats[common->format];
-    return true;
-}
-
-static bool is_for_people(const struct report *report)
-{
-    return report->format == &format_text || report->format == &format_markdown ||
-           report->format == &format_html;
-}
 
 static bool asked_given(const void *asked, const char *option)
 {
@@ -96,20 +56,35 @@ static bool asked_given(const void *asked, const char *option)
            (driver->is_batch && batch_has(&driver->batch, option));
 }
 
-/* Does a photographic question go through several positions of a lens? */
-static bool has_positions(const struct driver *driver)
-{
-    const void *question = (const char *)driver->input + driver->command->lens;
-    return driver->command->lens != 0 && photo_lens_makes_many(question);
-}
-
 static bool asked_varied(const void *asked, const char *option)
 {
     const struct driver *driver = asked;
     return sweep_axis(&driver->sweep, option) != NULL ||
            (driver->command->varies != NULL && driver->command->varies(driver->input, option)) ||
-           (strcmp(option, "position") == 0 && has_positions(driver)) ||
            (driver->is_batch && batch_has(&driver->batch, option));
+}
+
+/* All rows have the columns of the first input. */
+static bool check_sheet(const struct driver *driver, struct error *error)
+{
+    const struct command *command = driver->command;
+    return command->choose_sheet == NULL ||
+           command->choose_sheet(driver->input, &driver->asking) == driver->report.sheet ||
+           fail(error, ERROR_USAGE,
+                "these options ask for rows with other columns than the first: ask one at a time");
+}
+
+/* Before a row is printed: a batch finds out row by row. */
+static bool check_sheets(struct driver *driver, struct error *error)
+{
+    size_t count = driver->command->choose_sheet != NULL ? driver->sweep.total : 0;
+    for (size_t i = 0; i < count; i++) {
+        sweep_set(&driver->sweep, i, driver->input);
+        if (!check_sheet(driver, error)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 static bool set_up_report(struct driver *driver, struct error *error)
@@ -128,14 +103,15 @@ static bool set_up_report(struct driver *driver, struct error *error)
     report->passed_names = driver->batch.passed_names;
     report->passed_count = driver->batch.passed_count;
     report->passed_bare = driver->batch.passed_bare;
-    driver->selection = (struct selection){.columns = driver->common.columns,
-                                           .many = driver->is_batch || driver->sweep.total > 1,
-                                           .layout = !is_for_people(report) ? SELECT_ALL
-                                                     : report->many         ? SELECT_TABLE
-                                                                            : SELECT_LIST,
-                                           .given = asked_given,
-                                           .varied = asked_varied,
-                                           .asked = driver};
+    driver->selection =
+        (struct selection){.columns = driver->common.columns,
+                           .many = driver->is_batch || driver->sweep.total > 1,
+                           .layout = !format_is_for_people(report->format) ? SELECT_ALL
+                                     : report->many                        ? SELECT_TABLE
+                                                                           : SELECT_LIST,
+                           .given = asked_given,
+                           .varied = asked_varied,
+                           .asked = driver};
     return report_select(report, &driver->selection, error);
 }
 
@@ -144,13 +120,32 @@ static const char *plot_columns(const struct driver *driver)
     return driver->common.columns != NULL ? driver->common.columns : driver->command->plot;
 }
 
+/* Do --table and --plot suit the question? They show one row of each value of a sweep. */
+static bool check_collects(const struct driver *driver, const char *option, struct error *error)
+{
+    if (driver->is_batch) {
+        return fail(error, ERROR_USAGE, "--%s goes with swept options, not with --batch", option);
+    }
+    if (driver->command->makes_many != NULL && driver->command->makes_many(driver->input)) {
+        return fail(error, ERROR_USAGE,
+                    "--%s takes one row of each combination, this question has several", option);
+    }
+    return true;
+}
+
+static bool check_table(struct driver *driver, struct error *error)
+{
+    const struct format *format = driver->report.format;
+    if (format == &format_json || format == &format_jsonl) {
+        return fail(error, ERROR_USAGE, "--table is for text, csv, tsv, markdown and html");
+    }
+    return cross_table_check(&driver->collection, driver->common.table, &driver->report, error);
+}
+
 /* Rows of a sweep are kept for --table and --plot. */
 static bool set_up_collection(struct driver *driver, struct error *error)
 {
     const struct common *common = &driver->common;
-    if (driver->command->picture != NULL && common->table == NULL && !driver->is_batch) {
-        return true;
-    }
     if (common->plot != NULL && driver->sweep.total == 1 && !driver->is_batch) {
         return fail(error, ERROR_USAGE,
                     "--plot wants an option with several values, such as a "
@@ -161,24 +156,17 @@ static bool set_up_collection(struct driver *driver, struct error *error)
         return true;
     }
     const char *option = common->table != NULL ? "table" : "plot";
-    if (driver->is_batch) {
-        return fail(error, ERROR_USAGE, "--%s goes with swept options, not with --batch", option);
+    if (!check_collects(driver, option, error)) {
+        return false;
     }
     driver->collection = (struct collection){.sweep = &driver->sweep,
                                              .command = driver->command,
                                              .sheet = driver->report.sheet,
                                              .arena = &driver->arena,
                                              .units = driver->report.units};
-    if (!collection_open(&driver->collection, common->table != NULL ? MOST_CELLS : MOST_POINTS,
-                         option, error)) {
-        return false;
-    }
-    const struct format *format = driver->report.format;
-    if (common->table != NULL && (format == &format_json || format == &format_jsonl)) {
-        return fail(error, ERROR_USAGE, "--table is for text, csv, tsv, markdown and html");
-    }
-    return (common->table == NULL ||
-            cross_table_check(&driver->collection, common->table, &driver->report, error)) &&
+    return collection_open(&driver->collection, common->table != NULL ? MOST_CELLS : MOST_POINTS,
+                           option, error) &&
+           (common->table == NULL || check_table(driver, error)) &&
            (common->plot == NULL || collection_plot_check(&driver->collection, plot_columns(driver),
                                                           common->columns != NULL, error));
 }
@@ -187,11 +175,6 @@ static void begin(struct driver *driver)
 {
     driver->begun = true;
     driver->report.format->begin(&driver->report);
-}
-
-static bool prints_rows(const struct driver *driver)
-{
-    return driver->common.table == NULL;
 }
 
 static bool emit(struct run *run, const void *row)
@@ -207,7 +190,7 @@ static bool emit(struct run *run, const void *row)
         const char *text = explain_row(report, driver->command->explanations, row);
         report->explain = text != NULL ? text : "nothing to explain: plain facts";
     }
-    if (prints_rows(driver)) {
+    if (driver->common.table == NULL) {
         if (!driver->begun) {
             begin(driver);
         }
@@ -222,7 +205,7 @@ static void emit_failure(struct driver *driver, const struct error *failure)
 {
     driver->failed++;
     error_print(failure, driver->command->name);
-    if (prints_rows(driver)) {
+    if (driver->common.table == NULL) {
         if (!driver->begun) {
             begin(driver);
         }
@@ -233,8 +216,19 @@ static void emit_failure(struct driver *driver, const struct error *failure)
 
 static bool run_one(struct driver *driver, struct error *error)
 {
+    if (!check_sheet(driver, error)) {
+        return false;
+    }
+    struct error *shortfall = &driver->run.shortfall;
+    shortfall->code = ERROR_NONE;
     bool done = driver->command->run(driver->input, &driver->run, error);
-    driver->good += done;
+    bool is_short = done && shortfall->code != ERROR_NONE;
+    if (is_short) {
+        error_print(shortfall, driver->command->name);
+    }
+    driver->failed += is_short;
+    driver->good += done && !is_short;
+    driver->answered = driver->answered || done;
     return done;
 }
 
@@ -261,7 +255,7 @@ static bool run_sweep(struct driver *driver, struct error *error)
             }
             emit_failure(driver, error);
         }
-        if (!driver->collects) {
+        if (!driver->collects && driver->artifacts.count == 0) {
             arena_reset(&driver->row_arena, mark);
         }
         progress_show(driver->started, i, false);
@@ -361,18 +355,38 @@ static bool run_batch(struct driver *driver, struct error *error)
     return flush_queue(driver, error);
 }
 
-static bool write_plot(struct driver *driver, struct error *error)
+/* --plot of a command that has no picture of its own: its columns. */
+static bool draw_columns(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    if (driver->command->picture != NULL) {
-        return picture_write(driver->command, &driver->sweep, driver->input, driver->common.plot,
-                             &driver->arena, error);
-    }
-    struct svg svg = {.arena = &driver->arena};
+    const struct driver *driver = job->context;
+    struct svg svg = {.arena = job->run->arena};
     const char *subtitle = report_subtitle(&driver->report, &driver->selection,
                                            collection_first_row(&driver->collection));
     return collection_plot(&driver->collection, plot_columns(driver),
                            driver->common.columns != NULL, subtitle, &svg, error) &&
-           output_file(driver->common.plot, svg.data, svg.length, &driver->arena, error);
+           drawing_write(job, &svg, sink, error);
+}
+
+static const struct artifact column_plot = {
+    .option = {.name = "plot", .types = drawing_types},
+    .scope = ARTIFACT_OF_ROWS,
+    .make = draw_columns,
+};
+
+static bool order_artifacts(struct driver *driver, struct error *error)
+{
+    const struct artifact_setting setting = {.command = driver->command,
+                                             .arguments = &driver->arguments,
+                                             .common = &driver->common,
+                                             .sweep = &driver->sweep,
+                                             .input = driver->input,
+                                             .is_batch = driver->is_batch,
+                                             .many = driver->report.many,
+                                             .asking = &driver->asking,
+                                             .run = &driver->run,
+                                             .arena = &driver->arena};
+    return artifacts_order(&driver->artifacts, &setting,
+                           driver->common.plot != NULL ? &column_plot : NULL, driver, error);
 }
 
 static bool finish(struct driver *driver, struct error *error)
@@ -390,10 +404,7 @@ static bool finish(struct driver *driver, struct error *error)
             report->format->end(report);
         }
     }
-    if (driver->common.plot != NULL && driver->good > 0 && !write_plot(driver, error)) {
-        return false;
-    }
-    return drawings_write(driver->command, driver->input, &driver->arena, error);
+    return !driver->answered || artifacts_make(&driver->artifacts, error);
 }
 
 static bool prepare(struct driver *driver, int count, char **words, struct error *error)
@@ -404,19 +415,22 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     driver->reader =
         (struct reader){.db = &driver->db, .arena = &driver->arena, .lenses = &driver->lenses};
     if (!arguments_parse(&driver->arguments, command, count, words, &driver->arena, error) ||
-        !read_common(driver, error)) {
+        !arguments_common(&driver->arguments, &driver->reader, &driver->common, error)) {
         return false;
     }
     driver->db.directory = driver->common.lensdb != NULL ? driver->common.lensdb : driver->database;
     driver->db.agf = driver->common.agf;
     driver->db.lossy = driver->common.lossy;
+    driver->reader.doubts = &driver->doubts;
+    driver->report.doubts = &driver->doubts;
     driver->run = (struct run){.arena = &driver->row_arena,
+                               .doubts = &driver->doubts,
                                .kept = &driver->kept,
                                .db = &driver->db,
                                .emit = emit,
-                               .driver = driver,
-                               .force = driver->common.force};
+                               .driver = driver};
     driver->reader.nominal = driver->common.nominal;
+    driver->asking = (struct asking){asked_given, driver};
     driver->input = arena_array(&driver->arena, 1, command->input_size);
     return true;
 }
@@ -433,12 +447,30 @@ static bool open_batch(struct driver *driver, struct error *error)
     memcpy(constants, driver->input, driver->command->input_size);
     /* what the header needs lies below the first row's mark and stays */
     driver->reader.arena = &driver->row_arena;
-    if (!batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
-                    &driver->arguments, &driver->reader, constants, error)) {
+    const struct batch_source source = {.path = common->batch,
+                                        .format = (enum batch_format)common->batch_format,
+                                        .arguments = &driver->arguments,
+                                        .reader = &driver->reader,
+                                        .constants = constants};
+    if (!batch_open(&driver->batch, &source, error)) {
         return false;
     }
     driver->passed = driver->batch.passed;
     return true;
+}
+
+/* The sheet of this question. Rows of a batch go to the command in blocks if it takes them. */
+static void choose_sheet(struct driver *driver)
+{
+    const struct command *command = driver->command;
+    driver->report.sheet = command->choose_sheet != NULL
+                               ? command->choose_sheet(driver->input, &driver->asking)
+                               : &command->sheet;
+    if (driver->is_batch && command->takes_blocks != NULL &&
+        command->takes_blocks(driver->input, &driver->asking)) {
+        queue_open(&driver->queue, command, driver->report.sheet, driver->batch.passed_count,
+                   &driver->arena);
+    }
 }
 
 /* Everything that can be wrong with the question is found before a byte is written. */
@@ -446,29 +478,23 @@ static bool ask(struct driver *driver, struct error *error)
 {
     const struct command *command = driver->command;
     const struct common *common = &driver->common;
-    if (!choose_format(driver, error) ||
+    if (!common_format(common, arguments_given(&driver->arguments, "format"),
+                       &driver->report.format, error) ||
         !sweep_build(&driver->sweep, &driver->arguments, &driver->reader, common->force,
                      driver->input, error)) {
         return false;
     }
-    driver->report.many = (command->makes_many != NULL && command->makes_many(driver->input)) ||
-                          has_positions(driver);
+    driver->report.many = command->makes_many != NULL && command->makes_many(driver->input);
     driver->is_batch = common->batch != NULL;
     if (driver->is_batch && !open_batch(driver, error)) {
         return false;
     }
-    /* the columns of a batch count as given */
-    const struct asking asking = {asked_given, driver};
-    driver->report.sheet = command->choose_sheet != NULL
-                               ? command->choose_sheet(driver->input, &asking)
-                               : &command->sheet;
-    if (driver->is_batch && command->takes_blocks != NULL &&
-        command->takes_blocks(driver->input, &asking)) {
-        queue_open(&driver->queue, command, driver->report.sheet, driver->batch.passed_count,
-                   &driver->arena);
+    if (!idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, error)) {
+        return false;
     }
-    return set_up_report(driver, error) && set_up_collection(driver, error) &&
-           drawings_check(command, driver->input, driver->report.many, error) &&
+    choose_sheet(driver);
+    return check_sheets(driver, error) && set_up_report(driver, error) &&
+           set_up_collection(driver, error) && order_artifacts(driver, error) &&
            output_open(&driver->output, common->output, &driver->arena, error) &&
            (driver->is_open = true);
 }
@@ -493,26 +519,33 @@ static void remark(const char *start, size_t length)
     }
 }
 
-static int print_text(struct driver *driver, struct error *error)
+/* The files of the artifacts appear, or none. */
+static bool close_artifacts(struct driver *driver, bool done, struct error *error)
 {
-    bool done = sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false,
-                            driver->input, error) &&
-                sweep_check_single(&driver->sweep, driver->command->name, error) &&
-                output_open(&driver->output, driver->common.output, &driver->arena, error);
+    done = artifacts_close(&driver->artifacts, done && driver->answered, error) && done;
+    struct text remarks = artifacts_remarks(&driver->artifacts);
     if (done) {
-        done = driver->command->print(driver->input, &driver->output, error);
-        struct error closing;
-        if (!output_close(&driver->output, done, &closing) && done) {
-            *error = closing;
-            done = false;
-        }
+        remark(remarks.start, remarks.length);
     }
-    if (!done) {
-        error_print(error, driver->command->name);
-    } else {
-        remark(driver->output.remarks.start, driver->output.remarks.length);
+    return done;
+}
+
+/* A command without rows: its answer is an artifact. */
+static int answer_without_rows(struct driver *driver)
+{
+    struct error error = {0};
+    bool done =
+        sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false, driver->input,
+                    &error) &&
+        sweep_check_single(&driver->sweep, driver->command->name, &error) &&
+        idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, &error) &&
+        order_artifacts(driver, &error) && artifacts_make(&driver->artifacts, &error);
+    driver->answered = done;
+    if (!close_artifacts(driver, done, &error)) {
+        error_print(&error, driver->command->name);
+        return (int)error.code;
     }
-    return done ? 0 : (int)error->code;
+    return 0;
 }
 
 static int status_of(const struct driver *driver)
@@ -527,21 +560,15 @@ static int compute(struct driver *driver)
 {
     struct error error = {0}, closing = {0};
     bool done = ask(driver, &error) && answer(driver, &error);
-    bool closed = true;
-    if (driver->is_open) {
-        closed = output_close(&driver->output, done, &closing);
-    }
-    if (!closed) {
+    if (driver->is_open && !output_close(&driver->output, done, &closing)) {
         error = closing;
+        done = false;
     }
-    if (!done || !closed) {
+    if (!close_artifacts(driver, done, &error)) {
         error_print(&error, driver->command->name);
         return (int)error.code;
     }
-    if (driver->report.explain != NULL && driver->report.format != &format_json &&
-        !is_for_people(&driver->report)) {
-        fprintf(stderr, "%s\n", driver->report.explain);
-    }
+    print_beside(&driver->report, driver->common.table != NULL);
     return status_of(driver);
 }
 
@@ -558,7 +585,7 @@ int command_execute(const struct command *command, int argc, char **argv, const 
     } else if (driver.common.help) {
         status = help_command(command, &driver.arena);
     } else {
-        status = command->print != NULL ? print_text(&driver, &error) : compute(&driver);
+        status = command->run == NULL ? answer_without_rows(&driver) : compute(&driver);
         remark(driver.db.losses.data, driver.db.losses.length); /* of --lossy */
     }
     if (driver.is_batch) {
@@ -566,6 +593,7 @@ int command_execute(const struct command *command, int argc, char **argv, const 
     }
     arena_free(&driver.row_arena);
     arena_free(&driver.kept);
+    arena_free(&driver.doubts.arena);
     arena_free(&driver.arena);
     return status;
 }

@@ -38,7 +38,8 @@ static void write_option(const struct option *option, struct output *output, str
         separator = "; ";
     }
     output_string(output, separator[0] == ';' ? ")\n" : "\n");
-    for (const struct word *word = option->words; word != NULL && word->word != NULL; word++) {
+    for (size_t i = 0; option_word(option, i) != NULL; i++) {
+        const struct word *word = option_word(option, i);
         output_printf(output, "%-*s  %-14s %s\n", NAME_WIDTH, "", word->word, word->help);
     }
 }
@@ -64,14 +65,12 @@ void help_write(const struct command *command, struct output *output, struct are
         output_printf(output, "  lenscalc %s\n      %s\n", example->arguments, example->help);
     }
     output_string(output, "\nOptions:\n");
-    for (size_t i = 0; i < command->option_count; i++) {
-        write_option(&command->options[i], output, arena);
+    for (size_t i = 0; command_option(command, i) != NULL; i++) {
+        write_option(command_option(command, i), output, arena);
     }
-    output_string(output, "\nOptions of every command:\n");
-    for (size_t i = 0; i < common_option_count; i++) {
-        if (!command_overrides(command, &common_options[i])) {
-            write_option(&common_options[i], output, arena);
-        }
+    output_string(output, "\nCommon options:\n");
+    for (size_t i = 0; command_common_option(command, i) != NULL; i++) {
+        write_option(command_common_option(command, i), output, arena);
     }
     output_printf(output,
                   "\nUnits may always be written (50mm 10ft 5ft6in 1/125s); a list 1.4,2,2.8 "

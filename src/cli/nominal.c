@@ -107,10 +107,10 @@ static void collect(struct lensdb *db, const struct series *series, size_t from,
     }
 }
 
-bool nominal_between(struct lensdb *db, const struct dimension *dimension, const char *name,
-                     double first, double last, bool exact, double **values, size_t *count,
-                     struct error *error)
+bool nominal_between(struct lensdb *db, const struct nominal_range *range, double **values,
+                     size_t *count, struct error *error)
 {
+    const char *name = range->series;
     *count = 0;
     error->code = ERROR_NONE;
     if (name != NULL && !is_series(name)) {
@@ -121,12 +121,12 @@ bool nominal_between(struct lensdb *db, const struct dimension *dimension, const
         if (name != NULL && strcmp(name, series_names[i]) != 0) {
             continue;
         }
-        if (!load(db, dimension, series_names[i], &series, error)) {
+        if (!load(db, range->dimension, series_names[i], &series, error)) {
             return false;
         }
-        size_t from = find(&series, first), to = find(&series, last);
+        size_t from = find(&series, range->first), to = find(&series, range->last);
         if (from < series.count && to < series.count) {
-            collect(db, &series, from, to, exact, values, count);
+            collect(db, &series, from, to, range->exact, values, count);
             return true;
         }
         if (name != NULL) {

@@ -9,12 +9,12 @@
 #include <stdio.h>
 #include <string.h>
 
-const struct unit *option_unit(const struct option *option)
+const struct word *option_word(const struct option *option, size_t i)
 {
-    if (option->dimension == NULL || option->unit == NULL) {
-        return option->dimension != NULL ? &option->dimension->units[0] : NULL;
+    if (option->words == NULL) {
+        return option->word_at != NULL ? option->word_at(i) : NULL;
     }
-    return unit_find(option->dimension, text_of(option->unit));
+    return option->words[i].word != NULL ? &option->words[i] : NULL;
 }
 
 static bool has_range(const struct option *option)
@@ -25,6 +25,9 @@ static bool has_range(const struct option *option)
 const char *option_range(const struct option *option, struct arena *arena)
 {
     char low[NUMBER_LENGTH + 1], high[NUMBER_LENGTH + 1];
+    if (option->types != NULL) {
+        return file_type_endings(option->types, arena);
+    }
     if (!has_range(option)) {
         return "";
     }
@@ -38,7 +41,9 @@ const char *option_range(const struct option *option, struct arena *arena)
         return arena_printf(arena, "%s%s%s%s%s", above ? "above " : "", low, blank, label,
                             above ? "" : " or more");
     }
-    return arena_printf(arena, "%s%s to %s%s%s", above ? "above " : "", low, high, blank, label);
+    bool below = (option->flags & OPTION_BELOW_HIGHEST) != 0;
+    return arena_printf(arena, "%s%s to %s%s%s%s", above ? "above " : "", low,
+                        below ? "below " : "", high, blank, label);
 }
 
 static bool out_of_range(const struct option *option, double value, struct error *error)
@@ -63,7 +68,8 @@ bool option_check_range(const struct option *option, double value, struct error 
         return true;
     }
     bool above = (option->flags & OPTION_ABOVE_LOWEST) != 0;
-    bool low_enough = value <= option->highest;
+    bool below = (option->flags & OPTION_BELOW_HIGHEST) != 0;
+    bool low_enough = below ? value < option->highest : value <= option->highest;
     bool high_enough = above ? value > option->lowest : value >= option->lowest;
     return (low_enough && high_enough) || out_of_range(option, value, error);
 }
@@ -92,15 +98,32 @@ bool option_read(const struct reader *reader, const struct option *option, struc
 void option_clear(const struct option *option, void *member)
 {
     memset(member, 0, option->kind->size);
-    if (option->kind == &kind_quantity) {
-        *(double *)member = NAN;
-    } else if (option->kind == &kind_sensor) {
-        struct sensor_value *sensor = member;
-        sensor->size.width = sensor->size.height = sensor->size.pitch = NAN;
-    } else if (option->kind == &kind_coc) {
-        ((struct coc_value *)member)->coc.value = NAN;
-    } else if (option->kind == &kind_interval) {
-        *(struct interval_value *)member = (struct interval_value){NAN, NAN};
+    if (option->kind->clear != NULL) {
+        option->kind->clear(member);
+    }
+}
+
+void option_doubt(const struct reader *reader, const struct option *option, double value)
+{
+    const struct unit *unit = option_unit(option);
+    if (option->unusual != NULL && !(value >= option->usual[0] && value <= option->usual[1])) {
+        doubts_add(reader->doubts, "--%s %.6g%s%s: %s", option->name,
+                   unit != NULL ? unit_from_own(unit, value) : value,
+                   unit != NULL && unit->label[0] != '\0' ? " " : "",
+                   unit != NULL ? unit->label : "", option->unusual);
+    }
+}
+
+/* A T-stop where an f-number is meant. */
+static void doubt_t_stop(const struct reader *reader, const struct option *option, struct text text,
+                         double value)
+{
+    const struct text trimmed = text_trim(text);
+    if (option->dimension == &dimension_fnumber && (option->flags & OPTION_T_STOP) == 0 &&
+        trimmed.length > 0 && (trimmed.start[0] == 'T' || trimmed.start[0] == 't')) {
+        doubts_add(reader->doubts,
+                   "--%s %.*s is a T-stop, taken as f/%.6g: as if the lens lost no light",
+                   option->name, text_shown(trimmed), trimmed.start, value);
     }
 }
 
@@ -109,17 +132,20 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
 {
     double value;
     bool is_line = false;
-    if (option->dimension == &dimension_wavelength &&
-        !lines_find(reader->db, text_trim(text), (struct number_scale){1, -6}, &is_line, &value,
-                    error)) {
+    bool in_um = option->dimension == &dimension_wavelength_um;
+    bool is_light = in_um || option->dimension == &dimension_wavelength;
+    const struct number_scale from_nm = {1, in_um ? -3 : -6};
+    if (is_light && !lines_find(reader->db, text_trim(text), from_nm, &is_line, &value, error)) {
         return false;
     }
     if (!is_line &&
         !quantity_read(text, option->dimension, option_unit(option), &value, NULL, error)) {
-        if (option->dimension == &dimension_wavelength && error->hint[0] == '\0') {
+        if (is_light && error->hint[0] == '\0') {
             error_hint(error, "lines are called d F C e g F' C' h i r s t");
         }
-        return blame(option, text, error);
+        return (option->flags & OPTION_FIELD) != 0 && field_has_weight(text)
+                   ? field_refuse_weight(option->name, text, error)
+                   : blame(option, text, error);
     }
     if (reader->nominal && option->dimension->series != NULL &&
         !nominal_exact(reader->db, option->dimension, value, &value, error)) {
@@ -128,6 +154,8 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
     if (!option_check_range(option, value, error)) {
         return false;
     }
+    option_doubt(reader, option, value);
+    doubt_t_stop(reader, option, text, value);
     *(double *)member = value;
     return true;
 }
@@ -139,14 +167,14 @@ static bool read_choice(const struct reader *reader, const struct option *option
     struct nearest nearest = {.typed = text_trim(text)};
     char all[256] = "";
     size_t used = 0;
-    for (int i = 0; option->words[i].word != NULL; i++) {
-        if (text_same(text_trim(text), option->words[i].word)) {
-            *(int *)member = i;
+    for (size_t i = 0; option_word(option, i) != NULL; i++) {
+        const char *word = option_word(option, i)->word;
+        if (text_same(text_trim(text), word)) {
+            *(int *)member = (int)i;
             return true;
         }
-        nearest_offer(&nearest, text_of(option->words[i].word));
-        int length = snprintf(all + used, sizeof all - used, "%s%s", i > 0 ? ", " : "",
-                              option->words[i].word);
+        nearest_offer(&nearest, text_of(word));
+        int length = snprintf(all + used, sizeof all - used, "%s%s", i > 0 ? ", " : "", word);
         used += length > 0 && (size_t)length < sizeof all - used ? (size_t)length : 0;
     }
     fail(error, ERROR_USAGE, "--%s '%.*s' is none of %s", option->name, text_shown(text),
@@ -244,7 +272,7 @@ static struct sensor_value name_sensor(const struct reader *reader,
                                found->maker.start, found->maker.length > 0 ? " " : "",
                                (int)found->name.length, found->name.start, size);
     if (text_equal(found->pitch_from, "estimate")) {
-        sensor.pitch_note = "estimated pixel pitch";
+        sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
     }
     return sensor;
 }
@@ -342,7 +370,7 @@ static const char *coc_name(const struct option *option, const void *member)
 
 static const char *choice_name(const struct option *option, const void *member)
 {
-    return option->words[*(const int *)member].word;
+    return option_word(option, (size_t)(*(const int *)member))->word;
 }
 
 static const char *sensor_name(const struct option *option, const void *member)
@@ -357,11 +385,79 @@ static const char *text_name(const struct option *option, const void *member)
     return *(const char *const *)member;
 }
 
-const struct option_kind kind_quantity = {"quantity", sizeof(double), true, read_quantity, NULL};
-const struct option_kind kind_choice = {"choice", sizeof(int), true, read_choice, choice_name};
-const struct option_kind kind_flag = {"flag", sizeof(bool), false, read_flag, NULL};
-const struct option_kind kind_text = {"text", sizeof(const char *), false, read_text, text_name};
-const struct option_kind kind_count = {"count", sizeof(long), true, read_count, NULL};
-const struct option_kind kind_sensor = {"sensor", sizeof(struct sensor_value), true, read_sensor,
-                                        sensor_name};
-const struct option_kind kind_coc = {"coc", sizeof(struct coc_value), true, read_coc, coc_name};
+static void clear_quantity(void *member)
+{
+    *(double *)member = NAN;
+}
+
+static void clear_sensor(void *member)
+{
+    struct sensor *size = &((struct sensor_value *)member)->size;
+    size->width = size->height = size->pitch = NAN;
+}
+
+static void clear_coc(void *member)
+{
+    ((struct coc_value *)member)->coc.value = NAN;
+}
+
+static double quantity_number(const void *member)
+{
+    return *(const double *)member;
+}
+
+const struct option_kind kind_quantity = {
+    .name = "quantity",
+    .size = sizeof(double),
+    .is_list = true,
+    .read = read_quantity,
+    .number_of = quantity_number,
+    .clear = clear_quantity,
+};
+
+const struct option_kind kind_choice = {
+    .name = "choice",
+    .size = sizeof(int),
+    .is_list = true,
+    .read = read_choice,
+    .name_of = choice_name,
+};
+
+const struct option_kind kind_flag = {
+    .name = "flag",
+    .size = sizeof(bool),
+    .read = read_flag,
+};
+
+const struct option_kind kind_text = {
+    .name = "text",
+    .size = sizeof(const char *),
+    .read = read_text,
+    .name_of = text_name,
+};
+
+const struct option_kind kind_count = {
+    .name = "count",
+    .size = sizeof(long),
+    .is_list = true,
+    .read = read_count,
+};
+
+const struct option_kind kind_sensor = {
+    .name = "sensor",
+    .size = sizeof(struct sensor_value),
+    .is_list = true,
+    .read = read_sensor,
+    .name_of = sensor_name,
+    .reads = READS_LENSDB,
+    .clear = clear_sensor,
+};
+
+const struct option_kind kind_coc = {
+    .name = "coc",
+    .size = sizeof(struct coc_value),
+    .is_list = true,
+    .read = read_coc,
+    .name_of = coc_name,
+    .clear = clear_coc,
+};

@@ -5,13 +5,16 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "base/file_type.h"
 #include "base/quantity.h"
+#include "cli/option_field.h"
 #include "cli/option_glass.h"
 #include "cli/option_lens.h"
 #include "cli/option_light.h"
 #include "cli/option_ray.h"
 #include "data/lensdb.h"
 #include "photo/format.h"
+#include "report/doubts.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -25,6 +28,14 @@ struct reader {
     bool nominal;              /* labels of stop series stand for their exact values */
     bool fallback;             /* the text is what the program assumes, not what the user typed */
     struct lens_cache *lenses; /* null = every lens is read anew */
+    struct doubts *doubts;     /* of values that are legal but odd; null = nobody listens */
+};
+
+/* Data that an answer may depend on, which the user may add to. */
+enum reads {
+    READS_LENSDB = 1,  /* tables of --lensdb */
+    READS_GLASSES = 2, /* catalogues of --lensdb and --agf */
+    READS_LENSES = 4,  /* lenses of --lensdb, and files of other programs */
 };
 
 /* A kind of value. `read` fills a member of the input struct. */
@@ -36,11 +47,17 @@ struct option_kind {
                  void *member, struct error *error);
     /* The value's name, where it has one ("exact", "35mm (36 x 24 mm)"); null: it has none. */
     const char *(*name_of)(const struct option *option, const void *member);
+    /* Its number in its own unit, where ranges of them may be swept; null: it has none. */
+    double (*number_of)(const void *member);
+    unsigned reads; /* enum reads: where its values come from */
+    /* Make a member absent whose bytes are zero; null: zero is absent. */
+    void (*clear)(void *member);
 };
 
 extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
     kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass, kind_interval,
-    kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane, kind_target;
+    kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane, kind_target,
+    kind_fields;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -81,7 +98,8 @@ struct coc_value {
         struct vector_value: &kind_vector, \
         struct pupil_value: &kind_pupil, \
         struct plane_value: &kind_plane, \
-        struct target_value: &kind_target)
+        struct target_value: &kind_target, \
+        struct fields_value: &kind_fields)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
 
@@ -94,7 +112,11 @@ enum option_flag {
     OPTION_FILE = 32,    /* names a file */
     OPTION_SETTING = 64, /* goals are solved for the settings that are not given */
     OPTION_GOAL = 128,
-    OPTION_MANY = 256 /* an operand that all words go to that are left: a list of values */
+    OPTION_MANY = 256,    /* an operand that all words go to that are left: a list of values */
+    OPTION_CURRENT = 512, /* of several glasses of a name the current one */
+    OPTION_FIELD = 1024,  /* of a lens, answered one by one: no weights */
+    OPTION_BELOW_HIGHEST = 2048, /* the highest value itself is not allowed */
+    OPTION_T_STOP = 4096         /* an f-number that is a T-stop: T2.2 says nothing odd */
 };
 
 struct option {
@@ -106,18 +128,37 @@ struct option {
     const struct dimension *dimension; /* of a quantity */
     const char *unit;                  /* of a bare number; null = the dimension's own */
     double lowest, highest;            /* in the program's own unit; both 0 = any value */
+    double usual[2];                   /* values outside are doubted; both 0 = none is */
+    const char *unusual;               /* in which words: "no lens in air is faster than f/0.5" */
     unsigned flags;
+    /* It says something only beside a value of a circle of confusion for which this holds. */
+    bool (*serves)(const struct coc_value *coc);
+    const char *served; /* such a value in words: "print" */
+    /* What this one says nothing without, one of several: "lens|coc=airy", "pattern!=few". */
+    const char *wants;
+    const char *excludes;     /* options beside which one of both says nothing: "coc trail" */
     const char *fallback;     /* what it is if not given, as it would be typed; null = absent */
     const struct word *words; /* of a choice: the place in the list is the value */
-    const char *value;        /* how help names the value: "LENGTH"; null = nothing to name */
-    const char *help;         /* one line */
+    const struct word *(*word_at)(size_t i); /* the same from a list that is kept elsewhere */
+    file_types *types; /* how the name of a file may end; null = as it likes */
+    const char *value; /* how help names the value: "LENGTH"; null = nothing to name */
+    const char *help;  /* one line */
 };
 
 /* What stands between the values of an OPTION_MANY: no comma, since names of files may have one. */
 #define OPTION_MANY_SEPARATOR '\n'
 
+/* Word i that the option may have; null behind the last, and where it takes any value. */
+const struct word *option_word(const struct option *option, size_t i);
+
 /* The unit in which a bare number is read; null = none. */
-const struct unit *option_unit(const struct option *option);
+static inline const struct unit *option_unit(const struct option *option)
+{
+    if (option->dimension == NULL || option->unit == NULL) {
+        return option->dimension != NULL ? &option->dimension->units[0] : NULL;
+    }
+    return unit_find(option->dimension, text_of(option->unit));
+}
 
 /*
  * Read one value of an option into its member.
@@ -132,7 +173,10 @@ bool option_read(const struct reader *reader, const struct option *option, struc
 /* Refuse a number outside the option's range; `value` in the program's own unit. */
 bool option_check_range(const struct option *option, double value, struct error *error);
 
-/* The legal range in words: "above 0 mm", "0 to 90 deg"; "" if there is none. */
+/* Add to the reader's doubts what is unusual about a legal value, in the program's own unit. */
+void option_doubt(const struct reader *reader, const struct option *option, double value);
+
+/* The legal range in words: "above 0 mm", "0 to 90 deg", ".svg or .png"; "" if there is none. */
 const char *option_range(const struct option *option, struct arena *arena);
 
 /* Make a member absent: NaN, null, false, or the first choice. */

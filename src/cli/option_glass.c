@@ -10,9 +10,10 @@
 static bool read_glass(const struct reader *reader, const struct option *option, struct text text,
                        void *member, struct error *error)
 {
-    (void)option;
     struct glass_record *record = ARENA_NEW(reader->arena, struct glass_record);
-    if (!glass_find_medium(reader->db, text, reader->arena, record, error)) {
+    enum glass_naming naming =
+        (option->flags & OPTION_CURRENT) != 0 ? GLASS_CURRENT : GLASS_ALIASES;
+    if (!glass_find_medium(reader->db, text, naming, reader->arena, record, error)) {
         return false;
     }
     *(struct glass_value *)member = (struct glass_value){
@@ -28,10 +29,33 @@ static const char *glass_name(const struct option *option, const void *member)
     return ((const struct glass_value *)member)->name;
 }
 
+/* A single value is allowed where the option says of which size. */
+static bool takes_one(const struct option *option)
+{
+    return option->highest > option->lowest;
+}
+
 static bool bad_interval(const struct option *option, struct text text, struct error *error)
 {
-    fail(error, ERROR_USAGE, "--%s '%.*s' is no range", option->name, text_shown(text), text.start);
-    return error_hint(error, "say LOW..HIGH, LOW.. or ..HIGH");
+    bool one = takes_one(option);
+    fail(error, ERROR_USAGE, "--%s '%.*s' is no %srange", option->name, text_shown(text),
+         text.start, one ? "value or " : "");
+    return error_hint(error, "say %sLOW..HIGH, LOW.. or ..HIGH", one ? "a number, " : "");
+}
+
+/* A value to be near to. */
+static bool read_near(const struct option *option, struct text text,
+                      struct interval_value *interval, struct error *error)
+{
+    const struct dimension *dimension =
+        option->dimension != NULL ? option->dimension : &dimension_number;
+    if (text_trim(text).length == 0 || !takes_one(option)) {
+        return bad_interval(option, text, error);
+    }
+    *interval = (struct interval_value){NAN, NAN, NAN};
+    return (quantity_read(text, dimension, option_unit(option), &interval->near, NULL, error) ||
+            error_prefix(error, "bad value in --%s: ", option->name)) &&
+           option_check_range(option, interval->near, error);
 }
 
 /* One end; nothing stands for an open one. */
@@ -51,14 +75,14 @@ static bool read_end(const struct option *option, struct text text, double *end,
 static bool read_interval(const struct reader *reader, const struct option *option,
                           struct text text, void *member, struct error *error)
 {
-    struct interval_value interval;
+    struct interval_value interval = {NAN, NAN, NAN};
     size_t at = 0;
     (void)reader;
     while (at + 1 < text.length && !(text.start[at] == '.' && text.start[at + 1] == '.')) {
         at++;
     }
     if (at + 1 >= text.length) {
-        return bad_interval(option, text, error);
+        return read_near(option, text, member, error);
     }
     struct text high = {text.start + at + 2, text.length - at - 2};
     if (!read_end(option, (struct text){text.start, at}, &interval.low, error) ||
@@ -72,7 +96,24 @@ static bool read_interval(const struct reader *reader, const struct option *opti
     return true;
 }
 
-const struct option_kind kind_glass = {"glass", sizeof(struct glass_value), true, read_glass,
-                                       glass_name};
-const struct option_kind kind_interval = {"interval", sizeof(struct interval_value), false,
-                                          read_interval, NULL};
+static void clear_interval(void *member)
+{
+    *(struct interval_value *)member = (struct interval_value){NAN, NAN, NAN};
+}
+
+const struct option_kind kind_glass = {
+    .name = "glass",
+    .size = sizeof(struct glass_value),
+    .is_list = true,
+    .read = read_glass,
+    .name_of = glass_name,
+    .reads = READS_LENSDB | READS_GLASSES,
+};
+
+const struct option_kind kind_interval = {
+    .name = "interval",
+    .size = sizeof(struct interval_value),
+    .is_list = true,
+    .read = read_interval,
+    .clear = clear_interval,
+};

@@ -11,9 +11,10 @@ struct glass_value {
     const char *name;                  /* as printed: "N-BK7" */
 };
 
-/* A wanted range: 1.5..1.52; NaN where an end is open or nothing is given. */
+/* A wanted range, 1.5..1.52, or a value that others are to be near; NaN where an end is open or
+   nothing is given. */
 struct interval_value {
-    double low, high;
+    double low, high, near;
 };
 
 #endif

@@ -3,8 +3,8 @@
 #include "cli/option_lens.h"
 
 #include "cli/option.h"
-#include "exchange/lens_db.h"
 #include "data/lines.h"
+#include "exchange/lens_db.h"
 #include "optics/wavelength.h"
 
 static bool find_lens(struct lensdb *db, struct text name, struct arena *arena,
@@ -121,24 +121,29 @@ double wavelength_micrometres(double millimetres)
     return wavelength;
 }
 
+double wavelength_millimetres(double micrometres)
+{
+    char text[NUMBER_LENGTH];
+    double wavelength;
+    const char *end = number_write_shortest(text, micrometres);
+    number_read(text, end, (struct number_scale){1, -3}, &wavelength);
+    return wavelength;
+}
+
 static bool read_wavelength(const struct reader *reader, const struct option *option,
                             struct text text, void *member, struct error *error)
 {
     struct text name = text_trim(text);
     struct wavelength_value value = {.name = arena_string(reader->arena, name.start, name.length)};
     bool is_line;
-    double millimetres;
     if (!lines_find(reader->db, name, (struct number_scale){1, -3}, &is_line, &value.wavelength,
                     error)) {
         return false;
     }
-    if (!is_line &&
-        !quantity_read(text, &dimension_length, option_unit(option), &millimetres, NULL, error)) {
+    if (!is_line && !quantity_read(text, option->dimension, option_unit(option), &value.wavelength,
+                                   NULL, error)) {
         error_prefix(error, "bad wavelength in --%s: ", option->name);
         return error_hint(error, "a wavelength is 550, 550nm, 0.55um, or a line: d F C e g ...");
-    }
-    if (!is_line) {
-        value.wavelength = wavelength_micrometres(millimetres);
     }
     if (!(value.wavelength >= WAVELENGTH_SHORTEST && value.wavelength <= WAVELENGTH_LONGEST)) {
         return fail(error, ERROR_DOMAIN, "--%s %s is out of range: it must be 1 nm to 1 mm",
@@ -148,15 +153,39 @@ static bool read_wavelength(const struct reader *reader, const struct option *op
     return true;
 }
 
+static double wavelength_number(const void *member)
+{
+    return ((const struct wavelength_value *)member)->wavelength;
+}
+
 static const char *wavelength_name(const struct option *option, const void *member)
 {
     (void)option;
     return ((const struct wavelength_value *)member)->name;
 }
 
-const struct option_kind kind_lens = {"lens", sizeof(struct lens_value), false, read_lens,
-                                      lens_name};
-const struct option_kind kind_wavelength = {"wavelength", sizeof(struct wavelength_value), true,
-                                            read_wavelength, wavelength_name};
-const struct option_kind kind_lens_text = {"lens_text", sizeof(struct lens_text_value), false,
-                                           read_lens_text, lens_text_name};
+const struct option_kind kind_lens = {
+    .name = "lens",
+    .size = sizeof(struct lens_value),
+    .read = read_lens,
+    .name_of = lens_name,
+    .reads = READS_LENSDB | READS_GLASSES | READS_LENSES,
+};
+
+const struct option_kind kind_wavelength = {
+    .name = "wavelength",
+    .size = sizeof(struct wavelength_value),
+    .is_list = true,
+    .read = read_wavelength,
+    .name_of = wavelength_name,
+    .number_of = wavelength_number,
+    .reads = READS_LENSDB,
+};
+
+const struct option_kind kind_lens_text = {
+    .name = "lens_text",
+    .size = sizeof(struct lens_text_value),
+    .read = read_lens_text,
+    .name_of = lens_text_name,
+    .reads = READS_LENSDB | READS_GLASSES | READS_LENSES,
+};

@@ -50,4 +50,7 @@ struct wavelength_value {
 /* mm to um by way of the digits: 0.55um and 550 are the same, and print so. */
 double wavelength_micrometres(double millimetres);
 
+/* And back: um as columns of lengths have it, in mm, so that it prints in nm as typed. */
+double wavelength_millimetres(double micrometres);
+
 #endif

@@ -179,6 +179,18 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
     return true;
 }
 
+/* "160, 400, 100"; null where there is none. */
+static const char *join_speeds(const struct reader *reader, struct text speeds)
+{
+    const char *joined = NULL;
+    while (speeds.start != NULL && speeds.length > 0) {
+        struct text speed = text_cut(&speeds, ' ');
+        joined = arena_printf(reader->arena, "%s%s%.*s", joined != NULL ? joined : "",
+                              joined != NULL ? ", " : "", (int)speed.length, speed.start);
+    }
+    return joined;
+}
+
 static bool read_film(const struct reader *reader, const struct option *option, struct text text,
                       void *member, struct error *error)
 {
@@ -190,11 +202,16 @@ static bool read_film(const struct reader *reader, const struct option *option, 
     if (!lensdb_film_model(&film, model, error)) {
         return false;
     }
+    double speed = lensdb_film_speed(&film, text);
     *(struct film_value *)member = (struct film_value){
         .model = model,
         .name = arena_printf(reader->arena, "%.*s %.*s", (int)film.maker.length, film.maker.start,
                              (int)film.name.length, film.name.start),
-        .source = join(reader, film.status, film.source)};
+        .source = join(reader, film.status, film.source),
+        .speed = speed,
+        .speed_note = !isnan(speed)
+                          ? arena_printf(reader->arena, "ISO %.6g, the film's box speed", speed)
+                          : join_speeds(reader, film.speeds)};
     return true;
 }
 
@@ -273,11 +290,36 @@ static const char *scene_name(const struct option *option, const void *member)
     return ((const struct scene_value *)member)->name;
 }
 
-const struct option_kind kind_loss = {"loss", sizeof(struct loss_value), true, read_loss,
-                                      loss_name};
-const struct option_kind kind_film = {"film", sizeof(struct film_value), true, read_film,
-                                      film_name};
-const struct option_kind kind_scene = {"scene", sizeof(struct scene_value), true, read_scene,
-                                       scene_name};
-const struct option_kind kind_series = {"series", sizeof(struct series_value), false, read_series,
-                                        NULL};
+const struct option_kind kind_loss = {
+    .name = "loss",
+    .size = sizeof(struct loss_value),
+    .is_list = true,
+    .read = read_loss,
+    .name_of = loss_name,
+    .reads = READS_LENSDB,
+};
+
+const struct option_kind kind_film = {
+    .name = "film",
+    .size = sizeof(struct film_value),
+    .is_list = true,
+    .read = read_film,
+    .name_of = film_name,
+    .reads = READS_LENSDB,
+};
+
+const struct option_kind kind_scene = {
+    .name = "scene",
+    .size = sizeof(struct scene_value),
+    .is_list = true,
+    .read = read_scene,
+    .name_of = scene_name,
+    .reads = READS_LENSDB,
+};
+
+const struct option_kind kind_series = {
+    .name = "series",
+    .size = sizeof(struct series_value),
+    .read = read_series,
+    .reads = READS_LENSDB,
+};

@@ -18,6 +18,8 @@ struct loss_value {
 struct film_value {
     const struct reciprocity *model; /* null = not given */
     const char *name, *source;
+    double speed;           /* ISO, of the box; NaN = several, or not known */
+    const char *speed_note; /* "ISO 400, the film's box speed"; of several: which; else null */
 };
 
 /* A scene and the light in it. */

@@ -107,10 +107,28 @@ static bool read_target(const struct reader *reader, const struct option *option
     return true;
 }
 
-const struct option_kind kind_vector = {"vector", sizeof(struct vector_value), true, read_vector,
-                                        NULL};
-const struct option_kind kind_pupil = {"pupil", sizeof(struct pupil_value), true, read_pupil, NULL};
-const struct option_kind kind_plane = {"plane", sizeof(struct plane_value), false, read_plane,
-                                       NULL};
-const struct option_kind kind_target = {"target", sizeof(struct target_value), false, read_target,
-                                        NULL};
+const struct option_kind kind_vector = {
+    .name = "vector",
+    .size = sizeof(struct vector_value),
+    .is_list = true,
+    .read = read_vector,
+};
+
+const struct option_kind kind_pupil = {
+    .name = "pupil",
+    .size = sizeof(struct pupil_value),
+    .is_list = true,
+    .read = read_pupil,
+};
+
+const struct option_kind kind_plane = {
+    .name = "plane",
+    .size = sizeof(struct plane_value),
+    .read = read_plane,
+};
+
+const struct option_kind kind_target = {
+    .name = "target",
+    .size = sizeof(struct target_value),
+    .read = read_target,
+};

@@ -3,6 +3,8 @@
 #ifndef LENSCALC_CLI_OPTION_RAY_H
 #define LENSCALC_CLI_OPTION_RAY_H
 
+#include "analysis/setup_question.h"
+
 #include <stdbool.h>
 
 /* A point or a direction: x:y:z. */
@@ -15,14 +17,6 @@ struct vector_value {
 struct pupil_value {
     bool is_given;
     double at[2];
-};
-
-/* Where the image plane stands. */
-enum plane_kind { PLANE_OF_LENS, PLANE_PARAXIAL, PLANE_TABLE, PLANE_BEST, PLANE_AT };
-
-struct plane_value {
-    enum plane_kind kind; /* PLANE_OF_LENS: not given */
-    double distance;      /* PLANE_AT: behind the last vertex, mm */
 };
 
 /* Where rays end. */

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/collect.h"
 #include "draw/plot.h"
+#include "report/row.h"
 
 #include <math.h>
 #include <string.h>
@@ -155,8 +156,8 @@ static bool lay_out(const struct collection *collection, const char *columns, bo
     if (columns == NULL) {
         return fail(error, ERROR_USAGE, "--plot: say what to plot with --columns");
     }
-    return collection_columns(collection, columns, ',', !typed, &layout->shown,
-                              &layout->shown_count, error) &&
+    const struct column_names wanted = {.names = columns, .separator = ',', .convert = !typed};
+    return collection_columns(collection, &wanted, &layout->shown, &layout->shown_count, error) &&
            collection_check_units(layout->shown, layout->shown_count, "--plot", true, error) &&
            choose_x(collection, layout, error);
 }

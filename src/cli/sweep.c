@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/sweep.h"
 
-#include "commands/lens/lens_options.h"
 #include "cli/nominal.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -18,11 +18,12 @@ struct values {
     char *data;
     size_t count, capacity;
     const struct unit *unit;
+    bool has_unit; /* is it that of an item? */
 };
 
 static bool is_number(const struct option *option)
 {
-    return option->kind == &kind_quantity || option->kind == &kind_wavelength;
+    return option->kind->number_of != NULL;
 }
 
 static bool too_many(const struct option *option, struct error *error)
@@ -62,18 +63,6 @@ static bool add_wavelength(struct values *values, double number, struct error *e
                                                     values->data + values->count++ * size, error);
 }
 
-static bool add_number(struct values *values, double number, struct error *error)
-{
-    if (values->option->kind == &kind_wavelength) {
-        return add_wavelength(values, number, error);
-    }
-    if (!option_check_range(values->option, number, error) || !reserve(values, 1, error)) {
-        return false;
-    }
-    ((double *)values->data)[values->count++] = number;
-    return true;
-}
-
 /* A range: first..last, then :step, *factor, #count or /series. */
 struct range {
     struct text text, first, last, tail;
@@ -81,6 +70,33 @@ struct range {
     double from, to;
     const struct unit *unit; /* that was typed at an end, else the option's */
 };
+
+/* Of a range in a unit that is not the program's own, what would have been typed: 65 deg. */
+static double as_typed(const struct range *range, double number)
+{
+    const struct unit *unit = range->unit;
+    double most = fmax(fabs(range->from), fabs(range->to)), own;
+    if (unit == NULL || unit_is_own(unit)) {
+        return number;
+    }
+    double slack = 8 * DBL_EPSILON * unit_from_own(unit, most);
+    return unit_decimal_to_own(unit, unit_from_own(unit, number), slack, &own) ? own : number;
+}
+
+static bool add_number(struct values *values, const struct range *range, double number,
+                       struct error *error)
+{
+    if (values->option->kind == &kind_wavelength) {
+        return add_wavelength(values, number, error);
+    }
+    number = as_typed(range, number);
+    if (!option_check_range(values->option, number, error) || !reserve(values, 1, error)) {
+        return false;
+    }
+    option_doubt(values->reader, values->option, number);
+    ((double *)values->data)[values->count++] = number;
+    return true;
+}
 
 static bool range_fail(const struct values *values, const struct range *range, const char *what,
                        struct error *error)
@@ -94,8 +110,25 @@ static bool is_letter(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/* Is a ratio written with its colon, as 1:8? */
+static bool has_colon(const struct option *option, struct text text)
+{
+    return option->dimension != NULL && option->dimension->ratio &&
+           memchr(text.start, ':', text.length) != NULL;
+}
+
+/* Does a tail begin here: a step, a factor, a count or a series? */
+static bool begins_tail(struct text text, size_t i)
+{
+    char c = text.start[i];
+    /* the '/' of f/22 follows a letter, that of a series a digit */
+    bool series = c == '/' && i > 0 && i + 1 < text.length && is_letter(text.start[i + 1]) &&
+                  !is_letter(text.start[i - 1]);
+    return c == ':' || c == '*' || c == '#' || series;
+}
+
 /* Cut "first..last:tail" apart; false if there is no "..". */
-static bool split_range(struct text text, struct range *range)
+static bool split_range(const struct option *option, struct text text, struct range *range)
 {
     size_t at = 0;
     while (at + 1 < text.length && !(text.start[at] == '.' && text.start[at + 1] == '.')) {
@@ -106,12 +139,12 @@ static bool split_range(struct text text, struct range *range)
     }
     *range = (struct range){.text = text, .first = {text.start, at}};
     struct text last = {text.start + at + 2, text.length - at - 2};
+    bool colon = has_colon(option, range->first); /* 1:8..1:1, whose colon is no step */
     for (size_t i = 0; i < last.length && range->kind == 0; i++) {
         char c = last.start[i];
-        bool series = c == '/' && i > 0 && i + 1 < last.length && is_letter(last.start[i + 1]);
-        /* the '/' of f/22 follows a letter, that of a series a digit */
-        series = series && !is_letter(last.start[i - 1]);
-        if (c == ':' || c == '*' || c == '#' || series) {
+        if (c == ':' && colon) {
+            colon = false;
+        } else if (begins_tail(last, i)) {
             range->kind = c;
             range->tail = (struct text){last.start + i + 1, last.length - i - 1};
             last.length = i;
@@ -183,7 +216,7 @@ static bool add_steps(struct values *values, const struct range *range, struct e
         return false;
     }
     for (size_t i = 0; i <= (size_t)steps; i++) {
-        if (!add_number(values, range->from + (double)i * step, error)) {
+        if (!add_number(values, range, range->from + (double)i * step, error)) {
             return false;
         }
     }
@@ -212,7 +245,7 @@ static bool add_factors(struct values *values, const struct range *range, struct
         if (fabs(value - range->to) <= 1e-9 * range->to) {
             value = range->to; /* the end as it was typed */
         }
-        if (!add_number(values, value, error)) {
+        if (!add_number(values, range, value, error)) {
             return false;
         }
     }
@@ -236,7 +269,7 @@ static bool add_points(struct values *values, const struct range *range, struct 
         double at = i == last
                         ? range->to
                         : range->from + (double)i * ((range->to - range->from) / (double)last);
-        if (!add_number(values, at, error)) {
+        if (!add_number(values, range, at, error)) {
             return false;
         }
     }
@@ -258,16 +291,53 @@ static bool add_series(struct values *values, const struct range *range, bool *a
     if (dimension->series == NULL) {
         return name == NULL || range_fail(values, range, "it has no stop series", error);
     }
-    if (!nominal_between(values->reader->db, dimension, name, range->from, range->to,
-                         values->reader->nominal, &stops, &count, error)) {
+    const struct nominal_range labels = {.dimension = dimension,
+                                         .series = name,
+                                         .first = range->from,
+                                         .last = range->to,
+                                         .exact = values->reader->nominal};
+    if (!nominal_between(values->reader->db, &labels, &stops, &count, error)) {
         return blame(values, range->text, error);
     }
     for (size_t i = 0; i < count; i++) {
-        if (!add_number(values, stops[i], error)) {
+        if (!add_number(values, range, stops[i], error)) {
             return false;
         }
     }
     *added = count > 0;
+    return true;
+}
+
+/* Is an end written as a fraction of what is halved and doubled: a power of 1/16, a time? */
+static bool is_fraction(const struct values *values, const struct range *range)
+{
+    const struct dimension *dimension = values->option->dimension;
+    bool doubles = dimension->ratio || dimension == &dimension_time;
+    return doubles &&
+           (memchr(range->first.start, '/', range->first.length) != NULL ||
+            memchr(range->last.start, '/', range->last.length) != NULL ||
+            has_colon(values->option, range->first) || has_colon(values->option, range->last));
+}
+
+/* Fractions run in stops: 1/16, 1/8, 1/4, 1/2, 1. */
+static bool add_stops(struct values *values, const struct range *range, struct error *error)
+{
+    double stops = log2(range->to / range->from), whole = rint(stops);
+    if (!(range->from > 0 && range->to > 0)) {
+        return range_fail(values, range, "a range of fractions has ends above 0", error);
+    }
+    if (!(fabs(stops - whole) <= 1e-9)) {
+        range_fail(values, range, "fractions run in stops, and these are no whole stops apart",
+                   error);
+        return error_hint(error,
+                          "say a step behind it: :0.1 adds, *2 multiplies, #5 is their count");
+    }
+    for (double i = 0; i <= fabs(whole); i++) {
+        double value = i == fabs(whole) ? range->to : range->from * exp2(copysign(i, whole));
+        if (!add_number(values, range, value, error)) {
+            return false;
+        }
+    }
     return true;
 }
 
@@ -287,6 +357,9 @@ static bool add_range(struct values *values, struct range *range, struct error *
     if (range->kind != ':' && !add_series(values, range, &added, error)) {
         return false;
     }
+    if (!added && range->kind == 0 && is_fraction(values, range)) {
+        return add_stops(values, range, error);
+    }
     return added || add_steps(values, range, error);
 }
 
@@ -298,17 +371,19 @@ static void note_unit(struct values *values, struct text item)
     struct error ignored;
     double value;
     if (!is_number(option) ||
-        !quantity_read(item, option->dimension, option_unit(option), &value, &typed, &ignored)) {
-        return;
+        !quantity_read(item, option->dimension, option_unit(option), &value, &typed, &ignored) ||
+        (isinf(value) && typed == NULL)) {
+        return; /* infinity is the same in all units */
     }
-    bool same = values->count == 1 || values->unit == typed;
+    bool same = !values->has_unit || values->unit == typed;
     values->unit = typed != NULL && same ? typed : option_unit(option);
+    values->has_unit = true;
 }
 
 static bool add_item(struct values *values, struct text item, struct error *error)
 {
     struct range range;
-    if (is_number(values->option) && split_range(item, &range)) {
+    if (is_number(values->option) && split_range(values->option, item, &range)) {
         return add_range(values, &range, error);
     }
     if (!reserve(values, 1, error)) {
@@ -438,9 +513,6 @@ bool axis_is_number(const struct axis *axis)
 
 double axis_number(const struct axis *axis, size_t index)
 {
-    if (axis->option->kind == &kind_wavelength) {
-        const struct wavelength_value *values = (const void *)axis->values;
-        return lens_wavelength_own(values[index].wavelength);
-    }
-    return ((const double *)(const void *)axis->values)[index];
+    const struct option_kind *kind = axis->option->kind;
+    return kind->number_of(axis->values + index * kind->size);
 }

@@ -1,4 +1,4 @@
-/* cli/commands.c - the table of commands: one line each. */
+/* commands/commands.c - the table of commands: one line each. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 

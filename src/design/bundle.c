@@ -2,46 +2,80 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/bundle.h"
 
+#include "analysis/quadrature.h"
 #include "trace/aim.h"
 #include "trace/dispatch.h"
 #include "trace/system.h"
 
 #include <math.h>
 
+/* The lens at one wavelength: with its rims, if they count, and without for aiming. */
+struct ways {
+    const struct system *clipped, *open;
+};
+
 /* Points of the pupil, of the stop where there is one; and whence rays to them start. */
 struct tracing {
     const struct bundle_request *request;
     struct arena *arena;
-    struct system system; /* at the first wavelength, without clipping */
-    struct sample sample;
+    struct sample sample; /* of the whole stop */
     bool has_stop;
-    double radius;     /* of the beam at the first vertex of a lens without a stop, mm */
+    double radius;    /* of the beam at the first vertex of a lens without a stop, mm */
+    struct ways *all; /* one a wavelength */
+    /* of the present field and wavelength */
+    const struct ways *ways;
+    struct beam beam;
+    struct aim aim;    /* where there is a stop */
     struct error last; /* why a field has no chief ray */
 };
 
-static bool open_tracing(struct tracing *tracing, struct error *error)
+static double field_of(const struct setup *setup, size_t i)
+{
+    return setup->fields[i].point.value[setup_axis(setup)];
+}
+
+/* The systems of each wavelength, in the light's own order. */
+static bool open_ways(struct tracing *tracing, struct bundle *bundle, struct error *error)
+{
+    const struct setup *setup = tracing->request->setup;
+    unsigned rims = tracing->request->no_clip ? SETUP_OPEN : SETUP_CLIPPED;
+    tracing->all = ARENA_ARRAY(tracing->arena, setup->wavelength_count, struct ways);
+    bundle->index_object = ARENA_ARRAY(tracing->arena, setup->wavelength_count, double);
+    bundle->index_image = ARENA_ARRAY(tracing->arena, setup->wavelength_count, double);
+    for (size_t g = 0; g < setup->wavelength_count; g++) {
+        struct ways *ways = &tracing->all[g];
+        ways->open = setup_system(setup, g, SETUP_OPEN, error);
+        ways->clipped = ways->open != NULL ? setup_system(setup, g, rims, error) : NULL;
+        if (ways->clipped == NULL) {
+            return false;
+        }
+        bundle->index_object[g] = copysign(ways->open->index_first, setup->first.index_object);
+        bundle->index_image[g] = copysign(ways->open->index_last, setup->first.index_image);
+    }
+    return true;
+}
+
+static bool open_tracing(struct tracing *tracing, struct bundle *bundle, struct error *error)
 {
     const struct bundle_request *request = tracing->request;
-    const struct first_order *first = request->first;
-    struct system_options options = system_options_default();
-    options.stop_radius = first->stop_radius;
-    if (!system_compile(request->lens, request->wavelengths[0], &options, tracing->arena,
-                        &tracing->system, error) ||
+    const struct setup *setup = request->setup;
+    const struct first_order *first = &setup->first;
+    if (!open_ways(tracing, bundle, error) ||
         !sample_make(request->pattern, request->ray_count, request->seed, tracing->arena,
                      &tracing->sample, error)) {
         return false;
     }
-    tracing->has_stop = tracing->system.stop != LENS_NONE && first->stop_radius > 0;
+    tracing->has_stop = tracing->all->open->stop != LENS_NONE && first->stop_radius > 0;
     tracing->radius = tracing->has_stop ? first->stop_radius : first->entrance_diameter / 2;
     if (!(fabs(tracing->radius) > 0 && isfinite(tracing->radius))) {
         return fail(error, ERROR_DOMAIN,
                     "the lens has neither a stop with a diameter nor an aperture: give --aperture");
     }
-    for (size_t i = 0; i < request->field_count; i++) {
-        if (request->lens->object_is_infinite && !(fabs(request->fields[i]) < 1.57)) {
+    for (size_t i = 0; i < setup->field_count; i++) {
+        if (setup->object.is_infinite && !(fabs(field_of(setup, i)) < 1.57)) {
             return fail(error, ERROR_DOMAIN,
                         "the field of %.6g degrees: the rays of a thick lens stay below 90",
-                        request->fields[i] * 57.29577951308232);
+                        field_of(setup, i) * 57.29577951308232);
         }
     }
     return true;
@@ -50,8 +84,8 @@ static bool open_tracing(struct tracing *tracing, struct error *error)
 static bool open_beam(const struct tracing *tracing, double field, struct beam *beam,
                       struct error *error)
 {
-    const struct lens *lens = tracing->request->lens;
-    double n = tracing->system.index_first;
+    const struct lens *lens = tracing->request->setup->lens;
+    double n = tracing->ways->open->index_first;
     if (lens->object_is_infinite) {
         const double angle[2] = {0, field};
         *beam = beam_from_infinity(angle, n);
@@ -61,47 +95,46 @@ static bool open_beam(const struct tracing *tracing, double field, struct beam *
     return beam_from_point(point, n, beam, error);
 }
 
-/* The rays of one field where they start; those that reach no point of the stop are lost. */
-static bool aim_field(const struct tracing *tracing, double field, const struct rays *rays,
-                      struct error *error)
+/* Each colour by its own rays: what one leaves dark of the stop another may fill. */
+static bool open_field(struct tracing *tracing, size_t field, size_t group, struct error *error)
+{
+    tracing->ways = &tracing->all[group];
+    return open_beam(tracing, field_of(tracing->request->setup, field), &tracing->beam, error) &&
+           (!tracing->has_stop ||
+            aim_open(tracing->ways->open, &tracing->beam, tracing->arena, &tracing->aim, error));
+}
+
+/* Rays to the points of the sample; those that reach no point of the stop are lost. */
+static void start_rays(const struct tracing *tracing, const struct rays *rays)
 {
     const struct sample *sample = &tracing->sample;
-    struct beam beam;
-    struct aim aim;
-    if (!open_beam(tracing, field, &beam, error)) {
-        return false;
-    }
     if (tracing->has_stop) {
-        if (!aim_open(&tracing->system, &beam, tracing->arena, &aim, error)) {
-            return false;
-        }
-        aim_rays(&aim, sample->points, sample->count, rays);
-        return true;
+        aim_rays(&tracing->aim, sample->points, sample->count, rays);
+        return;
     }
     for (size_t i = 0; i < sample->count; i++) {
+        const struct beam *beam = &tracing->beam;
         const double target[3] = {sample->points[i].x * tracing->radius,
                                   sample->points[i].y * tracing->radius, 0};
         double place[2];
-        beam_place(&beam, target, place);
-        struct ray ray = beam_ray(&beam, place[0], place[1]);
-        rays_set(rays, i, beam.n, &ray);
+        beam_place(beam, target, place);
+        struct ray ray = beam_ray(beam, place[0], place[1]);
+        rays_set(rays, i, beam->n, &ray);
     }
-    return true;
 }
 
 static void open_bundle(const struct bundle_request *request, size_t sample, struct arena *arena,
                         struct bundle *bundle)
 {
-    size_t most = request->field_count * request->wavelength_count * sample;
+    size_t most = request->setup->field_count * request->setup->wavelength_count * sample;
+    bundle->clear = ARENA_ARRAY(arena, request->setup->field_count, double);
     for (size_t i = 0; i < 11; i++) {
         bundle->columns[i] = ARENA_ARRAY(arena, most, double);
     }
     bundle->groups = ARENA_ARRAY(arena, most, size_t);
     bundle->field = ARENA_ARRAY(arena, most, size_t);
-    bundle->index_object = ARENA_ARRAY(arena, request->wavelength_count, double);
-    bundle->index_image = ARENA_ARRAY(arena, request->wavelength_count, double);
     bundle->lost = ARENA_ARRAY(arena, most, struct bundle_loss);
-    bundle->wanted = most;
+    bundle->wanted = 0;
     double *const *all = bundle->columns;
     bundle->rays = (struct thick_rays){.x = all[0],
                                        .y = all[1],
@@ -114,7 +147,9 @@ static void open_bundle(const struct bundle_request *request, size_t sample, str
                                        .weight = all[8],
                                        .stop_x = all[9],
                                        .stop_y = all[10],
-                                       .group = bundle->groups};
+                                       .group = bundle->groups,
+                                       .field = bundle->field,
+                                       .field_count = request->setup->field_count};
 }
 
 /* A ray that came through, from the plane it is in to the plane of the vertex. */
@@ -127,28 +162,77 @@ static void store(double *const *to, size_t i, const struct ray *ray)
     to[3][i] = q;
 }
 
-/* All rays of one field at one wavelength. */
-static void trace_pupil(const struct tracing *tracing, const struct system *system,
-                        const struct rays *aimed, size_t field, size_t group, struct bundle *bundle)
+/* Where in the beam the points of the stop lie, or those of the first vertex's plane. */
+static struct stop_beam stop_beam_of(const struct tracing *tracing)
 {
-    const struct bundle_request *request = tracing->request;
-    const struct sample *sample = &tracing->sample;
-    struct arena_mark mark = arena_mark(tracing->arena);
+    double radius = tracing->radius;
+    struct stop_beam beam = {.system = tracing->ways->clipped, .beam = &tracing->beam};
+    if (tracing->has_stop) {
+        const struct aim *aim = &tracing->aim;
+        const double *slope = aim->slope;
+        double scale = radius / (slope[0] * slope[3] - slope[1] * slope[2]);
+        return (struct stop_beam){
+            beam.system,
+            &aim->beam,
+            {aim->chief[0], aim->chief[1]},
+            {slope[3] * scale, -slope[1] * scale, -slope[2] * scale, slope[0] * scale},
+            fabs(radius)};
+    }
+    const double targets[3][3] = {{0, 0, 0}, {radius, 0, 0}, {0, radius, 0}};
+    double places[3][2];
+    for (int i = 0; i < 3; i++) {
+        beam_place(beam.beam, targets[i], places[i]);
+    }
+    for (int i = 0; i < 2; i++) {
+        beam.origin[i] = places[0][i];
+        beam.axes[2 * i] = places[1][i] - places[0][i];
+        beam.axes[2 * i + 1] = places[2][i] - places[0][i];
+    }
+    beam.radius = NAN;
+    return beam;
+}
+
+/*
+ * Rays of the present field and wavelength. Gauss's rule is that of what is clear of the stop:
+ * without the rays that are lost it would integrate nothing. Equal points may lose some.
+ */
+static struct quadrature choose_rays(struct tracing *tracing)
+{
+    struct quadrature all = {.is_empty = true};
+    if (tracing->request->pattern == PATTERN_GAUSS) {
+        const struct stop_beam beam = stop_beam_of(tracing);
+        all = quadrature_make(&beam, tracing->request->ray_count, tracing->arena);
+    }
+    if (all.is_empty) {
+        all.sample = tracing->sample;
+        all.rays = rays_new(tracing->arena, all.sample.count);
+        start_rays(tracing, &all.rays);
+    }
+    return all;
+}
+
+/* All rays of one field at one wavelength. */
+static void trace_pupil(struct tracing *tracing, const struct quadrature *all, size_t field,
+                        size_t group, struct bundle *bundle)
+{
+    const struct system *system = tracing->ways->clipped;
+    const struct sample *sample = &all->sample;
     struct rays rays = rays_new(tracing->arena, sample->count);
     double *const *to = bundle->columns;
-    double weight = (request->field_weights != NULL ? request->field_weights[field] : 1) *
-                    (request->wavelength_weights != NULL ? request->wavelength_weights[group] : 1);
+    const struct setup *setup = tracing->request->setup;
+    double weight = setup->fields[field].weight * setup->wavelengths[group].weight;
+    bundle->wanted += sample->count;
     for (size_t k = 0; k < sample->count; k++) {
-        struct ray ray = rays_get(aimed, k, tracing->system.index_first);
+        struct ray ray = rays_get(&all->rays, k, system->index_first);
         ray.status = RAY_OK;
         rays_set(&rays, k, system->index_first, &ray);
     }
     /* places behind a thick lens that comes last count from its H' */
-    const struct surface *last = &request->lens->surfaces[request->lens->surface_count - 1];
-    double behind = last->kind == SURFACE_THICK ? last->hiatus.value.hi : 0;
+    const struct surface *last = &system->lens->surfaces[system->lens->surface_count - 1];
+    double behind = surface_hiatus(last).hi;
     rays_trace(system, &rays, NULL);
     for (size_t k = 0; k < sample->count; k++) {
-        struct ray start = rays_get(aimed, k, tracing->system.index_first);
+        struct ray start = rays_get(&all->rays, k, system->index_first);
         struct ray ray = rays_get(&rays, k, system->index_last);
         bool reached = start.status == RAY_OK;
         if (!reached || ray.status != RAY_OK || !(fabs(ray.cosine[2]) > 1e-6)) {
@@ -167,26 +251,31 @@ static void trace_pupil(const struct tracing *tracing, const struct system *syst
         to[10][i] = sample->points[k].y;
         bundle->groups[i] = group;
         bundle->field[i] = field;
+        bundle->clear[field] += sample->points[k].weight / (double)setup->wavelength_count;
     }
-    arena_reset(tracing->arena, mark);
 }
 
-/* One system a wavelength, in the light's own order. */
-static bool compile_all(const struct bundle_request *request, struct arena *arena,
-                        struct system *systems, struct bundle *bundle, struct error *error)
+/* All rays of one field. */
+static void trace_field(struct tracing *tracing, size_t field, struct bundle *bundle)
 {
-    for (size_t g = 0; g < request->wavelength_count; g++) {
-        struct system_options options = system_options_default();
-        options.clip = !request->no_clip;
-        options.stop_radius = request->first->stop_radius;
-        if (!system_compile(request->lens, request->wavelengths[g], &options, arena, &systems[g],
-                            error)) {
-            return false;
+    for (size_t g = 0; g < tracing->request->setup->wavelength_count; g++) {
+        struct arena_mark mark = arena_mark(tracing->arena);
+        if (open_field(tracing, field, g, &tracing->last)) {
+            const struct quadrature all = choose_rays(tracing);
+            trace_pupil(tracing, &all, field, g, bundle);
+        } else {
+            bundle->wanted += tracing->sample.count;
+            bundle->unreachable += tracing->sample.count;
         }
-        bundle->index_object[g] = copysign(systems[g].index_first, request->first->index_object);
-        bundle->index_image[g] = copysign(systems[g].index_last, request->first->index_image);
+        arena_reset(tracing->arena, mark);
     }
-    return true;
+}
+
+/* Corners want more directions than a whole stop has; see quadrature_make. */
+static size_t most_points(const struct tracing *tracing)
+{
+    size_t count = tracing->sample.count, rings = (size_t)sqrt((double)count / 2) + 1;
+    return tracing->request->pattern == PATTERN_GAUSS ? count + 2 * 8 * rings : count;
 }
 
 static bool check_left(const struct tracing *tracing, const struct bundle *bundle,
@@ -210,26 +299,15 @@ bool bundle_trace(const struct bundle_request *request, struct arena *arena, str
 {
     struct tracing tracing = {.request = request, .arena = arena};
     *bundle = (struct bundle){0};
-    if (request->field_count == 0) {
+    if (request->setup->field_count == 0) {
         return fail(error, ERROR_DOMAIN, "there is no field: give --field");
     }
-    if (!open_tracing(&tracing, error)) {
+    if (!open_tracing(&tracing, bundle, error)) {
         return false;
     }
-    open_bundle(request, tracing.sample.count, arena, bundle);
-    struct system *systems = ARENA_ARRAY(arena, request->wavelength_count, struct system);
-    if (!compile_all(request, arena, systems, bundle, error)) {
-        return false;
-    }
-    struct rays aimed = rays_new(arena, tracing.sample.count);
-    for (size_t f = 0; f < request->field_count; f++) {
-        if (!aim_field(&tracing, request->fields[f], &aimed, &tracing.last)) {
-            bundle->unreachable += tracing.sample.count * request->wavelength_count;
-            continue;
-        }
-        for (size_t g = 0; g < request->wavelength_count; g++) {
-            trace_pupil(&tracing, &systems[g], &aimed, f, g, bundle);
-        }
+    open_bundle(request, most_points(&tracing), arena, bundle);
+    for (size_t f = 0; f < request->setup->field_count; f++) {
+        trace_field(&tracing, f, bundle);
     }
     return check_left(&tracing, bundle, error);
 }

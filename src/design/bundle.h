@@ -3,30 +3,20 @@
 #ifndef LENSCALC_DESIGN_BUNDLE_H
 #define LENSCALC_DESIGN_BUNDLE_H
 
+#include "analysis/setup.h"
 #include "base/arena.h"
 #include "base/error.h"
 #include "design/thick.h"
-#include "optics/first_order.h"
-#include "optics/lens.h"
 #include "trace/sample.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-enum { BUNDLE_FIELDS = 64 };
-
 /* Which rays are wanted. */
 struct bundle_request {
-    const struct lens *lens;         /* in one position */
-    const struct first_order *first; /* at the first wavelength, with the aperture */
-    const double *wavelengths;       /* um; the pupil is that of the first */
-    const double *wavelength_weights;
-    size_t wavelength_count;
-    const double *fields; /* rad for distant objects, else mm of the object; signed along y */
-    const double *field_weights; /* null = 1 */
-    size_t field_count;
-    enum pattern pattern; /* of the pupil, with about so many rays */
+    const struct setup *setup; /* fields: angles of a far object, heights of a near one */
+    enum pattern pattern;      /* of the pupil, with about so many rays */
     size_t ray_count;
     uint64_t seed;
     bool no_clip; /* rays pass beyond rims */
@@ -47,7 +37,8 @@ struct bundle {
     struct bundle_loss *lost; /* those of them whose field has a chief ray */
     size_t lost_count;
     size_t wanted, unreachable, clipped; /* no ray to that point of the stop; stopped by a rim */
-    double *index_object, *index_image;  /* one a wavelength; negative where light runs to -z */
+    double *clear; /* of each field: the weights of its rays, which is what of the stop is clear */
+    double *index_object, *index_image; /* one a wavelength; negative where light runs to -z */
 };
 
 /*
@@ -55,8 +46,11 @@ struct bundle {
  *
  * Result    rays with place and slopes at the first and the last vertex; each weighted by its part
  *           of the pupil, by its field and its wavelength
- * Formula   the pattern's points are those of the stop, to which each ray is aimed at the first
- *           wavelength (trace/aim); a lens without a stop: of its entrance beam at the first vertex
+ * Formula   the pattern's points are those of the stop, to which each ray is aimed at its own
+ *           wavelength (trace/aim); a lens without a stop: of its beam at the first vertex.
+ *           PATTERN_GAUSS: of what is clear of it, for this field and wavelength, so that
+ *           vignetted bundles are integrated too (analysis/quadrature); of other patterns the rays
+ *           that are lost are left out
  * Errors    ERROR_DOMAIN: no beam (neither stop nor aperture), a field at 90 degrees or beyond,
  *           no ray left, with the reason; as system_compile
  */

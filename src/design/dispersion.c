@@ -13,9 +13,14 @@ enum { MOST_PARAMETERS = 8 };
 /* Values of n (or n^2) and derivatives at a wavelength, by all parameters. */
 typedef double curve_function(const double *c, size_t count, double l, double *slope);
 
+/* Terms that a formula may have: resonances of Sellmeier, coefficients of the others. */
+struct terms {
+    size_t least, usual, most;
+};
+
 struct curve {
     enum glass_formula formula;
-    struct dispersion_terms terms;
+    struct terms terms;
     bool is_square, is_linear;
     curve_function *value;
     const char *names[MOST_PARAMETERS];
@@ -96,12 +101,6 @@ static const struct curve *curve_of(enum glass_formula formula)
         }
     }
     return NULL;
-}
-
-struct dispersion_terms dispersion_terms(enum glass_formula formula)
-{
-    const struct curve *curve = curve_of(formula);
-    return curve != NULL ? curve->terms : (struct dispersion_terms){0, 0, 0};
 }
 
 static double share(const struct dispersion_data *data, size_t i)

@@ -28,12 +28,6 @@ struct dispersion_fit {
     struct solver_summary summary;
 };
 
-/* Terms that a formula may have: resonances of Sellmeier, coefficients of the others. */
-struct dispersion_terms {
-    size_t least, usual, most;
-};
-struct dispersion_terms dispersion_terms(enum glass_formula formula);
-
 /*
  * Fit a dispersion formula.
  *

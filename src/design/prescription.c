@@ -17,7 +17,13 @@ struct matrix {
 
 /* The lens at the wavelength of one goal, as plain numbers. */
 struct view {
-    double *n; /* count + 1, signed */
+    double *n;    /* count + 1, signed */
+    double power; /* by which bfl and ffl are weighed, 1/mm */
+};
+
+/* A goal as a linear function of a system's matrix: a m.a + c m.c + d m.d + rest. */
+struct aim {
+    double a, c, d, rest;
 };
 
 struct fitting {
@@ -41,8 +47,19 @@ static struct matrix times(struct matrix m, struct matrix k)
 static double power_of(const struct fitting *fitting, size_t i)
 {
     const struct surface *surface = &fitting->lens->surfaces[i];
-    return surface->kind == SURFACE_THICK ? 1 / surface->focal.value.hi
-                                          : (fitting->n[i + 1] - fitting->n[i]) * fitting->c[i];
+    return surface_has(surface, SURFACE_HAS_FOCAL)
+               ? 1 / surface->focal.value.hi
+               : (fitting->n[i + 1] - fitting->n[i]) * fitting->c[i];
+}
+
+/* The last space of the medium behind a surface: that of the mirrors that stand in it. */
+static size_t last_space(const struct fitting *fitting, size_t surface)
+{
+    size_t i = surface + 1;
+    while (i < fitting->count && surface_reflects(&fitting->lens->surfaces[i])) {
+        i++;
+    }
+    return i;
 }
 
 /* The trial's curvatures, gaps and indices for one goal. */
@@ -55,14 +72,16 @@ static void set_trial(const struct fitting *fitting, size_t goal, const double *
         fitting->t[i] = i + 1 < fitting->count ? lens->surfaces[i].thickness.value.hi : 0;
     }
     for (size_t j = 0; j < fitting->part_count; j++) {
-        size_t i = fitting->parts[j].surface;
+        size_t i = fitting->parts[j].what.surface;
         double change = parameters[j] - fitting->start[j];
-        if (fitting->parts[j].kind == PART_RADIUS) {
+        if (fitting->parts[j].what.kind == PARAMETER_RADIUS) {
             fitting->c[i] += change;
-        } else if (fitting->parts[j].kind == PART_GAP) {
+        } else if (fitting->parts[j].what.kind == PARAMETER_THICKNESS) {
             fitting->t[i] += change;
         } else {
-            fitting->n[i + 1] += fitting->n[i + 1] < 0 ? -change : change;
+            for (size_t k = i + 1; k <= last_space(fitting, i); k++) {
+                fitting->n[k] += fitting->n[k] < 0 ? -change : change;
+            }
         }
     }
 }
@@ -107,30 +126,53 @@ static void add(struct matrix *sum, struct matrix m, double factor)
     sum->d += factor * m.d;
 }
 
+/* By the index of a medium, in one of its spaces: space k lies between surfaces k - 1 and k. */
+static void add_index(const struct fitting *fitting, struct matrix whole, size_t k,
+                      struct matrix *sum)
+{
+    double n = fitting->n[k], sign = n < 0 ? -1 : 1;
+    add(sum, by_power(fitting, whole, k - 1), sign * fitting->c[k - 1]);
+    add(sum, by_gap(fitting, whole, k - 1), -sign * fitting->t[k - 1] / (n * n));
+    if (k < fitting->count) {
+        add(sum, by_power(fitting, whole, k), -sign * fitting->c[k]);
+    }
+}
+
 /* The derivative of the whole by one part. */
 static struct matrix derive(const struct fitting *fitting, struct matrix whole,
                             const struct prescription_part *part)
 {
-    size_t i = part->surface;
-    double n = fitting->n[i + 1], sign = n < 0 ? -1 : 1;
+    size_t i = part->what.surface;
+    double n = fitting->n[i + 1];
     struct matrix sum = {0, 0, 0, 0};
-    if (part->kind == PART_RADIUS) {
+    if (part->what.kind == PARAMETER_RADIUS) {
         add(&sum, by_power(fitting, whole, i), n - fitting->n[i]);
-    } else if (part->kind == PART_GAP) {
+    } else if (part->what.kind == PARAMETER_THICKNESS) {
         add(&sum, by_gap(fitting, whole, i), 1 / n);
     } else {
-        add(&sum, by_power(fitting, whole, i), sign * fitting->c[i]);
-        add(&sum, by_power(fitting, whole, i + 1), -sign * fitting->c[i + 1]);
-        add(&sum, by_gap(fitting, whole, i), -sign * fitting->t[i] / (n * n));
+        for (size_t k = i + 1; k <= last_space(fitting, i); k++) {
+            add_index(fitting, whole, k, &sum);
+        }
     }
     return sum;
 }
 
-/* The figure of a goal; with dm its derivative by what dm is by. */
+static double length_of(const struct fitting *fitting)
+{
+    double sum = 0;
+    for (size_t i = 0; i < fitting->count; i++) {
+        const struct surface *surface = &fitting->lens->surfaces[i];
+        sum += fitting->t[i];
+        sum += surface_hiatus(surface).hi;
+    }
+    return sum;
+}
+
+/* The figure of a goal, mm. */
 static double figure_value(const struct fitting *fitting, const struct prescription_goal *goal,
                            struct matrix m)
 {
-    double n = fitting->n[0], last = fitting->n[fitting->count], sum = 0;
+    double n = fitting->n[0], last = fitting->n[fitting->count];
     switch (goal->kind) {
     case GOAL_BFL:
         return -last * m.a / m.c;
@@ -139,12 +181,7 @@ static double figure_value(const struct fitting *fitting, const struct prescript
     case GOAL_HEIGHT:
         return -n * tan(goal->field) / m.c;
     case GOAL_LENGTH:
-        for (size_t i = 0; i < fitting->count; i++) {
-            const struct surface *surface = &fitting->lens->surfaces[i];
-            sum += fitting->t[i];
-            sum += surface->kind == SURFACE_THICK ? surface->hiatus.value.hi : 0;
-        }
-        return sum;
+        return length_of(fitting);
     case GOAL_EFL:
     case GOAL_KINDS:
         break;
@@ -152,30 +189,39 @@ static double figure_value(const struct fitting *fitting, const struct prescript
     return -1 / m.c;
 }
 
-static double figure_slope(const struct fitting *fitting, const struct prescription_goal *goal,
-                           struct matrix m, struct matrix dm, const struct prescription_part *part)
+/*
+ * What is made 0: near the goal it is (figure - value)/deviation, but it has no poles, so that a
+ * lens may pass through no power on its way, and no minimum where the power is endless.
+ */
+static struct aim aim_of(const struct fitting *fitting, size_t g)
 {
-    double n = fitting->n[0], last = fitting->n[fitting->count], square = m.c * m.c;
+    const struct prescription_goal *goal = &fitting->goals[g];
+    double n = fitting->n[0], last = fitting->n[fitting->count], value = goal->value;
+    double power = fitting->views[g].power, turned = n * tan(goal->field);
     switch (goal->kind) {
     case GOAL_BFL:
-        return -last * (dm.a * m.c - m.a * dm.c) / square;
+        return (struct aim){last / (power * goal->deviation), value / (power * goal->deviation), 0,
+                            0};
     case GOAL_FFL:
-        return n * (dm.d * m.c - m.d * dm.c) / square;
+        return (struct aim){0, value / (power * goal->deviation), -n / (power * goal->deviation),
+                            0};
     case GOAL_HEIGHT:
-        return n * tan(goal->field) * dm.c / square;
+        return (struct aim){0, value * value / (turned * goal->deviation), 0,
+                            value / goal->deviation};
     case GOAL_LENGTH:
-        return part->kind == PART_GAP ? 1 : 0;
+        return (struct aim){0, 0, 0, (length_of(fitting) - value) / goal->deviation};
     case GOAL_EFL:
     case GOAL_KINDS:
         break;
     }
-    return dm.c / square;
+    return (struct aim){0, value * value / goal->deviation, 0, value / goal->deviation};
 }
 
 static double size_of(const struct fitting *fitting, size_t part)
 {
     double start = fabs(fitting->start[part]);
-    return fitting->parts[part].kind == PART_RADIUS ? fmax(start, 1e-4) : fmax(start, 0.1);
+    return fitting->parts[part].what.kind == PARAMETER_RADIUS ? fmax(start, 1e-4)
+                                                              : fmax(start, 0.1);
 }
 
 static bool evaluate(void *context, const double *parameters, double *residuals, double *jacobian)
@@ -186,11 +232,14 @@ static bool evaluate(void *context, const double *parameters, double *residuals,
         const struct prescription_goal *goal = &fitting->goals[g];
         set_trial(fitting, g, parameters);
         struct matrix m = trace(fitting);
-        residuals[g] = (figure_value(fitting, goal, m) - goal->value) / goal->deviation;
+        const struct aim aim = aim_of(fitting, g);
+        residuals[g] = aim.a * m.a + aim.c * m.c + aim.d * m.d + aim.rest;
         for (size_t j = 0; j < columns && jacobian != NULL; j++) {
             const struct prescription_part *part = &fitting->parts[j];
             struct matrix dm = derive(fitting, m, part);
-            jacobian[g * columns + j] = figure_slope(fitting, goal, m, dm, part) / goal->deviation;
+            bool adds = goal->kind == GOAL_LENGTH && part->what.kind == PARAMETER_THICKNESS;
+            jacobian[g * columns + j] =
+                aim.a * dm.a + aim.c * dm.c + aim.d * dm.d + (adds ? 1 / goal->deviation : 0);
         }
     }
     for (size_t j = 0; j < columns && fitting->is_loose; j++) {
@@ -203,33 +252,39 @@ static bool evaluate(void *context, const double *parameters, double *residuals,
     return true;
 }
 
-static bool check_part(const struct lens *lens, const struct prescription_part *part,
-                       struct error *error)
+static bool check_goal(const struct prescription_goal *goal, struct error *error)
 {
-    size_t number = part->surface + 1, count = lens->surface_count;
-    const struct surface *surface = &lens->surfaces[part->surface < count ? part->surface : 0];
-    if (part->surface >= count || (part->kind != PART_RADIUS && number >= count)) {
-        return fail(error, ERROR_DOMAIN,
-                    "there is no %s %zu to vary: the lens has %zu surfaces, and %zu gaps between "
-                    "them",
-                    part->kind == PART_RADIUS ? "radius"
-                    : part->kind == PART_GAP  ? "gap"
-                                              : "index",
-                    number, count, count - 1);
+    bool height = goal->kind == GOAL_HEIGHT;
+    if (height && !(fabs(tan(goal->field)) > 0)) {
+        return fail(error, ERROR_DOMAIN, "the height of an image on the axis is 0 for every lens");
     }
-    if (part->kind == PART_RADIUS &&
-        (surface->kind == SURFACE_STOP || surface->kind == SURFACE_THICK)) {
-        return fail(error, ERROR_DOMAIN, "surface %zu has no radius to vary", number);
-    }
-    bool number_medium =
-        surface->medium.kind == MEDIUM_CONSTANT || surface->medium.kind == MEDIUM_MODEL;
-    if (part->kind == PART_INDEX && (!number_medium || surface->kind == SURFACE_REFLECT)) {
-        return fail(error, ERROR_DOMAIN,
-                    "the medium %.*s after surface %zu has no index of its own to vary: only a "
-                    "number or nd/Vd has",
-                    (int)surface->medium.written.length, surface->medium.written.start, number);
+    if ((height || goal->kind == GOAL_EFL) && !(fabs(goal->value) > 0)) {
+        return fail(error, ERROR_DOMAIN, "no lens has %s of 0 mm: its power is endless",
+                    height ? "an image height" : "a focal length");
     }
     return true;
+}
+
+bool prescription_fits(enum parameter_kind kind)
+{
+    return kind == PARAMETER_RADIUS || kind == PARAMETER_THICKNESS || kind == PARAMETER_INDEX;
+}
+
+static bool check_part(const struct lens *lens, struct parameter what, struct error *error)
+{
+    size_t number = what.surface + 1, count = lens->surface_count;
+    const char *words = parameter_type(what.kind)->words;
+    bool is_behind = (parameter_type(what.kind)->is & PARAMETER_IS_BEHIND) != 0;
+    if (!prescription_fits(what.kind)) {
+        return fail(error, ERROR_DOMAIN, "no %s is fitted: only radii, thicknesses and indices",
+                    words);
+    }
+    if (is_behind && number == count) {
+        return fail(error, ERROR_DOMAIN,
+                    "there is no %s %zu to vary: the lens has %zu gaps between its surfaces", words,
+                    number, count - 1);
+    }
+    return parameter_check(lens, what, error);
 }
 
 /* Bounds of a radius as those of the curvature. */
@@ -245,7 +300,7 @@ static bool curvature_bounds(const struct prescription_part *part, double *low, 
     if (!has_low || !has_high || !(part->low * part->high > 0) || !(part->low < part->high)) {
         return fail(error, ERROR_DOMAIN,
                     "the bounds of radius %zu must both be of one sign, the lower first",
-                    part->surface + 1);
+                    part->what.surface + 1);
     }
     *low = 1 / part->high;
     *high = 1 / part->low;
@@ -254,11 +309,13 @@ static bool curvature_bounds(const struct prescription_part *part, double *low, 
 
 static double start_of(const struct fitting *fitting, size_t part)
 {
-    size_t i = fitting->parts[part].surface;
+    size_t i = fitting->parts[part].what.surface;
     const struct surface *surface = &fitting->lens->surfaces[i];
-    return fitting->parts[part].kind == PART_RADIUS ? surface_curvature(surface, SECTION_Y).hi
-           : fitting->parts[part].kind == PART_GAP  ? surface->thickness.value.hi
-                                                    : fabs(fitting->views[0].n[i + 1]);
+    return fitting->parts[part].what.kind == PARAMETER_RADIUS
+               ? surface_curvature(surface, SECTION_Y).hi
+           : fitting->parts[part].what.kind == PARAMETER_THICKNESS
+               ? surface->thickness.value.hi
+               : fabs(fitting->views[0].n[i + 1]);
 }
 
 static bool open_views(struct fitting *fitting, struct arena *arena, struct error *error)
@@ -282,20 +339,74 @@ static bool open_parts(struct fitting *fitting, double *low, double *high, struc
 {
     for (size_t j = 0; j < fitting->part_count; j++) {
         const struct prescription_part *part = &fitting->parts[j];
-        if (!check_part(fitting->lens, part, error)) {
+        if (!check_part(fitting->lens, part->what, error)) {
             return false;
         }
         fitting->start[j] = start_of(fitting, j);
         low[j] = part->low;
         high[j] = part->high;
-        if (part->kind == PART_RADIUS && !curvature_bounds(part, &low[j], &high[j], error)) {
+        if (part->what.kind == PARAMETER_RADIUS &&
+            !curvature_bounds(part, &low[j], &high[j], error)) {
             return false;
         }
         if (!(low[j] <= fitting->start[j] && fitting->start[j] <= high[j])) {
-            double shown = part->kind == PART_RADIUS ? 1 / fitting->start[j] : fitting->start[j];
+            double shown =
+                part->what.kind == PARAMETER_RADIUS ? 1 / fitting->start[j] : fitting->start[j];
             return fail(error, ERROR_DOMAIN,
                         "the %.10g of surface %zu lies outside its bounds %.10g to %.10g", shown,
-                        part->surface + 1, part->low, part->high);
+                        part->what.surface + 1, part->low, part->high);
+        }
+    }
+    return true;
+}
+
+/* The power that a goal is weighed by at first: what another goal wants, or what the lens has. */
+static double first_power(const struct fitting *fitting, size_t g)
+{
+    double longest = 1;
+    for (size_t i = 0; i < fitting->goal_count; i++) {
+        const struct prescription_goal *goal = &fitting->goals[i];
+        if (goal->kind == GOAL_EFL || goal->kind == GOAL_HEIGHT) {
+            double turned = goal->kind == GOAL_EFL ? 1 : fitting->views[i].n[0] * tan(goal->field);
+            return turned / goal->value;
+        }
+        longest = fmax(longest, fabs(goal->value));
+    }
+    set_trial(fitting, g, fitting->start);
+    double power = -trace(fitting).c;
+    /* a lens without power begins somewhere */
+    return fabs(power) > 1e-3 / longest ? power : 1 / longest;
+}
+
+/* Weigh by the power that was found. Result: does that change anything? */
+static bool weigh_again(struct fitting *fitting, const double *parameters)
+{
+    bool changes = false;
+    for (size_t g = 0; g < fitting->goal_count; g++) {
+        enum goal_kind kind = fitting->goals[g].kind;
+        set_trial(fitting, g, parameters);
+        double power = -trace(fitting).c;
+        if ((kind == GOAL_BFL || kind == GOAL_FFL) && fabs(power) > 0) {
+            changes = changes || fabs(power / fitting->views[g].power - 1) > 1e-9;
+            fitting->views[g].power = power;
+        }
+    }
+    return changes;
+}
+
+/* A few rounds: the weights of bfl and ffl follow the power of the lens that is found. */
+static bool solve(struct fitting *fitting, const struct solver_problem *problem, double *parameters,
+                  struct arena *arena, struct prescription_fit *fit, struct error *error)
+{
+    for (size_t g = 0; g < fitting->goal_count; g++) {
+        fitting->views[g].power = first_power(fitting, g);
+    }
+    for (int round = 0; round < 20; round++) {
+        if (!solver_run(problem, NULL, parameters, arena, &fit->summary, error)) {
+            return false;
+        }
+        if (!weigh_again(fitting, parameters)) {
+            break;
         }
     }
     return true;
@@ -305,10 +416,15 @@ static void set_result(struct fitting *fitting, const double *parameters,
                        struct prescription_fit *fit)
 {
     for (size_t j = 0; j < fitting->part_count; j++) {
-        bool radius = fitting->parts[j].kind == PART_RADIUS;
+        bool radius = fitting->parts[j].what.kind == PARAMETER_RADIUS;
         double p = parameters[j], error = fit->summary.standard_error[j];
         fit->before[j] = radius ? 1 / fitting->start[j] : fitting->start[j];
         fit->values[j] = radius ? 1 / p : p;
+        if (radius && fit->summary.at_bound[j] && fabs(fitting->parts[j].low) < INFINITY) {
+            /* 1/(1/R) may be off by a bit, and outside */
+            fit->values[j] =
+                fmin(fmax(fit->values[j], fitting->parts[j].low), fitting->parts[j].high);
+        }
         fit->errors[j] = fit->is_loose ? NAN : radius ? error / (p * p) : error;
     }
     for (size_t g = 0; g < fitting->goal_count; g++) {
@@ -317,14 +433,14 @@ static void set_result(struct fitting *fitting, const double *parameters,
     }
 }
 
-bool prescription_fit(const struct lens *lens, const struct prescription_goal *goals,
-                      size_t goal_count, const struct prescription_part *parts, size_t part_count,
+bool prescription_fit(const struct lens *lens, const struct prescription_task *task,
                       struct arena *arena, struct prescription_fit *fit, struct error *error)
 {
-    size_t count = lens->surface_count;
+    size_t count = lens->surface_count, goal_count = task->goal_count;
+    size_t part_count = task->part_count;
     struct fitting fitting = {.lens = lens,
-                              .goals = goals,
-                              .parts = parts,
+                              .goals = task->goals,
+                              .parts = task->parts,
                               .goal_count = goal_count,
                               .part_count = part_count,
                               .count = count,
@@ -333,6 +449,11 @@ bool prescription_fit(const struct lens *lens, const struct prescription_goal *g
         return fail(error, ERROR_DOMAIN,
                     goal_count == 0 ? "nothing was measured: no goals"
                                     : "nothing may change: no R, t or n");
+    }
+    for (size_t g = 0; g < goal_count; g++) {
+        if (!check_goal(&task->goals[g], error)) {
+            return false;
+        }
     }
     fitting.start = ARENA_ARRAY(arena, part_count, double);
     fitting.c = ARENA_ARRAY(arena, count, double);
@@ -358,50 +479,34 @@ bool prescription_fit(const struct lens *lens, const struct prescription_goal *g
                                            .context = &fitting,
                                            .low = low,
                                            .high = high};
-    if (!solver_run(&problem, NULL, parameters, arena, &fit->summary, error)) {
+    if (!solve(&fitting, &problem, parameters, arena, fit, error)) {
         return false;
     }
     set_result(&fitting, parameters, fit);
     return true;
 }
 
-/* A medium whose index is another one. */
-static struct medium medium_with(const struct medium *medium, double change, struct arena *arena)
+/* What a part has in the lens: its index at the primary wavelength is not that at the goal's. */
+static double number_of(const struct lens *lens, const struct prescription_part *part, double value,
+                        double before)
 {
-    struct medium all = *medium;
-    all.index = pair_add(medium->index, pair_of(change));
-    all.index = pair_of(all.index.hi);
-    char index[NUMBER_LENGTH], abbe[NUMBER_LENGTH];
-    char *end = number_write_shortest(index, all.index.hi);
-    char *abbe_end = number_write_shortest(abbe, medium->abbe.hi);
-    all.written = text_of(medium->kind == MEDIUM_MODEL
-                              ? arena_printf(arena, "%.*s/%.*s", (int)(end - index), index,
-                                             (int)(abbe_end - abbe), abbe)
-                              : arena_printf(arena, "%.*s", (int)(end - index), index));
-    return all;
+    const struct surface *surface = &lens->surfaces[part->what.surface];
+    if (part->what.kind == PARAMETER_RADIUS) {
+        return 1 / (1 / value - 2 * surface->coefficient[0].value.hi);
+    }
+    return part->what.kind == PARAMETER_INDEX
+               ? pair_add(surface->medium.index, pair_of(value - before)).hi
+               : value;
 }
 
 struct lens prescription_apply(const struct lens *lens, const struct prescription_part *parts,
                                size_t part_count, const struct prescription_fit *fit,
                                struct arena *arena)
 {
-    struct lens all = *lens;
-    all.surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
-    memcpy(all.surfaces, lens->surfaces, lens->surface_count * sizeof(struct surface));
+    struct lens *all = parameter_apply(lens, NULL, NULL, 0, arena);
     for (size_t j = 0; j < part_count; j++) {
-        struct surface *surface = &all.surfaces[parts[j].surface];
-        const struct figure figure = {{fit->values[j], 0}, {NULL, 0}, LENS_NONE};
-        if (parts[j].kind == PART_GAP) {
-            surface->thickness = figure;
-        } else if (parts[j].kind == PART_INDEX) {
-            surface->medium = medium_with(&surface->medium, fit->values[j] - fit->before[j], arena);
-        } else {
-            /* 2 A2 is a part of the curvature that stays */
-            double a2 = 2 * surface->coefficient[0].value.hi, c = 1 / fit->values[j] - a2;
-            surface->has_curvature = false;
-            surface->is_plane = !(fabs(c) > 0);
-            surface->radius = (struct figure){{1 / c, 0}, {NULL, 0}, LENS_NONE};
-        }
+        parameter_set(all, parts[j].what, number_of(all, &parts[j], fit->values[j], fit->before[j]),
+                      arena);
     }
-    return all;
+    return *all;
 }

@@ -375,6 +375,9 @@ static double newton_step(struct solving *solving, double *parameters)
     return factors.rank == count ? promise : NAN;
 }
 
+/* By how much rounding moves a cost whose residuals are small differences, as of image points. */
+static const double blurred = 1e-8;
+
 /*
  * Near the end the cost no longer tells better from worse, but the gradient does: a few undamped
  * steps, for as long as what the next one promises gets smaller.
@@ -387,7 +390,7 @@ static void polish(struct solving *solving, double *parameters, double cost)
         memcpy(next, parameters, n * sizeof(double));
         double promise = newton_step(solving, next);
         if (!(promise < 0.5 * promised) || !look(solving, next, &there) ||
-            !(there <= cost * (1 + 1e-12))) {
+            !(there <= cost * (1 + blurred))) {
             break;
         }
         promised = promise;

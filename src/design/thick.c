@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/thick.h"
 
-#include "base/linear.h"
+#include "design/jackknife.h"
 
 #include <math.h>
 #include <string.h>
@@ -183,6 +183,10 @@ static bool check_rays(const struct thick_task *task, struct error *error)
             return fail(error, ERROR_DOMAIN, "ray %zu has the weight %.6g: it is 0 or more", i + 1,
                         weight_of(rays, i));
         }
+        if (rays->field != NULL && rays->field[i] >= rays->field_count) {
+            return fail(error, ERROR_DOMAIN, "ray %zu is of field %zu, there are %zu", i + 1,
+                        rays->field[i] + 1, rays->field_count);
+        }
         if (group_of(rays, i) >= task->group_count) {
             return fail(error, ERROR_DOMAIN, "ray %zu is of wavelength %zu, there are %zu", i + 1,
                         group_of(rays, i) + 1, task->group_count);
@@ -318,72 +322,138 @@ static void set_result(const struct thick_task *task, struct thick_fit *fit)
     for (size_t g = 0; g < task->group_count; g++) {
         fit->lenses[g] = lens_of(task, fit->parameters, g);
     }
-    double sums[2] = {0}, largest = 0, weights = 0;
-    for (size_t i = 0; i < task->rays.count; i++) {
-        const double *r = fit->summary.residuals + PER_RAY * i;
-        double weight = weight_of(&task->rays, i), square = r[0] * r[0] + r[1] * r[1];
-        sums[0] += square;
-        sums[1] += r[2] * r[2] + r[3] * r[3];
-        weights += weight;
-        largest = weight > 0 ? fmax(largest, square / weight) : largest;
-    }
-    fit->rms = sqrt(sums[0] / weights) / task->plane_weights[0];
-    fit->largest = sqrt(largest) / task->plane_weights[0];
-    fit->rms_second = sqrt(sums[1] / weights) / task->plane_weights[1];
+    const struct thick_score score = thick_score(&task->rays, fit->lenses, task->planes);
+    fit->rms = score.rms[0];
+    fit->largest = score.largest;
+    fit->rms_second = score.rms[1];
 }
 
-/* Mean square of the residuals in each plane, as if no parameter had been fitted. */
-static void plane_variances(const struct thick_task *task, const double *residuals,
-                            double variance[2])
-{
-    size_t count = task->rays.count;
-    variance[0] = variance[1] = 0;
-    for (size_t i = 0; i < PER_RAY * count; i++) {
-        variance[i % PER_RAY / 2] += residuals[i] * residuals[i] / (2 * (double)count);
-    }
-}
+/* A task being solved: the rays of each object point and wavelength are a bundle. */
+struct fitting {
+    struct thick_task task;
+    double focus;    /* F; 1 = blur and place count alike */
+    size_t *bundle;  /* of each ray */
+    double *weights; /* of each bundle, the sum */
+    double *means;   /* room for x and y of each bundle and parameter */
+    size_t bundle_count;
+};
 
-/* a = b c, n x n; b or c may be on the other side of its diagonal: all are symmetric. */
-static void multiply(const double *b, const double *c, size_t n, double *a)
+/* Sums over bundles of x and y of `width` numbers a row, divided by the bundles' weights. */
+static void find_means(const struct fitting *fitting, const double *values, size_t width)
 {
-    for (size_t i = 0; i < n; i++) {
-        for (size_t j = 0; j < n; j++) {
-            double sum = 0;
-            for (size_t k = 0; k < n; k++) {
-                sum += b[i * n + k] * c[k * n + j];
-            }
-            a[i * n + j] = sum;
+    const struct thick_rays *rays = &fitting->task.rays;
+    double *means = fitting->means;
+    memset(means, 0, 2 * fitting->bundle_count * width * sizeof(double));
+    for (size_t i = 0; i < rays->count; i++) {
+        double *mean = means + 2 * fitting->bundle[i] * width, root = sqrt(weight_of(rays, i));
+        for (size_t j = 0; j < 2 * width; j++) {
+            mean[j] += root * values[PER_RAY * i * width + j];
+        }
+    }
+    for (size_t b = 0; b < fitting->bundle_count; b++) {
+        for (size_t j = 0; j < 2 * width && fitting->weights[b] > 0; j++) {
+            means[2 * b * width + j] /= fitting->weights[b];
         }
     }
 }
 
-/*
- * Errors where the two planes have residuals of different size: (J^T J)^-1 J^T V J (J^T J)^-1 with
- * V the variance in each plane.
- */
+/* F times what deviates from the mean of the bundle, plus that mean. */
+static void lift_blur(const struct fitting *fitting, double *values, size_t width)
+{
+    const struct thick_rays *rays = &fitting->task.rays;
+    double focus = fitting->focus;
+    find_means(fitting, values, width);
+    for (size_t i = 0; i < rays->count; i++) {
+        const double *mean = fitting->means + 2 * fitting->bundle[i] * width;
+        double root = sqrt(weight_of(rays, i)), *row = values + PER_RAY * i * width;
+        for (size_t j = 0; j < 2 * width; j++) {
+            row[j] = focus * (row[j] - root * mean[j]) + root * mean[j];
+        }
+    }
+}
+
+static bool evaluate(void *context, const double *parameters, double *residuals, double *jacobian)
+{
+    struct fitting *fitting = context;
+    struct thick_task *task = &fitting->task;
+    if (!thick_residuals(task, parameters, residuals, jacobian)) {
+        return false;
+    }
+    if (task->focus_weight > 0) {
+        lift_blur(fitting, residuals, 1);
+        if (jacobian != NULL) {
+            lift_blur(fitting, jacobian, base_count(task) + task->distortions);
+        }
+    }
+    return true;
+}
+
+/* Rms slope of the rays behind the lens against the mean of their bundle. */
+static double cone_slope(const struct fitting *fitting)
+{
+    const struct thick_rays *rays = &fitting->task.rays;
+    double *means = fitting->means, sum = 0, weights = 0;
+    memset(means, 0, 2 * fitting->bundle_count * sizeof(double));
+    for (size_t i = 0; i < rays->count; i++) {
+        double share = weight_of(rays, i) / fitting->weights[fitting->bundle[i]];
+        means[2 * fitting->bundle[i]] += share > 0 ? share * rays->p_out[i] : 0;
+        means[2 * fitting->bundle[i] + 1] += share > 0 ? share * rays->q_out[i] : 0;
+    }
+    for (size_t i = 0; i < rays->count; i++) {
+        const double *mean = means + 2 * fitting->bundle[i];
+        double p = rays->p_out[i] - mean[0], q = rays->q_out[i] - mean[1];
+        sum += weight_of(rays, i) * (p * p + q * q);
+        weights += weight_of(rays, i);
+    }
+    return sqrt(sum / weights);
+}
+
+static bool open_fitting(const struct thick_task *task, struct arena *arena,
+                         struct fitting *fitting, struct error *error)
+{
+    const struct thick_rays *rays = &task->rays;
+    size_t fields = rays->field != NULL ? rays->field_count : rays->count;
+    *fitting = (struct fitting){.task = *task, .focus = 1};
+    if (!(task->focus_weight > 0)) {
+        return true;
+    }
+    fitting->bundle_count = fields * task->group_count;
+    fitting->bundle = ARENA_ARRAY(arena, rays->count, size_t);
+    fitting->weights = ARENA_ARRAY(arena, fitting->bundle_count, double);
+    fitting->means = ARENA_ARRAY(
+        arena, 2 * fitting->bundle_count * (base_count(task) + task->distortions), double);
+    for (size_t i = 0; i < rays->count; i++) {
+        size_t field = rays->field != NULL ? rays->field[i] : i;
+        fitting->bundle[i] = field * task->group_count + group_of(rays, i);
+        fitting->weights[fitting->bundle[i]] += weight_of(rays, i);
+    }
+    double cone = cone_slope(fitting);
+    if (!(cone > 1e-12)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the rays of each field are one: they do not fix the focus; more rays, or a "
+                    "larger aperture");
+    }
+    fitting->focus = task->focus_weight / cone;
+    return true;
+}
+
+/* By leaving out fields; rays of one field err alike, at all wavelengths. */
 static void set_errors(const struct thick_task *task, struct arena *arena, struct thick_fit *fit)
 {
-    size_t n = fit->parameter_count, m = PER_RAY * task->rays.count;
-    const double *j = fit->summary.jacobian;
-    double *inner = ARENA_ARRAY(arena, n * n, double);
-    double *half = ARENA_ARRAY(arena, n * n, double), variance[2];
-    plane_variances(task, fit->summary.residuals, variance);
-    for (size_t i = 0; i < m; i++) {
-        const double *row = j + i * n;
-        for (size_t k = 0; k < n; k++) {
-            double factor = variance[i % PER_RAY / 2] * row[k];
-            for (size_t l = 0; l < n && factor != 0; l++) {
-                inner[k * n + l] += factor * row[l];
-            }
-        }
+    const struct thick_rays *rays = &task->rays;
+    size_t n = fit->parameter_count, rows = PER_RAY * rays->count;
+    size_t groups = rays->field != NULL ? rays->field_count : rays->count;
+    size_t *group = ARENA_ARRAY(arena, rows, size_t);
+    for (size_t i = 0; i < rows; i++) {
+        group[i] = rays->field != NULL ? rays->field[i / PER_RAY] : i / PER_RAY;
     }
-    const double *inverse = fit->summary.inverse;
-    multiply(inverse, inner, n, half);
-    multiply(half, inverse, n, fit->summary.covariance);
-    double share = (double)m / (double)fit->summary.degrees_of_freedom;
-    for (size_t k = 0; k < n * n; k++) {
-        fit->summary.covariance[k] *= share;
-    }
+    const struct jackknife_fit found = {.residuals = fit->summary.residuals,
+                                        .jacobian = fit->summary.jacobian,
+                                        .rows = rows,
+                                        .columns = n,
+                                        .group = group,
+                                        .group_count = groups};
+    jackknife_covariance(&found, arena, fit->summary.covariance);
     for (size_t k = 0; k < n; k++) {
         fit->summary.standard_error[k] = sqrt(fit->summary.covariance[k * n + k]);
     }
@@ -392,10 +462,10 @@ static void set_errors(const struct thick_task *task, struct arena *arena, struc
 bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_fit *fit,
                struct error *error)
 {
-    if (!check_task(task, error)) {
+    struct fitting fitting;
+    if (!check_task(task, error) || !open_fitting(task, arena, &fitting, error)) {
         return false;
     }
-    struct thick_task own = *task;
     size_t terms = base_count(task);
     /* nearly linear: the solver only has to come near, its last undamped steps do the rest */
     struct solver_options options = task->options;
@@ -414,77 +484,13 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
     name_parameters(task, arena, fit);
     const struct solver_problem problem = {.parameter_count = fit->parameter_count,
                                            .residual_count = PER_RAY * task->rays.count,
-                                           .evaluate = thick_residuals,
-                                           .context = &own};
+                                           .evaluate = evaluate,
+                                           .context = &fitting};
     if (!solver_run(&problem, &options, fit->parameters, arena, &fit->summary, error) ||
         !check_determined(task, fit, error)) {
         return false;
     }
     set_errors(task, arena, fit);
     set_result(task, fit);
-    return true;
-}
-
-/* One equation of a pupil: -p place + s_x radius + s_x s (radius growth) = x. */
-static void pupil_row(double x, double p, double stop, double s, double weight, bool growth,
-                      double *row, double *right)
-{
-    row[0] = -p * weight;
-    row[1] = stop * weight;
-    if (growth) {
-        row[2] = stop * s * weight;
-    }
-    *right = x * weight;
-}
-
-/* From the solution of the linear system to a pupil with its errors. */
-static void set_pupil(const double *solution, const double *covariance, double variance,
-                      size_t columns, struct thick_pupil *pupil)
-{
-    double r = solution[1], g = columns > 2 ? solution[2] / r : 0;
-    pupil->place = solution[0];
-    pupil->radius = r;
-    pupil->growth = g;
-    pupil->place_error = sqrt(variance * covariance[0]);
-    pupil->radius_error = sqrt(variance * covariance[columns + 1]);
-    pupil->growth_error = 0;
-    if (columns > 2) {
-        /* g = b/r: dg = (db - g dr)/r */
-        double spread = covariance[8] - 2 * g * covariance[5] + g * g * covariance[4];
-        pupil->growth_error = sqrt(variance * spread) / fabs(r);
-    }
-}
-
-bool thick_fit_pupil(const struct thick_rays *rays, bool exit, bool growth, struct arena *arena,
-                     struct thick_pupil *pupil, struct error *error)
-{
-    size_t columns = growth ? 3 : 2, rows = 2 * rays->count;
-    double *a = ARENA_ARRAY(arena, rows * columns + 1, double);
-    double *b = ARENA_ARRAY(arena, rows + 1, double), solution[3], covariance[9];
-    const double *x = exit ? rays->x_out : rays->x, *p = exit ? rays->p_out : rays->p;
-    const double *y = exit ? rays->y_out : rays->y, *q = exit ? rays->q_out : rays->q;
-    double weights = 0, squares = 0;
-    for (size_t i = 0; i < rays->count; i++) {
-        double s = p[i] * p[i] + q[i] * q[i], weight = sqrt(weight_of(rays, i));
-        double *row = a + 2 * i * columns;
-        pupil_row(x[i], p[i], rays->stop_x[i], s, weight, growth, row, &b[2 * i]);
-        pupil_row(y[i], q[i], rays->stop_y[i], s, weight, growth, row + columns, &b[2 * i + 1]);
-        weights += weight * weight;
-    }
-    const struct linear_factors factors = linear_factor(a, rows, columns, 1e-11, arena);
-    if (factors.rank < columns) {
-        return fail(error, ERROR_DOMAIN,
-                    "the rays do not fix the %s pupil: add fields off the axis",
-                    exit ? "exit" : "entrance");
-    }
-    linear_reflect(&factors, b);
-    for (size_t i = columns; i < rows; i++) {
-        squares += b[i] * b[i];
-    }
-    linear_substitute(&factors, b, solution);
-    linear_normal_inverse(&factors, covariance, arena);
-    set_pupil(solution, covariance, rows > columns ? squares / (double)(rows - columns) : NAN,
-              columns, pupil);
-    pupil->rms = sqrt(squares / weights);
     return true;
 }

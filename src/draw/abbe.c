@@ -1,4 +1,4 @@
-/* report/abbe.c - the Abbe diagram: glasses by index and Abbe number, as in a textbook, in SVG. */
+/* draw/abbe.c - the Abbe diagram: glasses by index and Abbe number, as in a textbook, in SVG. */
 /* SPDX-License-Identifier: MIT */
 #include "draw/abbe.h"
 
@@ -63,10 +63,14 @@ static bool find_range(const struct abbe *abbe, struct axis *x, struct axis *y)
     return y->low <= y->high;
 }
 
+/* Spans below which glasses are the same to their makers: the width of the tolerances. */
+static const double LEAST_ND = 0.001, LEAST_VD = 1;
+
 /* From tick to tick, with a little room around the outermost points. */
-static void set_axis(struct axis *axis, double start, double stop)
+static void set_axis(struct axis *axis, double least, double start, double stop)
 {
-    double room = 0.02 * (axis->high - axis->low);
+    double span = axis->high - axis->low;
+    double room = fmax(0.02 * span, 0.5 * (least - span));
     double low = axis->low - room, high = axis->high + room;
     ticks_widen(&low, &high);
     ticks_linear(low, high, &axis->ticks);
@@ -287,8 +291,8 @@ bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
     if (!find_range(abbe, &drawing.x, &drawing.y)) {
         return fail(error, ERROR_DOMAIN, "nothing to draw: no glass with nd and Vd");
     }
-    set_axis(&drawing.y, ABBE_HEIGHT - BOTTOM, TOP);
-    set_axis(&drawing.x, ABBE_WIDTH - LEGEND_WIDTH, LEFT);
+    set_axis(&drawing.y, LEAST_ND, ABBE_HEIGHT - BOTTOM, TOP);
+    set_axis(&drawing.x, LEAST_VD, ABBE_WIDTH - LEGEND_WIDTH, LEFT);
     /* Vd falls to the right: the axis is turned round once its ticks are chosen */
     double high = drawing.x.high;
     drawing.x =

@@ -1,7 +1,7 @@
-/* report/abbe.h - the Abbe diagram: glasses by index and Abbe number, as in a textbook, in SVG. */
+/* draw/abbe.h - the Abbe diagram: glasses by index and Abbe number, as in a textbook, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_REPORT_ABBE_H
-#define LENSCALC_REPORT_ABBE_H
+#ifndef LENSCALC_DRAW_ABBE_H
+#define LENSCALC_DRAW_ABBE_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* report/barrel.c - the depth-of-field scale of a lens barrel, drawn flat, in SVG. */
+/* draw/barrel.c - the depth-of-field scale of a lens barrel, drawn flat, in SVG. */
 /* SPDX-License-Identifier: MIT */
 #include "draw/barrel.h"
 

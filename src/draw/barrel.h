@@ -1,7 +1,7 @@
-/* report/barrel.h - the depth-of-field scale of a lens barrel, drawn flat, in SVG. */
+/* draw/barrel.h - the depth-of-field scale of a lens barrel, drawn flat, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_REPORT_BARREL_H
-#define LENSCALC_REPORT_BARREL_H
+#ifndef LENSCALC_DRAW_BARREL_H
+#define LENSCALC_DRAW_BARREL_H
 
 #include <stdbool.h>
 #include <stddef.h>

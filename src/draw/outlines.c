@@ -1,4 +1,4 @@
-/* report/outlines.c - a grid of shapes. */
+/* draw/outlines.c - a grid of shapes. */
 /* SPDX-License-Identifier: MIT */
 #include "draw/outlines.h"
 

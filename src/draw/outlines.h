@@ -1,7 +1,7 @@
-/* report/outlines.h - closed shapes side by side at one scale, in SVG. */
+/* draw/outlines.h - closed shapes side by side at one scale, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_REPORT_OUTLINES_H
-#define LENSCALC_REPORT_OUTLINES_H
+#ifndef LENSCALC_DRAW_OUTLINES_H
+#define LENSCALC_DRAW_OUTLINES_H
 
 #include <stdbool.h>
 #include <stddef.h>

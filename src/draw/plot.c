@@ -1,4 +1,4 @@
-/* report/plot.c - line plots of several series, as in a textbook, in SVG. */
+/* draw/plot.c - line plots of several series, as in a textbook, in SVG. */
 /* SPDX-License-Identifier: MIT */
 #include "draw/plot.h"
 

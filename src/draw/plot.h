@@ -1,7 +1,7 @@
-/* report/plot.h - line plots of several series, as in a textbook, in SVG. */
+/* draw/plot.h - line plots of several series, as in a textbook, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_REPORT_PLOT_H
-#define LENSCALC_REPORT_PLOT_H
+#ifndef LENSCALC_DRAW_PLOT_H
+#define LENSCALC_DRAW_PLOT_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* report/ray_map.c - a map of errors over field and pupil, in SVG. */
+/* draw/ray_map.c - a map of errors over field and pupil, in SVG. */
 /* SPDX-License-Identifier: MIT */
 #include "draw/ray_map.h"
 

@@ -1,7 +1,7 @@
-/* report/ray_map.h - a map of errors over field and pupil, in SVG. */
+/* draw/ray_map.h - a map of errors over field and pupil, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_REPORT_RAY_MAP_H
-#define LENSCALC_REPORT_RAY_MAP_H
+#ifndef LENSCALC_DRAW_RAY_MAP_H
+#define LENSCALC_DRAW_RAY_MAP_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
-/* report/section.c - cross-section of a lens on a page, in SVG. */
+/* draw/section.c - cross-section of a lens on a page, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#include "report/section.h"
+#include "draw/section.h"
 
 #include "base/arena.h"
 #include "base/error.h"
@@ -30,34 +30,34 @@ struct page {
     size_t taken_count;
 };
 
-static const struct svg_style styles[SECTION_KINDS] = {
-    [SECTION_ELEMENT] = {.stroke = "#26323d", .width = 1.1},
-    [SECTION_AXIS] = {.stroke = "#777777", .width = 0.8, .dash = "14 4 2 4"},
-    [SECTION_AXIAL] = {.stroke = "#c0392b", .width = 1},
-    [SECTION_OBLIQUE] = {.stroke = "#1f5fa8", .width = 0.9},
-    [SECTION_CHIEF] = {.stroke = "#1f5fa8", .width = 1.5},
-    [SECTION_GAUSS] = {.stroke = "#c0392b", .width = 1.2},
-    [SECTION_EXTENDED] = {.stroke = "#c0392b", .width = 0.9, .dash = "4 4"},
-    [SECTION_ARROW] = {.stroke = "#000000", .width = 2},
-    [SECTION_HATCH] = {.stroke = "#555555", .width = 0.8},
-    [SECTION_MIRROR] = {.stroke = "#000000", .width = 2.6},
-    [SECTION_STOP] = {.stroke = "#000000", .width = 2.4},
-    [SECTION_IMAGE] = {.stroke = "#000000", .width = 1.6},
-    [SECTION_PLANE] = {.stroke = "#1b7a3d", .width = 1.1, .dash = "6 3"},
-    [SECTION_PUPIL] = {.stroke = "#8e44ad", .width = 1.8},
-    [SECTION_POINT] = {.fill = "#1b7a3d"},
+static const struct svg_style styles[LAYOUT_KINDS] = {
+    [LAYOUT_ELEMENT] = {.stroke = "#26323d", .width = 1.1},
+    [LAYOUT_AXIS] = {.stroke = "#777777", .width = 0.8, .dash = "14 4 2 4"},
+    [LAYOUT_AXIAL] = {.stroke = "#c0392b", .width = 1},
+    [LAYOUT_OBLIQUE] = {.stroke = "#1f5fa8", .width = 0.9},
+    [LAYOUT_CHIEF] = {.stroke = "#1f5fa8", .width = 1.5},
+    [LAYOUT_GAUSS] = {.stroke = "#c0392b", .width = 1.2},
+    [LAYOUT_EXTENDED] = {.stroke = "#c0392b", .width = 0.9, .dash = "4 4"},
+    [LAYOUT_ARROW] = {.stroke = "#000000", .width = 2},
+    [LAYOUT_HATCH] = {.stroke = "#555555", .width = 0.8},
+    [LAYOUT_MIRROR] = {.stroke = "#000000", .width = 2.6},
+    [LAYOUT_STOP] = {.stroke = "#000000", .width = 2.4},
+    [LAYOUT_IMAGE] = {.stroke = "#000000", .width = 1.6},
+    [LAYOUT_PLANE] = {.stroke = "#1b7a3d", .width = 1.1, .dash = "6 3"},
+    [LAYOUT_PUPIL] = {.stroke = "#8e44ad", .width = 1.8},
+    [LAYOUT_POINT] = {.fill = "#1b7a3d"},
 };
 
-static const char *const names[SECTION_KINDS] = {
-    [SECTION_AXIAL] = "rays from the axis",
-    [SECTION_OBLIQUE] = "rays of the field's edge",
-    [SECTION_CHIEF] = "chief ray",
-    [SECTION_GAUSS] = "rays of the equivalent lens",
-    [SECTION_EXTENDED] = "extended backwards",
-    [SECTION_STOP] = "aperture stop",
-    [SECTION_MIRROR] = "mirror",
-    [SECTION_PLANE] = "principal plane",
-    [SECTION_PUPIL] = "pupil",
+static const char *const names[LAYOUT_KINDS] = {
+    [LAYOUT_AXIAL] = "rays from the axis",
+    [LAYOUT_OBLIQUE] = "rays of the field's edge",
+    [LAYOUT_CHIEF] = "chief ray",
+    [LAYOUT_GAUSS] = "rays of the equivalent lens",
+    [LAYOUT_EXTENDED] = "extended backwards",
+    [LAYOUT_STOP] = "aperture stop",
+    [LAYOUT_MIRROR] = "mirror",
+    [LAYOUT_PLANE] = "principal plane",
+    [LAYOUT_PUPIL] = "pupil",
 };
 
 static const char *const tints[] = {
@@ -74,8 +74,8 @@ struct extent {
 static struct extent measure(const struct section *section)
 {
     struct extent box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
-    for (size_t i = 0; i < section->part_count; i++) {
-        const struct section_part *part = &section->parts[i];
+    for (size_t i = 0; i < section->layout->part_count; i++) {
+        const struct layout_part *part = &section->layout->parts[i];
         for (size_t k = 0; k < part->count; k++) {
             box.left = fmin(box.left, part->z[k]);
             box.right = fmax(box.right, part->z[k]);
@@ -101,9 +101,9 @@ static void write_text(const struct page *page, double x, double y, enum svg_anc
 /* The end of what lies under or over a label of this width: the element's rim, or `end` (px). */
 static double clear_of_glass(const struct page *page, double x, double width, double end, double up)
 {
-    for (size_t i = 0; i < page->section->part_count; i++) {
-        const struct section_part *part = &page->section->parts[i];
-        for (size_t k = 0; part->kind == SECTION_ELEMENT && k < part->count; k++) {
+    for (size_t i = 0; i < page->section->layout->part_count; i++) {
+        const struct layout_part *part = &page->section->layout->parts[i];
+        for (size_t k = 0; part->kind == LAYOUT_ELEMENT && k < part->count; k++) {
             double at = page->x0 + page->scale * part->z[k];
             double y = page->y0 - page->scale * part->y[k];
             if (fabs(at - x) < width / 2 + 3 && (y - end) * up < 0) {
@@ -127,9 +127,9 @@ static bool is_taken(const struct page *page, const struct box *box)
 }
 
 /* Above or below its part, outwards until it touches no other label. */
-static void write_label(struct page *page, const struct section_part *part)
+static void write_label(struct page *page, const struct layout_part *part)
 {
-    bool point = part->kind == SECTION_POINT, below = part->kind == SECTION_PUPIL || point;
+    bool point = part->kind == LAYOUT_POINT, below = part->kind == LAYOUT_PUPIL || point;
     double width = svg_text_width(part->label, SMALL), x = page->x0 + page->scale * part->z[0];
     double up = below ? -1 : 1, end = part->y[part->count - 1];
     double y = page->y0 - page->scale * end;
@@ -155,10 +155,10 @@ static void write_labels(struct page *page)
     double from = -INFINITY;
     size_t index = 0;
     for (;;) {
-        const struct section_part *next = NULL;
+        const struct layout_part *next = NULL;
         size_t place = 0;
-        for (size_t i = 0; i < section->part_count; i++) {
-            const struct section_part *part = &section->parts[i];
+        for (size_t i = 0; i < section->layout->part_count; i++) {
+            const struct layout_part *part = &section->layout->parts[i];
             bool later =
                 part->label != NULL && (part->z[0] > from || (!(part->z[0] < from) && i > index));
             if (later && (next == NULL || part->z[0] < next->z[0])) {
@@ -177,7 +177,7 @@ static void write_labels(struct page *page)
 
 static void draw_tip(const struct page *page, const double *x, const double *y, size_t last)
 {
-    const struct svg_style style = {.fill = styles[SECTION_ARROW].stroke};
+    const struct svg_style style = {.fill = styles[LAYOUT_ARROW].stroke};
     double down = y[last] > y[0] ? -9 : 9;
     const double tip_x[] = {x[last], x[last] - 4.5, x[last] + 4.5};
     const double tip_y[] = {y[last], y[last] + down, y[last] + down};
@@ -186,7 +186,7 @@ static void draw_tip(const struct page *page, const double *x, const double *y, 
     svg_group_end(page->svg);
 }
 
-static void draw_part(const struct page *page, const struct section_part *part)
+static void draw_part(const struct page *page, const struct layout_part *part)
 {
     struct svg *svg = page->svg;
     struct svg_style style = styles[part->kind];
@@ -196,20 +196,20 @@ static void draw_part(const struct page *page, const struct section_part *part)
         x[i] = page->x0 + page->scale * part->z[i];
         y[i] = page->y0 - page->scale * part->y[i];
     }
-    if (part->kind == SECTION_ELEMENT) {
+    if (part->kind == LAYOUT_ELEMENT) {
         style.fill = tints[part->glass % TINTS];
         style.opacity = page->section->faint ? 0.45 : 0;
     }
     svg_group_begin(svg, &style);
-    if (part->kind == SECTION_ELEMENT) {
+    if (part->kind == LAYOUT_ELEMENT) {
         svg_polygon(svg, x, y, part->count);
-    } else if (part->kind == SECTION_POINT) {
+    } else if (part->kind == LAYOUT_POINT) {
         svg_circle(svg, x[0], y[0], 3);
     } else {
         svg_polyline(svg, x, y, part->count);
     }
     svg_group_end(svg);
-    if (part->kind == SECTION_ARROW) {
+    if (part->kind == LAYOUT_ARROW) {
         draw_tip(page, x, y, part->count - 1);
     }
 }
@@ -230,10 +230,10 @@ static void draw_bar(const struct page *page, double y)
                arena_printf(page->svg->arena, "%.10g mm", length));
 }
 
-static bool occurs(const struct section *section, enum section_kind kind)
+static bool occurs(const struct section *section, enum layout_kind kind)
 {
-    for (size_t i = 0; i < section->part_count; i++) {
-        if (section->parts[i].kind == kind) {
+    for (size_t i = 0; i < section->layout->part_count; i++) {
+        if (section->layout->parts[i].kind == kind) {
             return true;
         }
     }
@@ -254,15 +254,15 @@ static double draw_legend(const struct page *page, double y, bool draw)
 {
     const struct section *section = page->section;
     double x = MARGIN;
-    for (size_t i = 0; i < section->glass_count + SECTION_KINDS; i++) {
-        bool glass = i < section->glass_count;
-        size_t kind = glass ? SECTION_ELEMENT : i - section->glass_count;
-        const char *name = glass ? section->glasses[i] : names[kind];
-        if (i == section->glass_count && x > MARGIN) {
+    for (size_t i = 0; i < section->layout->glass_count + LAYOUT_KINDS; i++) {
+        bool glass = i < section->layout->glass_count;
+        size_t kind = glass ? LAYOUT_ELEMENT : i - section->layout->glass_count;
+        const char *name = glass ? section->layout->glasses[i] : names[kind];
+        if (i == section->layout->glass_count && x > MARGIN) {
             x = MARGIN;
             y += LINE;
         }
-        if (name == NULL || (!glass && !occurs(section, (enum section_kind)kind))) {
+        if (name == NULL || (!glass && !occurs(section, (enum layout_kind)kind))) {
             continue;
         }
         double width = 28 + svg_text_width(name, SMALL) + 14;
@@ -282,9 +282,9 @@ static double draw_legend(const struct page *page, double y, bool draw)
         x += width;
     }
     y += x > MARGIN ? LINE : 0;
-    for (size_t i = 0; i < section->note_count; i++, y += LINE) {
+    for (size_t i = 0; i < section->layout->note_count; i++, y += LINE) {
         if (draw) {
-            write_text(page, MARGIN, y, SVG_START, "#444444", section->notes[i]);
+            write_text(page, MARGIN, y, SVG_START, "#444444", section->layout->notes[i]);
         }
     }
     return y;
@@ -315,10 +315,10 @@ static void draw_head(const struct page *page)
 static double label_room(const struct section *section, bool below)
 {
     size_t count = 0;
-    for (size_t i = 0; i < section->part_count; i++) {
-        enum section_kind kind = section->parts[i].kind;
-        bool under = kind == SECTION_POINT || kind == SECTION_PUPIL;
-        count += section->parts[i].label != NULL && under == below;
+    for (size_t i = 0; i < section->layout->part_count; i++) {
+        enum layout_kind kind = section->layout->parts[i].kind;
+        bool under = kind == LAYOUT_POINT || kind == LAYOUT_PUPIL;
+        count += section->layout->parts[i].label != NULL && under == below;
     }
     return 20 + 13 * fmin((double)count, 4);
 }
@@ -340,13 +340,13 @@ bool section_draw(const struct section *section, struct svg *svg, struct error *
     page.y0 = above + room / 2 + page.scale * (box.low + box.high) / 2;
     page.bottom = above + room + label_room(section, true);
     page.height = draw_legend(&page, page.bottom + 46, false) + 8;
-    page.taken = ARENA_ARRAY(svg->arena, section->part_count, struct box);
+    page.taken = ARENA_ARRAY(svg->arena, section->layout->part_count, struct box);
     svg_begin(svg, SECTION_WIDTH, page.height, section->title);
     draw_head(&page);
-    for (int kind = 0; kind < SECTION_KINDS; kind++) {
-        for (size_t i = 0; i < section->part_count; i++) {
-            if ((int)section->parts[i].kind == kind) {
-                draw_part(&page, &section->parts[i]);
+    for (int kind = 0; kind < LAYOUT_KINDS; kind++) {
+        for (size_t i = 0; i < section->layout->part_count; i++) {
+            if ((int)section->layout->parts[i].kind == kind) {
+                draw_part(&page, &section->layout->parts[i]);
             }
         }
     }

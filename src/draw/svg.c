@@ -1,4 +1,4 @@
-/* report/svg.c - SVG 1.1 drawings as text in memory. */
+/* draw/svg.c - SVG 1.1 drawings as text in memory. */
 /* SPDX-License-Identifier: MIT */
 #include "draw/svg.h"
 
@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "base/number.h"
+#include "base/text.h"
 
 static const size_t FIRST_CAPACITY = 16384;
 static const double COORDINATE_MAX = 1e6; /* viewers calculate in float */
@@ -59,32 +60,21 @@ static void put_colour(struct svg *svg, const char *name, const char *value)
 }
 
 /* Bytes of the character at `at` if XML can hold it, else 0 (RFC 3629; XML 1.0, production 2). */
-static size_t character_length(const char *at)
+static size_t character_length(const char *at, size_t room)
 {
     const unsigned char *byte = (const unsigned char *)at;
-    if (byte[0] < 0x80) {
-        return byte[0] >= 0x20 || byte[0] == '\t' || byte[0] == '\n';
+    if (byte[0] < 0x20) {
+        return byte[0] == '\t' || byte[0] == '\n';
     }
-    size_t length = byte[0] >= 0xf0 ? 4 : byte[0] >= 0xe0 ? 3 : 2;
-    if (byte[0] < 0xc2 || byte[0] > 0xf4) {
-        return 0;
-    }
-    for (size_t i = 1; i < length; i++) {
-        if ((byte[i] & 0xc0) != 0x80) {
-            return 0;
-        }
-    }
-    bool overlong = (byte[0] == 0xe0 && byte[1] < 0xa0) || (byte[0] == 0xf0 && byte[1] < 0x90);
-    bool surrogate = byte[0] == 0xed && byte[1] > 0x9f;
-    bool too_large = byte[0] == 0xf4 && byte[1] > 0x8f;
-    bool reserved = byte[0] == 0xef && byte[1] == 0xbf && byte[2] > 0xbd;
-    return overlong || surrogate || too_large || reserved ? 0 : length;
+    size_t length = text_utf8_length(at, room);
+    bool reserved = length == 3 && byte[0] == 0xef && byte[1] == 0xbf && byte[2] > 0xbd;
+    return reserved ? 0 : length;
 }
 
 static void put_escaped(struct svg *svg, const char *text, size_t length)
 {
     for (const char *at = text; at < text + length;) {
-        size_t bytes = character_length(at);
+        size_t bytes = character_length(at, (size_t)(text + length - at));
         switch (*at) {
         case '&':
             put(svg, "&amp;");

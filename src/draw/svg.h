@@ -1,7 +1,7 @@
-/* report/svg.h - SVG 1.1 drawings as text in memory. */
+/* draw/svg.h - SVG 1.1 drawings as text in memory. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_REPORT_SVG_H
-#define LENSCALC_REPORT_SVG_H
+#ifndef LENSCALC_DRAW_SVG_H
+#define LENSCALC_DRAW_SVG_H
 
 #include <stdbool.h>
 #include <stddef.h>

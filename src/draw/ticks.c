@@ -1,4 +1,4 @@
-/* report/ticks.c - round numbers along an axis, and how they are written. */
+/* draw/ticks.c - round numbers along an axis, and how they are written. */
 /* SPDX-License-Identifier: MIT */
 #include "draw/ticks.h"
 

@@ -1,7 +1,7 @@
-/* report/ticks.h - round numbers along an axis, and how they are written. */
+/* draw/ticks.h - round numbers along an axis, and how they are written. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_REPORT_TICKS_H
-#define LENSCALC_REPORT_TICKS_H
+#ifndef LENSCALC_DRAW_TICKS_H
+#define LENSCALC_DRAW_TICKS_H
 
 #include <stddef.h>
 

@@ -1,4 +1,4 @@
-/* report/wedge.c - side view of a tilted lens and its wedge of sharpness, in SVG. */
+/* draw/wedge.c - side view of a tilted lens and its wedge of sharpness, in SVG. */
 /* SPDX-License-Identifier: MIT */
 #include "draw/wedge.h"
 

@@ -1,7 +1,7 @@
-/* report/wedge.h - side view of a tilted lens and its wedge of sharpness, in SVG. */
+/* draw/wedge.h - side view of a tilted lens and its wedge of sharpness, in SVG. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_REPORT_WEDGE_H
-#define LENSCALC_REPORT_WEDGE_H
+#ifndef LENSCALC_DRAW_WEDGE_H
+#define LENSCALC_DRAW_WEDGE_H
 
 #include <stdbool.h>
 

@@ -1,4 +1,4 @@
-/* report/wedge_camera.c - the camera in the drawing of a tilted lens. */
+/* draw/wedge_camera.c - the camera in the drawing of a tilted lens. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "draw/svg.h"

@@ -1,4 +1,4 @@
-/* report/wedge_view.c - how a tilted lens and its scene lie on the page. */
+/* draw/wedge_view.c - how a tilted lens and its scene lie on the page. */
 /* SPDX-License-Identifier: MIT */
 #include "draw/wedge_view.h"
 

@@ -1,7 +1,7 @@
-/* report/wedge_view.h - how a tilted lens and its scene lie on the page, for report/wedge.c. */
+/* draw/wedge_view.h - how a tilted lens and its scene lie on the page, for draw/wedge.c. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_REPORT_WEDGE_VIEW_H
-#define LENSCALC_REPORT_WEDGE_VIEW_H
+#ifndef LENSCALC_DRAW_WEDGE_VIEW_H
+#define LENSCALC_DRAW_WEDGE_VIEW_H
 
 #include "draw/wedge.h"
 
@@ -54,7 +54,7 @@ struct stretch view_plane(const struct view *view, const struct wedge *wedge, do
 const char *wedge_digits(struct arena *arena, double x);
 const char *wedge_degrees(struct arena *arena, double angle);
 
-/* -------- report/wedge_camera.c -------- */
+/* -------- draw/wedge_camera.c -------- */
 
 /* Bellows, sensor and lens to scale. */
 void wedge_draw_camera(struct svg *svg, const struct view *view, const struct wedge *wedge);

@@ -1,10 +1,10 @@
-/* cli/cmd_convert.c - lenscalc convert: lens files of other programs, scaled and turned lenses. */
+/* commands/data/cmd_convert.c - lenscalc convert: lens files of other programs, changed lenses. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
-#include "exchange/foreign.h"
-#include "optics/growing.h"
+#include "exchange/lens_formats.h"
 #include "file/lens_change.h"
 #include "file/lens_glass.h"
+#include "optics/growing.h"
 
 #include <math.h>
 #include <string.h>
@@ -17,18 +17,14 @@ struct input {
     const char *position;
 };
 
-enum { TO_AUTO, TO_LENS };
-
-static const struct word formats[] = {
-    {"auto", "by the ending of the output file; .lens without one"},
-    {"lens", "lenscalc's own"},
-    {"zmx", "Zemax OpticStudio"},
-    {"seq", "CODE V"},
-    {"len", "OSLO"},
-    {"dat", "pbrt"},
-    {"json", "JSON, for other programs"},
-    {NULL, NULL},
-};
+/* "auto", then what a lens may be written as. */
+static const struct word *format_word_at(size_t i)
+{
+    static const struct word automatic = {"auto",
+                                          "by the ending of the output file; .lens without one"};
+    const struct file_type *type = i > 0 ? lens_types(i - 1) : NULL;
+    return i == 0 ? &automatic : type != NULL ? &type->word : NULL;
+}
 
 static const struct word units[] = {
     {"keep", "that of the lens"},
@@ -41,10 +37,9 @@ static const struct word units[] = {
 
 static const struct option options[] = {
     {OPTION(struct input, lens), .name = "lens", .letter = 'l', .value = "LENS",
-     .flags = OPTION_OPERAND | OPTION_FILE,
-     .help = "a lens of lensdb (list lenses), a file (.lens .zmx .seq .len .dat), or - for "
-             "standard input"},
-    {OPTION(struct input, to), .name = "to", .words = formats, .fallback = "auto",
+     .flags = OPTION_OPERAND | OPTION_FILE, .types = lens_types,
+     .help = "a lens of lensdb (list lenses), a file, or - for standard input"},
+    {OPTION(struct input, to), .name = "to", .word_at = format_word_at, .fallback = "auto",
      .value = "FORMAT", .help = "what to write"},
     {OPTION(struct input, position), .name = "position", .value = "NAME",
      .help = "only this zoom or focus position; without it all"},
@@ -63,11 +58,12 @@ static const struct option options[] = {
 /* What is done, step by step. */
 struct conversion {
     const struct input *input;
-    struct arena arena;
+    struct arena *arena;
     struct lens_glasses place;
     struct glass_source glasses;
     struct foreign_job job;
     const struct lens *lens;
+    const char *left_out; /* marks that --reverse leaves out; null = none */
 };
 
 static bool choose_position(struct conversion *conversion, struct error *error)
@@ -85,7 +81,7 @@ static bool choose_position(struct conversion *conversion, struct error *error)
         fail(error, ERROR_USAGE, "--position '%s': the lens has no such position", name);
         return error_hint(error, "its first position is '%s'", lens->positions[0]);
     }
-    conversion->lens = lens_one_position(lens, position, &conversion->arena);
+    conversion->lens = lens_one_position(lens, position, conversion->arena);
     return true;
 }
 
@@ -101,7 +97,7 @@ static struct pair decimal_of(double value)
 static bool scale(struct conversion *conversion, struct error *error)
 {
     const struct input *input = conversion->input;
-    struct arena *arena = &conversion->arena;
+    struct arena *arena = conversion->arena;
     const struct lens *lens = conversion->lens;
     if (!isnan(input->scale)) {
         conversion->lens = lens_scaled(lens, decimal_of(input->scale), false, arena);
@@ -132,7 +128,8 @@ static bool change(struct conversion *conversion, struct error *error)
         return false;
     }
     if (input->reverse) {
-        conversion->lens = lens_reversed(conversion->lens, &conversion->arena, error);
+        conversion->left_out = lens_marks_left_out(conversion->lens, conversion->arena);
+        conversion->lens = lens_reversed(conversion->lens, conversion->arena, error);
         if (conversion->lens == NULL) {
             return false;
         }
@@ -142,47 +139,39 @@ static bool change(struct conversion *conversion, struct error *error)
     }
     if (input->unit > 0) {
         conversion->lens =
-            lens_in_unit(conversion->lens, units[input->unit].word, &conversion->arena);
+            lens_in_unit(conversion->lens, units[input->unit].word, conversion->arena);
     }
     return true;
 }
 
-/* The format to write; null = .lens. False: it is not known. */
-static bool choose_format(const struct input *input, const char *path,
-                          const struct foreign_format **format, struct error *error)
+/* What --to says. */
+static const struct file_type *choose_type(const void *data)
 {
-    *format = NULL;
-    if (input->to == TO_LENS) {
-        return true;
-    }
-    struct text name = text_of(path != NULL ? path : "");
-    bool own =
-        name.length > 5 && text_same((struct text){name.start + name.length - 5, 5}, ".lens");
-    if (input->to == TO_AUTO && path != NULL && !own) {
-        *format = foreign_by_ending(name);
-        if (*format == NULL) {
-            return fail(error, ERROR_USAGE,
-                        "--output '%s': its ending names no format; say which one with --to", path);
-        }
-    } else if (input->to > TO_LENS) {
-        *format = foreign_by_name(text_of(formats[input->to].word));
-    }
-    bool wanted = input->to > TO_LENS || *format != NULL;
-    return !wanted || (*format != NULL && (*format)->write != NULL) ||
-           fail(error, ERROR_USAGE, "lenscalc does not write files of the format '%s'",
-                *format != NULL ? (*format)->name : formats[input->to].word);
+    const struct input *input = data;
+    return input->to > 0 ? lens_types((size_t)input->to - 1) : NULL;
 }
 
-static bool convert(struct conversion *conversion, struct output *output, struct error *error)
+static bool check(const struct artifact_job *job, struct error *error)
+{
+    const struct input *input = job->inputs[0];
+    const struct foreign_format *format = foreign_by_name(text_of(job->type->word.word));
+    if (format != NULL && format->write == NULL) {
+        return fail(error, ERROR_USAGE, "lenscalc does not write files of the format '%s'",
+                    job->type->word.word);
+    }
+    return input->lens.source != NULL ||
+           fail(error, ERROR_USAGE, "which lens? Give a name, a file or -");
+}
+
+static bool convert(struct conversion *conversion, const struct foreign_format *format,
+                    struct output *output, struct error *error)
 {
     const struct input *input = conversion->input;
-    const struct foreign_format *format;
-    struct arena *arena = &conversion->arena;
+    struct arena *arena = conversion->arena;
     struct lens *lens = ARENA_NEW(arena, struct lens);
     struct lens_warnings warnings;
     struct text text;
-    if (!choose_format(input, output->path, &format, error) ||
-        !foreign_read(&conversion->job, input->lens.content, lens, error)) {
+    if (!foreign_read(&conversion->job, input->lens.content, lens, error)) {
         return false;
     }
     conversion->lens = lens;
@@ -200,27 +189,31 @@ static bool convert(struct conversion *conversion, struct output *output, struct
     output_text(output, text.start, text.length);
     struct growing lost = {.arena = input->lens.arena};
     foreign_losses(&conversion->job, &lost);
+    if (conversion->left_out != NULL) {
+        growing_format(&lost, "%s: lost: %s: --reverse has no mark for what lies before the lens\n",
+                       input->lens.source, conversion->left_out);
+    }
     output->remarks = growing_done(&lost);
     return true;
 }
 
-static bool print(const void *data, struct output *output, struct error *error)
+static bool write(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct input *input = data;
-    struct conversion conversion = {.input = input};
-    if (input->lens.source == NULL) {
-        return fail(error, ERROR_USAGE, "which lens? Give a name, a file or -");
-    }
-    conversion.place = (struct lens_glasses){input->lens.db, &conversion.arena};
+    const struct input *input = job->inputs[0];
+    struct conversion conversion = {.input = input, .arena = job->run->arena};
+    conversion.place = (struct lens_glasses){input->lens.db, conversion.arena};
     conversion.glasses = lens_glass_source(&conversion.place);
     conversion.job = (struct foreign_job){.source = input->lens.source,
-                                          .arena = &conversion.arena,
+                                          .arena = conversion.arena,
                                           .glasses = &conversion.glasses,
                                           .lossy = input->lens.db->lossy};
-    bool done = convert(&conversion, output, error);
-    arena_free(&conversion.arena);
-    return done;
+    return convert(&conversion, foreign_by_name(text_of(job->type->word.word)), sink, error);
 }
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_ANSWER(lens_types), .choose = choose_type, .chooser = "to", .check = check,
+     .make = write},
+};
 
 static const struct example examples[] = {
     {"convert double-gauss --to zmx", "a lens for Zemax (to a file: -o FILE.zmx)"},
@@ -236,5 +229,5 @@ const struct command command_convert = {
     .group = "data",
     .summary = "read and write lens files of other programs; scale and reverse a lens",
     COMMAND_ASKS(struct input),
-    .print = print,
+    COMMAND_MAKES(artifacts),
 };

@@ -1,4 +1,4 @@
-/* cli/cmd_glass.c - lenscalc glass: indices of optical glasses, and glasses by their indices. */
+/* commands/data/cmd_glass.c - lenscalc glass: indices of glasses, and glasses by their indices. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 #include "commands/data/glass_search.h"
@@ -14,14 +14,14 @@ struct input {
     double wavelength, thickness; /* mm; NaN = not given */
     double temperature, pressure; /* C, Pa; NaN = not given */
     struct interval_value nd, Vd, PgF;
-    const char *catalog, *status, *abbe, *label;
+    const char *catalog, *status, *label;
     int air;
     long count;
 };
 
 static const struct option options[] = {
     {OPTION(struct input, glass), .name = "glass", .column = "glass", .value = "NAME",
-     .flags = OPTION_OPERAND,
+     .flags = OPTION_OPERAND | OPTION_CURRENT,
      .help = "NAME or CATALOG:NAME, or nd/Vd, or a number; without it all glasses are searched"},
     {OPTION(struct input, wavelength), .name = "wavelength", .letter = 'w', .column = "wavelength",
      .dimension = &dimension_wavelength, .unit = "nm", OPTION_POSITIVE,
@@ -38,31 +38,33 @@ static const struct option options[] = {
      .dimension = &dimension_pressure, .unit = "hPa", .lowest = 0, .highest = 1e6,
      .value = "PRESSURE", .help = "pressure of the air, 0 for vacuum; otherwise 1013.25 hPa"},
     {OPTION(struct input, air), .name = "air", .words = air_models, .fallback = "edlen",
-     .value = "MODEL", .help = "formula for air, with --temperature or --pressure"},
-    {OPTION(struct input, nd), .name = "nd", .value = "LOW..HIGH",
-     .help = "search by index at the d line"},
-    {OPTION(struct input, Vd), .name = "vd", .value = "LOW..HIGH", .help = "search by Abbe number"},
+     .value = "MODEL", .wants = "temperature|pressure",
+     .help = "formula for air, with --temperature or --pressure"},
+    {OPTION(struct input, nd), .name = "nd", .lowest = 1, .highest = 5, .value = "NUMBER",
+     .help = "search by index at the d line: what is nearest to it, or LOW..HIGH"},
+    {OPTION(struct input, Vd), .name = "vd", .lowest = 1, .highest = 1000, .value = "NUMBER",
+     .help = "search by Abbe number: what is nearest to it, or LOW..HIGH"},
     {OPTION(struct input, PgF), .name = "pgf", .value = "LOW..HIGH",
      .help = "search by partial dispersion (ng - nF)/(nF - nC)"},
     {OPTION(struct input, catalog), .name = "catalog", .value = "NAME",
      .help = "search in one catalogue"},
     {OPTION(struct input, status), .name = "status", .value = "WORD",
      .help = "search by status: current, obsolete, .."},
-    {OPTION(struct input, like), .name = "like", .value = "NAME",
+    {OPTION(struct input, like), .name = "like", .value = "NAME", .flags = OPTION_CURRENT,
      .help = "search what is nearest to this glass in g F e d C, nearest first"},
     {OPTION(struct input, count), .name = "count", .dimension = &dimension_number, .lowest = 1,
-     .highest = 1000, .fallback = "10", .value = "NUMBER", .help = "how many, with --like"},
-    {OPTION(struct input, abbe), .name = "abbe", .value = "FILE.svg", .flags = OPTION_FILE,
-     .help = "draw the Abbe diagram of the glasses that are found"},
-    {OPTION(struct input, label), .name = "label", .value = "NAMES",
+     .highest = 1000, .fallback = "10", .value = "NUMBER", .wants = "like|nd|vd",
+     .help = "how many of the nearest, with --like or a single --nd or --vd"},
+    {OPTION(struct input, label), .name = "label", .value = "NAMES", .wants = "abbe",
      .help = "glasses that the Abbe diagram shows large, separated by commas"},
 };
 
 struct row {
     const char *glass, *catalog, *line, *status, *source, *licence, *formula, *relative_to;
-    const char *warning;
+    const char *taken_as, *warning;
     double wavelength, thickness, temperature, pressure;
     double n, slope, group, growth, transmittance, difference;
+    double nd_wanted, Vd_wanted, nd_difference, Vd_difference, distance;
     struct glass_summary summary;
     double from, to, density, expansion;
 };
@@ -90,6 +92,17 @@ static const struct column columns[] = {
      .label = "internal transmittance", .help = "of --thickness, without reflection"},
     {NUMBER(difference), .name = "difference", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "like",
      .label = "difference", .help = "from --like, rms of the index in g F e d C"},
+    {NUMBER(nd_wanted), .name = "nd_wanted", .flags = COLUMN_EXTRA | COLUMN_ECHO | COLUMN_HIDDEN,
+     .with = "nd", .symbol = "nd0", .label = "wanted nd", .help = "nd to be near to"},
+    {NUMBER(Vd_wanted), .name = "vd_wanted", .flags = COLUMN_EXTRA | COLUMN_ECHO | COLUMN_HIDDEN,
+     .with = "vd", .symbol = "Vd0", .label = "wanted Vd", .help = "Abbe number to be near to"},
+    {NUMBER(distance), .name = "distance", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "nd vd",
+     .symbol = "D", .label = "distance",
+     .help = "from a single --nd and --vd, in standard tolerances: 0.0005 and 0.8 %"},
+    {NUMBER(nd_difference), .name = "nd_difference", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
+     .with = "nd", .label = "nd - wanted", .help = "nd minus a single --nd"},
+    {NUMBER(Vd_difference), .name = "vd_difference", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
+     .with = "vd", .label = "Vd - wanted", .help = "Abbe number minus a single --vd"},
     {NUMBER(summary.nd), .name = "nd", .digits = 7, .flags = COLUMN_BRIEF, .symbol = "nd",
      .label = "nd", .help = "index at the d line"},
     {NUMBER(summary.Vd), .name = "vd", .flags = COLUMN_BRIEF, .symbol = "Vd", .label = "Vd",
@@ -130,8 +143,11 @@ static const struct column columns[] = {
     {NUMBER(relative_to), .name = "index_relative_to", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "temperature pressure air", .label = "index relative to",
      .help = "what the index is relative to"},
-    {NUMBER(warning), .name = "warning", .flags = COLUMN_ASSUMED, .depends = "glass agf",
-     .label = "warning", .help = "what is doubtful in the data, with file and line"},
+    {NUMBER(taken_as), .name = "taken_as", .flags = COLUMN_NOTE | COLUMN_SPARSE,
+     .label = "taken as",
+     .help = "which glass it is, where the name is another program's or that of several glasses"},
+    {NUMBER(warning), .name = "warning", .flags = COLUMN_NOTE | COLUMN_SPARSE, .label = "warning",
+     .help = "what is doubtful in the data, with file and line"},
 };
 
 /* A text that lives as long as the row; null where it is empty. */
@@ -225,6 +241,11 @@ static bool fill_row(struct question *question, const struct glass_record *recor
                         .growth = NAN,
                         .transmittance = NAN,
                         .difference = NAN,
+                        .nd_wanted = input->nd.near,
+                        .Vd_wanted = input->Vd.near,
+                        .nd_difference = summary->nd - input->nd.near,
+                        .Vd_difference = summary->Vd - input->Vd.near,
+                        .distance = NAN,
                         .summary = *summary};
     if (!(fabs(wavelength - question->wavelength) <= 0)) {
         question->wavelength = wavelength;
@@ -232,6 +253,9 @@ static bool fill_row(struct question *question, const struct glass_record *recor
         question->line = string(arena, lines_name(question->run->db, wavelength));
     }
     row->line = question->line;
+    const struct glass_record *asked =
+        input->glass.record != NULL ? input->glass.record : input->like.record;
+    row->taken_as = asked != NULL ? asked->taken_as : NULL;
     set_facts(record, arena, row);
     if (!glass_check_range(&record->glass, question->um.hi, error) ||
         !set_index(question, &record->glass, row, error)) {
@@ -246,7 +270,9 @@ static bool fill_row(struct question *question, const struct glass_record *recor
 /* A glass that was asked for by name has to have an index. */
 static bool show_named(struct question *question, struct error *error)
 {
-    const double lines[] = {WAVELENGTH_D / 1000, WAVELENGTH_F / 1000, WAVELENGTH_C / 1000};
+    const double lines[] = {wavelength_millimetres(WAVELENGTH_D),
+                            wavelength_millimetres(WAVELENGTH_F),
+                            wavelength_millimetres(WAVELENGTH_C)};
     const struct input *input = question->input;
     const struct glass_record *record = input->glass.record;
     struct glass_summary summary = glass_summary(&record->glass);
@@ -269,13 +295,14 @@ static bool show_found(const struct glass_match *match, void *context)
 {
     struct question *question = context;
     const struct input *input = question->input;
-    double wavelength = !isnan(input->wavelength) ? input->wavelength : WAVELENGTH_D / 1000;
+    double wavelength =
+        !isnan(input->wavelength) ? input->wavelength : wavelength_millimetres(WAVELENGTH_D);
     struct row row;
     struct error no_index;
     if (!fill_row(question, &match->record, &match->summary, wavelength, &row, &no_index)) {
         row.n = row.slope = row.group = row.growth = NAN;
     }
-    row.difference = match->difference;
+    *(input->like.record != NULL ? &row.difference : &row.distance) = match->away;
     return run_emit(question->run, &row);
 }
 
@@ -293,7 +320,7 @@ static struct glass_wishes wishes_of(const struct input *input)
 
 static bool is_interval(struct interval_value interval)
 {
-    return !isnan(interval.low) || !isnan(interval.high);
+    return !isnan(interval.low) || !isnan(interval.high) || !isnan(interval.near);
 }
 
 /* The search option that is given beside a name; null if there is none. */
@@ -306,7 +333,6 @@ static const char *search_option(const struct input *input)
         {is_interval(input->nd), "nd"},    {is_interval(input->Vd), "vd"},
         {is_interval(input->PgF), "pgf"},  {input->catalog != NULL, "catalog"},
         {input->status != NULL, "status"}, {input->like.record != NULL, "like"},
-        {input->abbe != NULL, "abbe"},
     };
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
         if (all[i].given) {
@@ -322,23 +348,45 @@ static bool run(const void *data, struct run *run, struct error *error)
     struct question question = {.input = input, .run = run, .wavelength = NAN};
     const char *option = search_option(input);
     if (input->glass.record != NULL && option != NULL) {
-        fail(error, ERROR_USAGE, "--%s searches all glasses: it does not go with a name", option);
-        if (input->abbe != NULL) {
-            error_hint(error, "--label %s shows it", input->glass.name);
-        }
-        return false;
-    }
-    if (input->label != NULL && input->abbe == NULL) {
-        return fail(error, ERROR_USAGE, "--label wants --abbe");
+        return fail(error, ERROR_USAGE, "--%s searches all glasses: it does not go with a name",
+                    option);
     }
     if (input->glass.record != NULL) {
         return show_named(&question, error);
     }
+    if (input->like.record != NULL && (!isnan(input->nd.near) || !isnan(input->Vd.near))) {
+        fail(error, ERROR_USAGE, "--like and a single --%s both say what is nearest",
+             !isnan(input->nd.near) ? "nd" : "vd");
+        return error_hint(error, "with --like say LOW..HIGH");
+    }
     const struct glass_wishes wishes = wishes_of(input);
-    return glass_search(&wishes, run->db, run->arena, show_found, &question, error) &&
-           (input->abbe == NULL ||
-            glass_diagram(&wishes, input->label, input->abbe, run->db, run->arena, error));
+    return glass_search(&wishes, run->db, run->arena, show_found, &question, error);
 }
+
+/* A glass that is named is none that was found. */
+static bool check_diagram(const struct artifact_job *job, struct error *error)
+{
+    const struct input *input = job->inputs[0];
+    if (input->glass.record == NULL) {
+        return true;
+    }
+    fail(error, ERROR_USAGE, "--abbe searches all glasses: it does not go with a name");
+    return error_hint(error, "--label %s shows it", input->glass.name);
+}
+
+static bool draw_diagram(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    const struct input *input = job->inputs[0];
+    const struct glass_wishes wishes = wishes_of(input);
+    struct svg svg = {.arena = job->run->arena};
+    return glass_diagram(&wishes, input->label, job->run->db, &svg, error) &&
+           drawing_write(job, &svg, sink, error);
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("abbe", drawing_types, "draw the Abbe diagram of the glasses that are found"),
+     .scope = ARTIFACT_OF_ANSWER, .check = check_diagram, .make = draw_diagram},
+};
 
 static bool makes_many(const void *data)
 {
@@ -352,6 +400,9 @@ static const struct explanation explanations[] = {
      "from the shortest to the longest wavelength of the formula"},
     {"vd", "Vd = ({nd} - 1)/(nF - nC)", "[Schott16]", NULL},
     {"pgf", "PgF = (ng - nF)/(nF - nC)", "[Schott16]", NULL},
+    {"distance", "{D} = sqrt((({nd} - {nd0})/0.0005)^2 + (({Vd} - {Vd0})/(0.008 {Vd0}))^2)",
+     "in the makers' standard tolerances; one term where one of the two is wanted",
+     "a ranking: no measure of how a lens would change"},
     {"transmittance", "tau = tau10^(d/10 mm), tau10 linear between the catalogue's points",
      "Beer and Lambert", "inside of the glass only; no reflection"},
     {NULL, NULL, NULL, NULL},
@@ -362,6 +413,7 @@ static const struct example examples[] = {
     {"glass n-bk7,n-sf6 -w d,F,0.55um", "lines by name and wavelengths"},
     {"glass N-BK7 -w 400..700:50", "over the spectrum"},
     {"glass --nd 1.5..1.52 --vd 60..70 --status current", "search by index and Abbe number"},
+    {"glass --nd 1.517 --vd 64", "what is nearest to both"},
     {"glass --like N-BK7", "the nearest equivalents of other makers"},
     {"glass N-BK7 -w d --temperature 60 --pressure 0", "warm, in vacuum"},
     {"glass --catalog SCHOTT --status current --abbe abbe.svg", "the Abbe diagram"},
@@ -374,6 +426,7 @@ const struct command command_glass = {
     .summary = "indices of optical glasses, and glasses by their indices",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
+    COMMAND_MAKES(artifacts),
     .makes_many = makes_many,
     .plot = "index",
     .cell = "index",

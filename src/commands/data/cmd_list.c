@@ -1,36 +1,6 @@
-/* cli/cmd_list.c - lenscalc list: what the program knows. */
+/* commands/data/cmd_list.c - lenscalc list: what the program knows. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
-
-const char *list_string(const struct list *list, struct text text)
-{
-    return text.length == 0 ? NULL : arena_string(list->run->arena, text.start, text.length);
-}
-
-bool list_matches(const struct list *list, const char *kind, const char *const *texts, size_t count)
-{
-    const struct list_input *input = list->input;
-    if (input->kind != NULL &&
-        (kind == NULL || !text_same_name(text_of(kind), text_of(input->kind)))) {
-        return false;
-    }
-    bool found = input->search == NULL;
-    for (size_t i = 0; i < count && !found; i++) {
-        found = texts[i] != NULL && text_contains_name(text_of(texts[i]), text_of(input->search));
-    }
-    return found;
-}
-
-void list_row(struct list *list, const void *row)
-{
-    list->found++;
-    run_emit(list->run, row);
-}
-
-const char *list_place(enum lensdb_place place)
-{
-    return place == LENSDB_USER ? "own" : "embedded";
-}
 
 static const struct word topic_words[] = {
     {"lenses", "lenses with their prescriptions"},
@@ -73,12 +43,6 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
     return &topics[input->topic]->sheet;
 }
 
-static bool makes_many(const void *data)
-{
-    (void)data;
-    return true;
-}
-
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct list_input *input = data;
@@ -113,6 +77,7 @@ const struct command command_list = {
                "options",
     COMMAND_ASKS(struct list_input),
     .choose_sheet = choose_sheet,
-    .makes_many = makes_many,
+    .makes_many = command_always_many,
+    .reads = READS_LENSDB | READS_GLASSES,
     .run = run,
 };

@@ -1,10 +1,10 @@
-/* cli/glass_search.c - the glasses that fulfil wishes, and the Abbe diagram of them. */
+/* commands/data/glass_search.c - the glasses that fulfil wishes, and the Abbe diagram of them. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/glass_search.h"
 
 #include "draw/abbe.h"
-#include "report/output.h"
 #include "draw/svg.h"
+#include "report/output.h"
 
 #include <math.h>
 
@@ -14,6 +14,31 @@ static bool is_inside(struct interval_value interval, double value)
 {
     bool wanted = !isnan(interval.low) || !isnan(interval.high);
     return !wanted || (!isnan(value) && !(value < interval.low) && !(value > interval.high));
+}
+
+/* Are glasses near to a value wanted, nearest first? */
+static bool wishes_near(const struct glass_wishes *wishes)
+{
+    return !isnan(wishes->nd.near) || !isnan(wishes->Vd.near);
+}
+
+/*
+ * How far nd and Vd are from those that are wanted.
+ *
+ * Result    in the makers' standard tolerances: 1 is 0.0005 off in nd, or 0.8 % off in Vd; NaN
+ *           where the glass has no nd or Vd, or nothing is wanted
+ * Formula   sqrt(((nd - nd0)/0.0005)^2 + ((Vd - Vd0)/(0.008 Vd0))^2), one term where one is wanted
+ * Source    the tolerances that makers deliver within unless a finer grade is ordered
+ */
+static double distance(const struct glass_wishes *wishes, const struct glass_summary *summary)
+{
+    const double nd_tolerance = 0.0005, Vd_tolerance = 0.008;
+    double nd = (summary->nd - wishes->nd.near) / nd_tolerance;
+    double Vd = (summary->Vd - wishes->Vd.near) / (Vd_tolerance * wishes->Vd.near);
+    if (isnan(wishes->Vd.near)) {
+        return fabs(nd);
+    }
+    return isnan(wishes->nd.near) ? fabs(Vd) : hypot(nd, Vd);
 }
 
 static bool fulfils(const struct glass_match *match, const struct glass_wishes *wishes)
@@ -46,18 +71,18 @@ struct ranking {
 static void rank(struct ranking *ranking, const struct glass_match *match)
 {
     size_t at = ranking->count;
-    if (isnan(match->difference) || ranking->most == 0) {
+    if (isnan(match->away) || ranking->most == 0) {
         return;
     }
     if (at == ranking->most) {
-        if (!(match->difference < ranking->best[at - 1].difference)) {
+        if (!(match->away < ranking->best[at - 1].away)) {
             return;
         }
         at--;
     } else {
         ranking->count++;
     }
-    for (; at > 0 && match->difference < ranking->best[at - 1].difference; at--) {
+    for (; at > 0 && match->away < ranking->best[at - 1].away; at--) {
         ranking->best[at] = ranking->best[at - 1];
     }
     ranking->best[at] = *match;
@@ -79,17 +104,20 @@ static bool search_all(const struct glass_wishes *wishes, struct glass_catalogs 
         }
         lines = glass_lines(&match.record.glass);
         match.summary = glass_summary_of(&match.record.glass, &lines);
-        match.difference = NAN;
+        match.away = NAN;
         if (!fulfils(&match, wishes)) {
             continue;
         }
-        if (wishes->like == NULL) {
+        if (wishes_near(wishes)) {
+            match.away = distance(wishes, &match.summary);
+            rank(ranking, &match);
+        } else if (wishes->like == NULL) {
             ++*count;
             if (!found(&match, context)) {
                 return true;
             }
         } else if (!is_same_record(&match.record, wishes->like)) {
-            match.difference = glass_difference(&lines, &like);
+            match.away = glass_difference(&lines, &like);
             rank(ranking, &match);
         }
     }
@@ -102,7 +130,7 @@ bool glass_search(const struct glass_wishes *wishes, struct lensdb *db, struct a
     struct glass_catalogs catalogs;
     size_t most = wishes->count < MOST_SIMILAR ? wishes->count : MOST_SIMILAR, count = 0;
     struct ranking ranking = {.most = most};
-    if (wishes->like != NULL) {
+    if (wishes->like != NULL || wishes_near(wishes)) {
         ranking.best = ARENA_ARRAY(arena, most + 1, struct glass_match);
     }
     if (!glass_catalogs_open(&catalogs, db, arena, wishes->complete, error) ||
@@ -167,6 +195,21 @@ static bool add_point(const struct glass_match *match, void *context)
     return sheet->count < MOST_POINTS;
 }
 
+/* The nd and Vd that others are near to, as a point of its own. */
+static void add_wanted(struct sheet_of_points *sheet, const struct glass_wishes *wishes)
+{
+    if (isnan(wishes->nd.near) || isnan(wishes->Vd.near) || sheet->count == MOST_POINTS) {
+        return;
+    }
+    sheet->points[sheet->count++] = (struct abbe_point){
+        .Vd = wishes->Vd.near,
+        .nd = wishes->nd.near,
+        .group = group_of(sheet, text_of("wanted")),
+        .label = "wanted",
+        .chosen = true,
+    };
+}
+
 static bool find_labelled(struct sheet_of_points *sheet, const char *names, struct error *error)
 {
     struct text rest = text_of(names != NULL ? names : "");
@@ -177,19 +220,19 @@ static bool find_labelled(struct sheet_of_points *sheet, const char *names, stru
     sheet->labelled = ARENA_ARRAY(sheet->arena, most, struct glass_record);
     while (names != NULL && rest.start != NULL) {
         struct text name = text_cut(&rest, ',');
-        if (!glass_find(sheet->db, name, sheet->arena, &sheet->labelled[sheet->labelled_count++],
-                        error)) {
+        if (!glass_find(sheet->db, name, GLASS_ALIASES, sheet->arena,
+                        &sheet->labelled[sheet->labelled_count++], error)) {
             return error_prefix(error, "--label: ");
         }
     }
     return true;
 }
 
-bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, const char *path,
-                   struct lensdb *db, struct arena *arena, struct error *error)
+bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, struct lensdb *db,
+                   struct svg *svg, struct error *error)
 {
+    struct arena *arena = svg->arena;
     struct sheet_of_points *sheet = ARENA_NEW(arena, struct sheet_of_points);
-    struct svg svg = {.arena = arena};
     sheet->arena = arena;
     sheet->db = db;
     sheet->points = ARENA_ARRAY(arena, MOST_POINTS, struct abbe_point);
@@ -203,7 +246,8 @@ bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, cons
         add_point(&like, sheet);
         sheet->points[sheet->count - (sheet->count > 0)].chosen = true;
     }
+    add_wanted(sheet, wishes);
     const struct abbe abbe = {"Abbe diagram", sheet->points, sheet->count, sheet->groups,
                               sheet->group_count};
-    return abbe_draw(&abbe, &svg, error) && output_file(path, svg.data, svg.length, arena, error);
+    return abbe_draw(&abbe, svg, error);
 }

@@ -1,18 +1,19 @@
-/* cli/glass_search.h - the glasses that fulfil wishes, and the Abbe diagram of them. */
+/* commands/data/glass_search.h - the glasses that fulfil wishes, and the Abbe diagram of them. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_GLASS_SEARCH_H
-#define LENSCALC_CLI_GLASS_SEARCH_H
+#ifndef LENSCALC_COMMANDS_DATA_GLASS_SEARCH_H
+#define LENSCALC_COMMANDS_DATA_GLASS_SEARCH_H
 
 #include "base/arena.h"
 #include "cli/option_glass.h"
 #include "data/glass_catalog.h"
+#include "draw/svg.h"
 
 /* What is wanted of a glass; null and NaN: anything. */
 struct glass_wishes {
-    struct interval_value nd, Vd, PgF;
+    struct interval_value nd, Vd, PgF; /* nd and Vd may be values to be near to */
     const char *catalog, *status;
     const struct glass_record *like; /* the most similar ones, nearest first */
-    size_t count;                    /* so many of them */
+    size_t count;                    /* so many of them, or of those near to nd and Vd */
     bool complete;                   /* with transmittances */
 };
 
@@ -20,7 +21,7 @@ struct glass_wishes {
 struct glass_match {
     struct glass_record record;
     struct glass_summary summary;
-    double difference; /* from wishes.like, NaN without */
+    double away; /* what it is ranked by: from wishes.like, or the distance; NaN without */
 };
 
 /* Called for every match; false ends the search. */
@@ -35,11 +36,11 @@ bool glass_search(const struct glass_wishes *wishes, struct lensdb *db, struct a
                   glass_found *found, void *context, struct error *error);
 
 /*
- * Write the Abbe diagram of what fulfils the wishes to a file.
+ * Draw the Abbe diagram of what fulfils the wishes.
  *
  * Given     labelled  names of glasses, separated by commas, that are drawn large; null = none
  */
-bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, const char *path,
-                   struct lensdb *db, struct arena *arena, struct error *error);
+bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, struct lensdb *db,
+                   struct svg *svg, struct error *error);
 
 #endif

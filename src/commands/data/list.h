@@ -1,7 +1,7 @@
-/* cli/list.h - the topics of lenscalc list. */
+/* commands/data/list.h - the topics of lenscalc list. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_LIST_H
-#define LENSCALC_CLI_LIST_H
+#ifndef LENSCALC_COMMANDS_DATA_LIST_H
+#define LENSCALC_COMMANDS_DATA_LIST_H
 
 #include "cli/command.h"
 

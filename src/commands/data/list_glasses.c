@@ -1,4 +1,4 @@
-/* cli/list_glasses.c - lenscalc list: glasses. */
+/* commands/data/list_glasses.c - lenscalc list: glasses. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
 #include "data/glass_catalog.h"

@@ -1,4 +1,4 @@
-/* cli/list_lenses.c - lenscalc list lenses. */
+/* commands/data/list_lenses.c - lenscalc list lenses. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
 #include "exchange/lens_db.h"

@@ -1,4 +1,4 @@
-/* cli/list_light.c - lenscalc list: films, scenes and filters. */
+/* commands/data/list_light.c - lenscalc list: films, scenes and filters. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
 #include "data/lensdb_facts.h"
@@ -19,7 +19,7 @@
     }
 
 struct film_row {
-    const char *film, *maker, *model, *confidence, *source, *note, *place;
+    const char *film, *maker, *speeds, *model, *confidence, *source, *note, *place;
     double onset, longest, at_1, at_10, at_100;
 };
 
@@ -27,6 +27,8 @@ static const struct column film_columns[] = {
     {COLUMN(struct film_row, film), .name = "film", .flags = COLUMN_BRIEF, .label = "film",
      .help = "maker and film"},
     {COLUMN(struct film_row, maker), .name = "maker", .label = "maker", .help = "of the film"},
+    {COLUMN(struct film_row, speeds), .name = "iso", .flags = COLUMN_BRIEF, .label = "ISO",
+     .help = "speed on the box; several where the row is for several films"},
     {TIME(struct film_row, onset), .name = "onset", .flags = COLUMN_ECHO, .label = "onset",
      .help = "no correction up to here"},
     {TIME(struct film_row, longest), .name = "longest", .flags = COLUMN_INFINITE | COLUMN_ECHO,
@@ -82,6 +84,7 @@ static bool list_film(struct list *list, const struct lensdb_film *film, struct 
                              film->maker.start, film->maker.length > 0 ? " " : "",
                              (int)film->name.length, film->name.start),
         .maker = list_string(list, film->maker),
+        .speeds = list_string(list, film->speeds),
         .model = model_words(list, &model),
         .confidence = list_string(list, film->status),
         .source = list_string(list, film->source),

@@ -1,4 +1,4 @@
-/* cli/list_program.c - lenscalc list: stop series, units, commands, options. */
+/* commands/data/list_program.c - lenscalc list: stop series, units, commands, options. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
 
@@ -139,7 +139,7 @@ struct option_row {
 
 static const struct column option_columns[] = {
     {OF_OPTION(command), .name = "command", .flags = COLUMN_BRIEF, .label = "command",
-     .help = "whose option it is; all = of every command"},
+     .help = "whose option it is; all = a common one"},
     {OF_OPTION(option), .name = "option", .flags = COLUMN_BRIEF, .label = "option",
      .help = "its name"},
     {OF_OPTION(letter), .name = "letter", .flags = COLUMN_BRIEF, .label = "letter",
@@ -180,8 +180,8 @@ static bool list_options(struct list *list, struct error *error)
 {
     (void)error;
     for (size_t i = 0; commands[i] != NULL; i++) {
-        for (size_t j = 0; j < commands[i]->option_count; j++) {
-            list_option(list, commands[i]->name, &commands[i]->options[j]);
+        for (size_t j = 0; command_option(commands[i], j) != NULL; j++) {
+            list_option(list, commands[i]->name, command_option(commands[i], j));
         }
     }
     for (size_t j = 0; j < common_option_count; j++) {

@@ -1,4 +1,4 @@
-/* cli/list_sensors.c - lenscalc list: formats and cameras. */
+/* commands/data/list_sensors.c - lenscalc list: formats and cameras. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
 
@@ -54,7 +54,7 @@ static const struct column camera_columns[] = {
      .label = "pixels wide", .help = "pixel count along the width"},
     {SENSOR(pixels_high), .name = "pixels_high", .flags = COLUMN_BRIEF | COLUMN_ECHO,
      .label = "pixels high", .help = "pixel count along the height"},
-    {SENSOR_LENGTH(pitch, "mm"), .name = "pitch", .flags = COLUMN_BRIEF, .label = "pixel pitch",
+    {SENSOR_LENGTH(pitch, "um"), .name = "pitch", .flags = COLUMN_BRIEF, .label = "pixel pitch",
      .help = "distance of two pixels"},
     {SENSOR(pitch_from), .name = "pitch_from", .flags = COLUMN_BRIEF, .label = "pitch from",
      .help = "published, counts (width over pixels), or estimate (from an estimated count)"},

@@ -1,7 +1,10 @@
-/* cli/cmd_fit.c - lenscalc fit: thick lenses from exact rays, glasses from indices. */
+/* commands/design/cmd_fit.c - lenscalc fit: thick lenses from exact rays, glasses from indices. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit.h"
+#include "file/lens_file.h"
 #include "trace/sample.h"
+
+#include <string.h>
 
 static const struct word shows[] = {
     [FIT_ANSWER] = {"answer", "what was found, one row a lens or glass"},
@@ -14,22 +17,19 @@ static const struct word shows[] = {
 };
 
 static const struct word matches[] = {
-    [FIT_IMAGE] = {"image", "the distance of rays in the image; the exit pupil settles the rest"},
+    [FIT_IMAGE] = {"image", "focus, then image height; the exit pupil settles the rest"},
     [FIT_RAYS] = {"rays", "place and direction: distances in image and exit pupil alike"},
     {NULL, NULL},
 };
+
+/* What is for the rays that the thick lens is fitted to. */
+#define OF_RAYS "field distortion chromatic match pattern rays seed clip no-clip"
 
 static const struct option options[] = {
     LENS_OPTION(struct fit_input, question),
     {OPTION(struct fit_input, show), .name = "show", .words = shows, .fallback = "answer",
      .value = "WHAT", .help = "which rows"},
-    {OPTION(struct fit_input, output), .name = "output", .letter = 'o', .value = "FILE",
-     .flags = OPTION_FILE,
-     .help = "write the thick lens to FILE.lens, or the glass to FILE.tsv; rows go to standard "
-             "output"},
-    {OPTION(struct fit_input, fields), .name = "field", .value = "ANGLES",
-     .help = "fields of the bundle, each with a weight if you like: 0,10:2,14deg; for an object "
-             "nearby heights in mm; otherwise those of the lens"},
+    LENS_FIELDS_OPTION(struct fit_input, question),
     LENS_FNUMBER_OPTION(struct fit_input, question),
     {OPTION(struct fit_input, object), .name = "object", .column = "object",
      .dimension = &dimension_length, .unit = "mm", .lowest = 0, .highest = INFINITY,
@@ -39,8 +39,9 @@ static const struct option options[] = {
     LENS_POSITION_OPTION(struct fit_input, question),
     LENS_SECTION_OPTION(struct fit_input, question),
     {OPTION(struct fit_input, distortion), .name = "distortion", .dimension = &dimension_number,
-     .lowest = 0, .highest = 3, .fallback = "0", .value = "TERMS",
-     .help = "terms of distortion to fit"},
+     .lowest = 0, .highest = 3, .value = "TERMS",
+     .help = "terms of distortion to fit; usually half as many as there are fields off the axis, "
+             "at most 3; with 0 the focal length has to make up for it"},
     {OPTION(struct fit_input, chromatic), .name = "chromatic",
      .help = "f, H and H' of each wavelength instead of one lens for all"},
     {OPTION(struct fit_input, match), .name = "match", .words = matches, .fallback = "image",
@@ -51,27 +52,28 @@ static const struct option options[] = {
      .value = "COUNT",
      .help = "about how many rays a field has: the pattern takes the next number it can"},
     {OPTION(struct fit_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
-     .value = "NUMBER", .help = "of the pattern sobol"},
+     .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},
     {OPTION(struct fit_input, clip), .name = "clip",
      .help = "clear apertures and the stop lose rays (so they do anyway)"},
     {OPTION(struct fit_input, no_clip), .name = "no-clip", .help = "rays pass beyond all rims"},
-    {OPTION(struct fit_input, map), .name = "map", .value = "FILE.svg", .flags = OPTION_FILE,
-     .help = "draw where in field and pupil the thick lens fails"},
-    {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS",
+    {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS", .excludes = OF_RAYS,
      .help = "change the lens until it has what was measured: efl=50.2,bfl@F=38.1:0.02, ffl, "
-             "length, height@10deg=8.8; the deviation stands behind a colon"},
-    {OPTION(struct fit_input, vary), .name = "vary", .value = "PARTS",
+             "length, height@10deg=8.8; the standard deviation stands behind a colon, otherwise "
+             "0.01 mm"},
+    {OPTION(struct fit_input, vary), .name = "vary", .value = "PARTS", .wants = "prescription",
      .help = "what may change: R1,t3[2,10],n2 (radius, gap, index, with bounds); otherwise the "
              "marks R~ and t~ in the lens"},
     {OPTION(struct fit_input, glass), .name = "glass", .value = "FILE", .flags = OPTION_FILE,
+     .excludes = OF_RAYS " aperture object wavelength position section",
      .help = "fit a dispersion formula to the measured indices of FILE (csv or tsv: wavelength_nm "
              "or wavelength_um, index, perhaps deviation)"},
     {OPTION(struct fit_input, formula), .name = "formula", .words = fit_formulas,
-     .fallback = "sellmeier", .value = "FORMULA", .help = "form of the dispersion"},
+     .fallback = "sellmeier", .value = "FORMULA", .wants = "glass",
+     .help = "form of the dispersion"},
     {OPTION(struct fit_input, terms), .name = "terms", .dimension = &dimension_number, .lowest = 1,
-     .highest = 7, .value = "COUNT",
+     .highest = 7, .value = "COUNT", .wants = "glass",
      .help = "resonances of sellmeier (usually 3), coefficients of cauchy (3) or buchdahl (4)"},
-    {OPTION(struct fit_input, name), .name = "name", .value = "NAME",
+    {OPTION(struct fit_input, name), .name = "name", .value = "NAME", .wants = "output",
      .help = "name of the glass in the file that is written"},
 };
 
@@ -111,20 +113,18 @@ static bool run(const void *data, struct run *run, struct error *error)
     if (input->goals != NULL && input->glass != NULL) {
         return fail(error, ERROR_USAGE, "--prescription and --glass: one of them is fitted");
     }
-    if (input->vary != NULL && input->goals == NULL) {
-        return fail(error, ERROR_USAGE, "--vary wants --prescription");
-    }
     if (input->glass != NULL && input->question.lens.lens != NULL) {
         return fail(error, ERROR_USAGE, "a lens and --glass: one of them is fitted");
     }
     if (input->glass != NULL && input->show == FIT_MATRIX) {
         return fail(error, ERROR_USAGE, "a glass has no matrix: --show matrix is of a lens");
     }
+    if (floor(input->distortion) < input->distortion) {
+        return fail(error, ERROR_USAGE, "--distortion %g: terms are a whole number",
+                    input->distortion);
+    }
     if (input->clip && input->no_clip) {
         return fail(error, ERROR_USAGE, "--clip and --no-clip: one of them");
-    }
-    if (input->map != NULL && (input->glass != NULL || input->goals != NULL)) {
-        return fail(error, ERROR_USAGE, "--map is of the thick lens of a lens");
     }
     if (input->show == FIT_MODELS && (input->glass != NULL || input->goals != NULL)) {
         return fail(error, ERROR_USAGE, "--show models is of the thick lens of a lens");
@@ -134,10 +134,93 @@ static bool run(const void *data, struct run *run, struct error *error)
                                   : fit_lens(input, run, error);
 }
 
+static const struct file_type glass_type = {{"tsv", "glass catalogue"}, ".tsv"};
+
+static const struct file_type *saved_types(size_t i)
+{
+    const struct file_type *const types[] = {&lens_file_type, &glass_type};
+    return i < 2 ? types[i] : NULL;
+}
+
+/* A file holds one position, a .lens file one lens for all wavelengths. */
+static bool check_lens(const struct artifact_job *job, struct error *error)
+{
+    const struct fit_input *input = job->inputs[0];
+    return !lens_positions_several(input->question.lens.lens, input->question.position) ||
+           fail(error, ERROR_USAGE, "--%s holds one position: name it with --position",
+                job->artifact->option.name);
+}
+
+static bool check_glass(const struct fit_input *input, struct error *error)
+{
+    return input->name == NULL || strpbrk(input->name, "\t\n:") == NULL ||
+           fail(error, ERROR_USAGE, "--name has a tab, a line feed or a colon");
+}
+
+static bool check_saved(const struct artifact_job *job, struct error *error)
+{
+    const struct fit_input *input = job->inputs[0];
+    const struct file_type *type = input->glass != NULL ? &glass_type : &lens_file_type;
+    if (job->type != type) {
+        return fail(error, ERROR_USAGE, "--output '%s': %s is saved as %s", job->path,
+                    input->glass != NULL ? "a glass" : "a lens", type->ending);
+    }
+    if (input->glass != NULL) {
+        return check_glass(input, error);
+    }
+    if (input->chromatic && input->goals == NULL) {
+        return fail(error, ERROR_USAGE,
+                    "a .lens holds one thick lens for all wavelengths: --output without "
+                    "--chromatic, or with one --wavelength");
+    }
+    if (!check_lens(job, error)) {
+        return false;
+    }
+    if (input->goals != NULL || input->distortion <= 0) {
+        return true;
+    }
+    fail(error, ERROR_USAGE, "a .lens holds no distortion: --output wants --distortion 0");
+    return error_hint(error, "f then makes up for the distortion as well as it can");
+}
+
+static bool save(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    const struct fit_input *input = job->inputs[0];
+    return input->glass != NULL   ? fit_save_glass(job, sink, error)
+           : input->goals != NULL ? fit_save_prescription(job, sink, error)
+                                  : fit_save_lens(job, sink, error);
+}
+
+static bool check_map(const struct artifact_job *job, struct error *error)
+{
+    const struct fit_input *input = job->inputs[0];
+    if (input->glass != NULL || input->goals != NULL) {
+        return fail(error, ERROR_USAGE, "--map is of the thick lens of a lens");
+    }
+    return check_lens(job, error);
+}
+
+static const struct artifact artifacts[] = {
+    {.option = {.kind = &kind_text,
+                .name = "output",
+                .letter = 'o',
+                .value = "FILE",
+                .flags = OPTION_FILE,
+                .types = saved_types,
+                .help = "write the thick lens or the glass to FILE; rows go to standard output"},
+     .is_kept = true,
+     .check = check_saved,
+     .make = save},
+    {ARTIFACT_OPTION("map", drawing_types, "draw where in field and pupil the thick lens fails"),
+     .is_kept = true, .check = check_map, .make = fit_draw_map},
+};
+
 static const struct explanation explanations[] = {
     {"efl",
-     "f, H, H' = argmin sum w (|e in the image|^2 + 10^-6 |e in the exit pupil|^2), e the exact "
-     "ray less that of the thick lens, n' u' = n u - h/f from H to H'",
+     "f, H, H' = argmin sum w (|F (e - e_mean) + e_mean|^2 in the image + 10^-6 |e|^2 in the exit "
+     "pupil), e the exact ray less that of the thick lens, n' u' = n (u + w d) - h/f from H to H', "
+     "d = d1 s + d2 s^2 + d3 s^3 the distortion; e_mean of the rays of one field, F = 100 over the "
+     "rms slope within them",
      "[BornWolf99] 4.3; [Ceres22]",
      "for fields below 90 degrees; the errors tell how well the rays agree with any thick lens"},
     {NULL, NULL, NULL, NULL},
@@ -150,7 +233,7 @@ static const struct example examples[] = {
     {"fit double-gauss -N 2,4,8 --columns fnumber,efl_mm,rms_um", "how it changes stopped down"},
     {"fit double-gauss --prescription efl=101,bfl=72.5 --vary R1,R11",
      "radii that give the measured focal length and back focus"},
-    {"fit double-gauss -o equal.lens", "as a lens that every command takes"},
+    {"fit double-gauss --distortion 0 -o equal.lens", "as a lens that every command takes"},
     {"fit double-gauss --map map.svg", "where in field and pupil it fails"},
     {NULL, NULL},
 };
@@ -166,6 +249,7 @@ const struct command command_fit = {
     .choose_sheet = choose_sheet,
     .makes_many = makes_many,
     .run = run,
+    COMMAND_MAKES(artifacts),
     .explanations = explanations,
     .plot = "rms_um|distance_um|index",
     .cell = "efl_mm",

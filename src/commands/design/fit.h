@@ -1,7 +1,7 @@
-/* cli/fit.h - what the three kinds of fit share: input, rows of parameters. */
+/* commands/design/fit.h - what the three kinds of fit share: input, rows of parameters. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_FIT_H
-#define LENSCALC_CLI_FIT_H
+#ifndef LENSCALC_COMMANDS_DESIGN_FIT_H
+#define LENSCALC_COMMANDS_DESIGN_FIT_H
 
 #include "commands/lens/lens_options.h"
 #include "design/solver.h"
@@ -20,11 +20,18 @@ enum fit_match { FIT_IMAGE, FIT_RAYS };
 
 struct fit_input {
     struct lens_question question;
-    const char *glass, *fields, *output, *map, *name, *goals, *vary;
-    double object; /* mm; NaN = the lens's own */
+    const char *glass, *name, *goals, *vary;
+    double object;     /* mm; NaN = the lens's own */
+    double distortion; /* terms, a whole number; NaN = as many as the fields bear */
     int show, formula, match, pattern;
-    long terms, distortion, rays, seed;
+    long terms, rays, seed;
     bool chromatic, clip, no_clip;
+};
+
+/* What the cases of a fit are handed: the question, and where the rows go. */
+struct fit_asked {
+    const struct fit_input *input;
+    struct run *run;
 };
 
 /* One row of parameters or correlations, whatever was fitted. */
@@ -48,27 +55,27 @@ struct fit_found {
 /* Hand out the rows of FIT_PARAMETERS or FIT_CORRELATIONS. */
 void fit_emit(const struct fit_found *found, enum fit_show show, struct run *run);
 
-/*
- * Write a file that --output or --map names.
- *
- * Errors    ERROR_IO: it is there already and --force is not given; as output_file
- */
-bool fit_write(const char *path, const char *data, size_t length, struct run *run,
-               struct error *error);
+/* Two warnings as one; null = none. */
+const char *fit_join(const char *one, const char *other, struct arena *arena);
 
 /* "converged", or in words why the fit ended otherwise. */
 const char *fit_status(const struct solver_summary *summary);
 
-/* -------- cli/fit_glass.c, cli/fit_lens.c, cli/fit_prescription.c -------- */
+/* -------- fit_glass.c, fit_lens.c, fit_prescription.c: run->state is what was found -------- */
 
 extern const struct sheet fit_glass_sheet, fit_index_sheet;
 bool fit_glass(const struct fit_input *input, struct run *run, struct error *error);
+bool fit_save_glass(const struct artifact_job *job, struct output *sink, struct error *error);
 
 extern const struct sheet fit_lens_sheet, fit_ray_sheet, fit_model_sheet, fit_matrix_sheet;
 bool fit_lens(const struct fit_input *input, struct run *run, struct error *error);
+bool fit_save_lens(const struct artifact_job *job, struct output *sink, struct error *error);
+bool fit_draw_map(const struct artifact_job *job, struct output *sink, struct error *error);
 
 extern const struct sheet fit_goal_sheet;
 bool fit_prescription(const struct fit_input *input, struct run *run, struct error *error);
+bool fit_save_prescription(const struct artifact_job *job, struct output *sink,
+                           struct error *error);
 
 extern const struct word fit_formulas[];
 

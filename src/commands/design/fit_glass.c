@@ -1,9 +1,9 @@
-/* cli/fit_glass.c - a dispersion formula from measured indices. */
+/* commands/design/fit_glass.c - a dispersion formula from measured indices. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit.h"
-#include "design/dispersion.h"
 #include "data/index_table.h"
 #include "data/whole_file.h"
+#include "design/dispersion.h"
 #include "report/output.h"
 
 static const enum glass_formula formulas[] = {GLASS_SELLMEIER, GLASS_SCHOTT, GLASS_CAUCHY,
@@ -19,7 +19,8 @@ const struct word fit_formulas[] = {
 
 struct glass_row {
     const char *formula, *coefficients, *status;
-    double rms, largest, from, to; /* mm */
+    double rms, largest;
+    double from, to; /* um */
     double nd, Vd;
     long indices, iterations;
 };
@@ -31,10 +32,11 @@ static const struct column glass_columns[] = {
      .help = "form of the dispersion, l in um"},
     {PLAIN(struct glass_row, coefficients), .name = "coefficients", .label = "coefficients",
      .help = "in the order of the formula, as catalogues have them"},
-    {COLUMN(struct glass_row, from), .dimension = &dimension_length, .unit = "nm", .name = "from",
-     .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "from", .help = "shortest measured wavelength"},
-    {COLUMN(struct glass_row, to), .dimension = &dimension_length, .unit = "nm", .name = "to",
-     .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "to",
+    {COLUMN(struct glass_row, from), .dimension = &dimension_wavelength_um, .unit = "nm",
+     .name = "from", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "from",
+     .help = "shortest measured wavelength"},
+    {COLUMN(struct glass_row, to), .dimension = &dimension_wavelength_um, .unit = "nm",
+     .name = "to", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "to",
      .help = "longest measured wavelength: the formula holds between the two"},
     {PLAIN(struct glass_row, rms), .name = "rms", .label = "error of the index, rms",
      .help = "difference from the measured indices, root mean square"},
@@ -55,12 +57,12 @@ const struct sheet fit_glass_sheet = {glass_columns, sizeof glass_columns / size
                                       sizeof(struct glass_row)};
 
 struct index_row {
-    double wavelength; /* mm */
+    double wavelength; /* um */
     double measured, fitted, residual;
 };
 
 static const struct column index_columns[] = {
-    {COLUMN(struct index_row, wavelength), .dimension = &dimension_length, .unit = "nm",
+    {COLUMN(struct index_row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
      .name = "wavelength", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "wavelength",
      .help = "wavelength"},
     {PLAIN(struct index_row, measured), .name = "measured", .digits = 8, .label = "measured",
@@ -98,32 +100,11 @@ static const char *coefficients_of(const struct glass *glass, struct arena *aren
     return all;
 }
 
-/* A catalogue of one glass, for DIR/glass/NAME.tsv of --lensdb DIR. */
-static bool save_glass(const struct fit_input *input, const struct dispersion_fit *fit,
-                       struct run *run, struct error *error)
-{
-    struct arena *arena = run->arena;
-    const char *name = input->name != NULL ? input->name : "FITTED";
-    for (const char *at = name; *at != '\0'; at++) {
-        if (*at == '\t' || *at == '\n' || *at == ':') {
-            return fail(error, ERROR_USAGE, "--name has a tab, a line feed or a colon");
-        }
-    }
-    const char *text = arena_printf(
-        arena,
-        "# fitted by lenscalc to the measured indices of %s: rms %.3g, largest %.3g\n"
-        "name\tformula\tcoefficients\tfrom_um\tto_um\tsource\n"
-        "%s\t%s\t%s\t%.10g\t%.10g\tfitted to %s\n",
-        input->glass, fit->rms, fit->largest, name, glass_formula_name(fit->glass.formula),
-        coefficients_of(&fit->glass, arena), fit->glass.shortest, fit->glass.longest, input->glass);
-    return fit_write(input->output, text, text_of(text).length, run, error);
-}
-
 static void emit_indices(const struct index_table *table, const struct dispersion_fit *fit,
                          struct run *run)
 {
     for (size_t i = 0; i < table->count; i++) {
-        const struct index_row row = {lens_wavelength_own(table->wavelength[i]), table->index[i],
+        const struct index_row row = {table->wavelength[i], table->index[i],
                                       table->index[i] + fit->residuals[i], fit->residuals[i]};
         if (!run_emit(run, &row)) {
             return;
@@ -141,8 +122,8 @@ static void emit_glass(const struct index_table *table, const struct dispersion_
         .status = fit_status(&fit->summary),
         .rms = fit->rms,
         .largest = fit->largest,
-        .from = lens_wavelength_own(fit->glass.shortest),
-        .to = lens_wavelength_own(fit->glass.longest),
+        .from = fit->glass.shortest,
+        .to = fit->glass.longest,
         .nd = summary.nd,
         .Vd = summary.Vd,
         .indices = (long)table->count,
@@ -173,5 +154,27 @@ bool fit_glass(const struct fit_input *input, struct run *run, struct error *err
     } else {
         fit_emit(&found, (enum fit_show)input->show, run);
     }
-    return input->output == NULL || save_glass(input, &fit, run, error);
+    struct dispersion_fit *kept = ARENA_NEW(run->arena, struct dispersion_fit);
+    *kept = fit;
+    run->state = kept;
+    return true;
+}
+
+/* A catalogue of one glass, for DIR/glass/NAME.tsv of --lensdb DIR. */
+bool fit_save_glass(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    const struct fit_input *input = job->inputs[0];
+    const struct dispersion_fit *fit = job->run->state;
+    (void)error;
+    output_string(
+        sink,
+        arena_printf(
+            job->run->arena,
+            "# fitted by lenscalc to the measured indices of %s: rms %.3g, largest %.3g\n"
+            "name\tformula\tcoefficients\tfrom_um\tto_um\tsource\n"
+            "%s\t%s\t%s\t%.10g\t%.10g\tfitted to %s\n",
+            input->glass, fit->rms, fit->largest, input->name != NULL ? input->name : "FITTED",
+            glass_formula_name(fit->glass.formula), coefficients_of(&fit->glass, job->run->arena),
+            fit->glass.shortest, fit->glass.longest, input->glass));
+    return true;
 }

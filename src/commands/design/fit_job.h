@@ -1,7 +1,7 @@
-/* cli/fit_job.h - a lens whose bundle is traced and fitted, for every view of it. */
+/* commands/design/fit_job.h - a lens whose bundle is traced and fitted, for every view of it. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_FIT_JOB_H
-#define LENSCALC_CLI_FIT_JOB_H
+#ifndef LENSCALC_COMMANDS_DESIGN_FIT_JOB_H
+#define LENSCALC_COMMANDS_DESIGN_FIT_JOB_H
 
 #include "commands/design/fit.h"
 #include "design/bundle.h"
@@ -9,24 +9,31 @@
 
 enum { MOST_WAVELENGTHS = THICK_GROUPS };
 
+/* By how much twice as many rays change what was found; NaN = they found nothing. mm. */
+struct fit_sampling {
+    double efl, front, rear, rms;
+};
+
 /* A fit at work: what is given above, what comes of it below. */
 struct fit_job {
     const struct fit_input *input;
     struct run *run;
-    const struct lens *lens; /* in this position */
-    const char *position, *warning;
-    struct first_order first;
-    const char *fields; /* in words */
-    double wavelengths[MOST_WAVELENGTHS], weights[MOST_WAVELENGTHS];
-    size_t wavelength_count;
-    double field[BUNDLE_FIELDS], field_weights[BUNDLE_FIELDS];
-    size_t field_count;
+    const struct setup *setup;
+    struct setup_light light; /* at its first wavelength */
+    const char *warning;
     struct bundle bundle;
     struct thick_task task;
     struct thick_fit fit;
+    struct fit_sampling *sampling;      /* one a lens that was fitted */
     struct thick_lens *paraxial, *thin; /* one a wavelength */
     struct thick_pupil entrance, exit;  /* NaN where there is no stop */
 };
+
+/* A field: rad of a distant object, else its height in mm. */
+static inline double fit_field(const struct fit_job *job, size_t i)
+{
+    return job->setup->fields[i].point.value[setup_axis(job->setup)];
+}
 
 /* Trace and fit. */
 bool fit_job_run(struct fit_job *job, struct error *error);
@@ -34,12 +41,10 @@ bool fit_job_run(struct fit_job *job, struct error *error);
 /* The fields of which no ray came through, as a sentence; null = none. */
 const char *fit_missing_fields(const struct fit_job *job);
 
-/* -------- cli/fit_view.c: rows and files of what was found -------- */
+/* -------- commands/design/fit_view.c: rows and files of what was found -------- */
 
 void fit_show_rays(const struct fit_job *job);
 void fit_show_models(const struct fit_job *job);
 void fit_show_matrix(const struct fit_job *job);
-bool fit_draw_map(const struct fit_job *job, struct error *error);
-bool fit_save_lens(const struct fit_job *job, struct error *error);
 
 #endif

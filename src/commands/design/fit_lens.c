@@ -1,20 +1,22 @@
-/* cli/fit_lens.c - the thick lens that equals a lens over a bundle of exact rays. */
+/* commands/design/fit_lens.c - the thick lens that equals a lens over a bundle of exact rays. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit_job.h"
 
 /* The answer for one position, and for one wavelength where each has its own lens. */
 struct lens_row {
     const char *position, *lens, *fields, *status, *warning;
-    double wavelength; /* mm; NaN = all of them */
+    double wavelength; /* um; NaN = all of them */
     double fnumber;
     double efl, front, rear, efl_error, front_error, rear_error;
+    struct fit_sampling sampling;
     double rms, rms_percent, largest, rms_pupil, rms_paraxial, rms_thin;
     double paraxial_efl, paraxial_front, paraxial_rear;
     double d[THICK_DISTORTIONS];
     struct thick_pupil entrance, exit;
     double entrance_diameter, exit_diameter;
     double object; /* mm */
-    long rays, lost, iterations;
+    double clear_percent;
+    long rays, lost, iterations, terms;
 };
 
 #define LENGTH(member_name, in_unit, more)                                                         \
@@ -25,7 +27,8 @@ struct lens_row {
 static const struct column columns[] = {
     {NUMBER(position, COLUMN_BRIEF | COLUMN_SPARSE), .name = "position", .label = "position",
      .help = "zoom or focus position; absent where there is only one"},
-    {LENGTH(wavelength, "nm", COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE), .name = "wavelength",
+    {NUMBER(wavelength, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE),
+     .dimension = &dimension_wavelength_um, .unit = "nm", .name = "wavelength",
      .label = "wavelength",
      .help = "wavelength, with --chromatic or --wavelength; absent where all are fitted together"},
     {NUMBER(fnumber, COLUMN_ECHO), .name = "fnumber", .with = "aperture", .label = "f-number",
@@ -39,11 +42,20 @@ static const struct column columns[] = {
     {LENGTH(rear, "mm", COLUMN_BRIEF), .name = "rear_principal", .symbol = "H'", .digits = 6,
      .label = "principal point H'", .help = "its rear principal point, from the last vertex"},
     {LENGTH(efl_error, "mm", 0), .name = "efl_stderr", .label = "standard error of f",
-     .help = "standard error of the focal length"},
+     .help = "standard error of the focal length, by leaving out one field at a time"},
     {LENGTH(front_error, "mm", 0), .name = "front_principal_stderr", .label = "of H",
      .help = "standard error of H"},
     {LENGTH(rear_error, "mm", 0), .name = "rear_principal_stderr", .label = "of H'",
      .help = "standard error of H'"},
+    {LENGTH(sampling.efl, "mm", 0), .name = "efl_sampling", .digits = 1,
+     .label = "sampling error of f",
+     .help = "by how much twice as many rays a field change the focal length"},
+    {LENGTH(sampling.front, "mm", 0), .name = "front_principal_sampling", .digits = 1,
+     .label = "of H", .help = "the same for H"},
+    {LENGTH(sampling.rear, "mm", 0), .name = "rear_principal_sampling", .digits = 1,
+     .label = "of H'", .help = "the same for H'"},
+    {LENGTH(sampling.rms, "um", 0), .name = "rms_sampling", .digits = 1,
+     .label = "of the rms error", .help = "the same for rms_um"},
     {NUMBER(d[0], 0), .name = "d1", .label = "distortion d1",
      .help = "image height times 1 + d1 s + d2 s^2 + d3 s^3, s = tan^2 of the field"},
     {NUMBER(d[1], 0), .name = "d2", .label = "d2", .help = "second term of the distortion"},
@@ -84,12 +96,18 @@ static const struct column columns[] = {
      .help = "distance of the rays from their place in it, root mean square"},
     {NUMBER(rays, 0), .name = "rays", .label = "rays", .help = "rays that came through"},
     {NUMBER(lost, 0), .name = "lost", .label = "rays lost",
-     .help = "rays stopped by rims, and points of the stop that no ray reaches"},
+     .help = "rays stopped by rims, and points of the stop that no ray reaches; the rays of gauss "
+             "lie where the stop is clear"},
+    {NUMBER(clear_percent, 0), .name = "clear_percent", .label = "of the stop clear, %",
+     .help = "what rims leave of the stop's area, mean of the fields"},
     {NUMBER(iterations, 0), .name = "iterations", .label = "iterations", .help = "of the solver"},
     {NUMBER(status, 0), .name = "status", .label = "status",
      .help = "converged, or why the fit ended otherwise"},
     {NUMBER(lens, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "lens", .depends = "lens",
      .label = "lens", .help = "title of the lens"},
+    {NUMBER(terms, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "distortion_terms",
+     .depends = "lens field distortion", .label = "terms of distortion",
+     .help = "how many terms of distortion were fitted"},
     {NUMBER(fields, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "fields", .depends = "lens field",
      .label = "fields", .help = "fields of the bundle"},
     {NUMBER(warning, COLUMN_NOTE), .name = "warning", .label = "warning",
@@ -111,17 +129,20 @@ static double image_height(const struct fit_job *job)
     return largest;
 }
 
-static const char *join(const struct fit_job *job, const char *one, const char *other)
+/* What rims leave of the stop, percent, over all fields. */
+static double clear_percent(const struct fit_job *job)
 {
-    return one == NULL     ? other
-           : other == NULL ? one
-                           : arena_printf(job->run->arena, "%s; %s", one, other);
+    double sum = 0;
+    for (size_t f = 0; f < job->setup->field_count; f++) {
+        sum += job->bundle.clear[f];
+    }
+    return 100 * sum / (double)job->setup->field_count;
 }
 
 /* Where a user must not trust the equivalent; the scale is that of a picture, not of a point. */
 static const char *misfit(const struct fit_job *job)
 {
-    double height = image_height(job), scale = fmax(height, fabs(job->first.efl) / 5);
+    double height = image_height(job), scale = fmax(height, fabs(job->light.first.efl) / 5);
     return job->fit.rms > 0.01 * scale
                ? arena_printf(job->run->arena,
                               "no thick lens equals these rays: they are off by %.3g %% of the "
@@ -140,13 +161,15 @@ static void emit_answer(const struct fit_job *job, size_t g)
     const struct thick_rays *rays = &job->bundle.rays;
     bool one = job->task.separate || job->input->question.wavelength.name != NULL;
     struct lens_row row = {
-        .position = job->position,
-        .lens = job->lens->title,
-        .fields = job->fields,
+        .position = job->setup->position,
+        .lens = job->setup->lens->title,
+        .fields = job->setup->fields_from != NULL ? job->setup->fields_from
+                                                  : job->input->question.fields.text,
         .status = fit_status(summary),
-        .warning = join(job, join(job, job->warning, fit_missing_fields(job)), misfit(job)),
-        .wavelength = one ? lens_wavelength_own(job->wavelengths[g]) : NAN,
-        .fnumber = job->first.fnumber,
+        .warning = fit_join(fit_join(job->warning, fit_missing_fields(job), job->run->arena),
+                            misfit(job), job->run->arena),
+        .wavelength = one ? job->setup->wavelengths[g].wavelength : NAN,
+        .fnumber = job->light.first.fnumber,
         .object = job->task.object,
         .efl = fit->lenses[g].focal,
         .front = fit->lenses[g].front,
@@ -160,11 +183,14 @@ static void emit_answer(const struct fit_job *job, size_t g)
         .rms_pupil = fit->rms_second,
         .rms_paraxial = thick_errors(rays, job->paraxial, plane, NULL, NULL),
         .rms_thin = thick_errors(rays, job->thin, plane, NULL, NULL),
-        .paraxial_efl = job->first.efl,
-        .paraxial_front = job->first.front_principal,
-        .paraxial_rear = job->first.rear_principal,
+        .paraxial_efl = job->light.first.efl,
+        .paraxial_front = job->light.first.front_principal,
+        .paraxial_rear = job->light.first.rear_principal,
         .rays = (long)rays->count,
         .lost = (long)(job->bundle.wanted - rays->count),
+        .clear_percent = clear_percent(job),
+        .terms = (long)job->task.distortions,
+        .sampling = job->sampling[g],
         .iterations = summary->iterations,
         .entrance = job->entrance,
         .exit = job->exit,
@@ -177,56 +203,47 @@ static void emit_answer(const struct fit_job *job, size_t g)
     run_emit(job->run, &row);
 }
 
-static bool visit(const struct lens_case *one, struct run *run, const void *context,
+static bool visit(const struct setup *setup, const char *warning, void *context,
                   struct error *error)
 {
-    const struct fit_input *input = context;
-    struct fit_job job = {.input = input,
-                          .run = run,
-                          .lens = one->lens,
-                          .position = one->position,
-                          .warning = one->warning,
-                          .first = one->first};
-    if (!fit_job_run(&job, error)) {
+    const struct fit_asked *asked = context;
+    const struct fit_input *input = asked->input;
+    struct run *run = asked->run;
+    struct fit_job *job = ARENA_NEW(run->arena, struct fit_job);
+    *job = (struct fit_job){.input = input, .run = run, .setup = setup, .warning = warning};
+    if (!setup_light(setup, 0, &job->light, error) || !fit_job_run(job, error)) {
         return false;
     }
-    const struct fit_found found = {job.position, job.fit.parameter_count, job.fit.names,
-                                    job.fit.parameters, &job.fit.summary};
+    run->state = job;
+    const struct fit_found found = {job->setup->position, job->fit.parameter_count, job->fit.names,
+                                    job->fit.parameters, &job->fit.summary};
     if (input->show == FIT_ANSWER) {
-        for (size_t g = 0; g < (input->chromatic ? job.wavelength_count : 1); g++) {
-            emit_answer(&job, g);
+        for (size_t g = 0; g < (input->chromatic ? job->setup->wavelength_count : 1); g++) {
+            emit_answer(job, g);
         }
     } else if (input->show == FIT_RESIDUALS) {
-        fit_show_rays(&job);
+        fit_show_rays(job);
     } else if (input->show == FIT_MODELS) {
-        fit_show_models(&job);
+        fit_show_models(job);
     } else if (input->show == FIT_MATRIX) {
-        fit_show_matrix(&job);
+        fit_show_matrix(job);
     } else {
         fit_emit(&found, (enum fit_show)input->show, run);
     }
-    return (input->output == NULL || fit_save_lens(&job, error)) &&
-           (input->map == NULL || fit_draw_map(&job, error));
+    return true;
 }
 
 bool fit_lens(const struct fit_input *input, struct run *run, struct error *error)
 {
+    /* the wavelengths are fitted together */
+    static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_ALL,
+                                              .fields = FIELDS_SPREAD};
     struct lens_question question = input->question;
     struct lens *lens;
+    question.field = NAN; /* a set of fields has an option of its own */
     if (question.lens.lens == NULL) {
         fail(error, ERROR_USAGE, "no lens is given, and no --glass");
         return error_hint(error, "a name of 'lenscalc list lenses', or a .lens file");
-    }
-    bool all = question.position != NULL && text_same(text_of(question.position), "all");
-    if ((input->output != NULL || input->map != NULL) && all &&
-        question.lens.lens->position_count > 1) {
-        return fail(error, ERROR_USAGE, "%s holds one position: name it with --position",
-                    input->output != NULL ? "--output" : "--map");
-    }
-    if (input->output != NULL && input->chromatic) {
-        return fail(error, ERROR_USAGE,
-                    "a .lens holds one thick lens for all wavelengths: --output without "
-                    "--chromatic, or with one --wavelength");
     }
     if (!isnan(input->object)) {
         lens = ARENA_NEW(run->arena, struct lens);
@@ -236,10 +253,6 @@ bool fit_lens(const struct fit_input *input, struct run *run, struct error *erro
         lens->objects = NULL;
         question.lens.lens = lens;
     }
-    /* one case a position: the wavelengths are fitted together */
-    if (question.wavelength.name == NULL) {
-        question.wavelength.wavelength = lens_primary_wavelength(question.lens.lens);
-        question.wavelength.name = "primary";
-    }
-    return lens_each(&question, run, visit, input, error);
+    struct fit_asked asked = {input, run};
+    return lens_each_setup(&question, &policy, run->arena, visit, &asked, error);
 }

@@ -1,9 +1,6 @@
-/* cli/fit_rows.c - parameters of a fit, their errors and correlations, as rows. */
+/* commands/design/fit_rows.c - parameters of a fit, their errors and correlations, as rows. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit.h"
-#include "report/output.h"
-
-#include <sys/stat.h>
 
 #define PLAIN(member_name) COLUMN(struct fit_row, member_name), .flags = COLUMN_BRIEF
 
@@ -78,14 +75,9 @@ void fit_emit(const struct fit_found *found, enum fit_show show, struct run *run
     }
 }
 
-bool fit_write(const char *path, const char *data, size_t length, struct run *run,
-               struct error *error)
+const char *fit_join(const char *one, const char *other, struct arena *arena)
 {
-    struct stat found;
-    if (!run->force && stat(path, &found) == 0 && S_ISREG(found.st_mode)) {
-        return fail(error, ERROR_IO, "%s is there already: --force replaces it", path);
-    }
-    return output_file(path, data, length, run->arena, error);
+    return one == NULL ? other : other == NULL ? one : arena_printf(arena, "%s; %s", one, other);
 }
 
 const char *fit_status(const struct solver_summary *summary)

@@ -1,15 +1,15 @@
-/* cli/fit_view.c - what a fit found: its rays, its matrix, its rivals, as rows and files. */
+/* commands/design/fit_view.c - what a fit found, as rows and files. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit_job.h"
 #include "design/thick_element.h"
-#include "file/lens_file.h"
 #include "draw/ray_map.h"
 #include "draw/svg.h"
+#include "file/lens_file.h"
 
 /* One ray: where in field and pupil the equivalent fails. */
 struct ray_row {
     const char *position;
-    double wavelength; /* mm */
+    double wavelength; /* um */
     double field;      /* rad, or mm */
     double object_height, stop_x, stop_y, dx, dy, distance;
 };
@@ -19,8 +19,8 @@ struct ray_row {
 static const struct column ray_columns[] = {
     {RAY(position, COLUMN_BRIEF | COLUMN_SPARSE), .name = "position", .label = "position",
      .help = "zoom or focus position"},
-    {RAY(wavelength, COLUMN_ECHO | COLUMN_BRIEF), .dimension = &dimension_length, .unit = "nm",
-     .name = "wavelength", .label = "wavelength", .help = "wavelength"},
+    {RAY(wavelength, COLUMN_ECHO | COLUMN_BRIEF), .dimension = &dimension_wavelength_um,
+     .unit = "nm", .name = "wavelength", .label = "wavelength", .help = "wavelength"},
     {RAY(field, COLUMN_BRIEF), .dimension = &dimension_angle, .unit = "deg", .name = "field",
      .label = "field", .help = "field angle; absent for an object nearby"},
     {RAY(object_height, 0), .dimension = &dimension_length, .unit = "mm", .name = "object_height",
@@ -103,11 +103,11 @@ void fit_show_rays(const struct fit_job *job)
     double *dy = ARENA_ARRAY(arena, rays->count, double);
     thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
     for (size_t i = 0; i < rays->count; i++) {
-        double field = job->field[job->bundle.field[i]];
-        bool angle = job->lens->object_is_infinite;
-        const struct ray_row row = {.position = job->position,
+        double field = fit_field(job, job->bundle.field[i]);
+        bool angle = job->setup->lens->object_is_infinite;
+        const struct ray_row row = {.position = job->setup->position,
                                     .wavelength =
-                                        lens_wavelength_own(job->wavelengths[rays->group[i]]),
+                                        job->setup->wavelengths[rays->group[i]].wavelength,
                                     .field = angle ? field : NAN,
                                     .object_height = angle ? NAN : field,
                                     .stop_x = rays->stop_x[i],
@@ -132,7 +132,7 @@ void fit_show_models(const struct fit_job *job)
         const struct thick_lens *lens = &models[i].lenses[0];
         struct thick_score score =
             thick_score(&job->bundle.rays, models[i].lenses, job->task.planes);
-        const struct model_row row = {.position = job->position,
+        const struct model_row row = {.position = job->setup->position,
                                       .model = models[i].name,
                                       .efl = lens->focal,
                                       .front = lens->front,
@@ -152,12 +152,12 @@ void fit_show_matrix(const struct fit_job *job)
 {
     const struct thick_lens *lens = &job->fit.lenses[0];
     double n = lens->index_object, m = lens->index_image, power = 1 / lens->focal;
-    double t = job->first.length + lens->rear - lens->front;
+    double t = job->light.first.length + lens->rear - lens->front;
     const struct matrix_row rows[4] = {
-        {job->position, "x", 1, 0, 0, 0},
-        {job->position, "y", 0, 1, 0, 0},
-        {job->position, "z", 0, 0, m / n + t * power / n, t},
-        {job->position, "w", 0, 0, power / n, 1},
+        {job->setup->position, "x", 1, 0, 0, 0},
+        {job->setup->position, "y", 0, 1, 0, 0},
+        {job->setup->position, "z", 0, 0, m / n + t * power / n, t},
+        {job->setup->position, "w", 0, 0, power / n, 1},
     };
     for (int i = 0; i < 4 && run_emit(job->run, &rows[i]); i++) {
     }
@@ -167,20 +167,20 @@ void fit_show_matrix(const struct fit_job *job)
 static void label_map(const struct fit_job *job, struct ray_map *map)
 {
     struct arena *arena = job->run->arena;
-    bool angle = job->lens->object_is_infinite;
-    const char **columns = ARENA_ARRAY(arena, job->field_count, const char *);
-    const char **rows = ARENA_ARRAY(arena, job->wavelength_count, const char *);
-    for (size_t i = 0; i < job->field_count; i++) {
-        columns[i] = angle ? arena_printf(arena, "%.4g°", job->field[i] * 57.29577951308232)
-                           : arena_printf(arena, "%.4g mm", job->field[i]);
+    bool angle = job->setup->lens->object_is_infinite;
+    const char **columns = ARENA_ARRAY(arena, job->setup->field_count, const char *);
+    const char **rows = ARENA_ARRAY(arena, job->setup->wavelength_count, const char *);
+    for (size_t i = 0; i < job->setup->field_count; i++) {
+        columns[i] = angle ? arena_printf(arena, "%.4g°", fit_field(job, i) * 57.29577951308232)
+                           : arena_printf(arena, "%.4g mm", fit_field(job, i));
     }
-    for (size_t i = 0; i < job->wavelength_count; i++) {
-        rows[i] = arena_printf(arena, "%.4g nm", 1000 * job->wavelengths[i]);
+    for (size_t i = 0; i < job->setup->wavelength_count; i++) {
+        rows[i] = arena_printf(arena, "%.4g nm", 1000 * job->setup->wavelengths[i].wavelength);
     }
     map->columns = columns;
-    map->column_count = job->field_count;
+    map->column_count = job->setup->field_count;
     map->rows = rows;
-    map->row_count = job->wavelength_count;
+    map->row_count = job->setup->wavelength_count;
 }
 
 static void place_points(const struct fit_job *job, struct ray_map *map)
@@ -206,15 +206,16 @@ static void place_points(const struct fit_job *job, struct ray_map *map)
     map->count = count;
 }
 
-bool fit_draw_map(const struct fit_job *job, struct error *error)
+bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct error *error)
 {
+    const struct fit_job *job = wanted->run->state;
     struct arena *arena = job->run->arena;
     const struct thick_lens *lens = &job->fit.lenses[0];
-    const char *title = job->lens->title != NULL ? job->lens->title : "lens";
+    const char *title = job->setup->lens->title != NULL ? job->setup->lens->title : "lens";
     struct ray_map map = {
         .title = arena_printf(arena, "%s%s%s: exact rays against the fitted thick lens", title,
-                              job->position != NULL ? ", " : "",
-                              job->position != NULL ? job->position : ""),
+                              job->setup->position != NULL ? ", " : "",
+                              job->setup->position != NULL ? job->setup->position : ""),
         .subtitle = job->task.separate
                         ? arena_printf(arena,
                                        "a thick lens for each wavelength; rms %.4g um, "
@@ -229,29 +230,31 @@ bool fit_draw_map(const struct fit_job *job, struct error *error)
     struct svg svg = {.arena = arena};
     label_map(job, &map);
     place_points(job, &map);
-    return ray_map_draw(&map, &svg, error) &&
-           fit_write(job->input->map, svg.data, svg.length, job->run, error);
+    return ray_map_draw(&map, &svg, error) && drawing_write(wanted, &svg, sink, error);
 }
 
-bool fit_save_lens(const struct fit_job *job, struct error *error)
+bool fit_save_lens(const struct artifact_job *wanted, struct output *sink, struct error *error)
 {
+    const struct fit_job *job = wanted->run->state;
     struct arena *arena = job->run->arena;
     const struct thick_stand_in stand_in = {
         .thick = job->fit.lenses[0],
-        .length = job->first.length,
+        .length = job->light.first.length,
         .pupil = job->entrance.place,
         .pupil_diameter = 2 * fabs(job->entrance.radius),
-        .fnumber = job->first.fnumber,
+        .fnumber = job->light.first.fnumber,
         .image = job->task.planes[0],
         .title = arena_printf(arena, "thick lens that equals %s%s%s",
-                              job->lens->title != NULL ? job->lens->title : "a lens",
-                              job->position != NULL ? " at " : "",
-                              job->position != NULL ? job->position : ""),
+                              job->setup->lens->title != NULL ? job->setup->lens->title : "a lens",
+                              job->setup->position != NULL ? " at " : "",
+                              job->setup->position != NULL ? job->setup->position : ""),
         .note =
             arena_printf(arena, "fitted by lenscalc to %zu exact rays, rms %.4g um in the image",
                          job->bundle.rays.count, 1000 * job->fit.rms),
     };
-    const struct lens lens = thick_element_lens(job->lens, &stand_in, arena);
+    const struct lens lens = thick_element_lens(job->setup->lens, &stand_in, arena);
     struct text text = lens_write(&lens, arena);
-    return fit_write(job->input->output, text.start, text.length, job->run, error);
+    (void)error;
+    output_text(sink, text.start, text.length);
+    return true;
 }

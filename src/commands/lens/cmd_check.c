@@ -1,4 +1,4 @@
-/* cli/cmd_check.c - lenscalc check: paraxial results against exact rays. */
+/* commands/lens/cmd_check.c - lenscalc check: paraxial results against exact rays. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/paraxial_check.h"
 #include "commands/lens/lens_options.h"
@@ -7,8 +7,8 @@
 static const double degrees = 180 / 3.141592653589793;
 
 struct input {
-    struct lens_question question; /* its field stays absent */
-    double field, tolerance;
+    struct lens_question question;
+    double tolerance;
     long steps;
 };
 
@@ -16,9 +16,11 @@ static const struct option options[] = {
     LENS_OPTION(struct input, question),
     LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct input, question),
-    {OPTION(struct input, field), .name = "field", .dimension = &dimension_angle, .unit = "deg",
-     .lowest = -3.141592653589793, .highest = 3.141592653589793, .value = "ANGLE",
-     .help = "largest field angle, in object space; without it that of the lens, else 5 deg"},
+    {OPTION(struct input, question.field), .name = "field", .dimension = &dimension_angle,
+     .unit = "deg", .lowest = -3.141592653589793, .highest = 3.141592653589793,
+     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
+     .help = "largest field angle, in object space, a list is swept; without it that of the lens, "
+             "else 5 deg"},
     LENS_POSITION_OPTION(struct input, question),
     LENS_SECTION_OPTION(struct input, question),
     {OPTION(struct input, tolerance), .name = "tolerance", .column = "tolerance",
@@ -31,7 +33,7 @@ static const struct option options[] = {
 
 struct row {
     const char *quantity, *unit, *position, *status, *verdict, *warning, *lens;
-    double wavelength; /* mm */
+    double wavelength; /* um */
     double fraction, fnumber, height, field;
     double paraxial, exact, difference, relative;
     double order, local_order, rounding, trusted, trusted_fnumber, trusted_field, tolerance;
@@ -45,7 +47,7 @@ struct row {
 #define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN(struct row, wavelength), .dimension = &dimension_length, .unit = "nm",
+    {COLUMN(struct row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
      .flags = COLUMN_ECHO, .name = "wavelength", .with = "wavelength", .label = "wavelength",
      .help = "wavelength"},
     LENS_POSITION_COLUMN(struct row, position, 0),
@@ -117,39 +119,20 @@ static const struct {
     [CHECK_EXIT_PUPIL] = {"exit_pupil", "exit pupil's place", "mm"},
 };
 
+static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                          .fields = FIELDS_EDGE};
+
 /* The lens in one case, ready for comparison. */
 struct bench {
     const struct input *input;
     const struct lens_case *one;
-    struct system forward, backward;
     struct check_problem problem;
 };
 
-static struct field_point largest_field(const struct input *input, const struct lens *lens)
+static bool set_up(const struct input *input, const struct lens_case *one, struct bench *bench,
+                   struct error *error)
 {
-    size_t axis = input->question.section == SECTION_X ? 0 : 1;
-    struct field_point field = {FIELD_ANGLE, {0, 0}};
-    double largest = isnan(input->field) ? 0 : input->field;
-    if (isnan(input->field) && lens->field_kind != FIELD_NONE) {
-        field.kind = lens->field_kind;
-        for (size_t i = 0; i < lens->field_count; i++) {
-            double value = lens->fields[i].value.hi;
-            largest = fabs(value) > fabs(largest) ? value : largest;
-        }
-    }
-    if (largest == 0) {
-        field.kind = FIELD_ANGLE;
-        largest = 5 / degrees;
-    }
-    field.value[axis] = largest;
-    return field;
-}
-
-static bool set_up(const struct input *input, const struct lens_case *one, struct arena *arena,
-                   struct bench *bench, struct error *error)
-{
-    const struct lens *lens = one->lens;
-    struct system_options system = system_options_default();
+    const struct lens *lens = one->setup->lens;
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (lens->surfaces[i].moved != NULL || lens->surfaces[i].bend != NULL) {
             return fail(error, ERROR_DOMAIN,
@@ -158,34 +141,26 @@ static bool set_up(const struct input *input, const struct lens_case *one, struc
                         i + 1);
         }
     }
-    if (isnan(one->first.entrance_diameter) || isnan(one->first.marginal_y)) {
+    if (isnan(one->light.first.entrance_diameter) || isnan(one->light.first.marginal_y)) {
         fail(error, ERROR_DOMAIN, "the lens has no aperture: the height of its rays is not known");
         return error_hint(error, "give an f-number with -N, or an aperture in the file");
     }
+    const struct setup *setup = one->setup;
+    const struct system *forward = setup_system(setup, one->index, SETUP_OPEN, error);
+    const struct system *backward =
+        forward != NULL ? setup_system(setup, one->index, SETUP_REVERSED, error) : NULL;
     *bench = (struct bench){.input = input, .one = one};
-    system.stop_radius = one->first.stop_radius;
-    if (!system_compile(lens, one->wavelength, &system, arena, &bench->forward, error)) {
-        return false;
-    }
-    system.reverse = true;
-    if (!system_compile(lens, one->wavelength, &system, arena, &bench->backward, error)) {
-        return false;
-    }
-    struct first_order primary;
-    if (!first_order_of_lens(lens, lens_primary_wavelength(lens), one->section, arena, &primary,
-                             error)) {
-        return false;
-    }
     bench->problem = (struct check_problem){
-        .forward = &bench->forward,
-        .backward = &bench->backward,
-        .first = &one->first,
-        .object = lens_object(lens),
-        .section = one->section,
-        .plane = isfinite(primary.image) ? primary.image : (double)NAN,
-        .field = largest_field(input, lens),
+        .forward = forward,
+        .backward = backward,
+        .first = &one->light.first,
+        .object = setup->object,
+        .section = setup->section,
+        .plane = isfinite(setup->first.image) ? setup->first.image : (double)NAN,
+        .field = setup->fields[0].point,
+        .chiefs = ARENA_ARRAY(setup->arena, CHECK_CHIEFS, struct check_chief),
     };
-    return true;
+    return backward != NULL;
 }
 
 /* -------- the verdict -------- */
@@ -203,8 +178,25 @@ static const char *order_words(const struct check_order *order, struct arena *ar
                : words;
 }
 
-static const char *extent_words(const struct row *row, enum check_quantity quantity, double largest,
-                                struct arena *arena)
+/* Of a quantity by field; `largest` in degrees, NaN for a field that no beam has. */
+static const char *field_words(const struct row *row, double largest, bool arrives,
+                               struct arena *arena)
+{
+    const double whole = 1 - 1e-9;
+    if (row->trusted >= whole) {
+        return isnan(largest) ? "over the whole field"
+                              : arena_printf(arena, "over the whole field, %.4g deg", largest);
+    }
+    const char *words = isnan(largest) || isnan(row->trusted_field)
+                            ? arena_printf(arena, "up to %.3g %% of the field", 100 * row->trusted)
+                            : arena_printf(arena, "up to %.4g deg of %.4g deg",
+                                           row->trusted_field * degrees, largest);
+    return arrives ? words
+                   : arena_printf(arena, "%s, from where no chief ray reaches the stop", words);
+}
+
+static const char *extent_words(const struct row *row, enum check_quantity quantity,
+                                const struct check_value *edge, struct arena *arena)
 {
     const double whole = 1 - 1e-9;
     bool field = check_is_of_field(quantity);
@@ -212,10 +204,7 @@ static const char *extent_words(const struct row *row, enum check_quantity quant
         return arena_printf(arena, "at no %s", field ? "field" : "aperture");
     }
     if (field) {
-        return row->trusted >= whole
-                   ? arena_printf(arena, "over the whole field, %.4g deg", largest)
-                   : arena_printf(arena, "up to %.4g deg of %.4g deg", row->trusted_field * degrees,
-                                  largest);
+        return field_words(row, edge->angle * degrees, !isnan(edge->exact), arena);
     }
     if (isnan(row->trusted_fnumber)) {
         return arena_printf(arena, "up to %.3g %% of the aperture", 100 * row->trusted);
@@ -246,10 +235,14 @@ static void judge(const struct bench *bench, enum check_quantity quantity, struc
             arena_printf(arena, "%s: %s", names[quantity].words, order_words(&order, arena));
         return;
     }
-    row->verdict = arena_printf(
-        arena, "%s: within %.3g %%%s %s (%s)", names[quantity].words, 100 * tolerance,
-        edge.scale == fabs(edge.paraxial) ? "" : " of the focal length",
-        extent_words(row, quantity, edge.angle * degrees, arena), order_words(&order, arena));
+    /* where the quantity exists: it need not at the edge */
+    const struct check_value inside =
+        row->trusted > 0 ? check_at(problem, quantity, row->trusted, arena) : edge;
+    bool of_itself = inside.scale == fabs(inside.paraxial) || isnan(inside.scale);
+    row->verdict =
+        arena_printf(arena, "%s: within %.3g %%%s %s (%s)", names[quantity].words, 100 * tolerance,
+                     of_itself ? "" : " of the focal length",
+                     extent_words(row, quantity, &edge, arena), order_words(&order, arena));
 }
 
 /* -------- rows -------- */
@@ -287,22 +280,29 @@ static double fraction_of(enum check_quantity quantity, long step, long steps)
                                        : exp2(-0.5 * (double)step);
 }
 
-static bool compare(const struct lens_case *one, struct run *run, const void *context,
-                    struct error *error)
+/* Where the rows go. */
+struct asked {
+    const struct input *input;
+    struct run *run;
+};
+
+static bool compare(const struct lens_case *one, void *context, struct error *error)
 {
-    const struct input *input = context;
+    const struct asked *asked = context;
+    const struct input *input = asked->input;
+    struct run *run = asked->run;
     struct bench bench;
-    if (!set_up(input, one, run->arena, &bench, error)) {
+    if (!set_up(input, one, &bench, error)) {
         return false;
     }
     for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
         struct row row = {
             .quantity = names[quantity].name,
             .unit = names[quantity].unit,
-            .position = one->position,
-            .lens = one->lens->title,
+            .position = one->setup->position,
+            .lens = one->setup->lens->title,
             .warning = one->warning,
-            .wavelength = lens_wavelength_own(one->wavelength),
+            .wavelength = one->light.wavelength,
         };
         if (!check_applies(&bench.problem, (enum check_quantity)quantity)) {
             continue;
@@ -319,28 +319,10 @@ static bool compare(const struct lens_case *one, struct run *run, const void *co
     return true;
 }
 
-/* The primary wavelength unless another is asked for. */
-static struct lens_question question_of(const struct input *input)
-{
-    struct lens_question question = input->question;
-    question.field = NAN;
-    if (question.wavelength.name == NULL && question.lens.lens != NULL) {
-        question.wavelength =
-            (struct wavelength_value){lens_primary_wavelength(question.lens.lens), "primary"};
-    }
-    return question;
-}
-
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    struct lens_question question = question_of(data);
-    return lens_each(&question, run, compare, data, error);
-}
-
-static bool makes_many(const void *data)
-{
-    (void)data;
-    return true;
+    struct asked asked = {data, run};
+    return lens_each(&asked.input->question, &policy, run->arena, compare, &asked, error);
 }
 
 /* -------- the plot -------- */
@@ -349,29 +331,30 @@ enum { POINTS = 41 };
 
 /* Of the first case only: the curves of one lens fill a page. */
 struct curves {
+    const struct input *input;
+    struct arena *arena;
     struct plot plot;
     struct plot_series series[CHECK_QUANTITIES];
     double x[POINTS];
 };
 
-static bool add_curves(const struct lens_case *one, struct run *run, const void *context,
-                       struct error *error)
+static bool add_curves(const struct lens_case *one, void *context, struct error *error)
 {
-    struct curves *curves = run->driver;
+    struct curves *curves = context;
+    struct arena *arena = curves->arena;
     struct bench bench;
-    if (!set_up(context, one, run->arena, &bench, error)) {
+    if (!set_up(curves->input, one, &bench, error)) {
         return false;
     }
     for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
         const struct check_problem *problem = &bench.problem;
         enum check_quantity what = (enum check_quantity)quantity;
-        if (!check_applies(problem, what) ||
-            isnan(check_at(problem, what, 0.5, run->arena).scale)) {
+        if (!check_applies(problem, what) || isnan(check_at(problem, what, 0.5, arena).scale)) {
             continue;
         }
-        double *y = ARENA_ARRAY(run->arena, POINTS, double);
+        double *y = ARENA_ARRAY(arena, POINTS, double);
         for (size_t i = 0; i < POINTS; i++) {
-            struct check_value value = check_at(problem, what, curves->x[i], run->arena);
+            struct check_value value = check_at(problem, what, curves->x[i], arena);
             double relative = fabs(value.exact - value.paraxial) / value.scale;
             y[i] = relative > 1e-13 ? 100 * relative : (double)NAN;
         }
@@ -381,38 +364,50 @@ static bool add_curves(const struct lens_case *one, struct run *run, const void 
     }
     double largest = atan2(sin(bench.problem.field.value[1]), cos(bench.problem.field.value[1]));
     curves->plot.title =
-        arena_printf(run->arena, "Exact rays against paraxial results: %s", one->lens->title);
-    curves->plot.subtitle = arena_printf(
-        run->arena, "at %.5g nm%s%s; aperture f/%.3g%s", 1000 * one->wavelength,
-        one->position != NULL ? ", position " : "", one->position != NULL ? one->position : "",
-        isfinite(one->first.fnumber) ? one->first.fnumber : one->first.working_fnumber,
-        bench.problem.field.kind == FIELD_ANGLE
-            ? arena_printf(run->arena, ", field %.4g deg", largest * degrees)
-            : "");
+        arena_printf(arena, "Exact rays against paraxial results: %s", one->setup->lens->title);
+    curves->plot.subtitle =
+        arena_printf(arena, "at %.5g nm%s%s; aperture f/%.3g%s", 1000 * one->light.wavelength,
+                     one->setup->position != NULL ? ", position " : "",
+                     one->setup->position != NULL ? one->setup->position : "",
+                     isfinite(one->light.first.fnumber) ? one->light.first.fnumber
+                                                        : one->light.first.working_fnumber,
+                     bench.problem.field.kind == FIELD_ANGLE
+                         ? arena_printf(arena, ", field %.4g deg", largest * degrees)
+                         : "");
     return true;
 }
 
-static bool picture(const void *const *inputs, size_t count, struct svg *svg, struct error *error)
+static bool check_plot(const struct artifact_job *job, struct error *error)
 {
-    struct curves curves = {.plot = {.x_label = "fraction of the aperture, or of the field",
+    const struct input *input = job->inputs[0];
+    return !lens_positions_several(input->question.lens.lens, input->question.position) ||
+           fail(error, ERROR_USAGE, "--plot shows one position: name it with --position");
+}
+
+static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct svg svg = {.arena = job->run->arena};
+    struct curves curves = {.input = job->inputs[0],
+                            .arena = svg.arena,
+                            .plot = {.x_label = "fraction of the aperture, or of the field",
                                      .y_label = "difference (% of the value or focal length)",
                                      .count = POINTS,
                                      .log_x = true,
                                      .log_y = true}};
-    struct run run = {.arena = svg->arena, .driver = &curves};
-    struct lens_question question = question_of(inputs[0]);
-    if (count > 1 || lens_positions_several(question.lens.lens, question.position)) {
-        return fail(error, ERROR_USAGE,
-                    "--plot shows one lens in one position at one wavelength: no lists");
-    }
+    const struct lens_question *question = &curves.input->question;
     for (size_t i = 0; i < POINTS; i++) {
         curves.x[i] = pow(10, -1.5 * (1 - (double)i / (POINTS - 1)));
     }
     curves.plot.x = curves.x;
     curves.plot.series = curves.series;
-    return lens_each(&question, &run, add_curves, inputs[0], error) &&
-           plot_draw(&curves.plot, svg, error);
+    return lens_each(question, &policy, svg.arena, add_curves, &curves, error) &&
+           plot_draw(&curves.plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types, "draw the differences over aperture and field"),
+     .scope = ARTIFACT_OF_ANSWER, .check = check_plot, .make = draw},
+};
 
 static const struct explanation explanations[] = {
     {"exact",
@@ -440,6 +435,6 @@ const struct command command_check = {
     .summary = "paraxial results against exact rays, and how far to trust them",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
-    .makes_many = makes_many,
-    .picture = picture,
+    .makes_many = command_always_many,
+    COMMAND_MAKES(artifacts),
 };

@@ -1,4 +1,4 @@
-/* cli/cmd_conjugate.c - lenscalc conjugate: object and image of a lens, and focusing. */
+/* commands/lens/cmd_conjugate.c - lenscalc conjugate: object and image of a lens, and focusing. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/focus_gaps.h"
 #include "commands/lens/lens_options.h"
@@ -38,6 +38,9 @@ static const struct word focusings[] = {
     OPTION(struct input, member_name), .dimension = &dimension_length, .unit = "mm",               \
                                        .value = "LENGTH"
 
+static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                          .fields = FIELDS_LARGEST};
+
 static const struct option options[] = {
     LENS_OPTION(struct input, question),
     {MILLIMETRES(object), .name = "object",
@@ -63,7 +66,7 @@ static const struct option options[] = {
 };
 
 struct row {
-    double wavelength; /* mm */
+    double wavelength; /* um */
     const char *position, *from, *focus_by, *gaps, *lens, *warning;
     const char *object_kind, *image_kind, *orientation;
     double object, image, movement, efl;
@@ -76,7 +79,7 @@ struct row {
 #define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN(struct row, wavelength), .dimension = &dimension_length, .unit = "nm",
+    {COLUMN(struct row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
      .flags = COLUMN_ECHO, .name = "wavelength", .with = "wavelength", .label = "wavelength",
      .help = "wavelength"},
     LENS_POSITION_COLUMN(struct row, position, COLUMN_BRIEF),
@@ -140,6 +143,7 @@ static const struct column columns[] = {
 /* What is asked of one lens, wavelength after wavelength. */
 struct task {
     const struct input *input;
+    struct run *run;
     struct lens_value typed; /* the lens as the file has it, its media too */
     struct named_gap gaps[FOCUS_GAPS];
     size_t gap_count; /* 0: nothing moves */
@@ -209,21 +213,23 @@ static void set_brightness(const struct paraxial_system *system, const struct pa
 /* The row of one object, which lies on `place` (mm to the left of the first vertex). */
 static bool emit_row(const struct lens_case *one, const struct task *task, const struct lens *lens,
                      const struct conjugate_ray *ray, const char *gaps, double movement,
-                     struct run *run, struct error *error)
+                     struct error *error)
 {
+    struct run *run = task->run;
     struct paraxial_system system;
     struct paraxial_trace trace;
-    struct row row = {.wavelength = lens_wavelength_own(one->wavelength),
-                      .position = one->position,
+    struct row row = {.wavelength = one->light.wavelength,
+                      .position = one->setup->position,
                       .from = froms[task->input->from].word,
                       .focus_by = task->input->gap != NULL     ? task->input->gap
                                   : task->input->focus_by != 0 ? "the whole lens"
                                                                : NULL,
                       .gaps = gaps,
                       .movement = movement,
-                      .lens = one->lens->title,
+                      .lens = one->setup->lens->title,
                       .warning = one->warning};
-    if (!paraxial_compile(lens, one->wavelength, one->section, run->arena, &system, error)) {
+    if (!paraxial_compile(lens, one->light.wavelength, one->setup->section, run->arena, &system,
+                          error)) {
         return false;
     }
     paraxial_trace(&system, &trace);
@@ -234,7 +240,7 @@ static bool emit_row(const struct lens_case *one, const struct task *task, const
         far ? pair_of(1) : pair_divide(object.distance, system.index[0]), pair_of(far ? 0 : 1)};
     conjugate_compute(&system, &trace, &here, &row.all);
     set_distances(&row.all, task->input->from, &row);
-    set_brightness(&system, &trace, &object, one->first.stop_radius, &row);
+    set_brightness(&system, &trace, &object, one->light.first.stop_radius, &row);
     row.object_kind = kind_of(row.all.object, row.all.object_is_virtual);
     row.image_kind = kind_of(row.all.image, row.all.image_is_virtual);
     row.orientation = orientation_of(&row.all, trace.whole.c.hi == 0 ? 0 : -trace.whole.c.hi);
@@ -248,17 +254,16 @@ static struct conjugate_ray place_of(const struct conjugate_ray *ray, struct pai
     return (struct conjugate_ray){pair_multiply(ray->y, index), ray->v};
 }
 
-static bool emit_unmoved(const struct lens_case *one, const struct task *task, struct run *run,
-                         struct error *error)
+static bool emit_unmoved(const struct lens_case *one, const struct task *task, struct error *error)
 {
-    const struct conjugate_question question = question_of(task->input, one->lens);
+    const struct conjugate_question question = question_of(task->input, one->setup->lens);
     struct conjugate_ray rays[2];
     struct paraxial_trace trace;
-    paraxial_trace(&one->system, &trace);
-    size_t count = conjugate_find(&one->system, &trace, &question, rays, error);
+    paraxial_trace(&one->light.system, &trace);
+    size_t count = conjugate_find(&one->light.system, &trace, &question, rays, error);
     for (size_t i = 0; i < count; i++) {
-        const struct conjugate_ray place = place_of(&rays[i], one->system.index[0]);
-        if (!emit_row(one, task, one->lens, &place, NULL, NAN, run, error)) {
+        const struct conjugate_ray place = place_of(&rays[i], one->light.system.index[0]);
+        if (!emit_row(one, task, one->setup->lens, &place, NULL, NAN, error)) {
             return false;
         }
     }
@@ -266,26 +271,22 @@ static bool emit_unmoved(const struct lens_case *one, const struct task *task, s
 }
 
 /* Where the file has its image plane, in its own media, at the wavelength it is focused at. */
-static bool find_image_plane(const struct lens_case *one, const struct task *task, struct run *run,
+static bool find_image_plane(const struct lens_case *one, const struct task *task,
                              struct pair *plane, struct error *error)
 {
     const struct lens *typed = task->typed.lens;
     size_t position = 0;
-    while (position + 1 < typed->position_count && typed->positions[position] != one->position) {
+    while (position + 1 < typed->position_count &&
+           typed->positions[position] != one->setup->position) {
         position++;
     }
-    const struct lens *lens = lens_at_position(typed, position, run->arena);
-    const struct surface *last = &lens->surfaces[lens->surface_count - 1];
+    const struct lens *lens = lens_at_position(typed, position, task->run->arena);
     struct first_order first;
-    if (lens->focus == FOCUS_TABLE && last->has_thickness) {
-        *plane = last->thickness.value;
-        return true;
-    }
-    if (!first_order_of_lens(lens, lens_primary_wavelength(lens), one->section, run->arena, &first,
-                             error)) {
+    if (!first_order_of_lens(lens, lens_primary_wavelength(lens), one->setup->section,
+                             task->run->arena, &first, error)) {
         return false;
     }
-    *plane = pair_of(first.image);
+    *plane = setup_paraxial_image(lens, &first);
     return true;
 }
 
@@ -305,29 +306,29 @@ static const char *list_gaps(const struct task *task, const struct focused *focu
 }
 
 /* Focused at the primary wavelength; at the others the same lens looks at the same object. */
-static bool emit_focused(const struct lens_case *one, const struct task *task, struct run *run,
-                         struct error *error)
+static bool emit_focused(const struct lens_case *one, const struct task *task, struct error *error)
 {
-    const struct conjugate_question question = question_of(task->input, one->lens);
-    struct focused *solutions = ARENA_ARRAY(run->arena, FOCUS_SOLUTIONS, struct focused);
+    struct arena *arena = task->run->arena;
+    const struct conjugate_question question = question_of(task->input, one->setup->lens);
+    struct focused *solutions = ARENA_ARRAY(arena, FOCUS_SOLUTIONS, struct focused);
     struct focus_gap gaps[FOCUS_GAPS];
     for (size_t i = 0; i < task->gap_count; i++) {
         gaps[i] = task->gaps[i].gap;
     }
-    struct focusing focusing = {.lens = one->lens,
-                                .wavelength = lens_primary_wavelength(one->lens),
-                                .section = one->section,
+    struct focusing focusing = {.lens = one->setup->lens,
+                                .wavelength = lens_primary_wavelength(one->setup->lens),
+                                .section = one->setup->section,
                                 .gaps = gaps,
                                 .gap_count = task->gap_count};
-    if (!find_image_plane(one, task, run, &focusing.image_plane, error)) {
+    if (!find_image_plane(one, task, &focusing.image_plane, error)) {
         return false;
     }
-    size_t count = focus_solve(&focusing, &question, run->arena, solutions, error);
+    size_t count = focus_solve(&focusing, &question, arena, solutions, error);
     for (size_t i = 0; i < count; i++) {
         struct paraxial_system system;
         struct paraxial_trace trace;
         struct conjugate_ray ray;
-        if (!paraxial_compile(solutions[i].lens, focusing.wavelength, one->section, run->arena,
+        if (!paraxial_compile(solutions[i].lens, focusing.wavelength, one->setup->section, arena,
                               &system, error)) {
             return false;
         }
@@ -336,8 +337,8 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
             return false;
         }
         const struct conjugate_ray place = place_of(&ray, system.index[0]);
-        const char *names = list_gaps(task, &solutions[i], run->arena);
-        if (!emit_row(one, task, solutions[i].lens, &place, names, solutions[i].movement.hi, run,
+        const char *names = list_gaps(task, &solutions[i], arena);
+        if (!emit_row(one, task, solutions[i].lens, &place, names, solutions[i].movement.hi,
                       error)) {
             return false;
         }
@@ -345,12 +346,10 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
     return count > 0;
 }
 
-static bool emit_case(const struct lens_case *one, struct run *run, const void *context,
-                      struct error *error)
+static bool emit_case(const struct lens_case *one, void *context, struct error *error)
 {
     const struct task *task = context;
-    return task->gap_count > 0 ? emit_focused(one, task, run, error)
-                               : emit_unmoved(one, task, run, error);
+    return task->gap_count > 0 ? emit_focused(one, task, error) : emit_unmoved(one, task, error);
 }
 
 /* The lens with other media around it. */
@@ -370,7 +369,7 @@ static bool put_into_media(const struct input *input, struct lens_value *value, 
     for (size_t i = 0; i <= last; i++) {
         copy->surfaces[i] = lens->surfaces[i];
     }
-    if (behind != NULL && copy->surfaces[last].kind == SURFACE_REFLECT) {
+    if (behind != NULL && surface_reflects(&copy->surfaces[last])) {
         return fail(error, ERROR_USAGE,
                     "--image-medium: the last surface is a mirror, which leaves the medium as it "
                     "is");
@@ -409,7 +408,7 @@ static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
     struct lens_question question = input->question;
-    struct task task = {.input = input, .typed = input->question.lens};
+    struct task task = {.input = input, .run = run, .typed = input->question.lens};
     question.field = NAN;
     if (!check_asked(input, error)) {
         return false;
@@ -424,20 +423,14 @@ static bool run(const void *data, struct run *run, struct error *error)
         if (!put_into_media(input, &question.lens, run->arena, error)) {
             return false;
         }
-        if (question.wavelength.name == NULL) {
-            question.wavelength =
-                (struct wavelength_value){lens_primary_wavelength(lens), "primary"};
-        }
     }
-    return lens_each(&question, run, emit_case, &task, error);
+    return lens_each(&question, &policy, run->arena, emit_case, &task, error);
 }
 
 static bool makes_many(const void *data)
 {
     const struct input *input = data;
-    struct lens_question question = input->question;
-    question.wavelength.name = "primary"; /* without -w only that one */
-    return lens_makes_many(&question) || input->gap != NULL ||
+    return lens_makes_many(&input->question, &policy) || input->gap != NULL ||
            input->focus_by != FOCUS_BY_NOTHING ||
            (input->from == CONJUGATE_FROM_SENSOR && !isnan(input->object));
 }

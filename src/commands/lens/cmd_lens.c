@@ -1,10 +1,12 @@
-/* cli/cmd_lens.c - lenscalc lens: first-order data of a lens. */
+/* commands/lens/cmd_lens.c - lenscalc lens: first-order data of a lens. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
 
 struct input {
     struct lens_question question;
 };
+
+static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST};
 
 static const struct option options[] = {
     LENS_OPTION(struct input, question),
@@ -16,7 +18,7 @@ static const struct option options[] = {
 };
 
 struct row {
-    double wavelength; /* mm */
+    double wavelength; /* um */
     const char *position, *warning, *lens, *places;
     double track;
     struct first_order first;
@@ -90,22 +92,19 @@ static const struct column columns[] = {
     LENS_WARNING_COLUMN(struct row, warning),
 };
 
-static bool emit_row(const struct lens_case *one, struct run *run, const void *context,
-                     struct error *error)
+static bool emit_row(const struct lens_case *one, void *context, struct error *error)
 {
-    (void)context;
+    struct run *run = context;
     (void)error;
-    size_t last = one->lens->surface_count - 1;
-    const struct surface *end = &one->lens->surfaces[last];
-    bool table = one->lens->focus == FOCUS_TABLE && end->has_thickness;
     struct row row = {
-        .wavelength = lens_wavelength_own(one->wavelength),
-        .position = one->position,
-        .lens = one->lens->title,
+        .wavelength = one->light.wavelength,
+        .position = one->setup->position,
+        .lens = one->setup->lens->title,
         .places = "the first vertex (F, H, N, entrance pupil) or the last (F', H', N', exit pupil)",
         .warning = one->warning,
-        .first = one->first,
-        .track = one->first.length + (table ? end->thickness.value.hi : one->first.image),
+        .first = one->light.first,
+        .track =
+            one->light.first.length + setup_paraxial_image(one->setup->lens, &one->light.first).hi,
     };
     run_emit(run, &row);
     return true;
@@ -114,12 +113,12 @@ static bool emit_row(const struct lens_case *one, struct run *run, const void *c
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    return lens_each(&input->question, run, emit_row, NULL, error);
+    return lens_each(&input->question, &policy, run->arena, emit_row, run, error);
 }
 
 static bool makes_many(const void *data)
 {
-    return lens_makes_many(&((const struct input *)data)->question);
+    return lens_makes_many(&((const struct input *)data)->question, &policy);
 }
 
 static const struct explanation explanations[] = {

@@ -1,10 +1,11 @@
-/* cli/cmd_lensmaker.c - lenscalc lensmaker: one lens, thin or thick. */
+/* commands/lens/cmd_lensmaker.c - lenscalc lensmaker: one lens, thin or thick. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "cli/command.h"
 #include "commands/photo/photo_options.h"
-#include "optics/lensmaker.h"
 #include "draw/svg.h"
+#include "file/lens_file.h"
+#include "optics/lensmaker.h"
 
 #include <math.h>
 #include <string.h>
@@ -13,7 +14,6 @@ struct input {
     struct lensmaker lens;
     bool ball;
     int solution;
-    const char *lens_file;
 };
 
 /* Indexed by the member `solution`. */
@@ -54,8 +54,6 @@ static const struct option options[] = {
     {OPTION(struct input, ball), .name = "ball", .help = "a ball lens of diameter --thickness"},
     {OPTION(struct input, solution), .name = "solution", .column = "solution", .words = solutions,
      .fallback = "first", .value = "WHICH", .help = "which lens, where two answer the question"},
-    {OPTION(struct input, lens_file), .name = "lens-file", .value = "FILE.lens",
-     .flags = OPTION_FILE, .help = "write the lens as a prescription"},
 };
 
 struct row {
@@ -157,11 +155,11 @@ static const char *cell(struct arena *arena, double value)
     return arena_printf(arena, "%s", number);
 }
 
-/* The lens as a .lens file. It is text; the driver writes what lies in `file`, as any drawing. */
-static bool write_lens(const void *data, struct svg *file, struct error *error)
+/* The lens as a .lens file. */
+static bool write_lens(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct input *input = data;
-    struct arena *arena = file->arena;
+    const struct input *input = job->inputs[0];
+    struct arena *arena = job->run->arena;
     struct lensmaker lens;
     struct lensmaker_facts facts;
     int count;
@@ -172,22 +170,21 @@ static bool write_lens(const void *data, struct svg *file, struct error *error)
     double back = isfinite(facts.bfl) && facts.bfl > 0 ? facts.bfl : 0;
     const char *medium =
         lens.n0 == 1 ? "" : arena_printf(arena, "medium      %s\n", cell(arena, lens.n0));
-    file->data = arena_printf(arena,
-                              "lens        %s, f = %.6g mm\n"
-                              "source      lenscalc lensmaker\n"
-                              "unit        mm\n"
-                              "wavelength  d\n"
-                              "%sobject      inf\n"
-                              "focus       paraxial\n"
-                              "#           radius              thickness           "
-                              "medium    diameter\n"
-                              "surface     %-19s %-19s %-9s -\n"
-                              "surface     %-19s %-19s %-9s -\n",
-                              input->ball ? "Ball lens" : "Single lens", lens.f, medium,
-                              cell(arena, lens.R1), cell(arena, lens.d), cell(arena, lens.n),
-                              cell(arena, lens.R2), cell(arena, back),
-                              lens.n1 == 1 ? "air" : cell(arena, lens.n1));
-    file->length = strlen(file->data);
+    output_string(sink, arena_printf(arena,
+                                     "lens        %s, f = %.6g mm\n"
+                                     "source      lenscalc lensmaker\n"
+                                     "unit        mm\n"
+                                     "wavelength  d\n"
+                                     "%sobject      inf\n"
+                                     "focus       paraxial\n"
+                                     "#           radius              thickness           "
+                                     "medium    diameter\n"
+                                     "surface     %-19s %-19s %-9s -\n"
+                                     "surface     %-19s %-19s %-9s -\n",
+                                     input->ball ? "Ball lens" : "Single lens", lens.f, medium,
+                                     cell(arena, lens.R1), cell(arena, lens.d), cell(arena, lens.n),
+                                     cell(arena, lens.R2), cell(arena, back),
+                                     lens.n1 == 1 ? "air" : cell(arena, lens.n1)));
     return true;
 }
 
@@ -208,9 +205,14 @@ static const struct explanation explanations[] = {
     {NULL, NULL, NULL, NULL},
 };
 
-static const struct drawing drawings[] = {
-    {"lens-file", offsetof(struct input, lens_file), write_lens},
-    {NULL, 0, NULL},
+static const struct file_type *prescription_types(size_t i)
+{
+    return i == 0 ? &lens_file_type : NULL;
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("lens-file", prescription_types, "write the lens as a prescription"),
+     .scope = ARTIFACT_OF_ROW, .make = write_lens},
 };
 
 static const struct example examples[] = {
@@ -230,7 +232,7 @@ const struct command command_lensmaker = {
     .summary = "one lens, thin or thick: focal length, or radii, index, thickness for it",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
-    .drawings = drawings,
+    COMMAND_MAKES(artifacts),
     .plot = "focal_mm,bfl_mm",
     .cell = "focal_mm",
 };

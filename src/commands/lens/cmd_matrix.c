@@ -1,4 +1,4 @@
-/* cli/cmd_matrix.c - lenscalc matrix: refraction and transfer factors, and their product. */
+/* commands/lens/cmd_matrix.c - lenscalc matrix: refractions and transfers and their product. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
 
@@ -6,6 +6,8 @@ struct input {
     struct lens_question question;
     bool perspective;
 };
+
+static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST};
 
 static const struct option options[] = {
     LENS_OPTION(struct input, question),
@@ -17,7 +19,7 @@ static const struct option options[] = {
 };
 
 struct row {
-    double wavelength; /* mm */
+    double wavelength; /* um */
     const char *position, *factor, *lens, *warning;
     double a, b, c, d, determinant;
 };
@@ -41,7 +43,7 @@ static const struct column columns[] = {
 };
 
 struct perspective_row {
-    double wavelength; /* mm */
+    double wavelength; /* um */
     const char *position, *row, *lens, *warning;
     double x, y, z, w;
 };
@@ -75,10 +77,10 @@ static double determinant(const struct paraxial_matrix *m)
 static bool emit_matrix(const struct lens_case *one, struct run *run, const char *factor,
                         const struct paraxial_matrix *m)
 {
-    const struct row row = {lens_wavelength_own(one->wavelength),
-                            one->position,
+    const struct row row = {one->light.wavelength,
+                            one->setup->position,
                             factor,
-                            one->lens->title,
+                            one->setup->lens->title,
                             one->warning,
                             m->a.hi,
                             m->b.hi,
@@ -88,32 +90,30 @@ static bool emit_matrix(const struct lens_case *one, struct run *run, const char
     return run_emit(run, &row);
 }
 
-static bool emit_factors(const struct lens_case *one, struct run *run, const void *context,
-                         struct error *error)
+static bool emit_factors(const struct lens_case *one, void *context, struct error *error)
 {
     const struct pair unity = {1, 0}, zero = {0, 0};
-    (void)context;
+    struct run *run = context;
     (void)error;
-    for (size_t i = 0; i < one->system.count; i++) {
-        const struct paraxial_surface *surface = &one->system.surfaces[i];
+    for (size_t i = 0; i < one->light.system.count; i++) {
+        const struct paraxial_surface *surface = &one->light.system.surfaces[i];
         const struct paraxial_matrix refraction = {unity, zero, pair_negate(surface->power), unity};
         const struct paraxial_matrix transfer = {unity, surface->reduced, zero, unity};
         if (!emit_matrix(one, run, arena_printf(run->arena, "R%zu", i + 1), &refraction) ||
-            (i + 1 < one->system.count &&
+            (i + 1 < one->light.system.count &&
              !emit_matrix(one, run, arena_printf(run->arena, "T%zu", i + 1), &transfer))) {
             return true;
         }
     }
-    emit_matrix(one, run, "system", &one->first.matrix);
+    emit_matrix(one, run, "system", &one->light.first.matrix);
     return true;
 }
 
 /* x' = x/(1 + P z/n), z' = t + (n'/n) z/(1 + P z/n), both z from the front principal point. */
-static bool emit_perspective(const struct lens_case *one, struct run *run, const void *context,
-                             struct error *error)
+static bool emit_perspective(const struct lens_case *one, void *context, struct error *error)
 {
-    const struct first_order *first = &one->first;
-    (void)context;
+    const struct first_order *first = &one->light.first;
+    struct run *run = context;
     if (first->is_afocal) {
         return fail(error, ERROR_DOMAIN, "an afocal system has no principal planes");
     }
@@ -127,9 +127,9 @@ static bool emit_perspective(const struct lens_case *one, struct run *run, const
     };
     for (size_t i = 0; i < 4; i++) {
         struct perspective_row row = rows[i];
-        row.wavelength = lens_wavelength_own(one->wavelength);
-        row.position = one->position;
-        row.lens = one->lens->title;
+        row.wavelength = one->light.wavelength;
+        row.position = one->setup->position;
+        row.lens = one->setup->lens->title;
         row.warning = one->warning;
         if (!run_emit(run, &row)) {
             break;
@@ -143,14 +143,8 @@ static bool run(const void *data, struct run *run, struct error *error)
     const struct input *input = data;
     struct lens_question question = input->question;
     question.fnumber = question.field = NAN;
-    return lens_each(&question, run, input->perspective ? emit_perspective : emit_factors, NULL,
-                     error);
-}
-
-static bool makes_many(const void *data)
-{
-    (void)data;
-    return true;
+    return lens_each(&question, &policy, run->arena,
+                     input->perspective ? emit_perspective : emit_factors, run, error);
 }
 
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
@@ -178,5 +172,5 @@ const struct command command_matrix = {
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
-    .makes_many = makes_many,
+    .makes_many = command_always_many,
 };

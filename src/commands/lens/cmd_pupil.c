@@ -1,4 +1,4 @@
-/* cli/cmd_pupil.c - lenscalc pupil: shapes of the entrance and exit pupil. */
+/* commands/lens/cmd_pupil.c - lenscalc pupil: shapes of the entrance and exit pupil. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/pupil_cases.h"
 #include "draw/outlines.h"
@@ -16,10 +16,12 @@ static const struct option options[] = {
     LENS_OPTION(struct pupil_input, question),
     LENS_WAVELENGTH_OPTION(struct pupil_input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct pupil_input, question),
-    {OPTION(struct pupil_input, field), .name = "field", .column = "field",
+    {OPTION(struct pupil_input, question.field), .name = "field", .column = "field",
      .dimension = &dimension_angle, .unit = "deg", .lowest = -3.141592653589793,
-     .highest = 3.141592653589793, .value = "ANGLE",
-     .help = "field angle in object space, of 90 deg and more too; without it those of the lens"},
+     .highest = 3.141592653589793,
+     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
+     .help = "field angle in object space, of 90 deg and more too, a list is swept; without it "
+             "those of the lens"},
     {OPTION(struct pupil_input, height), .name = "height", .column = "height",
      .dimension = &dimension_length, .unit = "mm", .lowest = -INFINITY, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "LENGTH",
@@ -36,7 +38,7 @@ static const struct option options[] = {
 
 struct row {
     const char *pupil, *position, *status, *warning, *lens;
-    double wavelength; /* mm */
+    double wavelength; /* um */
     double field, object, height, film;
     double z, x_min, x_max, y_min, y_max, x, y, area;
     double vertex_x_min, vertex_x_max, vertex_y_min, vertex_y_max, vertex_area;
@@ -55,7 +57,7 @@ struct row {
 /* What both sheets begin with. */
 #define CASE_COLUMNS                                                                               \
     {COLUMN(struct row, wavelength),                                                               \
-     .dimension = &dimension_length,                                                               \
+     .dimension = &dimension_wavelength_um,                                                        \
      .unit = "nm",                                                                                 \
      .name = "wavelength",                                                                         \
      .flags = COLUMN_ECHO,                                                                         \
@@ -89,7 +91,8 @@ static const struct column columns[] = {
     {LENGTH(y_max, COLUMN_BRIEF), .name = "y_max", .label = "y max", .help = "the same"},
     {LENGTH(x, COLUMN_HIDDEN), .name = "x", .label = "x", .help = "centroid there"},
     {LENGTH(y, COLUMN_HIDDEN), .name = "y", .label = "y", .help = "centroid there"},
-    {AREA(area, COLUMN_HIDDEN), .name = "area_mm2", .label = "area", .help = "area there, mm^2"},
+    {AREA(area, COLUMN_HIDDEN), .name = "area_mm2", .label = "area",
+     .help = "area there, mm^2; absent where the bundle folds over itself"},
     {LENGTH(vertex_x_min, COLUMN_HIDDEN), .name = "vertex_x_min", .label = "vertex x min",
      .help = "bounds in the plane of the first (last) vertex"},
     {LENGTH(vertex_x_max, COLUMN_HIDDEN), .name = "vertex_x_max", .label = "vertex x max",
@@ -184,10 +187,10 @@ static struct row row_of(const struct pupil_case *point)
 {
     const struct pupil_shape *shape = point->shape;
     struct row row = {
-        .position = point->one->position,
-        .lens = point->one->lens->title,
+        .position = point->one->setup->position,
+        .lens = point->one->setup->lens->title,
         .warning = point->one->warning,
-        .wavelength = lens_wavelength_own(point->one->wavelength),
+        .wavelength = point->one->light.wavelength,
         .field = point->angle,
         .object = point->object,
         .height = point->height,
@@ -260,21 +263,41 @@ static void fill_bounds(const struct pupil_side *side, struct row *row)
     }
 }
 
-static struct row bounds_row(const struct pupil_case *point, bool exit)
+/* That the bundle folds, which leaves numbers absent, beside what else there is to say. */
+static const char *fold_warning(const struct pupil_side *side, bool exit, const char *other,
+                                struct arena *arena)
+{
+    if (!side->pupil.folds && !side->vertex.folds) {
+        return other;
+    }
+    const char *plane = !side->pupil.folds    ? exit ? "the last vertex" : "the first vertex"
+                        : !side->vertex.folds ? exit ? "the exit pupil" : "the entrance pupil"
+                        : exit                ? "the exit pupil and of the last vertex"
+                                              : "the entrance pupil and of the first vertex";
+    const char *text =
+        arena_printf(arena,
+                     "the bundle folds over itself in the plane of %s: its area "
+                     "and centroid there are absent, as are bounds that a fold makes",
+                     plane);
+    return other == NULL ? text : arena_printf(arena, "%s; %s", other, text);
+}
+
+static struct row bounds_row(const struct pupil_case *point, bool exit, struct arena *arena)
 {
     const struct pupil_shape *shape = point->shape, *axis = point->axis;
     const struct pupil_side *side = exit ? &shape->exit : &shape->entrance;
     const struct pupil_side *middle = exit ? &axis->exit : &axis->entrance;
-    const struct first_order *first = &point->one->first;
+    const struct first_order *first = &point->one->light.first;
     struct row row = row_of(point);
     row.pupil = exit ? "exit" : "entrance";
     row.z = exit ? first->exit_pupil : first->entrance_pupil;
     if (!shape->is_empty) {
         fill_bounds(side, &row);
+        row.warning = fold_warning(side, exit, row.warning, arena);
     }
     if (!axis->is_empty) {
         /* of a telecentric side the plane of the vertex */
-        bool far = isnan(middle->pupil.area);
+        bool far = isnan(middle->pupil.area) && !middle->pupil.folds;
         row.fraction = far ? ratio(row.vertex_area, middle->vertex.area, shape->is_empty)
                            : ratio(row.area, middle->pupil.area, shape->is_empty);
         row.projected_fraction = ratio(shape->projected, axis->projected, shape->is_empty);
@@ -294,7 +317,7 @@ static bool emit_outline(const struct pupil_case *point, bool exit, long count, 
     const struct pupil_side *side = exit ? &shape->exit : &shape->entrance;
     struct row row = row_of(point);
     row.pupil = exit ? "exit" : "entrance";
-    row.z = exit ? point->one->first.exit_pupil : point->one->first.entrance_pupil;
+    row.z = exit ? point->one->light.first.exit_pupil : point->one->light.first.entrance_pupil;
     for (long i = 0; i < count && !shape->is_empty; i++) {
         size_t edge = (size_t)i * shape->count / (size_t)count;
         const double(*pupil)[2] = side->pupil.outline, (*vertex)[2] = side->vertex.outline;
@@ -312,10 +335,17 @@ static bool emit_outline(const struct pupil_case *point, bool exit, long count, 
     return true;
 }
 
-static bool emit_rows(const struct pupil_case *point, struct run *run, const void *context,
-                      struct error *error)
+/* Where the rows go. */
+struct asked {
+    const struct pupil_input *input;
+    struct run *run;
+};
+
+static bool emit_rows(const struct pupil_case *point, void *context, struct error *error)
 {
-    const struct pupil_input *input = context;
+    const struct asked *asked = context;
+    const struct pupil_input *input = asked->input;
+    struct run *run = asked->run;
     (void)error;
     for (int exit = 0; exit < 2; exit++) {
         if (input->side == (exit ? SIDE_ENTRANCE : SIDE_EXIT)) {
@@ -327,7 +357,7 @@ static bool emit_rows(const struct pupil_case *point, struct run *run, const voi
             }
             continue;
         }
-        struct row row = bounds_row(point, exit);
+        struct row row = bounds_row(point, exit, run->arena);
         if (!run_emit(run, &row)) {
             break;
         }
@@ -337,72 +367,74 @@ static bool emit_rows(const struct pupil_case *point, struct run *run, const voi
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    return pupil_each(data, run, emit_rows, data, error);
-}
-
-static bool makes_many(const void *data)
-{
-    (void)data;
-    return true;
+    struct asked asked = {data, run};
+    /* a lens that ends with its row says nothing of one that comes to lie in the same place */
+    bool stays = asked.input->question.lens.arena != run->arena;
+    if (stays && run->state == NULL) {
+        run->state = pupil_memo_new(run->kept);
+    }
+    return pupil_each(data, run->arena, stays ? run->state : NULL, emit_rows, &asked, error);
 }
 
 /* -------- the drawing -------- */
 
 struct painter {
+    struct arena *arena;
     struct outline *shapes;
     size_t count, room;
     const char *title;
+    bool several; /* cases of one input: each says which it is */
 };
 
 /* The point on the axis, for comparison, then each point. */
-static bool add_shape(const struct pupil_case *point, struct run *run, const void *context,
-                      struct error *error)
+static bool add_shape(const struct pupil_case *point, void *context, struct error *error)
 {
-    struct painter *painter = run->driver;
+    struct painter *painter = context;
+    struct arena *arena = painter->arena;
     const struct pupil_shape *shape = point->shape;
     const struct lens_case *one = point->one;
-    bool several = *(const bool *)context;
-    painter->shapes = arena_grow(run->arena, painter->shapes, painter->count, &painter->room,
-                                 sizeof *painter->shapes);
+    painter->shapes =
+        arena_grow(arena, painter->shapes, painter->count, &painter->room, sizeof *painter->shapes);
     (void)error;
-    const char *words = pupil_point_words(point, run->arena);
+    const char *words = pupil_point_words(point, arena);
     struct outline outline = {.label = words,
                               .dashed = point->axis->across,
                               .dashed_count = point->axis->is_empty ? 0 : point->axis->count};
-    if (several) {
-        outline.label =
-            arena_printf(run->arena, "%s%s%.4g nm, %s", one->position != NULL ? one->position : "",
-                         one->position != NULL ? ", " : "", 1000 * one->wavelength, words);
+    if (painter->several) {
+        outline.label = arena_printf(
+            arena, "%s%s%.4g nm, %s", one->setup->position != NULL ? one->setup->position : "",
+            one->setup->position != NULL ? ", " : "", 1000 * one->light.wavelength, words);
     }
     if (shape->is_empty) {
-        outline.note = arena_printf(run->arena, "nothing: %s at %zu",
-                                    ray_status_name(shape->status), shape->surface);
+        outline.note = arena_printf(arena, "nothing: %s at %zu", ray_status_name(shape->status),
+                                    shape->surface);
     } else {
         outline.points = shape->across;
         outline.count = shape->count;
-        outline.note = arena_printf(run->arena, "%.3g mm\xc2\xb2, %.3g %%", shape->projected,
+        outline.note = arena_printf(arena, "%.3g mm\xc2\xb2, %.3g %%", shape->projected,
                                     100 * shape->projected / point->axis->projected);
     }
-    painter->title = one->lens->title;
+    painter->title = one->setup->lens->title;
     painter->shapes[painter->count++] = outline;
     return true;
 }
 
-static bool picture(const void *const *inputs, size_t count, struct svg *svg, struct error *error)
+static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    struct painter painter = {0};
-    struct run run = {.arena = svg->arena, .driver = &painter};
-    for (size_t i = 0; i < count; i++) {
-        const struct pupil_input *input = inputs[i];
-        bool several = lens_positions_several(input->question.lens.lens, input->question.position);
-        if (!pupil_each(input, &run, add_shape, &several, error)) {
+    struct svg svg = {.arena = job->run->arena};
+    struct painter painter = {.arena = svg.arena};
+    for (size_t i = 0; i < job->count; i++) {
+        const struct pupil_input *input = job->inputs[i];
+        painter.several =
+            lens_positions_several(input->question.lens.lens, input->question.position);
+        if (!pupil_each(input, svg.arena, NULL, add_shape, &painter, error)) {
             return false;
         }
     }
-    const struct pupil_input *first = inputs[0];
+    const struct pupil_input *first = job->inputs[0];
     bool film = !isnan(first->height);
     const struct outlines outlines = {
-        .title = arena_printf(svg->arena, "Pupils of %s", painter.title),
+        .title = arena_printf(svg.arena, "Pupils of %s", painter.title),
         .subtitle = film ? "exit pupil as points of the film see it, across the ray to the last "
                            "vertex; origin: the chief ray"
                          : "entrance pupil as field points see it, across the ray to the first "
@@ -412,8 +444,13 @@ static bool picture(const void *const *inputs, size_t count, struct svg *svg, st
         .shapes = painter.shapes,
         .count = painter.count,
     };
-    return outlines_draw(&outlines, svg, error);
+    return outlines_draw(&outlines, &svg, error) && drawing_write(job, &svg, sink, error);
 }
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types, "draw the pupils as the points see them"),
+     .scope = ARTIFACT_OF_SWEEP, .make = draw},
+};
 
 static const struct explanation explanations[] = {
     {"fraction", "{fraction} = area/area on the axis, in the plane of the paraxial pupil",
@@ -439,6 +476,6 @@ const struct command command_pupil = {
     COMMAND_ASKS(struct pupil_input),
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
-    .makes_many = makes_many,
-    .picture = picture,
+    .makes_many = command_always_many,
+    COMMAND_MAKES(artifacts),
 };

@@ -1,4 +1,4 @@
-/* cli/cmd_refract.c - lenscalc refract: one surface, exactly and paraxially. */
+/* commands/lens/cmd_refract.c - lenscalc refract: one surface, exactly and paraxially. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 #include "commands/photo/photo_options.h"
@@ -183,6 +183,35 @@ static void fill_row(struct row *row)
     }
 }
 
+static const struct refract_ray no_ray = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
+                                          NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+
+/* The surface and the ray that meets it: height and angle together say where the object is. */
+static bool solve(const struct input *input, const struct refract_aim *aim, struct row *row,
+                  struct error *error)
+{
+    struct refract_surface *s = &row->surface;
+    bool line = !isnan(aim->height) && !isnan(aim->angle);
+    if (line && (!isnan(s->z) || isnan(s->R))) {
+        return fail(error, ERROR_USAGE,
+                    "--height and --angle make the ray and its object: they want --radius and no "
+                    "--object");
+    }
+    if (line && !refract_place(s, aim, &row->ray, error)) {
+        return false;
+    }
+    s->z = line ? row->ray.z : s->z;
+    if (!check_count(s, error) || !refract_solve(s, error)) {
+        return false;
+    }
+    if (!has_ray(input)) {
+        row->ray = no_ray;
+        return true;
+    }
+    return (line || refract_place(s, aim, &row->ray, error)) &&
+           refract_through(s, &row->ray, error);
+}
+
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
@@ -198,25 +227,7 @@ static bool run(const void *data, struct run *run, struct error *error)
         return fail(error, ERROR_USAGE, "--angle wants --height or --object beside it");
     }
     assume(input, s);
-    /* a ray given by height and angle says where the object is */
-    bool line = !isnan(aim.height) && !isnan(aim.angle);
-    if (line && (!isnan(s->z) || isnan(s->R))) {
-        return fail(error, ERROR_USAGE,
-                    "--height and --angle make the ray and its object: they want --radius and no "
-                    "--object");
-    }
-    if (line && !refract_place(s, &aim, &row.ray, error)) {
-        return false;
-    }
-    s->z = line ? row.ray.z : s->z;
-    if (!check_count(s, error) || !refract_solve(s, error)) {
-        return false;
-    }
-    if (!has_ray(input)) {
-        row.ray = (struct refract_ray){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
-                                       NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    } else if ((!line && !refract_place(s, &aim, &row.ray, error)) ||
-               !refract_through(s, &row.ray, error)) {
+    if (!solve(input, &aim, &row, error)) {
         return false;
     }
     fill_row(&row);

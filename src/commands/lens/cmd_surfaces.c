@@ -1,10 +1,13 @@
-/* cli/cmd_surfaces.c - lenscalc surfaces: a lens surface by surface. */
+/* commands/lens/cmd_surfaces.c - lenscalc surfaces: a lens surface by surface. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
 
 struct input {
     struct lens_question question;
 };
+
+static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                          .fields = FIELDS_LARGEST};
 
 static const struct option options[] = {
     LENS_OPTION(struct input, question),
@@ -18,7 +21,7 @@ static const struct option options[] = {
 struct row {
     long surface;
     const char *kind, *name, *medium, *position, *warning, *lens;
-    double wavelength; /* mm */
+    double wavelength, field; /* um; rad */
     double radius, thickness, index, diameter, conic, power;
     double vergence_before, vergence_after;
     struct paraxial_ray marginal, chief;
@@ -32,14 +35,17 @@ struct row {
 #define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN(struct row, wavelength), .dimension = &dimension_length, .unit = "nm",
+    {COLUMN(struct row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
      .name = "wavelength", .flags = COLUMN_ECHO, .with = "wavelength", .label = "wavelength",
      .help = "wavelength"},
+    {COLUMN(struct row, field), .dimension = &dimension_angle, .unit = "deg", .name = "field",
+     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field", .label = "field",
+     .help = "field angle of the chief ray, as --field says it"},
     LENS_POSITION_COLUMN(struct row, position, 0),
     {PLAIN(surface, COLUMN_BRIEF), .name = "surface", .head = "surf", .label = "surface",
      .help = "number of the surface, from 1, the stop counted"},
     {PLAIN(kind, COLUMN_BRIEF), .name = "kind", .label = "kind",
-     .help = "plane, sphere, conic, asphere, cylinder, mirror, thick or stop"},
+     .help = "plane, sphere, conic, asphere, odd asphere, cylinder, mirror, thick or stop"},
     {PLAIN(name, 0), .name = "name", .label = "name", .help = "its name in the file"},
     {LENGTH(radius, COLUMN_BRIEF | COLUMN_INFINITE), .name = "radius", .symbol = "R",
      .label = "radius",
@@ -82,15 +88,10 @@ static const struct column columns[] = {
 
 static const char *kind_of(const struct surface *surface)
 {
-    bool flat = surface->is_plane && !surface->has_curvature;
-    return surface->kind == SURFACE_STOP      ? "stop"
-           : surface->kind == SURFACE_REFLECT ? "mirror"
-           : surface->kind == SURFACE_THICK   ? "thick"
-           : surface->curved != CURVED_BOTH   ? "cylinder"
-           : surface->coefficients != 0       ? "asphere"
-           : surface->conic.value.hi != 0     ? "conic"
-           : flat                             ? "plane"
-                                              : "sphere";
+    const char *name = surface_traits(surface)->name;
+    return name != NULL                 ? name
+           : !surface_is_round(surface) ? "cylinder"
+                                        : surface_profiles[surface_profile(surface)].name;
 }
 
 /* Of the beam that starts on the axis: v over -y, whatever its size. */
@@ -103,59 +104,66 @@ static double vergence(double y, double v)
 static struct paraxial_ray *follow(const struct lens_case *one, double y, double v,
                                    struct arena *arena)
 {
-    struct paraxial_ray *rays = ARENA_ARRAY(arena, one->system.count, struct paraxial_ray);
-    paraxial_follow(&one->system, pair_of(y), pair_of(v), rays);
+    struct paraxial_ray *rays = ARENA_ARRAY(arena, one->light.system.count, struct paraxial_ray);
+    paraxial_follow(&one->light.system, pair_of(y), pair_of(v), rays);
     return rays;
 }
 
 /* The beam from the object point on the axis, of any size. */
 static struct paraxial_ray *follow_axial(const struct lens_case *one, struct arena *arena)
 {
-    if (one->lens->object_is_infinite) {
+    if (one->setup->lens->object_is_infinite) {
         return follow(one, 1, 0, arena);
     }
-    return follow(one, one->lens->object.value.hi, one->first.index_object, arena);
+    return follow(one, one->setup->lens->object.value.hi, one->light.first.index_object, arena);
 }
 
-static bool emit_rows(const struct lens_case *one, struct run *run, const void *context,
-                      struct error *error)
+/* Of one field. */
+struct listing {
+    double field; /* rad; NaN = that of the lens */
+    struct run *run;
+};
+
+static bool emit_rows(const struct lens_case *one, void *context, struct error *error)
 {
-    const struct first_order *first = &one->first;
+    const struct listing *listing = context;
+    struct run *run = listing->run;
+    const struct first_order *first = &one->light.first;
     const struct paraxial_ray *axial = follow_axial(one, run->arena);
     const struct paraxial_ray *marginal =
         follow(one, first->marginal_y, first->marginal_v, run->arena);
     const struct paraxial_ray *chief = follow(one, first->chief_y, first->chief_v, run->arena);
-    (void)context;
     (void)error;
-    for (size_t i = 0; i < one->system.count; i++) {
-        const struct surface *surface = &one->lens->surfaces[i];
-        double curvature = one->system.curvature[i].hi;
+    for (size_t i = 0; i < one->light.system.count; i++) {
+        const struct surface *surface = &one->setup->lens->surfaces[i];
+        double curvature = one->light.system.curvature[i].hi;
         struct text medium = surface->medium.written;
         struct row row = {
             .surface = (long)i + 1,
             .kind = kind_of(surface),
             .name = surface->name,
             .medium = arena_string(run->arena, medium.start, medium.length),
-            .position = one->position,
-            .lens = one->lens->title,
+            .position = one->setup->position,
+            .lens = one->setup->lens->title,
             .warning = one->warning,
-            .wavelength = lens_wavelength_own(one->wavelength),
+            .wavelength = one->light.wavelength,
+            .field = listing->field,
             .radius = curvature != 0 ? 1 / curvature : INFINITY,
             .thickness = surface->has_thickness ? surface->thickness.value.hi : NAN,
-            .index = one->system.index[i + 1].hi,
+            .index = one->light.system.index[i + 1].hi,
             .diameter = surface->has_diameter ? surface->diameter.value.hi : NAN,
             .conic = surface->conic.value.hi != 0 ? surface->conic.value.hi : NAN,
-            .power = one->system.surfaces[i].power.hi + 0.0,
+            .power = one->light.system.surfaces[i].power.hi + 0.0,
             .vergence_before = vergence(axial[i].y, axial[i].before),
             .vergence_after = vergence(axial[i].y, axial[i].after),
             .marginal = marginal[i],
             .chief = chief[i],
         };
-        if (i == one->system.stop && !isnan(row.chief.y)) {
+        if (i == one->light.system.stop && !isnan(row.chief.y)) {
             row.chief.y = 0; /* by definition, where the trace leaves 1e-16 */
         }
-        bool plain = surface->kind != SURFACE_REFLECT && !surface->is_plane &&
-                     surface->coefficients == 0 && surface->curved == CURVED_BOTH;
+        bool plain = !surface_reflects(surface) && !surface->is_plane &&
+                     surface->coefficients == 0 && surface_is_round(surface);
         row.radius = plain ? surface->radius.value.hi : row.radius;
         if (!run_emit(run, &row)) {
             break;
@@ -166,18 +174,9 @@ static bool emit_rows(const struct lens_case *one, struct run *run, const void *
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    struct lens_question question = ((const struct input *)data)->question;
-    if (question.wavelength.name == NULL && question.lens.lens != NULL) {
-        question.wavelength =
-            (struct wavelength_value){lens_primary_wavelength(question.lens.lens), "primary"};
-    }
-    return lens_each(&question, run, emit_rows, NULL, error);
-}
-
-static bool makes_many(const void *data)
-{
-    (void)data;
-    return true;
+    const struct input *input = data;
+    struct listing listing = {input->question.field, run};
+    return lens_each(&input->question, &policy, run->arena, emit_rows, &listing, error);
 }
 
 static const struct explanation explanations[] = {
@@ -200,5 +199,5 @@ const struct command command_surfaces = {
     .summary = "a lens surface by surface: powers, vergences, paraxial rays",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
-    .makes_many = makes_many,
+    .makes_many = command_always_many,
 };

@@ -1,4 +1,4 @@
-/* cli/cmd_trace.c - lenscalc trace: exact rays through a lens. */
+/* commands/lens/cmd_trace.c - lenscalc trace: exact rays through a lens. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/trace_answer.h"
 #include "optics/wavelength.h"
@@ -13,7 +13,7 @@ static const struct word aims[] = {
 
 static const struct word pattern_words[] = {
     {"few", "the chief ray, both edges of the pupil in the plane of the field, one beside it"},
-    {"gauss", "quadrature: Gauss's points in r^2, equal arms"},
+    {"gauss", "Gauss's points in r^2, equal arms: a quadrature of the whole pupil, not of a part"},
     {"hexapolar", "centre and rings of 6, 12, 18 ...: as other programs print"},
     {"square", "a grid"},
     {"fan", "along x and y"},
@@ -32,28 +32,37 @@ static const struct word pattern_words[] = {
 static const struct option options[] = {
     LENS_OPTION(struct trace_input, question),
     {OPTION(struct trace_input, wavelength), .name = "wavelength", .letter = 'w',
-     .column = "wavelength", .dimension = &dimension_wavelength, .unit = "nm",
-     .lowest = WAVELENGTH_SHORTEST * 1e-3, .highest = WAVELENGTH_LONGEST * 1e-3, .value = "WAVE",
+     .column = "wavelength", .dimension = &dimension_wavelength_um, .unit = "nm",
+     .lowest = WAVELENGTH_SHORTEST, .highest = WAVELENGTH_LONGEST, .value = "WAVE",
      .help = "wavelength in nm, or a line: d F C e g; default the primary of the lens"},
     LENS_FNUMBER_OPTION(struct trace_input, question),
     {OPTION(struct trace_input, field), .name = "field", .column = "field",
      .dimension = &dimension_angle, .unit = "deg", .lowest = -3.141592653589793,
-     .highest = 3.141592653589793, .flags = OPTION_GOAL, .value = "ANGLE",
-     .help = "field angle in object space; default all fields of the lens"},
+     .highest = 3.141592653589793,
+     .flags = OPTION_GOAL | OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,
+     .value = "ANGLE",
+     .help = "field angle in object space, a list is swept; default all fields of the lens"},
     {OPTION(struct trace_input, height), .name = "height", .column = "height",
      .dimension = &dimension_length, .unit = "mm", .flags = OPTION_NO_INFINITY | OPTION_GOAL,
      .value = "LENGTH", .help = "field by the height of its paraxial image"},
     {OPTION(struct trace_input, pupil), .name = "pupil-point", .dimension = &dimension_number,
      .value = "X:Y", .help = "one ray of the field, through this point of the pupil of radius 1"},
+    {OPTION(struct trace_input, pupil_at[0]), .name = "pupil-x", .column = "pupil_x",
+     .dimension = &dimension_number, .flags = OPTION_NO_INFINITY, .value = "NUMBER",
+     .help = "the same in two numbers: its x"},
+    {OPTION(struct trace_input, pupil_at[1]), .name = "pupil-y", .column = "pupil_y",
+     .dimension = &dimension_number, .flags = OPTION_NO_INFINITY, .value = "NUMBER",
+     .help = "its y"},
     {OPTION(struct trace_input, pattern), .name = "pattern", .words = pattern_words,
      .fallback = "few", .value = "PATTERN", .help = "rays of each field"},
     {OPTION(struct trace_input, rays), .name = "rays", .lowest = 1, .highest = 1e7,
-     .fallback = "72", .value = "COUNT",
+     .fallback = "72", .value = "COUNT", .wants = "pattern!=few",
      .help = "about how many rays a pattern has: it takes the next number it can"},
     {OPTION(struct trace_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
-     .value = "NUMBER", .help = "of the pattern sobol"},
+     .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},
     {OPTION(struct trace_input, aim), .name = "aim", .words = aims, .fallback = "stop",
-     .value = "WHERE", .help = "what the points of the pupil are points of"},
+     .value = "WHERE", .excludes = "point direction x y z cos-x cos-y cos-z",
+     .help = "what the points of the pupil are points of"},
     {OPTION(struct trace_input, point), .name = "point", .dimension = &dimension_length,
      .unit = "mm", .value = "X:Y:Z",
      .help = "one ray that starts here, z from the first vertex; in place of a field"},
@@ -89,7 +98,7 @@ static const struct option options[] = {
 
 static const struct column columns[] = {
     LENS_POSITION_COLUMN(struct trace_row, position, COLUMN_BRIEF),
-    {COLUMN(struct trace_row, wavelength), .dimension = &dimension_length, .unit = "nm",
+    {COLUMN(struct trace_row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
      .flags = COLUMN_ECHO, .with = "wavelength", .name = "wavelength", .label = "wavelength",
      .help = "wavelength"},
     {ANGLE(field, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE), .with = "field", .name = "field",
@@ -99,12 +108,12 @@ static const struct column columns[] = {
      .help = "height of the field, at the object or at the image as the lens has it"},
     {PLAIN(ray, COLUMN_BRIEF | COLUMN_SPARSE), .name = "ray", .label = "ray",
      .help = "chief, upper, lower or sagittal"},
-    {PLAIN(pupil[0], COLUMN_ECHO | COLUMN_SPARSE), .name = "pupil_x", .label = "pupil x",
-     .help = "where the ray crosses the pupil, in units of its radius"},
-    {PLAIN(pupil[1], COLUMN_ECHO | COLUMN_SPARSE), .name = "pupil_y", .label = "pupil y",
-     .help = "the same upwards"},
+    {PLAIN(pupil[0], COLUMN_ECHO | COLUMN_SPARSE), .with = "pupil-x", .name = "pupil_x",
+     .label = "pupil x", .help = "where the ray crosses the pupil, in units of its radius"},
+    {PLAIN(pupil[1], COLUMN_ECHO | COLUMN_SPARSE), .with = "pupil-y", .name = "pupil_y",
+     .label = "pupil y", .help = "the same upwards"},
     {PLAIN(weight, COLUMN_EXTRA), .with = "pattern", .name = "weight", .label = "weight",
-     .help = "of the ray in its pattern; they add up to 1"},
+     .help = "of the ray in its pattern; over the whole pupil they add up to 1"},
     {LENGTH(start[0], COLUMN_ECHO), .with = "x", .name = "x", .label = "x",
      .help = "where the ray starts, from the first vertex"},
     {LENGTH(start[1], COLUMN_ECHO | COLUMN_BRIEF), .with = "y", .name = "y", .label = "y",
@@ -174,7 +183,7 @@ static bool makes_many(const void *data)
     const struct lens *lens = input->question.lens.lens;
     bool field =
         !isnan(input->field) || !isnan(input->height) || (lens != NULL && lens->field_count <= 1);
-    bool one = trace_is_explicit(input) || (input->pupil.is_given && field);
+    bool one = trace_is_explicit(input) || (trace_has_pupil(input) && field);
     return !one || input->all ||
            lens_positions_several(input->question.lens.lens, input->question.position);
 }
@@ -190,7 +199,8 @@ static bool varies(const void *data, const char *option)
 static bool takes_blocks(const void *data, const struct asking *asking)
 {
     static const char *const constant[] = {"position", "paraxial", "verify", "all"};
-    static const char *const single[] = {"field", "height", "pupil-point", "pattern"};
+    static const char *const single[] = {"field",   "height",  "pupil-point",
+                                         "pupil-x", "pupil-y", "pattern"};
     const struct trace_input *input = data;
     bool ray = asking_given(asking, "x") && asking_given(asking, "y") && asking_given(asking, "z");
     const bool set[] = {input->question.position != NULL, input->paraxial, input->verify,

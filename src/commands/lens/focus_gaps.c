@@ -1,4 +1,4 @@
-/* cli/focus_gaps.c - the gaps of a lens that focus it, as typed: "d5,10:-1,last". */
+/* commands/lens/focus_gaps.c - the gaps of a lens that focus it, as typed: "d5,10:-1,last". */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/focus_gaps.h"
 

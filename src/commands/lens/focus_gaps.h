@@ -1,7 +1,7 @@
-/* cli/focus_gaps.h - the gaps of a lens that focus it, as typed: "d5,10:-1,last". */
+/* commands/lens/focus_gaps.h - the gaps of a lens that focus it, as typed: "d5,10:-1,last". */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_FOCUS_GAPS_H
-#define LENSCALC_CLI_FOCUS_GAPS_H
+#ifndef LENSCALC_COMMANDS_LENS_FOCUS_GAPS_H
+#define LENSCALC_COMMANDS_LENS_FOCUS_GAPS_H
 
 #include "base/arena.h"
 #include "optics/focusing.h"

@@ -1,10 +1,11 @@
-/* cli/lens_options.h - the options that lens commands share, and the cases they ask for. */
+/* commands/lens/lens_options.h - options that lens commands share, and the cases they ask for. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_LENS_OPTIONS_H
-#define LENSCALC_CLI_LENS_OPTIONS_H
+#ifndef LENSCALC_COMMANDS_LENS_LENS_OPTIONS_H
+#define LENSCALC_COMMANDS_LENS_LENS_OPTIONS_H
 
+#include "analysis/setup.h"
 #include "cli/command.h"
-#include "optics/first_order.h"
+#include "exchange/lens_formats.h"
 
 #include <math.h>
 
@@ -12,21 +13,24 @@
 struct lens_question {
     struct lens_value lens;
     struct wavelength_value wavelength;
-    double fnumber, field;
+    double fnumber, field;      /* NaN = not given */
+    struct fields_value fields; /* of a command that takes a set of them */
     const char *position;
     int section;
 };
 
+/* What a command takes of a lens where the options ask for nothing else. */
+struct lens_policy {
+    enum wavelength_policy wavelengths;
+    enum field_policy fields;
+    const struct plane_value *focus; /* what --focus says; null: no image plane is needed */
+};
+
 /* One lens in one position at one wavelength. */
 struct lens_case {
-    const struct lens *lens;
-    const char *position; /* null = the only one */
-    double wavelength;    /* um */
-    enum lens_section section;
-    enum field_kind field_kind; /* of the edge of the field: asked for, or that of the lens */
-    double field;               /* rad or mm; NaN = none */
-    struct paraxial_system system;
-    struct first_order first;
+    const struct setup *setup;
+    size_t index; /* of the wavelength in the setup */
+    struct setup_light light;
     const char *warning; /* null = all is well */
 };
 
@@ -36,8 +40,9 @@ extern const struct word section_words[];
     {                                                                                              \
         OPTION(S, member.lens), .name = "lens", .letter = 'l', .value = "LENS",                    \
                                 .flags = OPTION_OPERAND | OPTION_FILE | OPTION_MANY,               \
-                                .help = "a lens of lensdb (list lenses), a file (.lens .zmx "      \
-                                        ".seq .len .dat), or - for standard input"                 \
+                                .types = lens_types,                                               \
+                                .help = "a lens of lensdb (list lenses), a file, or - for "        \
+                                        "standard input"                                           \
     }
 
 /* `without`: which wavelengths a command takes without the option */
@@ -45,7 +50,7 @@ extern const struct word section_words[];
     {                                                                                              \
         OPTION(S, member.wavelength),                                                              \
             .name = "wavelength", .letter = 'w', .column = "wavelength", .value = "WAVE",          \
-            .dimension = &dimension_length, .unit = "nm",                                          \
+            .dimension = &dimension_wavelength_um, .unit = "nm",                                   \
             .help = "wavelength in nm, or a line: d F C e g; without it " without                  \
     }
 #define LENS_ALL_WAVELENGTHS    "all of the lens, the primary first"
@@ -64,9 +69,19 @@ extern const struct word section_words[];
     {                                                                                              \
         OPTION(S, member.field),                                                                   \
             .name = "field", .column = "field", .dimension = &dimension_angle, .unit = "deg",      \
-            .lowest = -1.5706217938696971, .highest = 1.5706217938696971, .value = "ANGLE",        \
+            .lowest = -1.5706217938696971, .highest = 1.5706217938696971, .flags = OPTION_FIELD,   \
+            .value = "ANGLE",                                                                      \
             .help = "field angle in object space in place of the lens's "                          \
-                    "largest"                                                                      \
+                    "largest; a list is swept"                                                     \
+    }
+
+/* Of a command that judges a lens by all fields at once. */
+#define LENS_FIELDS_OPTION(S, member)                                                              \
+    {                                                                                              \
+        OPTION(S, member.fields), .name = "field", .value = "ANGLES",                              \
+                                  .help = "one set of fields, each with a weight if you like: "    \
+                                          "0,10:2,14deg; for an object nearby heights in mm; "     \
+                                          "otherwise those of the lens"                            \
     }
 
 #define LENS_POSITION_OPTION(S, member)                                                            \
@@ -85,9 +100,9 @@ extern const struct word section_words[];
 /* What the rows of lens commands say of their case. */
 #define LENS_WAVELENGTH_COLUMN(S, member)                                                          \
     {                                                                                              \
-        COLUMN(S, member), .name = "wavelength", .dimension = &dimension_length, .unit = "nm",     \
-                           .flags = COLUMN_ECHO | COLUMN_BRIEF, .label = "wavelength",             \
-                           .help = "wavelength; the primary one first"                             \
+        COLUMN(S, member), .name = "wavelength", .dimension = &dimension_wavelength_um,            \
+                           .unit = "nm", .flags = COLUMN_ECHO | COLUMN_BRIEF,                      \
+                           .label = "wavelength", .help = "wavelength; the primary one first"      \
     }
 
 #define LENS_POSITION_COLUMN(S, member, more)                                                      \
@@ -109,21 +124,26 @@ extern const struct word section_words[];
                            .depends = "lens", .label = "lens", .help = "title of the lens"         \
     }
 
-/* A wavelength in um in the program's own unit of length, so that it prints in nm as typed. */
-double lens_wavelength_own(double wavelength);
-
 /* Two warnings as one; null = nothing to say. */
 const char *lens_warnings_join(const char *first, const char *second, struct arena *arena);
 
 /* Will the question have several answers? */
-bool lens_makes_many(const struct lens_question *question);
+bool lens_makes_many(const struct lens_question *question, const struct lens_policy *policy);
+
+/* A field as options have it: along the axis of the section. */
+static inline struct setup_field lens_field(enum field_kind kind, double value, int section)
+{
+    struct setup_field field = {.point = {.kind = kind}, .weight = 1};
+    field.point.value[section == SECTION_X ? 0 : 1] = value;
+    return field;
+}
 
 /*
  * The positions that --position names.
  *
  * Given     names      null = the first; "all"; or a list with commas
  *           positions  receives an array in the arena, of `count`
- * Errors    ERROR_USAGE with a suggestion: no such position
+ * Errors    ERROR_USAGE: no lens; no such position, with a suggestion
  */
 bool lens_positions(const struct lens *lens, const char *names, struct arena *arena,
                     const size_t **positions, size_t *count, struct error *error);
@@ -131,16 +151,38 @@ bool lens_positions(const struct lens *lens, const char *names, struct arena *ar
 /* Does --position name several? */
 bool lens_positions_several(const struct lens *lens, const char *names);
 
+/* Gets a setup, with what is doubtful about it (null = nothing); returns false to fail. */
+typedef bool lens_setup_visit(const struct setup *setup, const char *warning, void *context,
+                              struct error *error);
+
+/*
+ * Make the lens of a question ready, position by position.
+ *
+ * Given     arena  for all that the setups point to
+ *           visit  gets each setup, and `context`
+ * Errors    ERROR_USAGE: no lens, an unknown position; as setup_open
+ */
+bool lens_each_setup(const struct lens_question *question, const struct lens_policy *policy,
+                     struct arena *arena, lens_setup_visit *visit, void *context,
+                     struct error *error);
+
+/* Gets a case, which lasts as long as the arena; returns false to fail. */
+typedef bool lens_visit(const struct lens_case *one, void *context, struct error *error);
+
 /*
  * Answer a question, case by case: positions, and within each the wavelengths, primary first.
  *
- * Given     visit  gets each case; returns false to fail
- * Errors    ERROR_USAGE: no lens, an unknown position; as first_order_of_lens and
- *           first_order_aperture
+ * Given     as lens_each_setup
+ * Errors    as lens_each_setup and setup_light
  */
-bool lens_each(const struct lens_question *question, struct run *run,
-               bool (*visit)(const struct lens_case *one, struct run *run, const void *context,
-                             struct error *error),
-               const void *context, struct error *error);
+bool lens_each(const struct lens_question *question, const struct lens_policy *policy,
+               struct arena *arena, lens_visit *visit, void *context, struct error *error);
+
+/*
+ * Find the image plane that --focus asks for.
+ *
+ * Errors    as setup_place_image, with the option's name
+ */
+bool lens_place_image(struct setup *setup, const struct plane_value *focus, struct error *error);
 
 #endif

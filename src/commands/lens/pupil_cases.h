@@ -1,14 +1,14 @@
-/* cli/pupil_cases.h - the points that lenscalc pupil is asked for, and their shapes. */
+/* commands/lens/pupil_cases.h - the points that lenscalc pupil is asked for, and their shapes. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_PUPIL_CASES_H
-#define LENSCALC_CLI_PUPIL_CASES_H
+#ifndef LENSCALC_COMMANDS_LENS_PUPIL_CASES_H
+#define LENSCALC_COMMANDS_LENS_PUPIL_CASES_H
 
 #include "analysis/pupil_shape.h"
 #include "commands/lens/lens_options.h"
 
 struct pupil_input {
-    struct lens_question question; /* its field stays absent */
-    double field, height;          /* rad; mm in the film */
+    struct lens_question question;
+    double height; /* mm in the film */
     struct plane_value focus;
     int side;
     long outline;
@@ -26,15 +26,22 @@ struct pupil_case {
     const struct pupil_shape *axis; /* of the point on the axis, by the same lens */
 };
 
+/* The points on the axis that were found, for the inputs that ask again. */
+struct pupil_memo;
+
+struct pupil_memo *pupil_memo_new(struct arena *arena);
+
+/* Gets a point, which lasts as long as the arena; returns false to fail. */
+typedef bool pupil_visit(const struct pupil_case *point, void *context, struct error *error);
+
 /*
  * Visit all points of an input: positions, wavelengths, fields.
  *
+ * Given     memo  of inputs whose lenses all outlive it; null: nothing is kept
  * Errors    ERROR_DOMAIN: no stop, no image plane, a point on the lens; as lens_each
  */
-bool pupil_each(const struct pupil_input *input, struct run *run,
-                bool (*visit)(const struct pupil_case *point, struct run *run, const void *context,
-                              struct error *error),
-                const void *context, struct error *error);
+bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pupil_memo *memo,
+                pupil_visit *visit, void *context, struct error *error);
 
 /* In words: "14 deg", "object -5 mm", "film 10 mm". */
 const char *pupil_point_words(const struct pupil_case *point, struct arena *arena);

@@ -1,10 +1,9 @@
-/* cli/ray_case.h - the options of exact rays, and a lens made ready for them. */
+/* commands/lens/ray_case.h - the options of exact rays, and a lens made ready for them. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_RAY_CASE_H
-#define LENSCALC_CLI_RAY_CASE_H
+#ifndef LENSCALC_COMMANDS_LENS_RAY_CASE_H
+#define LENSCALC_COMMANDS_LENS_RAY_CASE_H
 
 #include "commands/lens/lens_options.h"
-#include "trace/system.h"
 
 /* What the options say of lens and rays. Compared byte by byte: values only, set by copying. */
 struct ray_question {
@@ -16,15 +15,9 @@ struct ray_question {
     bool clip, no_clip;
 };
 
-/* One lens in one position, with its stop and its image plane. */
+/* One lens in one position at one wavelength, and where its rays end. */
 struct ray_case {
-    const struct lens *lens;
-    const char *position; /* null = the only one */
-    struct conjugate_object object;
-    struct first_order first; /* at the primary wavelength, with the aperture */
-    double stop_radius;       /* mm, for system_options: NaN = what the lens says */
-    double image;             /* behind the last vertex, mm; NaN = none */
-    const char *focus;        /* "paraxial"; null = no image plane */
+    struct setup setup;
     bool clip;
     bool to_image;       /* rays end on the image plane */
     size_t surfaces;     /* else behind so many surfaces */
@@ -46,28 +39,25 @@ struct ray_case {
         OPTION(S, member.no_clip), .name = "no-clip", .help = "rays pass beyond all rims"          \
     }
 
-/*
- * The positions of the lens that are asked for; see lens_positions.
- *
- * Errors    ERROR_USAGE: no lens, an unknown position
- */
-bool ray_positions(const struct ray_question *question, struct arena *arena,
-                   const size_t **positions, size_t *count, struct error *error);
+/* What of the lens. */
+struct ray_choice {
+    size_t position;                 /* from 0 */
+    double wavelength;               /* um; NaN = primary */
+    const struct setup_field *field; /* in place of those of the lens; null = those */
+};
 
 /*
  * Make a lens ready.
  *
- * Given     position  of the lens, from 0
- *           arena     for all that the case points to
+ * Given     arena       for all that the case points to
  * Errors    ERROR_USAGE: --clip and --no-clip, a surface that is not there; ERROR_DOMAIN: as
- *           first_order_aperture and image_plane_find, no image plane where rays are to end there,
- *           no stop for the f-number
+ *           setup_open and setup_place_image, no image plane where rays are to end there, no stop
+ *           for the f-number
  */
-bool ray_case_open(const struct ray_question *question, size_t position, struct arena *arena,
-                   struct ray_case *one, struct error *error);
+bool ray_case_open(const struct ray_question *question, const struct ray_choice *choice,
+                   struct arena *arena, struct ray_case *one, struct error *error);
 
-/* The system of a case at a wavelength in um; `image`: with its image plane, if it has one. */
-bool ray_case_compile(const struct ray_case *one, double wavelength, bool clip, bool image,
-                      struct arena *arena, struct system *system, struct error *error);
+/* The case's own system: rims as the question has them, with the image plane if rays end there. */
+const struct system *ray_case_system(const struct ray_case *one, struct error *error);
 
 #endif

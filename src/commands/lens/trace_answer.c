@@ -1,4 +1,4 @@
-/* cli/trace_answer.c - the rays that lenscalc trace is asked for. */
+/* commands/lens/trace_answer.c - the rays that lenscalc trace is asked for. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/trace_answer.h"
 
@@ -24,12 +24,12 @@ enum { FEW = sizeof few / sizeof few[0] };
 static struct trace_row blank_row(const struct ray_case *one, double wavelength)
 {
     return (struct trace_row){
-        .position = one->position,
-        .focus = one->to_image ? one->focus : NULL,
-        .image = one->to_image ? one->image : (double)NAN,
-        .lens = one->lens->title,
+        .position = one->setup.position,
+        .focus = one->to_image ? one->setup.focus : NULL,
+        .image = one->to_image ? one->setup.image : (double)NAN,
+        .lens = one->setup.lens->title,
         .warning = one->warning,
-        .wavelength = lens_wavelength_own(wavelength),
+        .wavelength = wavelength,
         .field = NAN,
         .height = NAN,
         .pupil = {NAN, NAN},
@@ -45,15 +45,16 @@ static struct trace_row blank_row(const struct ray_case *one, double wavelength)
     };
 }
 
-bool trace_job_open(const struct trace_input *input, const struct ray_case *one, double wavelength,
-                    struct arena *arena, struct trace_job *job, struct error *error)
+bool trace_job_open(const struct trace_input *input, const struct ray_case *one,
+                    struct trace_job *job, struct error *error)
 {
+    double wavelength = one->setup.wavelengths[0].wavelength;
     *job = (struct trace_job){.input = input, .one = one, .wavelength = wavelength};
-    if (!ray_case_compile(one, wavelength, one->clip, one->to_image, arena, &job->system, error)) {
+    job->system = ray_case_system(one, error);
+    if (job->system == NULL) {
         return false;
     }
-    job->to = one->to_image ? job->system.places : one->surfaces;
-    job->n_end = system_index_after(&job->system, job->to - 1);
+    job->to = one->to_image ? job->system->places : one->surfaces;
     job->blank = blank_row(one, wavelength);
     return true;
 }
@@ -68,7 +69,7 @@ static void set_end(const struct trace_job *job, const struct ray *ray, bool at_
         row->cosine[i] = arrived ? ray->cosine[i] : (double)NAN;
     }
     if (at_image && arrived) {
-        row->point[2] += job->one->image; /* in the frame of the last vertex */
+        row->point[2] += job->one->setup.image; /* in the frame of the last vertex */
     }
     row->path = arrived ? ray->path : (double)NAN;
     row->status = ray_status_name(ray->status);
@@ -80,7 +81,7 @@ void trace_row_end(const struct trace_job *job, const struct ray_block *block, s
 {
     const struct rays rays = {(struct ray_block *)(uintptr_t)block, RAYS_BLOCK};
     double n =
-        job->to > 0 ? system_index_after(&job->system, job->to - 1) : job->system.index_first;
+        job->to > 0 ? system_index_after(job->system, job->to - 1) : job->system->index_first;
     struct ray ray = rays_get(&rays, lane, n);
     set_end(job, &ray, job->one->to_image, row);
 }
@@ -89,7 +90,7 @@ void trace_row_end(const struct trace_job *job, const struct ray_block *block, s
 static bool set_paraxial(const struct trace_job *job, const struct ray *start, size_t place,
                          struct arena *arena, struct trace_row *row, struct error *error)
 {
-    const struct lens *lens = job->one->lens;
+    const struct lens *lens = job->one->setup.lens;
     struct paraxial_meeting *meetings =
         ARENA_ARRAY(arena, lens->surface_count, struct paraxial_meeting);
     if (!ray_follow_paraxially(lens, job->wavelength, start, arena, meetings, error)) {
@@ -97,7 +98,7 @@ static bool set_paraxial(const struct trace_job *job, const struct ray *start, s
     }
     bool at_image = place >= lens->surface_count;
     const struct paraxial_meeting *here = &meetings[at_image ? lens->surface_count - 1 : place];
-    double distance = at_image ? job->one->image : 0;
+    double distance = at_image ? job->one->setup.image : 0;
     row->slope[0] = here->slope_x;
     row->slope[1] = here->slope_y;
     row->paraxial[0] = here->x + distance * here->slope_x;
@@ -109,7 +110,7 @@ static bool set_paraxial(const struct trace_job *job, const struct ray *start, s
 static void set_errors(const struct trace_job *job, const struct ray *start, size_t place,
                        struct trace_row *row)
 {
-    if (place + 1 != job->system.places) {
+    if (place + 1 != job->system->places) {
         return;
     }
     struct ray tested = {.path = row->path, .status = isnan(row->path) ? RAY_MISS : RAY_OK};
@@ -118,9 +119,9 @@ static void set_errors(const struct trace_job *job, const struct ray *start, siz
         tested.cosine[i] = row->cosine[i];
     }
     if (job->one->to_image) {
-        tested.point[2] -= job->one->image;
+        tested.point[2] -= job->one->setup.image;
     }
-    struct verification check = verify_ray(&job->system, start, &tested);
+    struct verification check = verify_ray(job->system, start, &tested);
     row->point_error = check.point_error;
     row->cosine_error = check.cosine_error;
     row->path_error = check.path_error;
@@ -139,10 +140,10 @@ bool trace_row_extras(const struct trace_job *job, const struct ray *start, size
 static bool emit_all(const struct trace_job *job, const struct ray *start, struct trace_row *row,
                      struct run *run, struct error *error)
 {
-    struct ray_meeting *meetings = ARENA_ARRAY(run->arena, job->system.places, struct ray_meeting);
-    ray_follow(&job->system, start, run->arena, meetings);
+    struct ray_meeting *meetings = ARENA_ARRAY(run->arena, job->system->places, struct ray_meeting);
+    ray_follow(job->system, start, run->arena, meetings);
     for (size_t place = 0; place < job->to; place++) {
-        set_end(job, &meetings[place].ray, place >= job->one->lens->surface_count, row);
+        set_end(job, &meetings[place].ray, place >= job->one->setup.lens->surface_count, row);
         row->surface = (long)place + 1;
         row->incidence = meetings[place].angles.incidence;
         row->refraction = meetings[place].angles.refraction;
@@ -170,7 +171,31 @@ struct bundle {
     double field, height;
     const struct pupil_point *points; /* null: a ray as given */
     bool is_named;                    /* the rays of `few` */
+    bool folds;                       /* points of the stop are met by several rays */
 };
+
+/* The weights of a quadrature are those of the whole pupil. */
+static const char *weight_warning(const struct bundle *bundle, const char *other,
+                                  struct arena *arena)
+{
+    static const char text[] =
+        "the weights of gauss do not integrate over a pupil of which rays are lost";
+    const struct trace_input *input = bundle->job->input;
+    bool weighs = bundle->points != NULL && !input->pupil.is_given &&
+                  input->pattern == TRACE_FEW + 1 + PATTERN_GAUSS;
+    return !weighs ? other : other == NULL ? text : arena_printf(arena, "%s; %s", other, text);
+}
+
+/* Of two rays through one point of the stop the one was aimed that is joined to the chief ray. */
+static const char *fold_warning(const struct bundle *bundle, const char *other, struct arena *arena)
+{
+    static const char text[] =
+        "the pupil folds inside the stop: near its edge a point is met by two rays, and the one "
+        "that was aimed may be the wrong one: clipped where the other passes";
+    return !bundle->folds  ? other
+           : other == NULL ? text
+                           : arena_printf(arena, "%s; %s", other, text);
+}
 
 static void label_row(const struct bundle *bundle, size_t i, struct trace_row *row)
 {
@@ -181,6 +206,10 @@ static void label_row(const struct bundle *bundle, size_t i, struct trace_row *r
         row->pupil[1] = bundle->points[i].y;
         row->weight = bundle->points[i].weight;
         row->ray = bundle->is_named ? few[i].name : NULL;
+    } else {
+        /* of a row that another trace has written */
+        row->pupil[0] = bundle->job->input->pupil_at[0];
+        row->pupil[1] = bundle->job->input->pupil_at[1];
     }
 }
 
@@ -190,15 +219,20 @@ static bool emit_bundle(const struct bundle *bundle, const struct ray *starts, s
     const struct trace_job *job = bundle->job;
     struct rays rays = rays_new(run->arena, count);
     for (size_t i = 0; i < count; i++) {
-        rays_set(&rays, i, job->system.index_first, &starts[i]);
+        rays_set(&rays, i, job->system->index_first, &starts[i]);
     }
-    rays_trace_part(&job->system, 0, job->to, &rays, NULL);
+    rays_trace_part(job->system, 0, job->to, &rays, NULL);
     for (size_t i = 0; i < count; i++) {
         const struct arena_mark mark = arena_mark(run->arena);
         struct trace_row row;
         bool going;
         trace_row_begin(job, &starts[i], &row);
         label_row(bundle, first + i, &row);
+        row.warning = fold_warning(bundle, row.warning, run->arena);
+        if (starts[i].status != RAY_OK ||
+            ray_block_status(&rays.blocks[i / RAYS_BLOCK], i % RAYS_BLOCK) != RAY_OK) {
+            row.warning = weight_warning(bundle, row.warning, run->arena);
+        }
         if (starts[i].status != RAY_OK) {
             going = emit_lost(job, &starts[i], &row, run);
         } else if (job->input->all) {
@@ -220,10 +254,11 @@ static bool emit_bundle(const struct bundle *bundle, const struct ray *starts, s
 static bool choose_points(const struct trace_input *input, struct arena *arena,
                           struct sample *sample, struct error *error)
 {
-    if (input->pupil.is_given) {
+    if (trace_has_pupil(input)) {
+        const double *at = input->pupil.is_given ? input->pupil.at : input->pupil_at;
         sample->count = 1;
         sample->points = ARENA_NEW(arena, struct pupil_point);
-        *sample->points = (struct pupil_point){input->pupil.at[0], input->pupil.at[1], 1};
+        *sample->points = (struct pupil_point){at[0], at[1], 1};
         return true;
     }
     if (input->pattern != TRACE_FEW) {
@@ -252,27 +287,68 @@ static bool aim_starts(const struct trace_job *job, const struct beam *beam, con
         return true;
     }
     for (size_t i = 0; i < count; i++) {
-        if (!aim_at_entrance(beam, &job->one->first, points[i].x, points[i].y, &starts[i], error)) {
+        if (!aim_at_entrance(beam, &job->one->setup.first, points[i].x, points[i].y, &starts[i],
+                             error)) {
             return false;
         }
     }
     return true;
 }
 
-/* Where a ray crosses the stop, in units of its radius; NaN if it does not, or has none. */
-static void find_pupil(const struct system *open, const struct ray *start, struct rays *work,
-                       struct pupil_point *point)
+/* Where rays cross the stop, in units of its radius; NaN where they do not, or it has none. */
+static void find_pupil(const struct system *open, const struct ray *starts, size_t count,
+                       struct arena *arena, struct pupil_point *points)
 {
-    point->x = point->y = NAN;
-    if (open->stop == LENS_NONE || isnan(open->stop_radius)) {
+    const struct rays work = rays_new(arena, count);
+    bool has_stop = open->stop != LENS_NONE && !isnan(open->stop_radius);
+    for (size_t i = 0; i < count; i++) {
+        points[i] = (struct pupil_point){NAN, NAN, NAN};
+        rays_set(&work, i, open->index_first, &starts[i]);
+    }
+    if (!has_stop) {
         return;
     }
-    rays_set(work, 0, open->index_first, start);
-    rays_trace_part(open, 0, system_place(open, open->stop) + 1, work, NULL);
-    if (ray_block_status(work->blocks, 0) == RAY_OK) {
-        point->x = work->blocks->x[0] / open->stop_radius;
-        point->y = work->blocks->y[0] / open->stop_radius;
+    rays_trace_part(open, 0, system_place(open, open->stop) + 1, &work, NULL);
+    for (size_t i = 0; i < count; i++) {
+        struct ray ray = rays_get(&work, i, 1);
+        if (ray.status == RAY_OK) {
+            points[i].x = ray.point[0] / open->stop_radius;
+            points[i].y = ray.point[1] / open->stop_radius;
+        }
     }
+}
+
+/* The clear aperture of the beam of one field, about the chief ray if that is known. */
+static void find_cross(const struct trace_job *job, const struct beam *beam, const struct aim *aim,
+                       struct arena *arena, struct clear_cross *cross)
+{
+    struct clear_guess guess = clear_guess_of(job->rims, beam, &job->one->setup.first);
+    if (aim != NULL && aim->has_chief) {
+        guess.centre[0] = aim->chief[0];
+        guess.centre[1] = aim->chief[1];
+    }
+    clear_across(job->rims, beam, &guess, lens_is_round(job->one->setup.lens), arena, cross);
+}
+
+/*
+ * Is what passes the lens, or some of it, on the other side of a fold than the chief ray: does the
+ * map of the beam to the stop have another sign there?
+ */
+static bool is_folded(const struct trace_job *job, const struct beam *beam, const struct aim *aim,
+                      struct arena *arena)
+{
+    struct clear_cross cross;
+    struct aim other = *aim;
+    double sign = aim->slope[0] * aim->slope[3] - aim->slope[1] * aim->slope[2];
+    find_cross(job, beam, NULL, arena, &cross);
+    for (size_t i = 0; i < 5 && !cross.is_empty; i++) {
+        const double *at = i < 4 ? cross.ends[i].at : cross.centre;
+        if (aim_open_at(&other, at) &&
+            sign * (other.slope[0] * other.slope[3] - other.slope[1] * other.slope[2]) < 0) {
+            return true;
+        }
+    }
+    return false;
 }
 
 static bool emit_sample(struct bundle *bundle, const struct beam *beam, const struct aim *aim,
@@ -285,7 +361,8 @@ static bool emit_sample(struct bundle *bundle, const struct beam *beam, const st
     }
     struct ray *starts = ARENA_ARRAY(run->arena, CHUNK, struct ray);
     bundle->points = sample.points;
-    bundle->is_named = job->input->pattern == TRACE_FEW && !job->input->pupil.is_given;
+    bundle->folds = job->input->aim == AIM_STOP && is_folded(job, beam, aim, run->arena);
+    bundle->is_named = job->input->pattern == TRACE_FEW && !trace_has_pupil(job->input);
     for (size_t done = 0; done < sample.count; done += CHUNK) {
         struct arena_mark mark = arena_mark(run->arena);
         size_t here = sample.count - done < CHUNK ? sample.count - done : CHUNK;
@@ -302,68 +379,81 @@ static bool emit_sample(struct bundle *bundle, const struct beam *beam, const st
  * The few rays of a beam that passes all rims: its chief ray and its edges. A lens without a stop
  * has no chief ray: the middle of the beam stands for it.
  */
-static bool emit_edges(struct bundle *bundle, const struct beam *beam, const struct system *open,
-                       const struct aim *aim, struct run *run, struct error *error)
+static bool emit_edges(struct bundle *bundle, const struct beam *beam,
+                       const struct clear_cross *cross, const struct aim *aim, struct run *run,
+                       struct error *error)
 {
-    enum { DIRECTIONS = 64 };
-    const struct trace_job *job = bundle->job;
     struct pupil_point points[FEW];
     struct ray starts[FEW];
-    struct clear_pupil clear;
-    struct rays work = rays_new(run->arena, 1);
-    struct clear_guess guess = clear_guess_of(&job->system, beam, &job->one->first);
-    clear_find(&job->system, beam, &guess, DIRECTIONS, run->arena, &clear);
-    if (clear.is_empty) {
-        /* nothing passes: the full pupil shows where the rays are lost */
-        return aim != NULL ? emit_sample(bundle, beam, aim, run, error)
-                           : fail(error, ERROR_DOMAIN, "no ray passes all clear apertures");
+    const double *places[FEW] = {cross->centre, cross->ends[1].at, cross->ends[3].at,
+                                 cross->ends[0].at};
+    if (aim != NULL && aim->has_chief) {
+        places[0] = aim->chief;
     }
-    double a = clear.centre[0], b = clear.centre[1];
-    a = lens_is_round(job->one->lens) ? 0 : a; /* by symmetry: nothing but rounding */
-    b = fabs(b) > 1e-12 * (clear.high[1] - clear.low[1]) ? b : 0;
-    const double places[FEW][2] = {
-        {aim != NULL ? aim->chief[0] : a, aim != NULL ? aim->chief[1] : b},
-        {a, clear.edges[DIRECTIONS / 2].at[1]},
-        {a, clear.edges[0].at[1]},
-        {clear.edges[DIRECTIONS / 4].at[0], b}};
     for (size_t i = 0; i < FEW; i++) {
         starts[i] = beam_ray(beam, places[i][0], places[i][1]);
-        points[i] = (struct pupil_point){.weight = NAN};
-        find_pupil(open, &starts[i], &work, &points[i]);
+    }
+    find_pupil(bundle->job->open, starts, FEW, run->arena, points);
+    if (aim != NULL && !aim->has_chief) {
+        points[0].x = points[0].y = 0;
+        starts[0].status = aim->lost;
+        starts[0].surface = aim->lost_surface;
     }
     bundle->points = points;
     bundle->is_named = true;
     return emit_bundle(bundle, starts, 0, FEW, run, error);
 }
 
+/*
+ * Without a chief ray others may still pass: they are aimed from the middle of what does. Where
+ * nothing does, `error` stays as it is, that of aim_open.
+ */
+static bool aim_without_chief(const struct trace_job *job, const struct beam *beam, struct aim *aim,
+                              struct arena *arena, struct error *error)
+{
+    struct clear_cross cross;
+    if (job->open->stop == LENS_NONE || !(job->open->stop_radius > 0)) {
+        return false;
+    }
+    find_cross(job, beam, NULL, arena, &cross);
+    if (cross.is_empty || !aim_open_at(aim, cross.centre)) {
+        return false;
+    }
+    error->code = ERROR_NONE;
+    return true;
+}
+
+/* A few rays of a beam that clear apertures cut: those at its edges. */
+static bool wants_edges(const struct trace_job *job)
+{
+    return job->input->pattern == TRACE_FEW && !trace_has_pupil(job->input) && job->one->clip &&
+           job->input->aim == AIM_STOP;
+}
+
 static bool emit_field(struct bundle *bundle, const struct field_point *field, struct run *run,
                        struct error *error)
 {
     const struct trace_job *job = bundle->job;
-    const struct trace_input *input = job->input;
-    struct system open;
+    const struct setup *setup = &job->one->setup;
+    struct clear_cross cross = {.is_empty = true};
     struct beam beam;
     struct aim aim;
-    bool edges = input->pattern == TRACE_FEW && !input->pupil.is_given && job->one->clip &&
-                 input->aim == AIM_STOP;
-    bool aims = input->aim == AIM_STOP && !(edges && job->one->lens->stop == LENS_NONE);
-    if (!ray_case_compile(job->one, job->wavelength, false, false, run->arena, &open, error) ||
-        !beam_of_field(field, &job->one->object, &job->one->first, &beam, error) ||
-        (aims && !aim_open(&open, &beam, run->arena, &aim, error))) {
+    bool edges = wants_edges(job);
+    bool aims = job->input->aim == AIM_STOP && !(edges && setup->lens->stop == LENS_NONE);
+    if (!beam_of_field(field, &setup->object, &setup->first, &beam, error) ||
+        (aims && !aim_open(job->open, &beam, run->arena, &aim, error) &&
+         !aim_without_chief(job, &beam, &aim, run->arena, error))) {
         return false;
     }
-    return edges ? emit_edges(bundle, &beam, &open, aims ? &aim : NULL, run, error)
-                 : emit_sample(bundle, &beam, &aim, run, error);
-}
-
-/* The field that the options name; else false. */
-static bool field_given(const struct trace_job *job, struct field_point *field)
-{
-    const struct trace_input *input = job->input;
-    bool is_height = !isnan(input->height);
-    *field = (struct field_point){.kind = is_height ? FIELD_IMAGE : FIELD_ANGLE,
-                                  .value = {0, is_height ? input->height : input->field}};
-    return is_height || !isnan(input->field);
+    if (edges) {
+        find_cross(job, &beam, aims ? &aim : NULL, run->arena, &cross);
+    }
+    if (edges && !aims && cross.is_empty) {
+        return fail(error, ERROR_DOMAIN, "no ray passes all clear apertures");
+    }
+    /* where nothing passes the full pupil shows where the rays are lost */
+    return cross.is_empty ? emit_sample(bundle, &beam, &aim, run, error)
+                          : emit_edges(bundle, &beam, &cross, aims ? &aim : NULL, run, error);
 }
 
 static const char *field_words(const struct field_point *field, struct arena *arena)
@@ -374,28 +464,31 @@ static const char *field_words(const struct field_point *field, struct arena *ar
                                        : arena_printf(arena, "field %.6g mm", field->value[1]);
 }
 
-/* All fields of the lens, or the one that is asked for. */
-static bool emit_fields(const struct trace_job *job, struct run *run, struct error *error)
+static bool emit_fields(const struct trace_job *plain, struct run *run, struct error *error)
 {
-    const struct lens *lens = job->one->lens;
-    struct field_point field;
-    bool given = field_given(job, &field);
-    size_t count = given || lens->field_count == 0 ? 1 : lens->field_count;
-    for (size_t i = 0; i < count; i++) {
-        if (!given) {
-            field = (struct field_point){
-                .kind = lens->field_count > 0 ? lens->field_kind : FIELD_NONE,
-                .value = {0, lens->field_count > 0 ? lens->fields[i].value.hi : 0}};
-        }
-        bool angle = field.kind == FIELD_ANGLE || field.kind == FIELD_NONE;
+    const struct setup *setup = &plain->one->setup;
+    struct trace_job with = *plain;
+    const struct trace_job *job = &with;
+    /* with the path, so that they give the same bits as the rays themselves */
+    with.open = setup_system(setup, 0, SETUP_OPEN | SETUP_PATH, error);
+    with.rims =
+        job->one->clip ? job->system : setup_system(setup, 0, SETUP_CLIPPED | SETUP_PATH, error);
+    if (with.open == NULL || with.rims == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < setup->field_count; i++) {
+        const struct arena_mark mark = arena_mark(run->arena);
+        const struct field_point *field = &setup->fields[i].point;
+        bool angle = field->kind == FIELD_ANGLE || field->kind == FIELD_NONE;
         struct bundle bundle = {.job = job,
-                                .field = angle ? field.value[1] : (double)NAN,
-                                .height = angle ? (double)NAN : field.value[1]};
+                                .field = angle ? field->value[1] : (double)NAN,
+                                .height = angle ? (double)NAN : field->value[1]};
         error->code = ERROR_NONE;
-        if (!emit_field(&bundle, &field, run, error)) {
+        if (!emit_field(&bundle, field, run, error)) {
             return error->code == ERROR_NONE ||
-                   error_prefix(error, "%s: ", field_words(&field, run->arena));
+                   error_prefix(error, "%s: ", field_words(field, run->arena));
         }
+        arena_reset(run->arena, mark);
     }
     return true;
 }
@@ -413,11 +506,19 @@ static bool emit_explicit(const struct trace_job *job, struct run *run, struct e
 static bool check(const struct trace_input *input, struct error *error)
 {
     bool ray = trace_is_explicit(input);
+    bool x = !isnan(input->pupil_at[0]), y = !isnan(input->pupil_at[1]);
+    if (x != y && !ray) {
+        return fail(error, ERROR_USAGE,
+                    "pupil_x and pupil_y belong together: one of them is missing");
+    }
+    if (x && input->pupil.is_given) {
+        return fail(error, ERROR_USAGE, "--pupil-point and pupil_x, pupil_y exclude each other");
+    }
     if (ray && (input->pupil.is_given || input->pattern != TRACE_FEW)) {
         return fail(error, ERROR_USAGE,
                     "a ray that starts at a point goes its way: no --pupil-point, no --pattern");
     }
-    if (input->pupil.is_given && input->pattern != TRACE_FEW) {
+    if (trace_has_pupil(input) && input->pattern != TRACE_FEW) {
         return fail(error, ERROR_USAGE, "--pupil-point is one ray, --pattern many");
     }
     if (!isnan(input->field) && !isnan(input->height)) {
@@ -429,23 +530,34 @@ static bool check(const struct trace_input *input, struct error *error)
     return true;
 }
 
+/* The field that the options name; null: those of the lens. */
+static const struct setup_field *field_given(const struct trace_input *input,
+                                             struct setup_field *field)
+{
+    bool is_height = !isnan(input->height), is_angle = !isnan(input->field);
+    *field = is_height ? lens_field(FIELD_IMAGE, input->height, SECTION_Y)
+                       : lens_field(FIELD_ANGLE, input->field, SECTION_Y);
+    return is_height || is_angle ? field : NULL;
+}
+
 bool trace_answer(const struct trace_input *input, struct run *run, struct error *error)
 {
+    const struct ray_question *question = &input->question;
+    struct setup_field named;
+    const struct setup_field *field = field_given(input, &named);
     const size_t *positions;
     size_t count;
-    if (!ray_positions(&input->question, run->arena, &positions, &count, error) ||
+    if (!lens_positions(question->lens.lens, question->position, run->arena, &positions, &count,
+                        error) ||
         !check(input, error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
         struct ray_case one;
         struct trace_job job;
-        if (!ray_case_open(&input->question, positions[i], run->arena, &one, error)) {
-            return false;
-        }
-        double wavelength = isnan(input->wavelength) ? lens_primary_wavelength(one.lens)
-                                                     : wavelength_micrometres(input->wavelength);
-        if (!trace_job_open(input, &one, wavelength, run->arena, &job, error) ||
+        const struct ray_choice choice = {positions[i], input->wavelength, field};
+        if (!ray_case_open(question, &choice, run->arena, &one, error) ||
+            !trace_job_open(input, &one, &job, error) ||
             !(trace_is_explicit(input) ? emit_explicit(&job, run, error)
                                        : emit_fields(&job, run, error))) {
             return false;

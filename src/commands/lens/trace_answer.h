@@ -1,18 +1,21 @@
-/* cli/trace_answer.h - the questions and answers of lenscalc trace. */
+/* commands/lens/trace_answer.h - the questions and answers of lenscalc trace. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_TRACE_ANSWER_H
-#define LENSCALC_CLI_TRACE_ANSWER_H
+#ifndef LENSCALC_COMMANDS_LENS_TRACE_ANSWER_H
+#define LENSCALC_COMMANDS_LENS_TRACE_ANSWER_H
 
 #include "commands/lens/ray_case.h"
 #include "trace/rays.h"
 
+#include <math.h>
+
 struct trace_input {
     struct ray_question question;
-    double wavelength;    /* mm; NaN = primary */
+    double wavelength;    /* um; NaN = primary */
     double field, height; /* rad; mm at the paraxial image; NaN = not given */
     struct vector_value point, direction;
     double at[3], cosine[3]; /* the same as six numbers; NaN = not given */
     struct pupil_value pupil;
+    double pupil_at[2]; /* the same as two numbers; NaN = not given */
     int aim, pattern;
     long rays, seed;
     bool all, paraxial, verify;
@@ -25,7 +28,7 @@ enum { TRACE_FEW };
 
 struct trace_row {
     const char *position, *ray, *status, *focus, *lens, *warning;
-    double wavelength;                /* mm */
+    double wavelength;                /* um */
     double field, height;             /* rad; mm; one of them is absent */
     double pupil[2], weight;          /* in units of its radius; absent for a ray as given */
     double start[3], start_cosine[3]; /* mm */
@@ -39,6 +42,12 @@ struct trace_row {
 
 /* Does the input say where a ray starts? */
 bool trace_is_explicit(const struct trace_input *input);
+
+/* Does it name a point of the pupil? */
+static inline bool trace_has_pupil(const struct trace_input *input)
+{
+    return input->pupil.is_given || !isnan(input->pupil_at[0]) || !isnan(input->pupil_at[1]);
+}
 
 /*
  * The ray that the input says.
@@ -59,15 +68,15 @@ void trace_block(const struct block *block, struct run *run);
 struct trace_job {
     const struct trace_input *input;
     const struct ray_case *one;
-    struct system system;   /* clipped if the input says so */
-    double wavelength;      /* um */
-    size_t to;              /* place before which rays end */
-    double n_end;           /* index there */
-    struct trace_row blank; /* what is the same in all rows */
+    const struct system *system;      /* clipped if the input says so */
+    const struct system *open, *rims; /* for rays of fields: without clip, and with it */
+    double wavelength;                /* um */
+    size_t to;                        /* place before which rays end */
+    struct trace_row blank;           /* what is the same in all rows */
 };
 
-bool trace_job_open(const struct trace_input *input, const struct ray_case *one, double wavelength,
-                    struct arena *arena, struct trace_job *job, struct error *error);
+bool trace_job_open(const struct trace_input *input, const struct ray_case *one,
+                    struct trace_job *job, struct error *error);
 
 /* A row without its results: the blank, and the start. */
 static inline void trace_row_begin(const struct trace_job *job, const struct ray *start,

@@ -1,4 +1,4 @@
-/* cli/trace_block.c - lenscalc trace as a filter: the rays of a batch in blocks. */
+/* commands/lens/trace_block.c - lenscalc trace as a filter: the rays of a batch in blocks. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/trace_answer.h"
 #include "trace/dispatch.h"
@@ -9,15 +9,16 @@ enum { SYSTEMS = 64 };
 
 /* A lens compiled at one wavelength. */
 struct compiled {
-    double wavelength; /* as typed, mm; NaN = primary */
+    double wavelength; /* as typed, um; NaN = primary */
+    struct ray_case one;
     struct trace_job job;
 };
 
 /* What is kept from block to block: one lens as one set of options has it. */
 struct kept {
     struct trace_input key; /* whose question the case answers */
-    struct ray_case one;
-    struct rays work; /* one block */
+    struct ray_case one;    /* at the primary wavelength */
+    struct rays work;       /* one block */
     struct compiled compiled[SYSTEMS];
     size_t count;
     struct arena_mark base; /* before the case */
@@ -38,8 +39,10 @@ static bool open_case(struct kept *kept, const struct trace_input *input, struct
     kept->key.question.lens.lens = NULL;
     kept->count = 0;
     arena_reset(run->kept, kept->base);
-    if (!ray_positions(&input->question, run->kept, &positions, &count, error) ||
-        !ray_case_open(&input->question, positions[0], run->kept, &kept->one, error)) {
+    if (!lens_positions(input->question.lens.lens, input->question.position, run->kept, &positions,
+                        &count, error) ||
+        !ray_case_open(&input->question, &(struct ray_choice){positions[0], NAN, NULL}, run->kept,
+                       &kept->one, error)) {
         return false;
     }
     memcpy(&kept->key, input, sizeof kept->key); /* padding too */
@@ -67,9 +70,11 @@ static const struct trace_job *find_job(const struct trace_input *input, struct 
         arena_reset(run->kept, kept->mark);
     }
     struct compiled *compiled = &kept->compiled[kept->count];
-    double wavelength = isnan(input->wavelength) ? lens_primary_wavelength(kept->one.lens)
-                                                 : wavelength_micrometres(input->wavelength);
-    if (!trace_job_open(&kept->key, &kept->one, wavelength, run->kept, &compiled->job, error)) {
+    double wavelength =
+        isnan(input->wavelength) ? kept->one.setup.wavelengths[0].wavelength : input->wavelength;
+    compiled->one = kept->one;
+    compiled->one.setup = setup_at_wavelength(&kept->one.setup, wavelength, run->kept);
+    if (!trace_job_open(&kept->key, &compiled->one, &compiled->job, error)) {
         return NULL;
     }
     compiled->wavelength = input->wavelength;
@@ -115,9 +120,9 @@ static void trace_group(const struct block *block, const struct group *group, st
     const struct kept *kept = run->state;
     const struct trace_job *job = group->job;
     for (size_t k = 0; k < group->count; k++) {
-        rays_set(&kept->work, k, job->system.index_first, &group->starts[k]);
+        rays_set(&kept->work, k, job->system->index_first, &group->starts[k]);
     }
-    rays_trace_part(&job->system, 0, job->to, &kept->work, NULL);
+    rays_trace_part(job->system, 0, job->to, &kept->work, NULL);
     for (size_t k = 0; k < group->count; k++) {
         size_t i = group->rows[k];
         struct trace_row *row = (struct trace_row *)(void *)block->rows + i;

@@ -1,4 +1,4 @@
-/* cli/trace_start.c - where a ray starts that is given by point and direction. */
+/* commands/lens/trace_start.c - where a ray starts that is given by point and direction. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/trace_answer.h"
 

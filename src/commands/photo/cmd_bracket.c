@@ -1,4 +1,4 @@
-/* cli/cmd_bracket.c - lenscalc bracket: a series of exposure times. */
+/* commands/photo/cmd_bracket.c - lenscalc bracket: a series of exposure times. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 #include "commands/photo/light_options.h"
@@ -145,12 +145,6 @@ static bool run(const void *data, struct run *run, struct error *error)
     return true;
 }
 
-static bool makes_many(const void *data)
-{
-    (void)data;
-    return true;
-}
-
 static const struct explanation explanations[] = {
     {"shots", "n = round({span}/{step}) + 1",
      "definition; the span is |log2(from/to)| rounded to "
@@ -178,7 +172,5 @@ const struct command command_bracket = {
     .summary = "plan of an exposure bracket for high dynamic range",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
-    .makes_many = makes_many,
-    .plot = "total_s",
-    .cell = "shots",
+    .makes_many = command_always_many,
 };

@@ -1,4 +1,4 @@
-/* cli/cmd_diffraction.c - lenscalc diffraction: Airy disc, contrast, and where it matters. */
+/* commands/photo/cmd_diffraction.c - lenscalc diffraction: Airy disc, contrast, limits. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
@@ -28,8 +28,9 @@ static const struct option options[] = {
     {NUMBER(magnification), .name = "magnification", .letter = 'm', .column = "magnification",
      .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY,
      .fallback = "0", .value = "RATIO", .help = "magnification: 1:2 or 0.5"},
-    OPTION_PUPIL_OF_LENS(struct input, pupil),
-    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500"),
+    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
+    SHARPNESS_OPTIONS_DARK(struct input, sharp, 0, "d/1500", NULL),
+    OPTION_WAVELENGTH_OF_LENS(struct input, sharp.wavelength, NULL),
     {NUMBER(pixels), .name = "pixels", .dimension = &dimension_number, FINITE, .fallback = "2",
      .value = "NUMBER", .help = "how many pixels wide the Airy disc may be"},
     {NUMBER(film), .name = "film", .column = "film", .dimension = &dimension_frequency,
@@ -298,12 +299,17 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
                    struct error *error)
 {
     const struct input *input = data;
-    const struct sharpness *sharp = &input->sharp;
+    struct sharpness implied;
+    const struct sharpness *sharp = &implied;
     struct row row = empty;
+    if (!sharpness_imply(&input->sharp, PITCH_FOR_MORE, &implied, error)) {
+        return false;
+    }
+    sharpness_doubt_pitch(sharp, run->doubts);
     row.real = *lens->real;
     row.focal = lens->f;
     row.wavelength = lens->wavelength;
-    row.pitch = isnan(sharp->pitch) ? sharp->sensor.size.pitch : sharp->pitch;
+    row.pitch = sharpness_pitch(sharp);
     row.setting = (struct diffraction_setting){.N = lens->N,
                                                .m = input->magnification,
                                                .P = lens->P,
@@ -318,7 +324,9 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     if (isnan(lens->N) && !isnan(input->frequency)) {
         return fail(error, ERROR_USAGE, "--frequency wants --aperture");
     }
-    if (!sharpness_resolve_in(sharp, lens->wavelength, lens->N, &row.coc, error) ||
+    if (!sharpness_resolve_in(sharp, lens->wavelength,
+                              working_fnumber(lens->N, input->magnification, lens->P), &row.coc,
+                              error) ||
         !compute_limits(input, &row, error) || !compute_optimum(input, &row, error)) {
         return false;
     }
@@ -379,6 +387,8 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
+PHOTO_LENS_MAKES_MANY(struct input, lens)
+
 const struct command command_diffraction = {
     .name = "diffraction",
     .group = "photography",
@@ -386,7 +396,8 @@ const struct command command_diffraction = {
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
-    .lens = offsetof(struct input, lens),
+    .makes_many = makes_many,
+    .varies = varies,
     .plot = "mtf_total|airy_diameter_um|fnumber",
     .cell = "airy_diameter_um",
 };

@@ -1,11 +1,11 @@
-/* cli/cmd_dof.c - lenscalc dof: depth of field. */
+/* commands/photo/cmd_dof.c - lenscalc dof: depth of field. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
+#include "draw/barrel.h"
 #include "photo/dof.h"
 #include "photo/dof_plan.h"
-#include "draw/barrel.h"
 
 #include <math.h>
 
@@ -18,7 +18,6 @@ struct input {
     bool stack;
     double overlap;
     struct sensor_value other;
-    const char *scale;
 };
 
 #define GOAL(member_name)                                                                          \
@@ -33,8 +32,8 @@ static const struct option options[] = {
     OPTION_APERTURE(struct input, fnumber, OPTION_SETTING),
     OPTION_DISTANCE(struct input, distance, OPTION_SETTING,
                     "distance of the subject; inf for stars"),
-    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500"),
-    OPTION_PUPIL_OF_LENS(struct input, pupil),
+    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500", coc_is_pixels),
+    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
     OPTION_FROM(struct input, from, distances_from),
     {OPTION(struct input, model), .name = "model", .column = "model", .words = dof_models,
      .fallback = "exact", .value = "MODEL",
@@ -51,13 +50,12 @@ static const struct option options[] = {
      .help = "wanted magnification: 1:2 or 0.5"},
     {OPTION(struct input, stack), .name = "stack",
      .help = "plan a focus stack from --near to --far, one row a shot"},
-    {OPTION(struct input, overlap), .name = "overlap", .dimension = &dimension_ratio, .lowest = 0,
-     .highest = 0.95, .fallback = "0.2", .value = "FRACTION",
+    {OPTION(struct input, overlap), .name = "overlap", .wants = "stack",
+     .dimension = &dimension_ratio, .lowest = 0, .highest = 0.95, .fallback = "0.2",
+     .value = "FRACTION",
      .help = "part of each shot's depth that the next one covers again, for --stack"},
     {OPTION(struct input, other), .name = "equal-on", .value = "NAME|WxH",
      .help = "focal length and f-number for the same picture on another format"},
-    {OPTION(struct input, scale), .name = "scale", .value = "FILE.svg", .flags = OPTION_FILE,
-     .help = "draw the depth-of-field scale of the lens barrel"},
 };
 
 struct row {
@@ -217,6 +215,10 @@ static bool stack_limits(const struct input *input, const struct photo_lens *len
         return fail(error, ERROR_USAGE,
                     "--stack wants --near and --far, and no --distance of its own");
     }
+    if (sharpness_is_airy(&input->sharp)) {
+        return fail(error, ERROR_USAGE,
+                    "--stack wants one circle of confusion for all shots: not --coc airy");
+    }
     if (input->from == FROM_SENSOR || input->model != DOF_EXACT) {
         return fail(error, ERROR_USAGE,
                     "--stack goes with exact formulas and distances from the "
@@ -295,14 +297,56 @@ static bool set_up(const struct input *input, const struct photo_lens *lens,
     return sharpness_resolve_in(&input->sharp, lens->wavelength, lens->N, &setting->c, error);
 }
 
+/* The Airy disc grows with the magnification, which may follow from it: in turn till they agree. */
+static bool solve_airy(const struct input *input, const struct photo_lens *lens,
+                       struct dof_setting *setting, struct error *error)
+{
+    const struct dof_setting given = *setting;
+    double m = 0;
+    for (int turn = 0; turn < 200; turn++) {
+        *setting = given;
+        if (!sharpness_resolve_in(&input->sharp, lens->wavelength,
+                                  working_fnumber(given.N, m, given.P), &setting->c, error) ||
+            !distance_solve(setting, &input->targets, &lens->measuring, error)) {
+            return false;
+        }
+        double next = setting->f / (setting->s - setting->f);
+        if (fabs(next - m) <= 4e-16 * next) {
+            return true;
+        }
+        m = next;
+    }
+    return fail(error, ERROR_DOMAIN,
+                "no distance agrees with the Airy disc that belongs to it: give --coc as a length");
+}
+
+static bool solve(const struct input *input, const struct photo_lens *lens,
+                  struct dof_setting *setting, struct error *error)
+{
+    return sharpness_is_airy(&input->sharp)
+               ? solve_airy(input, lens, setting, error)
+               : distance_solve(setting, &input->targets, &lens->measuring, error);
+}
+
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
                    struct error *error)
 {
     const struct input *input = data;
+    struct input own;
     struct row row;
+    if (!sharpness_is_plain(&input->sharp)) {
+        own = *input;
+        if (!sharpness_imply(&input->sharp, PITCH_FOR_COC, &own.sharp, error)) {
+            return false;
+        }
+        input = &own;
+    }
     struct dof_setting *setting = &row.setting;
     if (!set_up(input, lens, setting, error)) {
         return false;
+    }
+    if (sharpness_in_pixels(&input->sharp)) {
+        sharpness_doubt_pitch(&input->sharp, run->doubts);
     }
     if (input->stack) {
         return run_stack(input, lens, setting, run, error);
@@ -311,8 +355,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     if (solves_coc) {
         setting->c = NAN;
     }
-    if (!distance_solve(setting, &input->targets, &lens->measuring, error) ||
-        !photo_lens_check_subject(lens, setting->s, error) ||
+    if (!solve(input, lens, setting, error) || !photo_lens_check_subject(lens, setting->s, error) ||
         !dof_compute(setting, (enum dof_model)input->model, &row.dof, error)) {
         return false;
     }
@@ -337,8 +380,11 @@ static bool run(const void *data, struct run *run, struct error *error)
 
 static bool makes_many(const void *data)
 {
-    return ((const struct input *)data)->stack;
+    const struct input *input = data;
+    return input->stack || photo_lens_makes_many(&input->lens);
 }
+
+PHOTO_LENS_VARIES(struct input, lens)
 
 /* The f-numbers of a lens barrel and the one in use among them, ascending. */
 static size_t barrel_fnumbers(double chosen, double *fnumbers, size_t *at)
@@ -367,21 +413,21 @@ static size_t barrel_fnumbers(double chosen, double *fnumbers, size_t *at)
     return count;
 }
 
-static bool draw_scale(const void *data, struct svg *svg, struct error *error)
+static bool draw_scale(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct input *input = data;
+    struct input own = *(const struct input *)job->inputs[0];
+    const struct input *input = &own;
+    const struct sharpness asked = own.sharp;
+    struct svg svg = {.arena = job->run->arena};
     const struct photo_given given = given_of(input);
     struct photo_lens lens;
     struct dof_setting setting;
     struct barrel_mark marks[16];
     struct barrel barrel = {.marks = marks};
     double fnumbers[16];
-    if (input->stack) {
-        return fail(error, ERROR_USAGE, "--scale draws one answer, not a stack");
-    }
-    if (!photo_lens_single(&input->lens, &given, svg->arena, &lens, error) ||
-        !set_up(input, &lens, &setting, error) ||
-        !distance_solve(&setting, &input->targets, &lens.measuring, error)) {
+    if (!sharpness_imply(&asked, PITCH_FOR_COC, &own.sharp, error) ||
+        !photo_lens_single(&input->lens, &given, svg.arena, &lens, error) ||
+        !set_up(input, &lens, &setting, error) || !solve(input, &lens, &setting, error)) {
         return false;
     }
     barrel.mark_count = barrel_fnumbers(setting.N, fnumbers, &barrel.chosen);
@@ -392,14 +438,14 @@ static bool draw_scale(const void *data, struct svg *svg, struct error *error)
     }
     barrel.focus_diopter = 1000 / setting.s;
     barrel.title = lens.real->title != NULL
-                       ? arena_printf(svg->arena, "Depth of field of %s", lens.real->title)
-                       : arena_printf(svg->arena, "Depth of field of a %.4g mm lens", setting.f);
+                       ? arena_printf(svg.arena, "Depth of field of %s", lens.real->title)
+                       : arena_printf(svg.arena, "Depth of field of a %.4g mm lens", setting.f);
     barrel.subtitle =
-        arena_printf(svg->arena,
+        arena_printf(svg.arena,
                      "focused at %.4g m, f/%.4g, circle of confusion %.4g mm, distances from the "
                      "front principal plane",
                      setting.s / 1000, setting.N, setting.c);
-    return barrel_draw(&barrel, svg, error);
+    return barrel_draw(&barrel, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct explanation explanations[] = {
@@ -426,9 +472,9 @@ static const struct explanation explanations[] = {
     {NULL, NULL, NULL, NULL},
 };
 
-static const struct drawing drawings[] = {
-    {"scale", offsetof(struct input, scale), draw_scale},
-    {NULL, 0, NULL},
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("scale", drawing_types, "draw the depth-of-field scale of the lens barrel"),
+     .scope = ARTIFACT_OF_ROW, .make = draw_scale},
 };
 
 static const struct example examples[] = {
@@ -447,9 +493,9 @@ const struct command command_dof = {
     .summary = "depth of field, and the settings for a wanted one",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
+    COMMAND_MAKES(artifacts),
     .makes_many = makes_many,
-    .drawings = drawings,
-    .lens = offsetof(struct input, lens),
+    .varies = varies,
     .plot = "near_m,far_m",
     .cell = "near_m+far_m",
 };

@@ -1,4 +1,4 @@
-/* cli/cmd_equivalent.c - lenscalc equivalent: the same picture on another format. */
+/* commands/photo/cmd_equivalent.c - lenscalc equivalent: the same picture on another format. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
@@ -43,8 +43,8 @@ static const struct option options[] = {
      .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "RATIO",
      .help = "magnification in place of the distance: 1:2 or 0.5"},
-    OPTION_PUPIL_OF_LENS(struct input, pupil),
-    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500"),
+    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
+    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500", coc_is_pixels),
     {OPTION(struct input, to), .name = "to", .column = "equal_sensor", .fallback = "35mm",
      .value = "NAME|WxH", .help = "the other format or camera; a list for several at once"},
     {OPTION(struct input, by), .name = "by", .column = "measure", .words = measures,
@@ -156,10 +156,17 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     const struct equivalent_format to = format_of(&input->to);
     bool has_fnumber = !isnan(lens->N);
     double k;
+    struct sharpness sharp;
+    if (!sharpness_imply(&input->sharp, PITCH_FOR_COC, &sharp, error)) {
+        return false;
+    }
+    if (sharpness_in_pixels(&sharp)) {
+        sharpness_doubt_pitch(&sharp, run->doubts);
+    }
     struct row row = {
         .sensor = input->sharp.sensor.name,
         .other = input->to.name,
-        .criterion = input->sharp.coc.criterion,
+        .criterion = sharp.coc.criterion,
         .measure = measures[input->by].word,
         .keep = kept[input->keep].word,
         .setting = {.f = lens->f, .N = has_fnumber ? lens->N : 1, .P = lens->P, .iso = input->iso},
@@ -169,7 +176,9 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     };
     if (!find_magnification(input, lens->f, &row.setting.m, error) ||
         (!isnan(input->distance) && !photo_lens_check_subject(lens, input->distance, error)) ||
-        !sharpness_resolve_in(&input->sharp, lens->wavelength, lens->N, &row.setting.c, error) ||
+        !sharpness_resolve_in(&sharp, lens->wavelength,
+                              working_fnumber(lens->N, row.setting.m, lens->P), &row.setting.c,
+                              error) ||
         !equivalent_ratio(&from, &to, (enum equivalent_measure)input->by, &k, error) ||
         !equivalent_compute(&row.setting, k, (enum equivalent_keep)input->keep, &row.equal,
                             error)) {
@@ -216,13 +225,16 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
+PHOTO_LENS_MAKES_MANY(struct input, lens)
+
 const struct command command_equivalent = {
     .name = "equivalent",
     .group = "photography",
     .summary = "focal length, f-number and ISO of the same picture on another format",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
-    .lens = offsetof(struct input, lens),
+    .makes_many = makes_many,
+    .varies = varies,
     .plot = "equal_focal_mm",
     .cell = "equal_focal_mm",
 };

@@ -1,4 +1,4 @@
-/* cli/cmd_exposure.c - lenscalc exposure: aperture, time, speed and light. */
+/* commands/photo/cmd_exposure.c - lenscalc exposure: aperture, time, speed and light. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/exposure_answer.h"
 #include "commands/photo/light_options.h"
@@ -7,7 +7,7 @@
 
 static const struct option options[] = {
     PHOTO_LENS_OPTIONS(struct exposure_input, lens),
-    OPTION_WAVELENGTH_OF_LENS(struct exposure_input, wavelength),
+    OPTION_WAVELENGTH_OF_LENS(struct exposure_input, wavelength, "lens"),
     OPTION_APERTURE(struct exposure_input, given.N, 0),
     OPTION_TIME(struct exposure_input, given.t, 0),
     OPTION_ISO(struct exposure_input, given.S,
@@ -32,13 +32,14 @@ static const struct option options[] = {
      .column = "transmittance", .dimension = &dimension_ratio, .lowest = 0, .highest = 1,
      .flags = OPTION_ABOVE_LOWEST, .value = "RATIO", .help = "of the lens: 0.8 or 80%"},
     {OPTION(struct exposure_input, t_stop), .name = "t-stop", .column = "t_stop",
-     .dimension = &dimension_fnumber, POSITIVE, .value = "NUMBER",
-     .help = "T-stop of the lens; without -N it stands for the f-number too"},
+     .dimension = &dimension_fnumber, OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_T_STOP, .value = "NUMBER",
+     OPTION_USUAL_FNUMBER, .help = "T-stop of the lens; without -N it stands for the f-number too"},
     {OPTION(struct exposure_input, magnification), .name = "magnification", .letter = 'm',
      .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "RATIO",
      .help = "of a close-up, whose extension takes light: 1:2 or 0.5"},
-    OPTION_PUPIL_OF_LENS(struct exposure_input, pupil),
+    OPTION_PUPIL_OF_LENS(struct exposure_input, pupil, "magnification"),
     {OPTION(struct exposure_input, shutter_angle), .name = "shutter-angle",
      .column = "shutter_angle", .dimension = &dimension_angle, .unit = "deg", .lowest = 0,
      .highest = 6.283185307179586, .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE",
@@ -54,12 +55,13 @@ static const struct option options[] = {
      .help = "add the luminous exposure of film or sensor"},
     {OPTION(struct exposure_input, vignetting), .name = "vignetting", .column = "vignetting",
      .dimension = &dimension_ratio, .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "0.98", .value = "RATIO",
+     .fallback = "0.98", .value = "RATIO", .wants = "focal-plane",
      .help = "light that passes off the axis, for "
              "--focal-plane"},
     {OPTION(struct exposure_input, off_axis), .name = "off-axis", .column = "off_axis",
      .dimension = &dimension_angle, .unit = "deg", .lowest = 0, .highest = 1.5533430342749532,
-     .fallback = "10", .value = "ANGLE", .help = "field angle, for --focal-plane"},
+     .fallback = "10", .value = "ANGLE", .wants = "focal-plane",
+     .help = "field angle, for --focal-plane"},
     {OPTION(struct exposure_input, given.K), .name = "meter-k", .column = "meter_k",
      .dimension = &dimension_number, POSITIVE, .fallback = "12.5", .value = "K",
      .help = "constant of the reflected-light meter: 12.5, some meters 14"},
@@ -116,7 +118,7 @@ static const struct column columns[] = {
      .with = "compensation", .symbol = "more", .label = "compensation",
      .help = "exposed more than metered"},
     {NUMBER(transmittance), .name = "transmittance", .flags = COLUMN_EXTRA, .with = "t-stop",
-     .symbol = "tau", .label = "transmittance", .help = "of the lens"},
+     .label = "transmittance", .help = "of the lens"},
     {NUMBER(t_stop), .name = "t_stop", .flags = COLUMN_EXTRA, .with = "transmittance",
      .symbol = "T", .label = "T-stop", .help = "f-number of a lens without loss"},
     {NUMBER(magnification), .name = "magnification", .flags = COLUMN_EXTRA | COLUMN_ECHO,
@@ -132,11 +134,13 @@ static const struct column columns[] = {
      .help = "luminous exposure of film or sensor"},
     {NUMBER(q), .name = "lens_q", .flags = COLUMN_EXTRA, .with = "focal-plane", .symbol = "q",
      .label = "lens constant q", .help = "from luminance and f-number to illuminance"},
+    {NUMBER(glass), .name = "glass_transmittance", .flags = COLUMN_EXTRA, .with = "focal-plane",
+     .symbol = "tau", .label = "transmittance of the glass", .help = "as given, else 0.9; in q"},
     {NUMBER(off_axis), .dimension = &dimension_angle, .unit = "deg", .name = "off_axis",
-     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "off-axis", .symbol = "theta",
+     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "focal-plane", .symbol = "theta",
      .label = "off axis", .help = "field angle"},
     {NUMBER(vignetting), .name = "vignetting", .flags = COLUMN_EXTRA | COLUMN_ECHO,
-     .with = "vignetting", .symbol = "v", .label = "vignetting", .help = "light that passes"},
+     .with = "focal-plane", .symbol = "v", .label = "vignetting", .help = "light that passes"},
     {NUMBER(x.ev_set), .name = "ev_set", .flags = COLUMN_EXTRA, .label = "EV of the camera",
      .help = "log2(N^2/t)"},
     {NUMBER(x.Av), .name = "av", .flags = COLUMN_EXTRA, .label = "Av", .help = "APEX aperture"},
@@ -147,7 +151,7 @@ static const struct column columns[] = {
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED | COLUMN_ECHO, .with = "lens",
      .symbol = "P", .depends = "pupil lens position section wavelength",
      .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
-    {NUMBER(speed), .name = "speed", ASSUMED, .depends = "iso", .label = "speed",
+    {NUMBER(speed), .name = "speed", ASSUMED, .depends = "iso film", .label = "speed",
      .help = "what was taken where no ISO is given"},
     {NUMBER(scene), .name = "scene", ASSUMED, .depends = "scene", .label = "scene",
      .help = "scene of the light"},
@@ -223,8 +227,11 @@ static bool run(const void *data, struct run *run, struct error *error)
 
 static bool makes_many(const void *data)
 {
-    return ((const struct exposure_input *)data)->equivalent;
+    const struct exposure_input *input = data;
+    return input->equivalent || photo_lens_makes_many(&input->lens);
 }
+
+PHOTO_LENS_VARIES(struct exposure_input, lens)
 
 static const struct explanation explanations[] = {
     {"ev100", "EV100 = log2({N}^2/{t}) - log2({S}/100) + {loss} + {more}",
@@ -240,7 +247,7 @@ static const struct explanation explanations[] = {
      "as the film's source gives it: Tm^p, points joined in log-log, or Tm + a Tm^1.62",
      "one emulsion and developer; sources differ by 0.6 stop"},
     {"shutter_angle", "a = 360 {rate} {t}", "definition of the rotating shutter", NULL},
-    {"t_stop", "T = {N}/sqrt({tau})", "[IsoAperture08]", NULL},
+    {"t_stop", "T = {N}/sqrt(tau)", "[IsoAperture08]", NULL},
     {"transmittance", "tau = ({N}/{T})^2", "[IsoAperture08]", NULL},
     {"lens_q", "q = pi/4 {tau} {v} cos^4({theta})",
      "[IsoSpeed06]; transmittance 0.9 where none is given", "cos^4 is that of a thin lens"},
@@ -270,7 +277,7 @@ const struct command command_exposure = {
     COMMAND_ASKS(struct exposure_input),
     COMMAND_ANSWERS(struct exposure_row),
     .makes_many = makes_many,
-    .lens = offsetof(struct exposure_input, lens),
+    .varies = varies,
     .plot = "time_s|ev100|iso",
     .cell = "ev100",
 };

@@ -1,4 +1,4 @@
-/* cli/cmd_flash.c - lenscalc flash: guide numbers, and flash beside other light. */
+/* commands/photo/cmd_flash.c - lenscalc flash: guide numbers, and flash beside other light. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 #include "commands/photo/light_options.h"
@@ -49,7 +49,7 @@ static const struct option options[] = {
     OPTION_TIME(struct input, time, 0),
     {OPTION(struct input, sync), .name = "sync", .dimension = &dimension_time, .unit = "s",
      OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "TIME",
-     .help = "shortest time with flash; a shorter --time is refused"},
+     .wants = "time", .help = "shortest time with flash; a shorter --time is refused"},
     OPTION_EV(struct input, ev, "other light, as exposure value at ISO 100: balance with --time"),
     {OPTION(struct input, key_to_fill), .name = "key-to-fill", .column = "key_to_fill",
      .dimension = &dimension_stops, .lowest = -100, .highest = 100, .value = "STOPS",

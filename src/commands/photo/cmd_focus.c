@@ -1,4 +1,4 @@
-/* cli/cmd_focus.c - lenscalc focus: conjugate points, close-up attachments, exposure factor. */
+/* commands/photo/cmd_focus.c - lenscalc focus: conjugates, attachments, exposure factor. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/photo_lens.h"
 #include "photo/attach.h"
@@ -35,7 +35,7 @@ static const struct word orders[] = {
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
     PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_WAVELENGTH_OF_LENS(struct input, wavelength),
+    OPTION_WAVELENGTH_OF_LENS(struct input, wavelength, "lens"),
     OPTION_DISTANCE(struct input, distance, OPTION_SETTING,
                     "distance of the subject; inf for infinity"),
     {MILLIMETRES(image), .name = "image", .column = "image", OPTION_POSITIVE,
@@ -52,7 +52,7 @@ static const struct option options[] = {
     {OPTION(struct input, enlarged), .name = "enlarged",
      .help = "of the two focusings with one --sensor-distance that with m above 1"},
     OPTION_APERTURE(struct input, fnumber, 0),
-    OPTION_PUPIL_OF_LENS(struct input, pupil),
+    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
     OPTION_FROM(struct input, from, distances_from),
     {MILLIMETRES(hiatus), .name = "hiatus", .flags = OPTION_NO_INFINITY,
      .help = "distance between the principal planes; without it that of --lens, else 0"},
@@ -63,6 +63,8 @@ static const struct option options[] = {
      .help = "the lens is mounted back to front"},
     {OPTION(struct input, close_up), .name = "close-up", .column = "close_up",
      .dimension = &dimension_vergence, .unit = "diopter", POSITIVE, .value = "DIOPTRES",
+     .usual = {0, 0.025},
+     .unusual = "close-up lenses have 0.25 to 25 diopters; Canon's 250D has 4, its 500D 2",
      .help = "close-up lens before the lens; of several give the sum"},
     {MILLIMETRES(stacked), .name = "stacked", .column = "stacked", POSITIVE,
      .help = "focal length of a lens reversed before the lens"},
@@ -330,9 +332,16 @@ static bool run_attached(const struct input *input, const struct photo_lens *rea
     if (!isnan(input->stacked_aperture) && isnan(real->N)) {
         return fail(error, ERROR_USAGE, "--stacked-aperture wants --aperture: the narrower counts");
     }
-    if (!solve(input, real, true, &bare, error) ||
-        !attach_bare(bare.f, isnan(real->N) ? 1 : real->N, real->P, bare.m, front,
-                     real->measuring.hiatus, &lens, error) ||
+    if (!solve(input, real, true, &bare, error)) {
+        return false;
+    }
+    const struct attach_bare sold = {.f = bare.f,
+                                     .N = isnan(real->N) ? 1 : real->N,
+                                     .P = real->P,
+                                     .m_near = bare.m,
+                                     .front = front,
+                                     .hiatus = real->measuring.hiatus};
+    if (!attach_bare(&sold, &lens, error) ||
         !attach_apply(&lens, steps, list_steps(input, real, &bare, steps), error)) {
         return false;
     }
@@ -368,6 +377,13 @@ static bool run(const void *data, struct run *run, struct error *error)
     return photo_lens_each(&input->lens, given, run, answer, input, error);
 }
 
+static bool makes_many(const void *data)
+{
+    return has_attachments(data) || photo_lens_makes_many(&((const struct input *)data)->lens);
+}
+
+PHOTO_LENS_VARIES(struct input, lens)
+
 static const struct explanation explanations[] = {
     {"image", "v = {f} (1 + {m})", "[Gauss41] thin lens 1/f = 1/s + 1/v",
      "paraxial; a lens with internal focusing changes f on the way"},
@@ -402,10 +418,10 @@ const struct command command_focus = {
     .sheet = {columns + ATTACHED_COLUMNS, sizeof columns / sizeof columns[0] - ATTACHED_COLUMNS,
               sizeof(struct row)},
     .choose_sheet = choose_sheet,
-    .makes_many = has_attachments,
+    .makes_many = makes_many,
     .run = run,
     .explanations = explanations,
-    .lens = offsetof(struct input, lens),
+    .varies = varies,
     .plot = "magnification|image_mm",
     .cell = "magnification",
 };

@@ -1,10 +1,24 @@
-/* cli/cmd_fov.c - lenscalc fov: field of view. */
+/* commands/photo/cmd_fov.c - lenscalc fov: field of view. */
 /* SPDX-License-Identifier: MIT */
+#include "analysis/angle_of_view.h"
 #include "commands/photo/photo_lens.h"
 #include "photo/fov.h"
 
 #include <math.h>
-#include <string.h>
+
+/* How angles are found: by the lens's rays, or a projection of photo/fov.h behind them. */
+enum view_way { VIEW_AUTO, VIEW_RAYS, VIEW_PROJECTIONS };
+
+static const struct word ways[] = {
+    [VIEW_AUTO] = {"auto", "chief-rays with --lens, unless --pupil is given; else rectilinear"},
+    [VIEW_RAYS] = {"chief-rays", "the exact chief rays of --lens"},
+    {"rectilinear", "f tan t: straight lines stay straight"},
+    {"equidistant", "f t: image height in proportion to the angle"},
+    {"equisolid", "2 f sin(t/2): image area in proportion to the solid angle"},
+    {"stereographic", "2 f tan(t/2): small shapes stay true"},
+    {"orthographic", "f sin t: at most a half sphere"},
+    {NULL, NULL},
+};
 
 struct input {
     double focal, distance, pupil, squeeze, wavelength;
@@ -28,16 +42,15 @@ struct input {
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
     PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_WAVELENGTH_OF_LENS(struct input, wavelength),
+    OPTION_WAVELENGTH_OF_LENS(struct input, wavelength, "lens"),
     OPTION_SENSOR(struct input, sensor),
     {OPTION(struct input, distance), .name = "distance", .letter = 's', .column = "distance",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
      .fallback = "inf", .value = "LENGTH",
      .help = "distance the lens is focused at; the field there is reported"},
-    {OPTION(struct input, projection), .name = "projection", .column = "projection",
-     .words = projections, .fallback = "rectilinear", .value = "KIND",
-     .help = "how the lens maps angles"},
-    OPTION_PUPIL_OF_LENS(struct input, pupil),
+    {OPTION(struct input, projection), .name = "projection", .column = "projection", .words = ways,
+     .fallback = "auto", .value = "KIND", .help = "how the lens maps angles"},
+    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
     {OPTION(struct input, squeeze), .name = "squeeze", .column = "squeeze",
      .dimension = &dimension_ratio, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1", .value = "FACTOR",
@@ -56,7 +69,7 @@ static const struct option options[] = {
 struct row {
     struct fov_setting setting;
     struct fov fov;
-    double magnification, width, height, crop, image, sensor_distance;
+    double magnification, width, height, crop, image, sensor_distance, circle;
     struct photo_real real;
     const char *sensor, *projection;
 };
@@ -101,10 +114,15 @@ static const struct column columns[] = {
      .help = "distance the lens is focused at, from the sensor"},
     {LENGTH(image, "mm"), .name = "image", .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "v",
      .label = "image distance", .help = "sensor from the rear principal plane"},
+    {LENGTH(circle, "mm"), .name = "image_circle", .flags = COLUMN_EXTRA, .with = "lens",
+     .label = "image circle",
+     .help =
+         "its diameter, by chief rays, where it does not cover the sensor; absent where it does"},
     PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
     COLUMN_SENSOR(struct row, sensor),
-    {COLUMN(struct row, projection), .name = "projection", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
-     .depends = "projection", .label = "projection", .help = "how the lens maps angles"},
+    {COLUMN(struct row, projection), .name = "projection",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_HIDDEN, .with = "lens projection",
+     .depends = "projection lens pupil", .label = "projection", .help = "how the lens maps angles"},
     COLUMN_PUPIL(struct row, setting.P),
     {COLUMN(struct row, setting.squeeze), .name = "squeeze", .symbol = "q",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "squeeze", .label = "squeeze",
@@ -121,31 +139,102 @@ static bool solve(const struct input *input, const struct fov_setting *setting, 
     return fov_solve(setting, &input->sensor.size, &goals, f, error);
 }
 
-/* A fisheye maps angles in another way than most lenses. */
-static const char *warn(const struct input *input, const struct photo_lens *lens,
-                        struct arena *arena)
+static void doubt(struct row *row, const char *warning, struct arena *arena)
 {
-    const struct photo_real *real = lens->real;
-    if (input->projection != RECTILINEAR || real->kind == NULL ||
-        strstr(real->kind, "fisheye") == NULL) {
-        return real->warning;
+    row->real.warning = lens_warnings_join(row->real.warning, warning, arena);
+}
+
+/* Angles by the lens's own rays? Not where the user puts another pupil in place of its own. */
+static bool wants_rays(const struct input *input, const struct photo_lens *lens)
+{
+    return input->projection == VIEW_RAYS ||
+           (input->projection == VIEW_AUTO && lens->lens != NULL && isnan(input->pupil));
+}
+
+static bool check_rays(const struct input *input, const struct photo_lens *lens,
+                       struct error *error)
+{
+    if (lens->lens == NULL) {
+        return fail(error, ERROR_USAGE, "--projection chief-rays wants --lens");
     }
-    return arena_printf(arena, "%s%sthe lens is a fisheye: give its --projection",
-                        real->warning != NULL ? real->warning : "",
-                        real->warning != NULL ? "; " : "");
+    return isnan(input->pupil) ||
+           fail(error, ERROR_USAGE,
+                "--projection chief-rays goes by the lens's own pupils: it excludes --pupil");
+}
+
+/* What the exact chief rays of the real lens make of it. */
+static bool trace_view(const struct input *input, const struct photo_lens *lens,
+                       const struct row *row, struct arena *arena, struct view *view,
+                       struct error *error)
+{
+    const struct setup_question asked = {.lens = lens->lens,
+                                         .position = lens->position,
+                                         .wavelength = wavelength_micrometres(lens->wavelength),
+                                         .fnumber = NAN};
+    struct setup setup;
+    const struct view_question question = {
+        .setup = &setup,
+        .film = lens->real->rear + row->image,
+        .subject = lens->measuring.front - row->setting.s,
+        .first = lens->first,
+        .squeeze = row->setting.squeeze,
+        .sensor = input->sensor.size,
+    };
+    return setup_open(&asked, arena, &setup, error) && view_of_lens(&question, arena, view, error);
+}
+
+static void take_view(const struct view *view, double diagonal, struct row *row,
+                      struct arena *arena)
+{
+    row->fov =
+        (struct fov){view->horizontal.angle,        view->vertical.angle, view->diagonal.angle,
+                     view->horizontal.size,         view->vertical.size,  view->diagonal.size,
+                     fov_kind(view->diagonal.angle)};
+    row->projection = ways[VIEW_RAYS].word;
+    row->circle = view->circle;
+    if (!isnan(view->circle)) {
+        doubt(row,
+              arena_printf(arena,
+                           "the image circle, %.4g mm across, does not cover the sensor, %.4g mm: "
+                           "angles and fields end at its edge",
+                           view->circle, diagonal),
+              arena);
+    }
+    if (!isnan(view->clear)) {
+        doubt(row,
+              arena_printf(arena,
+                           "the chief rays are stopped by rims outside a circle of %.4g mm: "
+                           "the corners are strongly vignetted",
+                           view->clear),
+              arena);
+    }
+}
+
+/* In place of what the projection says, which has checked the setting. */
+static bool view_by_rays(const struct input *input, const struct photo_lens *lens, struct row *row,
+                         struct arena *arena, struct error *error)
+{
+    struct view view;
+    if (!check_rays(input, lens, error) || !trace_view(input, lens, row, arena, &view, error)) {
+        return false;
+    }
+    take_view(&view, sensor_diagonal(&input->sensor.size), row, arena);
+    return true;
 }
 
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
                    struct error *error)
 {
     const struct input *input = data;
+    bool chosen = input->projection >= VIEW_PROJECTIONS;
     struct row row = {
-        .setting = {(enum projection)input->projection, lens->f, input->distance, lens->P,
-                    input->squeeze},
+        .setting = {(enum projection)(chosen ? input->projection - VIEW_PROJECTIONS : RECTILINEAR),
+                    lens->f, input->distance, lens->P, input->squeeze},
         .width = input->sensor.size.width,
         .height = input->sensor.size.height,
         .sensor = input->sensor.name,
-        .projection = projections[input->projection].word,
+        .projection = ways[chosen ? input->projection : VIEW_PROJECTIONS].word,
+        .circle = NAN,
         .real = *lens->real,
     };
     if (!photo_lens_check_subject(lens, input->distance, error) ||
@@ -153,10 +242,12 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return false;
     }
-    row.real.warning = warn(input, lens, run->arena);
+    row.image = distance_image(row.setting.f, row.setting.s);
+    if (wants_rays(input, lens) && !view_by_rays(input, lens, &row, run->arena, error)) {
+        return false;
+    }
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);
     row.crop = sensor_crop(&input->sensor.size);
-    row.image = distance_image(row.setting.f, row.setting.s);
     row.sensor_distance = row.setting.s + row.image + lens->measuring.hiatus;
     run_emit(run, &row);
     return true;
@@ -170,15 +261,33 @@ static bool run(const void *data, struct run *run, struct error *error)
     return photo_lens_each(&input->lens, given, run, answer, input, error);
 }
 
+#define ANGLES(kind, horizontal, vertical, source)                                                 \
+    {"horizontal projection=" kind, "hfov = " horizontal, source, NULL},                           \
+    {                                                                                              \
+        "vertical projection=" kind, "vfov = " vertical, source, NULL                              \
+    }
+#define OVER_SCALE  "/(2 {f} (1 + {m}/{P}))"
+#define OVER_DOUBLE "/(4 {f} (1 + {m}/{P}))"
+
 static const struct explanation explanations[] = {
-    {"horizontal", "hfov = 2 atan({q} {w}/(2 {f} (1 + {m}/{P})))",
-     "[Ray02]; rectilinear, breathing included",
-     "the other projections: f t, 2 f sin(t/2), 2 f tan(t/2), f sin t in place of f tan t"},
-    {"vertical", "vfov = 2 atan({h}/(2 {f} (1 + {m}/{P})))", "[Ray02]; rectilinear", NULL},
+    ANGLES("chief-rays", "angle between the rays from both ends of {w} through the stop's centre",
+           "angle between the rays from both ends of {h} through the stop's centre",
+           "Snell's law in vectors, [Welford86]"),
+    ANGLES("rectilinear", "2 atan({q} {w}" OVER_SCALE ")", "2 atan({h}" OVER_SCALE ")",
+           "[Ray02]; rectilinear, breathing included"),
+    ANGLES("equidistant", "2 {q} {w}" OVER_SCALE, "2 {h}" OVER_SCALE, "r = f t, in radians"),
+    ANGLES("equisolid", "4 asin({q} {w}" OVER_DOUBLE ")", "4 asin({h}" OVER_DOUBLE ")",
+           "r = 2 f sin(t/2)"),
+    ANGLES("stereographic", "4 atan({q} {w}" OVER_DOUBLE ")", "4 atan({h}" OVER_DOUBLE ")",
+           "r = 2 f tan(t/2)"),
+    ANGLES("orthographic", "2 asin({q} {w}" OVER_SCALE ")", "2 asin({h}" OVER_SCALE ")",
+           "r = f sin t"),
     {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
     {"distance_sensor", "Ds = {s} + {v} + {HH'}",
      "[Gauss41] HH' from the front to the rear principal plane", NULL},
-    {"field_width", "W = {q} {w}/{m}", "similar triangles", "rectilinear only"},
+    {"field_width projection=rectilinear", "W = {q} {w}/{m}", "similar triangles", NULL},
+    {"field_width projection=chief-rays",
+     "W = distance of the points where those rays meet the plane at {s}", "[Welford86]", NULL},
     {NULL, NULL, NULL, NULL},
 };
 
@@ -188,10 +297,13 @@ static const struct example examples[] = {
     {"fov -f 100mm -s 40cm", "how much is in the picture close up"},
     {"fov --horizontal 90deg", "the focal length for an angle"},
     {"fov -f 8mm --projection equisolid --sensor mft", "a fisheye"},
-    {"fov --lens double-gauss -s 0.5m", "a real lens, close up"},
+    {"fov --lens double-gauss -s 0.5m", "a real lens, close up, by its rays"},
+    {"fov --lens fisheye-16", "and a fisheye"},
     {"fov -f 50mm --squeeze 2 --sensor scope", "anamorphic cinema"},
     {NULL, NULL},
 };
+
+PHOTO_LENS_MAKES_MANY(struct input, lens)
 
 const struct command command_fov = {
     .name = "fov",
@@ -199,7 +311,8 @@ const struct command command_fov = {
     .summary = "field of view, and the focal length for a wanted one",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
-    .lens = offsetof(struct input, lens),
+    .makes_many = makes_many,
+    .varies = varies,
     .plot = "horizontal_deg,vertical_deg,diagonal_deg",
     .cell = "horizontal_deg",
 };

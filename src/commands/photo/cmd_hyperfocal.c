@@ -1,4 +1,4 @@
-/* cli/cmd_hyperfocal.c - lenscalc hyperfocal: the focus that keeps infinity sharp. */
+/* commands/photo/cmd_hyperfocal.c - lenscalc hyperfocal: the focus that keeps infinity sharp. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
@@ -17,8 +17,8 @@ static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
     PHOTO_LENS_OPTIONS(struct input, lens),
     OPTION_APERTURE(struct input, fnumber, OPTION_SETTING),
-    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500"),
-    OPTION_PUPIL_OF_LENS(struct input, pupil),
+    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500", coc_is_pixels),
+    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
     {OPTION(struct input, hyperfocal), .name = "hyperfocal", .column = "hyperfocal",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL, .value = "LENGTH",
@@ -62,6 +62,31 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
+/* The Airy disc grows with the magnification at that distance: in turn till they agree. */
+static bool solve(const struct sharpness *sharp, const struct photo_lens *lens,
+                  const struct dof_targets *targets, struct dof_setting *setting,
+                  struct error *error)
+{
+    const struct dof_setting given = *setting;
+    double m = 0;
+    for (int turn = 0; turn < 200; turn++) {
+        *setting = given;
+        if (!sharpness_resolve_in(sharp, lens->wavelength, working_fnumber(given.N, m, given.P),
+                                  &setting->c, error) ||
+            !dof_solve(setting, targets, error) || !dof_check(setting, error)) {
+            return false;
+        }
+        double next = setting->N * setting->c / setting->f;
+        if (!sharpness_is_airy(sharp) || fabs(next - m) <= 4e-16 * next) {
+            return true;
+        }
+        m = next;
+    }
+    return fail(error, ERROR_DOMAIN,
+                "no hyperfocal distance agrees with the Airy disc that belongs to it: give --coc "
+                "as a length");
+}
+
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
                    struct error *error)
 {
@@ -73,9 +98,13 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
                     "give two of --focal-length, --aperture and --hyperfocal, and the third is "
                     "found");
     }
-    if (!sharpness_resolve_in(&input->sharp, lens->wavelength, setting.N, &setting.c, error) ||
-        !dof_solve(&setting, &targets, error) || !dof_check(&setting, error)) {
+    struct sharpness sharp;
+    if (!sharpness_imply(&input->sharp, PITCH_FOR_COC, &sharp, error) ||
+        !solve(&sharp, lens, &targets, &setting, error)) {
         return false;
+    }
+    if (sharpness_in_pixels(&sharp)) {
+        sharpness_doubt_pitch(&sharp, run->doubts);
     }
     struct row row = {
         .focal = setting.f,
@@ -87,7 +116,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         .near = dof_near_at_hyperfocal(setting.f, setting.N, setting.c, setting.P),
         .real = *lens->real,
         .sensor = input->sharp.sensor.name,
-        .criterion = input->sharp.coc.criterion,
+        .criterion = sharp.coc.criterion,
     };
     row.image = distance_image(setting.f, row.hyperfocal);
     double to_sensor = row.image + lens->measuring.hiatus;
@@ -130,13 +159,16 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
+PHOTO_LENS_MAKES_MANY(struct input, lens)
+
 const struct command command_hyperfocal = {
     .name = "hyperfocal",
     .group = "photography",
     .summary = "hyperfocal distance and the near limit beside it",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
-    .lens = offsetof(struct input, lens),
+    .makes_many = makes_many,
+    .varies = varies,
     .plot = "hyperfocal_m,near_m",
     .cell = "hyperfocal_m+near_m",
 };

@@ -1,4 +1,4 @@
-/* cli/cmd_motion.c - lenscalc motion: blur of moving subjects and unsteady cameras. */
+/* commands/photo/cmd_motion.c - lenscalc motion: blur of moving subjects and unsteady cameras. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 #include "commands/photo/light_options.h"
@@ -49,7 +49,7 @@ static const struct option options[] = {
     {OPTION(struct input, readout), .name = "readout", .column = "readout",
      .dimension = &dimension_time, .unit = "s", POSITIVE, .value = "TIME",
      .help = "rolling shutter: time from first to last row"},
-    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
+    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500", NULL),
 };
 
 struct row {
@@ -203,14 +203,18 @@ static bool solve(const struct input *input, struct row *row, struct error *erro
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
-    const struct sensor *sensor = &input->sharp.sensor.size;
+    struct input own = *(const struct input *)data;
+    const struct input *input = &own;
+    if (!sharpness_imply(&((const struct input *)data)->sharp, PITCH_FOR_MORE, &own.sharp, error)) {
+        return false;
+    }
+    sharpness_doubt_pitch(&own.sharp, run->doubts);
     struct row row = {
         .motion = {input->speed, input->time, NAN, NAN, input->angle, input->distance,
                    input->height},
         .focal = input->focal,
         .distance = input->distance,
-        .pitch = is_given(input->sharp.pitch) ? input->sharp.pitch : sensor->pitch,
+        .pitch = sharpness_pitch(&own.sharp),
         .size = {NAN, NAN},
         .image_speed = NAN,
         .handheld = NAN,

@@ -1,4 +1,4 @@
-/* cli/cmd_panorama.c - lenscalc panorama: frames, steps, size and parallax. */
+/* commands/photo/cmd_panorama.c - lenscalc panorama: frames, steps, size and parallax. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 #include "commands/photo/photo_columns.h"
@@ -220,8 +220,8 @@ static bool find_frame(const struct input *input, struct row *row, struct error 
                     "--horizontal or --vertical with it");
     }
     return conjugates_solve(&given, &c, error) &&
-           panorama_frame(c.f, c.m, input->pupil, sensor.width, sensor.height, &row->frame,
-                          error) &&
+           panorama_frame(&(struct panorama_lens){c.f, c.m, input->pupil}, sensor.width,
+                          sensor.height, &row->frame, error) &&
            panorama_pupil(c.f, c.m, input->pupil, input->hiatus, &row->pupil_distance, error);
 }
 
@@ -285,7 +285,8 @@ static bool emit_rows(const struct input *input, const struct panorama_goal *goa
 {
     for (int i = 0; i < plan->rows; i++) {
         struct panorama_row one;
-        if (!panorama_row_at(&row->frame, goal, plan, input->elevation, i, &one, error)) {
+        const struct panorama_place place = {input->elevation, i};
+        if (!panorama_row_at(&row->frame, goal, plan, &place, &one, error)) {
             return false;
         }
         row->row = i + 1;

@@ -1,4 +1,4 @@
-/* cli/cmd_stars.c - lenscalc stars: how long before stars become trails. */
+/* commands/photo/cmd_stars.c - lenscalc stars: how long before stars become trails. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 #include "commands/photo/light_options.h"
@@ -24,9 +24,10 @@ static const struct option options[] = {
      .help = "of the frame's centre; 0 is the celestial equator, where stars are fastest"},
     OPTION_TIME(struct input, time, 0),
     {OPTION(struct input, trail), .name = "trail", .dimension = &dimension_length, .unit = "um",
-     .value = "LENGTH",
+     .value = "LENGTH", .excludes = "coc",
      .help = "longest trail allowed: 2px, 10um, d/1500 (the circle of confusion unless given)"},
-    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
+    SHARPNESS_OPTIONS_DARK(struct input, sharp, 0, "d/1500", NULL),
+    OPTION_WAVELENGTH(struct input, sharp.wavelength, "coc=airy|trail=airy"),
     {OPTION(struct input, rule), .name = "rule", .column = "rule_constant",
      .dimension = &dimension_number, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "500", .value = "NUMBER",
@@ -34,6 +35,7 @@ static const struct option options[] = {
     {OPTION(struct input, accuracy), .name = "accuracy", .column = "accuracy",
      .dimension = &dimension_number, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1", .value = "K",
+     .wants = "pitch|sensor",
      .help = "factor k of the NPF rule: 1 for points, 2 and 3 for longer and longer trails"},
 };
 
@@ -86,7 +88,8 @@ static const struct column columns[] = {
     {LENGTH(trail.linear, "um"), .name = "linear_trail", WITH_TIME, .symbol = "xl",
      .label = "trail, linear in time", .help = "to first order in time"},
     {LENGTH(worst, "um"), .name = "worst_trail", WITH_TIME, .symbol = "xw",
-     .label = "anywhere in the frame, about", .help = "bound for the whole picture"},
+     .label = "at most, anywhere in the frame",
+     .help = "the longest in the picture, however the camera is turned, to first order in time"},
     {NUMBER(size.pixels), .name = "trail_pixels", WITH_TIME_INFINITE, .label = "in pixels",
      .help = "trail over pixel pitch"},
     {NUMBER(size.circles), .name = "trail_coc", .flags = COLUMN_EXTRA | COLUMN_INFINITE,
@@ -111,7 +114,10 @@ static const struct column columns[] = {
 /* How long a trail may be: as asked, else the circle of confusion. */
 static bool allow(const struct input *input, struct row *row, struct error *error)
 {
-    struct sharpness sharp = input->sharp;
+    struct sharpness sharp;
+    if (!sharpness_imply(&input->sharp, PITCH_FOR_MORE, &sharp, error)) {
+        return false;
+    }
     if (is_given(input->trail.coc.value)) {
         sharp.coc = input->trail;
     }
@@ -133,9 +139,13 @@ static bool apply_rules(struct row *row, struct error *error)
     if (!is_given(row->fnumber) || !is_given(row->pitch)) {
         return true;
     }
+    const struct npf_setting full = {.f = row->focal,
+                                     .N = row->fnumber,
+                                     .pitch = row->pitch,
+                                     .dec = row->declination,
+                                     .k = row->accuracy};
     return npf_simple_time(row->focal, row->fnumber, row->pitch, &row->npf_simple, error) &&
-           npf_full_time(row->focal, row->fnumber, row->pitch, row->declination, row->accuracy,
-                         &row->npf, error);
+           npf_full_time(&full, &row->npf, error);
 }
 
 static bool measure_trail(const struct sensor *sensor, struct row *row, struct error *error)
@@ -157,7 +167,7 @@ static bool run(const void *data, struct run *run, struct error *error)
         .focal = input->focal,
         .fnumber = input->fnumber,
         .declination = input->declination,
-        .pitch = is_given(input->sharp.pitch) ? input->sharp.pitch : sensor->pitch,
+        .pitch = sharpness_pitch(&input->sharp),
         .crop = sensor_crop(sensor),
         .rule = input->rule,
         .accuracy = input->accuracy,
@@ -172,12 +182,20 @@ static bool run(const void *data, struct run *run, struct error *error)
                     "give --focal-length for the longest time, or --time for "
                     "the longest focal length");
     }
+    sharpness_doubt_pitch(&input->sharp, run->doubts);
     if (!allow(input, &row, error) ||
         (!is_given(row.focal) &&
          !star_focal_length(row.declination, row.exposure, row.allowed, &row.focal, error)) ||
         !star_time(row.focal, row.declination, row.allowed, &row.time, error) ||
         !apply_rules(&row, error) || !measure_trail(sensor, &row, error)) {
         return false;
+    }
+    if (!is_given(row.npf)) {
+        doubts_add(run->doubts, "the NPF rule wants %s%s%s: it is left out",
+                   is_given(row.fnumber) ? "" : "the f-number (-N)",
+                   is_given(row.fnumber) || is_given(row.pitch) ? "" : " and ",
+                   is_given(row.pitch) ? ""
+                                       : "the pixel pitch (--pitch, or --sensor with a camera)");
     }
     run_emit(run, &row);
     return true;

@@ -1,10 +1,10 @@
-/* cli/cmd_tilt.c - lenscalc tilt: tilted lenses, the hinge rule and the wedge of sharpness. */
+/* commands/photo/cmd_tilt.c - lenscalc tilt: tilted lenses and the wedge of sharpness. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "cli/command.h"
 #include "commands/photo/sharpness.h"
-#include "photo/tilt.h"
 #include "draw/wedge.h"
+#include "photo/tilt.h"
 
 #include <math.h>
 
@@ -16,7 +16,6 @@ struct input {
     struct sharpness sharp;
     double sight;
     double rise, shift, circle;
-    const char *wedge;
     double depth;
 };
 
@@ -49,7 +48,7 @@ static const struct option options[] = {
      .help = "of the plane of sharp focus against the sensor: 90deg for level ground"},
     {OPTION(struct input, through), .name = "through", .value = "POINT,POINT",
      .help = "two points that shall be sharp, as distance:height: 2m:-1.5m,30m:0m, inf:5deg"},
-    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500"),
+    SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500", coc_is_pixels),
     {ANGLE_OPTION(sight), .fallback = "0",
      .help = "near, sharp and far along a line of sight so much above the sensor's normal"},
     {LENGTH_OPTION(rise, "mm"), .name = "rise", .flags = OPTION_NO_INFINITY, .fallback = "0",
@@ -58,9 +57,7 @@ static const struct option options[] = {
      .help = "the lens moved sideways"},
     {LENGTH_OPTION(circle, "mm"), .name = "circle", POSITIVE,
      .help = "image circle of the lens at infinity: is it large enough?"},
-    {OPTION(struct input, wedge), .name = "wedge", .value = "FILE.svg", .flags = OPTION_FILE,
-     .help = "draw the side view with the wedge of sharpness"},
-    {LENGTH_OPTION(depth, "m"), .name = "depth", POSITIVE,
+    {LENGTH_OPTION(depth, "m"), .name = "depth", POSITIVE, .wants = "wedge",
      .help = "how far the drawing reaches, otherwise chosen"},
 };
 
@@ -198,21 +195,31 @@ static bool solve(const struct input *input, struct tilt *camera, struct error *
         return fail(error, ERROR_USAGE, "%s is missing",
                     isnan(given.f) ? "--focal-length" : "--aperture");
     }
-    return sharpness_resolve(&input->sharp, input->fnumber, &given.c, error) &&
-           (input->through == NULL || solve_through(input, &given, error)) &&
+    if (!sharpness_resolve(&input->sharp, input->fnumber, &given.c, error) ||
+        (input->through != NULL && !solve_through(input, &given, error)) ||
+        !tilt_solve(&given, camera, error)) {
+        return false;
+    }
+    if (!sharpness_is_airy(&input->sharp)) {
+        return true;
+    }
+    /* the image distance does not depend on what counts as sharp */
+    double working = working_fnumber(input->fnumber, camera->image / camera->f - 1, 1);
+    return sharpness_resolve(&input->sharp, working, &given.c, error) &&
            tilt_solve(&given, camera, error);
 }
 
 /* The image circle that is needed, and how much one that is given leaves. */
 static void fill_coverage(const struct input *input, struct row *row)
 {
-    const struct sensor *frame = &input->sharp.sensor.size;
+    const struct sensor *size = &input->sharp.sensor.size;
+    const struct tilt_frame frame = {size->width, size->height, input->rise, input->shift};
+    const struct tilt_frame turned = {.width = size->height, .height = size->width};
     const struct tilt *camera = &row->camera;
     struct tilt_coverage coverage = {NAN, INFINITY};
     struct error ignored;
     bool untilted = !(fabs(camera->tilt) > 0);
-    if (!tilt_coverage(camera, frame->width, frame->height, input->rise, input->shift, &coverage,
-                       &ignored)) {
+    if (!tilt_coverage(camera, &frame, &coverage, &ignored)) {
         coverage = (struct tilt_coverage){NAN, INFINITY}; /* no circle is large enough */
     }
     row->coverage = coverage.angle;
@@ -220,16 +227,21 @@ static void fill_coverage(const struct input *input, struct row *row)
     row->covers = isnan(input->circle) ? NULL : input->circle >= coverage.circle ? "yes" : "no";
     row->rise_limit = row->shift_limit = NAN;
     if (untilted && !isnan(input->circle)) {
-        tilt_shift_limit(camera->f, camera->image, input->circle, frame->width, frame->height,
-                         &row->rise_limit, &ignored);
-        tilt_shift_limit(camera->f, camera->image, input->circle, frame->height, frame->width,
-                         &row->shift_limit, &ignored);
+        tilt_shift_limit(camera, input->circle, &frame, &row->rise_limit, &ignored);
+        tilt_shift_limit(camera, input->circle, &turned, &row->shift_limit, &ignored);
     }
 }
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    struct input own = *(const struct input *)data;
+    const struct input *input = &own;
+    if (!sharpness_imply(&((const struct input *)data)->sharp, PITCH_FOR_COC, &own.sharp, error)) {
+        return false;
+    }
+    if (sharpness_in_pixels(&own.sharp)) {
+        sharpness_doubt_pitch(&own.sharp, run->doubts);
+    }
     struct row row = {
         .sight = input->sight,
         .sensor = input->sharp.sensor.name,
@@ -250,11 +262,15 @@ static bool run(const void *data, struct run *run, struct error *error)
     return true;
 }
 
-static bool draw_wedge(const void *data, struct svg *svg, struct error *error)
+static bool draw_wedge(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct input *input = data;
+    struct input own = *(const struct input *)job->inputs[0];
+    const struct input *input = &own;
+    const struct sharpness asked = own.sharp;
+    struct svg svg = {.arena = job->run->arena};
     struct tilt camera;
-    if (!solve(input, &camera, error)) {
+    if (!sharpness_imply(&asked, PITCH_FOR_COC, &own.sharp, error) ||
+        !solve(input, &camera, error)) {
         return false;
     }
     double height = input->sharp.sensor.size.height;
@@ -273,13 +289,13 @@ static bool draw_wedge(const void *data, struct svg *svg, struct error *error)
         .lens_diameter = fmax(camera.f / camera.N, 0.8 * height),
         .depth = isnan(input->depth) ? 0 : input->depth,
     };
-    wedge.title = arena_printf(svg->arena, "Wedge of sharpness of a tilted %.4g mm lens", camera.f);
+    wedge.title = arena_printf(svg.arena, "Wedge of sharpness of a tilted %.4g mm lens", camera.f);
     wedge.subtitle =
-        arena_printf(svg->arena,
+        arena_printf(svg.arena,
                      "f/%.4g, circle of confusion %.4g mm (%s), sensor %s; distances along the "
                      "sensor's normal",
                      camera.N, camera.c, input->sharp.coc.criterion, input->sharp.sensor.name);
-    return wedge_draw(&wedge, svg, error);
+    return wedge_draw(&wedge, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct explanation explanations[] = {
@@ -300,9 +316,9 @@ static const struct explanation explanations[] = {
     {NULL, NULL, NULL, NULL},
 };
 
-static const struct drawing drawings[] = {
-    {"wedge", offsetof(struct input, wedge), draw_wedge},
-    {NULL, 0, NULL},
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("wedge", drawing_types, "draw the side view with the wedge of sharpness"),
+     .scope = ARTIFACT_OF_ROW, .make = draw_wedge},
 };
 
 static const struct example examples[] = {
@@ -321,7 +337,7 @@ const struct command command_tilt = {
     .summary = "tilted lens: Scheimpflug, hinge rule, wedge of sharpness, image circle",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
-    .drawings = drawings,
+    COMMAND_MAKES(artifacts),
     .plot = "angle_deg,near_angle_deg,far_angle_deg",
     .cell = "near_m+far_m",
 };

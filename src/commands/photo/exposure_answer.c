@@ -1,4 +1,4 @@
-/* cli/exposure_answer.c - one question about exposure, answered. */
+/* commands/photo/exposure_answer.c - one question about exposure, answered. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/exposure_answer.h"
 
@@ -7,6 +7,9 @@
 #include "photo/stops.h"
 
 #include <math.h>
+
+/* Of the glass of a usual lens, as [IsoSpeed06] has it. */
+static const double LENS_TRANSMITTANCE = 0.9;
 
 /* Absent is what nothing below fills in. */
 static void begin_row(const struct exposure_input *input, struct exposure_row *restrict row)
@@ -20,6 +23,7 @@ static void begin_row(const struct exposure_input *input, struct exposure_row *r
         .reciprocity_stops = NAN,
         .q = NAN,
         .focal_plane = NAN,
+        .glass = NAN,
         .off_axis = NAN,
         .vignetting = NAN,
         .label_residual = NAN,
@@ -142,6 +146,24 @@ static void take_time_only(const struct exposure_given *g, struct exposure_row *
     row->loss = row->K = row->C = NAN;
 }
 
+/* With a film whose speed is known: in place of the usual speed, where one is assumed. */
+static bool take_box_speed(const struct exposure_input *input, struct exposure_given *g,
+                           struct exposure_row *row, struct error *error)
+{
+    const struct film_value *film = &input->film;
+    row->speed = "ISO 100, as none is given";
+    if (film->speed_note == NULL) {
+        return true;
+    }
+    if (isnan(film->speed)) {
+        return fail(error, ERROR_USAGE, "%s comes in several speeds, ISO %s: give --iso",
+                    film->name, film->speed_note);
+    }
+    g->S = film->speed;
+    row->speed = film->speed_note;
+    return exposure_solve(g, &row->x, error);
+}
+
 static bool solve(const struct exposure_input *input, struct exposure_given *g,
                   struct exposure_row *row, struct error *error)
 {
@@ -156,7 +178,8 @@ static bool solve(const struct exposure_input *input, struct exposure_given *g,
         take_time_only(g, row);
         return true;
     }
-    return exposure_solve(g, &row->x, error);
+    return exposure_solve(g, &row->x, error) &&
+           (!row->x.speed_assumed || take_box_speed(input, g, row, error));
 }
 
 static bool correct(const struct exposure_input *input, struct exposure_row *row,
@@ -196,16 +219,31 @@ static bool fill_focal_plane(const struct exposure_input *input, struct exposure
                              struct error *error)
 {
     bool given = !isnan(row->transmittance);
-    double glass = given ? row->transmittance : 0.9;
+    double glass = given ? row->transmittance : LENS_TRANSMITTANCE;
     double counted = given ? stops_from_transmittance(glass) : 0; /* in loss and in q */
     if (!input->focal_plane) {
         return true;
     }
+    row->glass = glass;
     row->vignetting = input->vignetting;
     row->off_axis = input->off_axis;
     return lens_q(glass, input->vignetting, input->off_axis, &row->q, error) &&
-           focal_plane_exposure(row->q, row->x.L, row->x.N, row->x.t, row->loss - counted,
+           focal_plane_exposure(&(struct focal_plane_light){row->q, row->x.L, row->x.N, row->x.t,
+                                                            row->loss - counted},
                                 &row->focal_plane, error);
+}
+
+/* What a label says, as a number. */
+static double label_value(const char *label, const struct dimension *dimension)
+{
+    double value;
+    struct error ignored;
+    return quantity_read(text_of(label), dimension, NULL, &value, NULL, &ignored) ? value : NAN;
+}
+
+static bool is_label(const char *label, const struct dimension *dimension, double value)
+{
+    return label != NULL && fabs(label_value(label, dimension) - value) <= 1e-12 * value;
 }
 
 static void fill_nominal(const struct exposure_input *input, struct exposure_row *row)
@@ -215,7 +253,10 @@ static void fill_nominal(const struct exposure_input *input, struct exposure_row
     double t = rint(row->x.Tv * series->per_stop);
     row->nominal_fnumber = stop_label(series->fnumbers, N);
     row->nominal_time = stop_label(series->times, t);
-    row->residual = row->x.Av + row->x.Tv - (N + t) / series->per_stop;
+    /* settings that are on the dial are set, whatever their labels are rounded from */
+    bool is_set = is_label(row->nominal_fnumber, &dimension_fnumber, row->x.N) &&
+                  is_label(row->nominal_time, &dimension_time, row->x.t);
+    row->residual = is_set ? 0 : row->x.Av + row->x.Tv - (N + t) / series->per_stop;
 }
 
 bool exposure_answer(const struct exposure_input *input, struct exposure_row *row,
@@ -230,17 +271,8 @@ bool exposure_answer(const struct exposure_input *input, struct exposure_row *ro
         (!input->equivalent && !correct(input, row, error))) {
         return false;
     }
-    row->speed = row->x.speed_assumed ? "ISO 100, as none is given" : NULL;
     fill_nominal(input, row);
     return true;
-}
-
-/* What a label says, as a number. */
-static double label_value(const char *label, const struct dimension *dimension)
-{
-    double value;
-    struct error ignored;
-    return quantity_read(text_of(label), dimension, NULL, &value, NULL, &ignored) ? value : NAN;
 }
 
 bool exposure_equivalent_row(const struct exposure_input *input, const struct exposure_row *answer,

@@ -1,7 +1,7 @@
-/* cli/exposure_answer.h - one question about exposure, answered. */
+/* commands/photo/exposure_answer.h - one question about exposure, answered. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_EXPOSURE_ANSWER_H
-#define LENSCALC_CLI_EXPOSURE_ANSWER_H
+#ifndef LENSCALC_COMMANDS_PHOTO_EXPOSURE_ANSWER_H
+#define LENSCALC_COMMANDS_PHOTO_EXPOSURE_ANSWER_H
 
 #include "base/error.h"
 #include "cli/option_light.h"
@@ -35,7 +35,7 @@ struct exposure_row {
     double deviation, compensation, loss, transmittance, t_stop, magnification;
     double corrected_time, reciprocity_stops;
     double shutter_angle, frame_rate;
-    double q, focal_plane, off_axis, vignetting;
+    double q, focal_plane, glass, off_axis, vignetting;
     double K, C;
     struct photo_real real;
     double pupil; /* of a real lens */

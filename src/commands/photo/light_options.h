@@ -1,7 +1,7 @@
-/* cli/light_options.h - the options of exposure that commands share: one word, one letter. */
+/* commands/photo/light_options.h - options of exposure that commands share. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_LIGHT_OPTIONS_H
-#define LENSCALC_CLI_LIGHT_OPTIONS_H
+#ifndef LENSCALC_COMMANDS_PHOTO_LIGHT_OPTIONS_H
+#define LENSCALC_COMMANDS_PHOTO_LIGHT_OPTIONS_H
 
 #include "commands/photo/photo_options.h"
 

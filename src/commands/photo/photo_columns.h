@@ -1,7 +1,7 @@
-/* cli/photo_columns.h - the columns that photographic commands share: one name, one meaning. */
+/* commands/photo/photo_columns.h - columns that photographic commands share. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_PHOTO_COLUMNS_H
-#define LENSCALC_CLI_PHOTO_COLUMNS_H
+#ifndef LENSCALC_COMMANDS_PHOTO_PHOTO_COLUMNS_H
+#define LENSCALC_COMMANDS_PHOTO_PHOTO_COLUMNS_H
 
 #include "report/table.h"
 

@@ -1,4 +1,4 @@
-/* cli/photo_lens.c - a real lens as photographic commands see it. */
+/* commands/photo/photo_lens.c - a real lens as photographic commands see it. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/photo_lens.h"
 
@@ -16,16 +16,18 @@ bool photo_lens_varies(const struct photo_lens_question *question, const char *o
     return photo_lens_makes_many(question) && strcmp(option, "position") == 0;
 }
 
-static bool keep(const struct lens_case *one, struct run *run, const void *context,
-                 struct error *error)
+static bool keep(const struct lens_case *one, void *context, struct error *error)
 {
-    struct lens_memo *memo = *(struct lens_memo *const *)context;
-    (void)run;
+    struct lens_memo *memo = context;
     (void)error;
-    memo->first = one->first;
+    memo->first = one->light.first;
     memo->warning = one->warning;
     return true;
 }
+
+/* Of its fields nothing is used. */
+static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                          .fields = FIELDS_LARGEST};
 
 /* What the lens is in a position, worked out once as long as nothing changes. */
 static bool find(const struct photo_lens_question *question, size_t position, double wavelength,
@@ -46,9 +48,8 @@ static bool find(const struct photo_lens_question *question, size_t position, do
         .position = several ? value->lens->positions[position] : NULL,
         .section = question->section,
     };
-    struct run run = {.arena = arena};
     memo->is_known = false;
-    if (!lens_each(&asked, &run, keep, &memo, error)) {
+    if (!lens_each(&asked, &policy, arena, keep, memo, error)) {
         return false;
     }
     if (memo->warning != NULL) {
@@ -121,10 +122,13 @@ static bool work_out(const struct photo_lens_question *question, size_t position
         .f = first->rear_focal,
         .N = isnan(given->N) && !given->solves_fnumber ? first->fnumber : given->N,
         .wavelength =
-            isnan(given->wavelength) ? lens_wavelength_own(wavelength) : given->wavelength,
+            isnan(given->wavelength) ? wavelength_millimetres(wavelength) : given->wavelength,
         .measuring = {(enum distance_from)given->from,
                       first->length + first->rear_principal - first->front_principal,
                       first->front_principal},
+        .lens = real,
+        .position = position,
+        .first = first,
     };
     struct photo_real *said = ARENA_NEW(arena, struct photo_real);
     *said = (struct photo_real){

@@ -1,12 +1,13 @@
-/* cli/photo_lens.h - the lens of a photographic command: thin by -f, or a real one by --lens. */
+/* commands/photo/photo_lens.h - the lens of a photographic command: thin, or a real one. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_PHOTO_LENS_H
-#define LENSCALC_CLI_PHOTO_LENS_H
+#ifndef LENSCALC_COMMANDS_PHOTO_PHOTO_LENS_H
+#define LENSCALC_COMMANDS_PHOTO_PHOTO_LENS_H
 
 #include "cli/command.h"
 #include "commands/lens/lens_options.h"
 #include "commands/photo/photo_columns.h"
 #include "commands/photo/photo_options.h"
+#include "exchange/lens_formats.h"
 #include "photo/conjugate.h"
 #include "photo/distance_from.h"
 
@@ -25,8 +26,8 @@ struct photo_lens_question {
      .letter = 'l',                                                                                \
      .value = "LENS",                                                                              \
      .flags = OPTION_FILE,                                                                         \
-     .help = "a real lens in place of -f: a name (list lenses), a file (.lens .zmx .seq .len "     \
-             ".dat), or - for standard input"},                                                    \
+     .types = lens_types,                                                                          \
+     .help = "a real lens in place of -f: a name (list lenses), a file, or - for standard input"}, \
         LENS_POSITION_OPTION(S, member), LENS_SECTION_OPTION(S, member)
 
 /* What the other options say of the lens; NaN = not given. */
@@ -51,6 +52,9 @@ struct photo_lens {
     double wavelength;
     struct measuring measuring;
     const struct photo_real *real;
+    const struct lens *lens;         /* in all its positions; null: a thin one */
+    size_t position;                 /* which of them */
+    const struct first_order *first; /* of the real lens; null: a thin one */
 };
 
 /* Of a thin lens. */
@@ -167,6 +171,21 @@ bool photo_lens_makes_many(const struct photo_lens_question *question);
 
 /* Do they differ in this option? */
 bool photo_lens_varies(const struct photo_lens_question *question, const char *option);
+
+/* `varies` of a command with --lens; `member` is the question in its input. */
+#define PHOTO_LENS_VARIES(S, member)                                                               \
+    static bool varies(const void *input, const char *option)                                      \
+    {                                                                                              \
+        return photo_lens_varies(&((const S *)input)->member, option);                             \
+    }
+
+/* And `makes_many` too, where nothing else makes several rows. */
+#define PHOTO_LENS_MAKES_MANY(S, member)                                                           \
+    PHOTO_LENS_VARIES(S, member)                                                                   \
+    static bool makes_many(const void *input)                                                      \
+    {                                                                                              \
+        return photo_lens_makes_many(&((const S *)input)->member);                                 \
+    }
 
 /* Refuse a subject at s from the front principal plane, mm, that would lie inside a real lens. */
 static inline bool photo_lens_check_subject(const struct photo_lens *lens, double s,

@@ -1,11 +1,15 @@
-/* cli/photo_options.h - the options that photographic commands share: one word, one letter. */
+/* commands/photo/photo_options.h - options that photographic commands share. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_PHOTO_OPTIONS_H
-#define LENSCALC_CLI_PHOTO_OPTIONS_H
+#ifndef LENSCALC_COMMANDS_PHOTO_PHOTO_OPTIONS_H
+#define LENSCALC_COMMANDS_PHOTO_PHOTO_OPTIONS_H
 
 #include "cli/option.h"
 
 #include <math.h>
+
+/* What options serve: a circle of confusion in pixels, or seen on a print. */
+bool coc_is_pixels(const struct coc_value *coc);
+bool coc_is_print(const struct coc_value *coc);
 
 /* A length or number above 0 and finite. */
 #define OPTION_POSITIVE .lowest = 0, .highest = INFINITY
@@ -23,8 +27,13 @@
         OPTION(S, member), .name = "aperture", .letter = 'N', .column = "fnumber",                 \
                            .dimension = &dimension_fnumber, OPTION_POSITIVE,                       \
                            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | (more),             \
-                           .value = "NUMBER", .help = "f-number: 2.8 or f/2.8"                     \
+                           .value = "NUMBER", .help = "f-number: 2.8 or f/2.8",                    \
+                           OPTION_USUAL_FNUMBER                                                    \
     }
+
+/* Sin theta' is 1 at most, and twice it 1/N. */
+#define OPTION_USUAL_FNUMBER                                                                       \
+    .usual = {0.5, INFINITY}, .unusual = "no lens in air can be faster than f/0.5"
 
 #define OPTION_DISTANCE(S, member, more, words)                                                    \
     {                                                                                              \
@@ -62,21 +71,26 @@
     }
 
 /* The same where a real lens may have its own: absent means 1 only without --lens. */
-#define OPTION_PUPIL_OF_LENS(S, member)                                                            \
+#define OPTION_PUPIL_OF_LENS(S, member, use)                                                       \
     {                                                                                              \
         OPTION(S, member), .name = "pupil", .letter = 'P', .column = "pupil_magnification",        \
                            .dimension = &dimension_number, OPTION_POSITIVE,                        \
                            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "NUMBER",   \
+                           .wants = (use),                                                         \
                            .help = "pupil magnification, exit over entrance pupil; default that "  \
                                    "of --lens, else 1"                                             \
     }
 
-#define OPTION_PITCH(S, member)                                                                    \
+/* `use`: coc_is_pixels where the pitch is for --coc alone, else null */
+#define OPTION_PITCH(S, member, use)                                                               \
     {                                                                                              \
         OPTION(S, member), .name = "pitch", .dimension = &dimension_length, .unit = "um",          \
                            OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
-                           .value = "LENGTH",                                                      \
-                           .help = "pixel pitch, for --coc in px (otherwise that of the camera)"   \
+                           .value = "LENGTH", .serves = (use), .served = "in px",                  \
+                           .usual = {0.3e-3, 30e-3},                                               \
+                           .unusual = "pixels are 0.3 to 30 um wide: is the unit right?",          \
+                           .help = "pixel pitch (otherwise that of the camera); where nothing "    \
+                                   "else wants it, it implies --coc 2px"                           \
     }
 
 /* What a print is looked at like, for --coc print. */
@@ -84,40 +98,45 @@
     {                                                                                              \
         OPTION(S, member), .name = "print", .dimension = &dimension_length, .unit = "mm",          \
                            OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
-                           .fallback = "254", .value = "LENGTH",                                   \
-                           .help = "long side of the print, for --coc print"                       \
+                           .value = "LENGTH", .serves = coc_is_print, .served = "print",           \
+                           .help = "long side of the print (254 mm), for --coc print, which it "   \
+                                   "implies"                                                       \
     }
 
 #define OPTION_VIEWING(S, member)                                                                  \
     {                                                                                              \
         OPTION(S, member), .name = "viewing", .dimension = &dimension_length, .unit = "mm",        \
                            OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
-                           .fallback = "250", .value = "LENGTH",                                   \
-                           .help = "viewing distance of the print, for --coc print"                \
+                           .value = "LENGTH", .serves = coc_is_print, .served = "print",           \
+                           .help = "viewing distance of the print (250 mm), for --coc print, "     \
+                                   "which it implies"                                              \
     }
 
 #define OPTION_ACUITY(S, member)                                                                   \
     {                                                                                              \
         OPTION(S, member), .name = "acuity", .dimension = &dimension_number, OPTION_POSITIVE,      \
-                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "5",     \
-                           .value = "NUMBER",                                                      \
-                           .help = "line pairs per mm seen at 25 cm, for --coc print"              \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "NUMBER",   \
+                           .serves = coc_is_print, .served = "print",                              \
+                           .help = "line pairs per mm seen at 25 cm (5), for --coc print, which "  \
+                                   "it implies"                                                    \
     }
 
-#define OPTION_WAVELENGTH(S, member)                                                               \
+/* `use`: what the light is for, as struct option's `wants`; null = for every answer */
+#define OPTION_WAVELENGTH(S, member, use)                                                          \
     {                                                                                              \
         OPTION(S, member), .name = "wavelength", .letter = 'w', .column = "wavelength",            \
                            .dimension = &dimension_length, .unit = "nm", OPTION_POSITIVE,          \
                            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "550",   \
-                           .value = "LENGTH", .help = "wavelength of the light"                    \
+                           .value = "LENGTH", .wants = (use), .help = "wavelength of the light"    \
     }
 
 /* The same where a real lens may have its own: absent means 550 nm only without --lens. */
-#define OPTION_WAVELENGTH_OF_LENS(S, member)                                                       \
+#define OPTION_WAVELENGTH_OF_LENS(S, member, use)                                                  \
     {                                                                                              \
         OPTION(S, member), .name = "wavelength", .letter = 'w', .column = "wavelength",            \
                            .dimension = &dimension_wavelength, .unit = "nm", OPTION_POSITIVE,      \
                            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",   \
+                           .wants = (use),                                                         \
                            .help = "wavelength of the light, or a line as 'd'; default the "       \
                                    "primary one of --lens, else 550"                               \
     }

@@ -1,7 +1,7 @@
-/* cli/sharpness.h - the options that say how sharp is sharp, shared by photographic commands. */
+/* commands/photo/sharpness.h - the options that say how sharp is sharp. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CLI_SHARPNESS_H
-#define LENSCALC_CLI_SHARPNESS_H
+#ifndef LENSCALC_COMMANDS_PHOTO_SHARPNESS_H
+#define LENSCALC_COMMANDS_PHOTO_SHARPNESS_H
 
 #include "commands/photo/photo_columns.h"
 #include "commands/photo/photo_options.h"
@@ -11,24 +11,28 @@ struct sharpness {
     struct coc_value coc;
     struct sensor_value sensor;
     double pitch;          /* mm; NaN = that of the sensor */
-    double print, viewing; /* mm */
+    double print, viewing; /* mm; NaN = not given, as the next */
     double acuity;         /* line pairs per mm at 25 cm */
     double wavelength;     /* mm; NaN = not given, where a lens may have its own */
 };
 
-/* Initialisers of the options for a member of that type in a command's input. */
-#define SHARPNESS_OPTIONS(S, member, more, coc_fallback)                                           \
-    SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback), OPTION_WAVELENGTH(S, member.wavelength)
+/*
+ * Initialisers of the options for a member of that type in a command's input; `pitch_use` is
+ * coc_is_pixels, or null where --pitch is for more than --coc.
+ */
+#define SHARPNESS_OPTIONS(S, member, more, coc_fallback, pitch_use)                                \
+    SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback, pitch_use),                              \
+        OPTION_WAVELENGTH(S, member.wavelength, "coc=airy")
 
 /* The same for a command with --lens. */
-#define SHARPNESS_OPTIONS_OF_LENS(S, member, more, coc_fallback)                                   \
-    SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback),                                         \
-        OPTION_WAVELENGTH_OF_LENS(S, member.wavelength)
+#define SHARPNESS_OPTIONS_OF_LENS(S, member, more, coc_fallback, pitch_use)                        \
+    SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback, pitch_use),                              \
+        OPTION_WAVELENGTH_OF_LENS(S, member.wavelength, "lens|coc=airy")
 
 /* What both have: all but the light. */
-#define SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback)                                      \
+#define SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback, pitch_use)                           \
     OPTION_COC(S, member.coc, more, coc_fallback), OPTION_SENSOR(S, member.sensor),                \
-        OPTION_PITCH(S, member.pitch), OPTION_PRINT(S, member.print),                              \
+        OPTION_PITCH(S, member.pitch, pitch_use), OPTION_PRINT(S, member.print),                   \
         OPTION_VIEWING(S, member.viewing), OPTION_ACUITY(S, member.acuity)
 
 /* With one of these wishes the circle of confusion may be the unknown of every row. */
@@ -46,7 +50,8 @@ struct sharpness {
 
 #define COLUMN_CRITERION(S, member)                                                                \
     {                                                                                              \
-        COLUMN(S, member), .name = "coc_criterion", .symbol = "criterion", .depends = "coc",       \
+        COLUMN(S, member), .name = "coc_criterion", .symbol = "criterion",                         \
+                           .depends = "coc pitch print viewing acuity",                            \
                            .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .label = "criterion",           \
                            .help = "where the circle of confusion comes from"                      \
     }
@@ -59,10 +64,35 @@ struct sharpness {
                            .help = "of the light in a real lens and in the Airy disc"              \
     }
 
+/* What is a pixel pitch of the command for? */
+enum pitch_use { PITCH_FOR_COC, PITCH_FOR_MORE };
+
+/*
+ * The criterion that follows from the other options where --coc is not given: print from those of
+ * a print, 2px from a pitch that is for nothing else. They are never without effect.
+ *
+ * Given     implied  receives the options with their criterion
+ * Errors    ERROR_USAGE: options of two criteria
+ */
+bool sharpness_imply(const struct sharpness *sharpness, enum pitch_use use,
+                     struct sharpness *implied, struct error *error);
+
+/* Is --coc, or its default, all there is? */
+static inline bool sharpness_is_plain(const struct sharpness *a)
+{
+    return isnan(a->pitch) && isnan(a->print) && isnan(a->viewing) && isnan(a->acuity);
+}
+
+/* The pixel pitch: as given, else that of the sensor; NaN where neither is known. */
+double sharpness_pitch(const struct sharpness *sharpness);
+
+/* Where the sensor's own pitch was used: say so if it is an estimate. */
+void sharpness_doubt_pitch(const struct sharpness *sharpness, struct doubts *doubts);
+
 /*
  * The circle of confusion.
  *
- * Given     fnumber  for the Airy disc; NaN where it is not known yet
+ * Given     fnumber  for the Airy disc, at work: N (1 + m/P); NaN where it is not known yet
  *           c        receives the diameter, mm; NaN if no criterion is given
  * Errors    as coc_resolve
  */
@@ -72,6 +102,18 @@ bool sharpness_resolve(const struct sharpness *sharpness, double fnumber, double
 /* The same in light of this wavelength, mm. */
 bool sharpness_resolve_in(const struct sharpness *sharpness, double wavelength, double fnumber,
                           double *c, struct error *error);
+
+/* Does the criterion follow from the pixel pitch? */
+static inline bool sharpness_in_pixels(const struct sharpness *sharpness)
+{
+    return sharpness->coc.coc.kind == COC_PIXELS;
+}
+
+/* The f-number that diffracts. */
+static inline double working_fnumber(double N, double m, double P)
+{
+    return N * (1 + m / P);
+}
 
 /* Does the criterion follow from the wavelength? */
 static inline bool sharpness_is_airy(const struct sharpness *sharpness)

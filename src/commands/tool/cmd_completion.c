@@ -1,4 +1,4 @@
-/* cli/cmd_completion.c - lenscalc completion: scripts for bash, zsh and fish, from the tables. */
+/* commands/tool/cmd_completion.c - lenscalc completion: scripts for bash, zsh and fish. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/command.h"
 
@@ -28,13 +28,11 @@ typedef void option_writer(const struct command *command, const struct option *o
 
 static void each_option(const struct command *command, option_writer *write, struct output *output)
 {
-    for (size_t i = 0; i < command->option_count; i++) {
-        write(command, &command->options[i], output);
+    for (size_t i = 0; command_option(command, i) != NULL; i++) {
+        write(command, command_option(command, i), output);
     }
-    for (size_t i = 0; i < common_option_count; i++) {
-        if (!command_overrides(command, &common_options[i])) {
-            write(command, &common_options[i], output);
-        }
+    for (size_t i = 0; command_common_option(command, i) != NULL; i++) {
+        write(command, command_common_option(command, i), output);
     }
 }
 
@@ -95,10 +93,15 @@ static const struct option *operand_of(const struct command *command)
     return NULL;
 }
 
-static void write_words(struct output *output, const struct word *words)
+static bool has_words(const struct option *option)
 {
-    for (const struct word *word = words; word->word != NULL; word++) {
-        output_printf(output, "%s%s", word == words ? "" : " ", word->word);
+    return option_word(option, 0) != NULL;
+}
+
+static void write_words(struct output *output, const struct option *option)
+{
+    for (size_t i = 0; option_word(option, i) != NULL; i++) {
+        output_printf(output, "%s%s", i == 0 ? "" : " ", option_word(option, i)->word);
     }
 }
 
@@ -112,12 +115,13 @@ static void bash_option(const struct command *command, const struct option *opti
     }
 }
 
-/* Words or names that may stand behind an option. */
+/* Words, names or files that may stand behind an option. */
 static void bash_values(const struct command *command, const struct option *option,
                         struct output *output)
 {
     const struct names *names = names_of(option);
-    if (option->words == NULL && names == NULL) {
+    bool is_file = (option->flags & OPTION_FILE) != 0;
+    if (!has_words(option) && names == NULL && !is_file) {
         return;
     }
     output_printf(output, "        %s:--%s", command->name, option->name);
@@ -129,8 +133,12 @@ static void bash_values(const struct command *command, const struct option *opti
                       names->or_file ? "-f" : "");
         return;
     }
+    if (is_file) {
+        output_string(output, ") files=-f ;;\n");
+        return;
+    }
     output_string(output, ") words='");
-    write_words(output, option->words);
+    write_words(output, option);
     output_string(output, "' ;;\n");
 }
 
@@ -138,9 +146,9 @@ static void bash_values(const struct command *command, const struct option *opti
 static void bash_operand(const struct command *command, struct output *output)
 {
     const struct option *operand = operand_of(command);
-    if (operand != NULL && operand->words != NULL) {
+    if (operand != NULL && has_words(operand)) {
         output_printf(output, "        %s:%s) words='", command->name, command->name);
-        write_words(output, operand->words);
+        write_words(output, operand);
         output_string(output, "' ;;\n");
     }
 }
@@ -178,10 +186,7 @@ static void write_bash(struct output *output)
         each_option(commands[i], bash_values, output);
         bash_operand(commands[i], output);
     }
-    output_string(output, "        *:--output|*:-o|*:--batch|*:--plot|*:--scale|*:--lensdb)\n"
-                          "            COMPREPLY=($(compgen -f -- \"$current\"))\n"
-                          "            return ;;\n"
-                          "        help:help) words='");
+    output_string(output, "        help:help) words='");
     write_commands(output);
     output_string(output, "' ;;\n"
                           "        *) case $command in\n");
@@ -198,6 +203,10 @@ static void write_bash(struct output *output)
                   "            ${files:+$(compgen -f -- \"$current\")})\n"
                   "        return\n"
                   "    fi\n"
+                  "    if [ -n \"$files\" ]; then\n"
+                  "        COMPREPLY=($(compgen -f -- \"$current\"))\n"
+                  "        return\n"
+                  "    fi\n"
                   "    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
                   "}\n"
                   "complete -F _lenscalc lenscalc\n");
@@ -207,9 +216,9 @@ static void write_bash(struct output *output)
 static void zsh_action(const struct option *option, struct output *output)
 {
     const struct names *names = names_of(option);
-    if (option->words != NULL) {
+    if (has_words(option)) {
         output_character(output, '(');
-        write_words(output, option->words);
+        write_words(output, option);
         output_character(output, ')');
     } else if (names != NULL) {
         output_printf(output, "_lenscalc_%s", names->list);
@@ -238,7 +247,7 @@ static void zsh_option(const struct command *command, const struct option *optio
 static void zsh_operand(const struct command *command, struct output *output)
 {
     const struct option *operand = operand_of(command);
-    if (operand == NULL || (operand->words == NULL && names_of(operand) == NULL)) {
+    if (operand == NULL || (!has_words(operand) && names_of(operand) == NULL)) {
         output_string(output, "            '*:word:'\n        ;;\n");
         return;
     }
@@ -293,9 +302,9 @@ static void write_zsh(struct output *output)
 static void fish_values(const struct option *option, struct output *output)
 {
     const struct names *names = names_of(option);
-    if (option->words != NULL) {
+    if (has_words(option)) {
         output_string(output, " -a '");
-        write_words(output, option->words);
+        write_words(output, option);
         output_character(output, '\'');
     } else if (names != NULL) {
         output_printf(output,
@@ -324,7 +333,7 @@ static void fish_option(const struct command *command, const struct option *opti
 static void fish_operand(const struct command *command, struct output *output)
 {
     const struct option *operand = operand_of(command);
-    if (operand != NULL && (operand->words != NULL || names_of(operand) != NULL)) {
+    if (operand != NULL && (has_words(operand) || names_of(operand) != NULL)) {
         output_printf(output, "complete -c lenscalc -n '__fish_seen_subcommand_from %s'%s",
                       command->name, (operand->flags & OPTION_FILE) != 0 ? " -F" : "");
         fish_values(operand, output);
@@ -347,15 +356,17 @@ static void write_fish(struct output *output)
     }
 }
 
-static bool print(const void *data, struct output *output, struct error *error)
+static bool write_script(const struct artifact_job *job, struct output *output, struct error *error)
 {
     static void (*const writers[])(struct output *) = {
         [BASH] = write_bash, [ZSH] = write_zsh, [FISH] = write_fish};
-    const struct input *input = data;
+    const struct input *input = job->inputs[0];
     (void)error;
     writers[input->shell](output);
     return true;
 }
+
+static const struct artifact artifacts[] = {{ARTIFACT_ANSWER(NULL), .make = write_script}};
 
 static const struct example examples[] = {
     {"completion bash", "the script to source in bash"},
@@ -367,5 +378,5 @@ const struct command command_completion = {
     .group = "tool",
     .summary = "completion script for bash, zsh or fish",
     COMMAND_ASKS(struct input),
-    .print = print,
+    COMMAND_MAKES(artifacts),
 };

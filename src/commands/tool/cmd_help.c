@@ -1,4 +1,4 @@
-/* cli/cmd_help.c - lenscalc help: commands and topics. */
+/* commands/tool/cmd_help.c - lenscalc help: commands and topics. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/help.h"
 
@@ -29,10 +29,9 @@ static bool unknown(const char *topic, struct error *error)
     return false;
 }
 
-static bool print(const void *data, struct output *output, struct error *error)
+static bool explain(const struct artifact_job *job, struct output *output, struct error *error)
 {
-    const struct input *input = data;
-    struct arena arena = {0};
+    const struct input *input = job->inputs[0];
     if (input->topic == NULL) {
         help_write_overview(output);
         return true;
@@ -46,10 +45,11 @@ static bool print(const void *data, struct output *output, struct error *error)
     if (command == NULL) {
         return unknown(input->topic, error);
     }
-    help_write(command, output, &arena);
-    arena_free(&arena);
+    help_write(command, output, job->run->arena);
     return true;
 }
+
+static const struct artifact artifacts[] = {{ARTIFACT_ANSWER(NULL), .make = explain}};
 
 static const struct example examples[] = {
     {"help", "all commands"},
@@ -63,5 +63,5 @@ const struct command command_help = {
     .group = "tool",
     .summary = "explain a command or a topic",
     COMMAND_ASKS(struct input),
-    .print = print,
+    COMMAND_MAKES(artifacts),
 };

@@ -1,4 +1,4 @@
-/* cli/help_topics.c - short texts on what all commands have in common. */
+/* commands/tool/help_topics.c - short texts on what all commands have in common. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/help.h"
 
@@ -16,6 +16,7 @@ const struct topic_text help_topics[] = {
      "1..10          steps of 1              1.4..22/third  third (full, half) stops\n"
      "10..100:5      steps of 5              1..1000*10     factors of 10\n"
      "0..1#21        21 points               1ft..10ft:6in  units may be written\n"
+     "1/16..1        fractions in stops: 1/16, 1/8, 1/4, 1/2, 1\n"
      "Several swept options give all combinations, the first option slowest. --nominal puts the\n"
      "exact value in the place of a label: 5.6 becomes 5.657. More than a million rows want\n"
      "--force. --table ROW,COL prints two swept options as a cross-table, --plot draws.\n"},

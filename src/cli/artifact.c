@@ -1,0 +1,243 @@
+/* cli/artifact.c - drawings, lens files, texts: what a command makes besides rows. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/artifact.h"
+
+#include "cli/arguments.h"
+#include "cli/sweep.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { MOST_INPUTS = 100 };
+
+static const struct file_type svg_type = {{"svg", "drawing"}, ".svg"};
+
+const struct file_type *drawing_types(size_t i)
+{
+    return i == 0 ? &svg_type : NULL;
+}
+
+bool drawing_write(const struct artifact_job *job, const struct svg *drawing, struct output *sink,
+                   struct error *error)
+{
+    (void)job; /* the one type there is */
+    (void)error;
+    output_text(sink, drawing->data, drawing->length);
+    return true;
+}
+
+/* Endings that tell everyone what is in a file: nothing else goes into it. */
+static const char *const known_endings[] = {
+    ".svg", ".png", ".pfm", ".jpg",  ".jpeg", ".pdf",  ".hdr", ".exr", ".tif", ".tiff", ".gif",
+    ".eps", ".csv", ".tsv", ".json", ".html", ".lens", ".zmx", ".seq", ".len", ".agf",  NULL};
+
+static bool has_known_ending(struct text path)
+{
+    size_t i = 0;
+    while (known_endings[i] != NULL && !file_type_ends(path, known_endings[i])) {
+        i++;
+    }
+    return known_endings[i] != NULL;
+}
+
+/*
+ * What the file shall hold: what the input asks for, else what its name says. Where only one thing
+ * can be written any name will do that is not the name of something else.
+ */
+static bool choose_type(struct artifact_job *job, struct arena *arena, struct error *error)
+{
+    const struct artifact *artifact = job->artifact;
+    file_types *types = artifact->option.types;
+    job->type = artifact->choose != NULL ? artifact->choose(job->inputs[0]) : NULL;
+    if (types == NULL || job->type != NULL) {
+        return true;
+    }
+    bool nameless = job->path == NULL || strcmp(job->path, "-") == 0;
+    struct text path = text_of(nameless ? "" : job->path);
+    job->type = file_type_of(types, path);
+    bool only = types(1) == NULL && !has_known_ending(path);
+    if (job->type == NULL && (nameless || only)) {
+        job->type = types(0);
+    }
+    if (job->type != NULL) {
+        return true;
+    }
+    fail(error, ERROR_USAGE, "--%s '%s': the name must end in %s", artifact->option.name, job->path,
+         file_type_endings(types, arena));
+    return artifact->chooser != NULL &&
+           error_hint(error, "or say what it shall be with --%s", artifact->chooser);
+}
+
+static bool check_scope(const struct artifact_job *job, const struct artifact_setting *setting,
+                        struct error *error)
+{
+    const char *name = job->artifact->option.name;
+    size_t total = setting->sweep->total;
+    bool several = setting->is_batch || total > 1;
+    if (job->artifact->scope == ARTIFACT_OF_ROWS) {
+        return true;
+    }
+    if (job->artifact->scope == ARTIFACT_OF_SWEEP) {
+        if (setting->is_batch) {
+            return fail(error, ERROR_USAGE, "--%s goes with swept options, not with --batch", name);
+        }
+        return total <= MOST_INPUTS ||
+               fail(error, ERROR_USAGE, "--%s would draw %zu questions: at most %d", name, total,
+                    MOST_INPUTS);
+    }
+    if (several) {
+        return fail(error, ERROR_USAGE, "--%s is of one answer: no lists, ranges or --batch", name);
+    }
+    return job->artifact->scope != ARTIFACT_OF_ROW || !setting->many ||
+           fail(error, ERROR_USAGE, "--%s is of one row, and this answer has several", name);
+}
+
+/* Do two names mean one file? Of files that are not there yet, the folders and last names count. */
+static bool is_same_place(const char *a, const char *b)
+{
+    struct stat first, second;
+    if (strcmp(a, b) == 0) {
+        return true;
+    }
+    if (stat(a, &first) == 0 && stat(b, &second) == 0 && S_ISREG(first.st_mode)) {
+        return first.st_dev == second.st_dev && first.st_ino == second.st_ino;
+    }
+    const char *last_a = strrchr(a, '/'), *last_b = strrchr(b, '/');
+    char folders[2][4096];
+    size_t lengths[2] = {last_a != NULL ? (size_t)(last_a + 1 - a) : 0,
+                         last_b != NULL ? (size_t)(last_b + 1 - b) : 0};
+    if (strcmp(a + lengths[0], b + lengths[1]) != 0 || lengths[0] >= sizeof folders[0] - 1 ||
+        lengths[1] >= sizeof folders[1] - 1) {
+        return false;
+    }
+    snprintf(folders[0], sizeof folders[0], "%.*s.", (int)lengths[0], a);
+    snprintf(folders[1], sizeof folders[1], "%.*s.", (int)lengths[1], b);
+    return stat(folders[0], &first) == 0 && stat(folders[1], &second) == 0 &&
+           first.st_dev == second.st_dev && first.st_ino == second.st_ino;
+}
+
+/* A file that is there already, and two artifacts in one file. */
+static bool check_place(const struct artifacts *artifacts, const struct artifact_job *job,
+                        const struct artifact_setting *setting, struct error *error)
+{
+    struct stat found;
+    if (job->artifact->is_kept && !setting->common->force && stat(job->path, &found) == 0 &&
+        S_ISREG(found.st_mode)) {
+        return fail(error, ERROR_IO, "%s is there already: --force replaces it", job->path);
+    }
+    const char *rows = setting->common->output, *other = NULL;
+    if (setting->command->run != NULL && is_same_place(rows != NULL ? rows : "-", job->path)) {
+        other = "output";
+    }
+    for (size_t i = 0; i < artifacts->count && other == NULL; i++) {
+        if (artifacts->jobs[i].path != NULL && is_same_place(artifacts->jobs[i].path, job->path)) {
+            other = artifacts->jobs[i].artifact->option.name;
+        }
+    }
+    return other == NULL || fail(error, ERROR_USAGE, "--%s and --%s write the same file %s", other,
+                                 job->artifact->option.name, job->path);
+}
+
+/* The inputs of a sweep, one after the other; the input itself where there is only one. */
+static const void *const *inputs_of(const struct artifact_setting *setting, size_t count)
+{
+    size_t size = setting->command->input_size;
+    const void **inputs = ARENA_ARRAY(setting->arena, count, const void *);
+    for (size_t i = 0; i < count && count > 1; i++) {
+        void *copy = arena_array(setting->arena, 1, size);
+        sweep_set(setting->sweep, i, setting->input);
+        inputs[i] = memcpy(copy, setting->input, size);
+    }
+    inputs[0] = count > 1 ? inputs[0] : setting->input;
+    return inputs;
+}
+
+/* One more, if nothing speaks against it. */
+static bool order(struct artifacts *artifacts, const struct artifact_setting *setting,
+                  struct artifact_job job, struct error *error)
+{
+    const struct artifact *artifact = job.artifact;
+    if (!check_scope(&job, setting, error)) {
+        return false;
+    }
+    job.count = artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;
+    job.inputs = inputs_of(setting, job.count);
+    job.asking = setting->asking;
+    job.run = setting->run;
+    if (!choose_type(&job, setting->arena, error) ||
+        (artifact->check != NULL && !artifact->check(&job, error)) ||
+        (job.path != NULL && !check_place(artifacts, &job, setting, error))) {
+        return false;
+    }
+    artifacts->jobs[artifacts->count++] = job;
+    return true;
+}
+
+static bool open_sinks(struct artifacts *artifacts, struct arena *arena, struct error *error)
+{
+    artifacts->sinks = ARENA_ARRAY(arena, artifacts->count + 1, struct output);
+    for (; artifacts->open < artifacts->count; artifacts->open++) {
+        if (!output_open(&artifacts->sinks[artifacts->open], artifacts->jobs[artifacts->open].path,
+                         arena, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting *setting,
+                     const struct artifact *columns, const void *context, struct error *error)
+{
+    const struct command *command = setting->command;
+    *artifacts = (struct artifacts){0};
+    artifacts->jobs = ARENA_ARRAY(setting->arena, command->artifact_count + 1, struct artifact_job);
+    for (size_t i = 0; i < command->artifact_count; i++) {
+        const struct argument *argument = &setting->arguments->all[command->option_count + i];
+        struct artifact_job job = {.artifact = &command->artifacts[i]};
+        if (argument->is_given) {
+            struct text path = argument->text;
+            job.path = arena_string(setting->arena, path.start, path.length);
+        }
+        if (argument->is_given && job.path[0] == '\0') {
+            return fail(error, ERROR_USAGE, "--%s is empty", argument->option->name);
+        }
+        if ((argument->is_given || command->run == NULL) &&
+            !order(artifacts, setting, job, error)) {
+            return false;
+        }
+    }
+    const struct artifact_job job = {
+        .artifact = columns, .path = setting->common->plot, .context = context};
+    return (columns == NULL || order(artifacts, setting, job, error)) &&
+           open_sinks(artifacts, setting->arena, error);
+}
+
+bool artifacts_make(const struct artifacts *artifacts, struct error *error)
+{
+    bool done = true;
+    for (size_t i = 0; i < artifacts->count && done; i++) {
+        const struct artifact_job *job = &artifacts->jobs[i];
+        done = job->artifact->make(job, &artifacts->sinks[i], error);
+    }
+    return done;
+}
+
+bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error)
+{
+    bool done = true;
+    while (artifacts->open > 0) {
+        struct error closing;
+        if (!output_close(&artifacts->sinks[--artifacts->open], keep && done, &closing) && keep) {
+            *error = done ? closing : *error;
+            done = false;
+        }
+    }
+    return done;
+}
+
+struct text artifacts_remarks(const struct artifacts *artifacts)
+{
+    return artifacts->count > 0 ? artifacts->sinks[artifacts->count - 1].remarks
+                                : (struct text){NULL, 0};
+}

@@ -1,0 +1,140 @@
+/* cli/artifact.h - drawings, lens files, texts: what a command makes besides rows. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_ARTIFACT_H
+#define LENSCALC_CLI_ARTIFACT_H
+
+#include "base/file_type.h"
+#include "cli/option.h"
+#include "draw/svg.h"
+#include "report/output.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct run;
+struct sweep;
+struct arguments;
+struct common;
+struct command;
+struct artifact;
+
+/* Which options a question has, on the command line or as columns of its batch. */
+struct asking {
+    bool (*given)(const void *asked, const char *option);
+    const void *asked;
+};
+
+static inline bool asking_given(const struct asking *asking, const char *option)
+{
+    return asking->given(asking->asked, option);
+}
+
+/* What an artifact is made of. */
+enum artifact_scope {
+    ARTIFACT_OF_ANSWER, /* one input, whatever number of rows it makes */
+    ARTIFACT_OF_ROW,    /* one input that makes one row */
+    ARTIFACT_OF_SWEEP,  /* all inputs of a sweep, at most 100 */
+    ARTIFACT_OF_ROWS,   /* the rows of all of them, which the driver keeps and counts */
+};
+
+/* An artifact that was asked for. */
+struct artifact_job {
+    const struct artifact *artifact;
+    const char *path;             /* null: standard output */
+    const struct file_type *type; /* of artifact->option.types; null if it has none */
+    const void *const *inputs;    /* as the options set them; of one answer inputs[0] alone */
+    size_t count;
+    const struct asking *asking;
+    struct run *run;     /* arena, database, and `state` as the command's `run` left it */
+    const void *context; /* the driver's own */
+};
+
+struct artifact {
+    struct option option; /* "scale", whose value is the file; ARTIFACT_OPTION */
+    enum artifact_scope scope;
+    bool is_kept; /* a file that is there already is replaced with --force only */
+    /* The type that the input asks for, whatever the file is called; null: its name decides. */
+    const struct file_type *(*choose)(const void *input);
+    const char *chooser; /* the option that does that */
+    /* Refuse what cannot be made, before anything is computed; null: nothing is refused. */
+    bool (*check)(const struct artifact_job *job, struct error *error);
+    /*
+     * Write it.
+     *
+     * Given     job   after `run` has answered, if the command has one: what that allocated in
+     *                 run->arena is still there
+     *           sink  takes any bytes; what it got is kept only if all goes well
+     */
+    bool (*make)(const struct artifact_job *job, struct output *sink, struct error *error);
+};
+
+/* How the option is called, what files it writes, and what help says. */
+#define ARTIFACT_OPTION(option_name, file_types_of, words)                                         \
+    .option = {.kind = &kind_text,                                                                 \
+               .name = option_name,                                                                \
+               .value = "FILE",                                                                    \
+               .flags = OPTION_FILE,                                                               \
+               .types = file_types_of,                                                             \
+               .help = words}
+
+/* The answer itself, of a command without rows: it goes to standard output or to this file. */
+#define ARTIFACT_ANSWER(file_types_of)                                                             \
+    .option = {.kind = &kind_text,                                                                 \
+               .name = "output",                                                                   \
+               .letter = 'o',                                                                      \
+               .value = "FILE",                                                                    \
+               .flags = OPTION_FILE,                                                               \
+               .types = file_types_of,                                                             \
+               .help = "write to FILE, which appears only when it is complete"}
+
+/* What a drawing may be written as, and to write it so. */
+file_types drawing_types;
+bool drawing_write(const struct artifact_job *job, const struct svg *drawing, struct output *sink,
+                   struct error *error);
+
+/* The artifacts of one question. */
+struct artifacts {
+    struct artifact_job *jobs;
+    struct output *sinks; /* of each */
+    size_t count, open;
+};
+
+/* The driver's part of every job. */
+struct artifact_setting {
+    const struct command *command;
+    const struct arguments *arguments;
+    const struct common *common;
+    const struct sweep *sweep;
+    void *input; /* changes with the sweep */
+    bool is_batch, many;
+    const struct asking *asking;
+    struct run *run;
+    struct arena *arena;
+};
+
+/*
+ * Find the artifacts that are asked for, refuse what cannot be made, and open their files.
+ *
+ * Given     columns  the artifact of the common --plot; null: it is not asked for
+ *           context  for that one
+ * Errors    ERROR_USAGE: a file name with the ending of something else, two artifacts in one file,
+ *           several answers or more inputs than an artifact shows; ERROR_IO: a file that is kept,
+ *           or cannot be written; as the artifact's own `check`
+ */
+bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting *setting,
+                     const struct artifact *columns, const void *context, struct error *error);
+
+/* Make them. Errors as the artifact's `make`. */
+bool artifacts_make(const struct artifacts *artifacts, struct error *error);
+
+/*
+ * Their files appear, if `keep`; else none of them does.
+ *
+ * Errors    ERROR_IO
+ */
+bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error);
+
+/* What the one that was made last has to say on standard error. */
+struct text artifacts_remarks(const struct artifacts *artifacts);
+
+#endif

@@ -1,0 +1,164 @@
+/* commands/design/fit_job.c - trace the bundle that was asked for, and fit a thick lens to it. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/design/fit_job.h"
+
+static struct thick_lens thick_of(const struct first_order *first, const struct lens *lens)
+{
+    return (struct thick_lens){.focal = first->efl,
+                               .front = first->front_principal,
+                               .rear = first->rear_principal,
+                               .index_object = first->index_object,
+                               .index_image = first->index_image,
+                               .object =
+                                   lens->object_is_infinite ? INFINITY : lens->object.value.hi};
+}
+
+/* What the fitted lens is compared with: the paraxial lens, and the thin one. */
+static void set_rivals(struct fit_job *job)
+{
+    size_t count = job->setup->wavelength_count;
+    job->paraxial = ARENA_ARRAY(job->run->arena, count, struct thick_lens);
+    job->thin = ARENA_ARRAY(job->run->arena, count, struct thick_lens);
+    for (size_t g = 0; g < count; g++) {
+        job->paraxial[g] = thick_of(&job->light.first, job->setup->lens);
+        job->paraxial[g].index_object = job->bundle.index_object[g];
+        job->paraxial[g].index_image = job->bundle.index_image[g];
+        job->thin[g] = job->paraxial[g];
+        job->thin[g].front = job->light.first.length + job->thin[g].rear;
+    }
+}
+
+static void set_pupils(struct fit_job *job)
+{
+    const struct thick_pupil none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    struct error ignored;
+    job->entrance = job->exit = none;
+    if (job->setup->lens->stop == LENS_NONE ||
+        !thick_fit_pupil(&job->bundle.rays, false, true, job->run->arena, &job->entrance,
+                         &ignored)) {
+        job->entrance = none;
+    }
+    if (job->setup->lens->stop == LENS_NONE ||
+        !thick_fit_pupil(&job->bundle.rays, true, true, job->run->arena, &job->exit, &ignored)) {
+        job->exit = none;
+    }
+}
+const char *fit_missing_fields(const struct fit_job *job)
+{
+    struct arena *arena = job->run->arena;
+    const char *list = NULL;
+    for (size_t f = 0; f < job->setup->field_count; f++) {
+        bool found = false;
+        for (size_t i = 0; i < job->bundle.rays.count && !found; i++) {
+            found = job->bundle.field[i] == f;
+        }
+        double field = fit_field(job, f);
+        double shown = job->setup->object.is_infinite ? field * 57.29577951308232 : field;
+        if (!found) {
+            list = arena_printf(arena, "%s%s%.6g", list != NULL ? list : "",
+                                list != NULL ? ", " : "", shown);
+        }
+    }
+    return list == NULL ? NULL
+                        : arena_printf(arena, "no ray of the field %s %s came through the rims",
+                                       list, job->setup->lens->object_is_infinite ? "deg" : "mm");
+}
+
+/* Half as many as there are different fields off the axis whose rays come through, at most 3. */
+static size_t distortion_terms(const struct fit_job *job)
+{
+    const struct bundle *bundle = &job->bundle;
+    size_t off_axis = 0;
+    if (!isnan(job->input->distortion)) {
+        return (size_t)job->input->distortion;
+    }
+    for (size_t i = 0; i < job->setup->field_count; i++) {
+        bool counts = fabs(fit_field(job, i)) > 0 && bundle->clear[i] > 0;
+        for (size_t k = 0; k < i && counts; k++) {
+            counts = fabs(fabs(fit_field(job, k)) - fabs(fit_field(job, i))) > 0;
+        }
+        off_axis += counts;
+    }
+    return off_axis / 2 < THICK_DISTORTIONS ? off_axis / 2 : THICK_DISTORTIONS;
+}
+
+static bool trace_rays(const struct fit_job *job, size_t rays, struct bundle *bundle,
+                       struct error *error)
+{
+    const struct fit_input *input = job->input;
+    const struct bundle_request request = {.setup = job->setup,
+                                           .pattern = (enum pattern)input->pattern,
+                                           .ray_count = rays,
+                                           .seed = (uint64_t)input->seed,
+                                           .no_clip = input->no_clip};
+    return bundle_trace(&request, job->run->arena, bundle, error);
+}
+
+static void set_task(struct fit_job *job)
+{
+    const struct fit_input *input = job->input;
+    const struct first_order *first = &job->light.first;
+    bool image = input->match == FIT_IMAGE;
+    job->task = (struct thick_task){
+        .rays = job->bundle.rays,
+        .group_count = job->setup->wavelength_count,
+        .index_object = job->bundle.index_object,
+        .index_image = job->bundle.index_image,
+        .separate = input->chromatic,
+        .planes = {setup_paraxial_image(job->setup->lens, first).hi,
+                   isfinite(first->exit_pupil) ? first->exit_pupil : first->rear_principal},
+        .plane_weights = {1, image ? THICK_PUPIL_WEIGHT : 1},
+        .focus_weight = image ? THICK_FOCUS_WEIGHT : 0,
+        .distortions = distortion_terms(job),
+        .start = thick_of(first, job->setup->lens)};
+    job->task.object = job->task.start.object;
+}
+
+/* What the sample of the pupil costs: all once more with twice the rays. */
+static void set_sampling(struct fit_job *job)
+{
+    struct arena *arena = job->run->arena;
+    struct thick_task task = job->task;
+    struct bundle bundle;
+    struct thick_fit fit;
+    struct error ignored;
+    job->sampling = ARENA_ARRAY(arena, job->setup->wavelength_count, struct fit_sampling);
+    bool found = trace_rays(job, 2 * (size_t)job->input->rays, &bundle, &ignored);
+    task.rays = bundle.rays;
+    task.start = job->fit.lenses[0];
+    found = found && thick_fit(&task, arena, &fit, &ignored);
+    for (size_t g = 0; g < job->setup->wavelength_count; g++) {
+        const struct thick_lens *one = &job->fit.lenses[g], *other = found ? &fit.lenses[g] : one;
+        job->sampling[g] = (struct fit_sampling){NAN, NAN, NAN, NAN};
+        if (found) {
+            job->sampling[g] = (struct fit_sampling){
+                fabs(other->focal - one->focal), fabs(other->front - one->front),
+                fabs(other->rear - one->rear), fabs(fit.rms - job->fit.rms)};
+        }
+    }
+}
+
+bool fit_job_run(struct fit_job *job, struct error *error)
+{
+    if (job->setup->wavelength_count > MOST_WAVELENGTHS) {
+        return fail(error, ERROR_DOMAIN, "the lens has more than %d wavelengths", MOST_WAVELENGTHS);
+    }
+    if (job->light.first.is_afocal) {
+        return fail(error, ERROR_DOMAIN,
+                    "an afocal lens has no principal planes: no thick lens equals it");
+    }
+    if (!trace_rays(job, (size_t)job->input->rays, &job->bundle, error)) {
+        return false;
+    }
+    set_task(job);
+    set_rivals(job);
+    set_pupils(job);
+    if (!thick_fit(&job->task, job->run->arena, &job->fit, error)) {
+        const char *missing = fit_missing_fields(job);
+        return missing == NULL ? false : error_hint(error, "%s", missing);
+    }
+    if (job->input->show == FIT_ANSWER) {
+        set_sampling(job);
+    }
+    return true;
+}

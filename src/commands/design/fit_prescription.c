@@ -1,0 +1,475 @@
+/* commands/design/fit_prescription.c - what of a lens must change to give what was measured. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/design/fit.h"
+#include "data/lines.h"
+#include "design/prescription.h"
+#include "file/lens_file.h"
+#include "report/doubts.h"
+#include "report/output.h"
+
+#include <string.h>
+
+enum { MOST_GOALS = 64, MOST_PARTS = 64 };
+
+/* Of a goal that states none, mm: what a nodal bench measures to. */
+static const double usual_deviation = 0.01;
+
+struct goal_row {
+    const char *position, *goal, *lens, *status, *warning;
+    double target, deviation, reached, off; /* mm */
+};
+
+#define LENGTH(member_name)                                                                        \
+    COLUMN(struct goal_row, member_name), .dimension = &dimension_length, .unit = "mm",            \
+                                          .flags = COLUMN_BRIEF
+
+static const struct column columns[] = {
+    {COLUMN(struct goal_row, position), .name = "position", .label = "position",
+     .help = "zoom or focus position"},
+    {COLUMN(struct goal_row, goal), .flags = COLUMN_BRIEF, .name = "goal", .label = "goal",
+     .help = "what was measured"},
+    {LENGTH(target), .name = "target", .digits = 8, .label = "target", .help = "as measured"},
+    {COLUMN(struct goal_row, deviation), .dimension = &dimension_length, .unit = "mm",
+     .name = "deviation", .label = "deviation",
+     .help = "the standard deviation behind the colon, or 0.01 mm: a goal that is missed by more "
+             "fails"},
+    {COLUMN(struct goal_row, reached), .dimension = &dimension_length, .unit = "mm",
+     .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "reached", .digits = 8, .label = "reached",
+     .help = "what the fitted lens has"},
+    {COLUMN(struct goal_row, off), .dimension = &dimension_length, .unit = "mm",
+     .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "off", .label = "off",
+     .help = "reached less target"},
+    {COLUMN(struct goal_row, status), .name = "status", .label = "status",
+     .help = "converged, or why the fit ended otherwise"},
+    {COLUMN(struct goal_row, lens), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "lens",
+     .depends = "lens", .label = "lens", .help = "title of the lens"},
+    {COLUMN(struct goal_row, warning), .flags = COLUMN_NOTE, .name = "warning", .label = "warning",
+     .help = "that the goal is missed, and what is doubtful about the fitted lens"},
+};
+
+const struct sheet fit_goal_sheet = {columns, sizeof columns / sizeof columns[0],
+                                     sizeof(struct goal_row)};
+
+static const char parts_are[] = "parts are R1 (radius), t3[2,10] (gap, with bounds), n2 (index)";
+
+/* What was asked. */
+struct wishes {
+    struct prescription_goal goals[MOST_GOALS];
+    const char *goal_names[MOST_GOALS];
+    size_t goal_count;
+    struct prescription_part parts[MOST_PARTS];
+    const char *part_names[MOST_PARTS];
+    size_t part_count;
+    const char *ignored; /* marks that fit does not vary, in words; null = none */
+};
+
+/* The next item of a list: commas inside of brackets belong to it. */
+static struct text next_item(struct text *rest)
+{
+    size_t length = 0;
+    int depth = 0;
+    while (length < rest->length && (rest->start[length] != ',' || depth > 0)) {
+        depth += rest->start[length] == '[' ? 1 : rest->start[length] == ']' ? -1 : 0;
+        length++;
+    }
+    const struct text item = {rest->start, length};
+    *rest = length < rest->length
+                ? (struct text){rest->start + length + 1, rest->length - length - 1}
+                : (struct text){NULL, 0};
+    return text_trim(item);
+}
+
+static bool read_length(struct text text, double *value, struct error *error)
+{
+    return quantity_read(text, &dimension_length, unit_find(&dimension_length, text_of("mm")),
+                         value, NULL, error);
+}
+
+/* `@10deg` of a height, `@F` of the others: field and wavelength. */
+static bool read_place(struct text text, struct run *run, struct prescription_goal *goal,
+                       struct error *error)
+{
+    bool is_line;
+    if (goal->kind == GOAL_HEIGHT) {
+        return quantity_read(text, &dimension_angle, unit_find(&dimension_angle, text_of("deg")),
+                             &goal->field, NULL, error);
+    }
+    if (!lines_find(run->db, text, (struct number_scale){1, -3}, &is_line, &goal->wavelength,
+                    error)) {
+        return false;
+    }
+    double own;
+    if (is_line) {
+        return true;
+    }
+    if (!quantity_read(text, &dimension_length, unit_find(&dimension_length, text_of("nm")), &own,
+                       NULL, error)) {
+        return false;
+    }
+    goal->wavelength = unit_from_own(unit_find(&dimension_length, text_of("um")), own);
+    return true;
+}
+
+/* efl=50.2, bfl@F=38.1:0.02, height@10deg=8.85 */
+static bool read_goal(struct text item, struct run *run, double wavelength,
+                      struct prescription_goal *goal, struct error *error)
+{
+    static const char *const names[GOAL_KINDS] = {"efl", "bfl", "ffl", "height", "length"};
+    struct text value = item, name = text_cut(&value, '='), place = name;
+    struct text kind = text_cut(&place, '@'), deviation = value;
+    *goal = (struct prescription_goal){GOAL_KINDS, NAN, usual_deviation, wavelength, NAN};
+    for (int i = 0; i < GOAL_KINDS; i++) {
+        goal->kind = text_equal(kind, names[i]) ? (enum goal_kind)i : goal->kind;
+    }
+    if (goal->kind == GOAL_KINDS || value.start == NULL) {
+        fail(error, ERROR_USAGE, "bad goal '%.*s' in --prescription", (int)item.length, item.start);
+        return error_hint(error,
+                          "goals are efl=50.2, bfl=38.1:0.02, ffl, length, height@10deg=8.8");
+    }
+    value = text_cut(&deviation, ':');
+    if (!read_length(value, &goal->value, error) ||
+        (deviation.start != NULL && !read_length(deviation, &goal->deviation, error)) ||
+        (place.start != NULL && !read_place(place, run, goal, error))) {
+        return error_prefix(error, "bad goal in --prescription: ");
+    }
+    if (!isfinite(goal->value) || !(goal->deviation > 0 && isfinite(goal->deviation))) {
+        return fail(error, ERROR_USAGE,
+                    "the goal '%.*s' in --prescription: a finite value, and a deviation above 0",
+                    (int)item.length, item.start);
+    }
+    return (goal->kind == GOAL_HEIGHT) == isfinite(goal->field) ||
+           fail(error, ERROR_USAGE,
+                "the goal height in --prescription wants its field: "
+                "height@10deg=8.8");
+}
+
+static bool read_goals(const char *list, struct run *run, double wavelength, struct wishes *wishes,
+                       struct error *error)
+{
+    struct text rest = text_of(list);
+    while (rest.start != NULL) {
+        struct text item = next_item(&rest);
+        if (wishes->goal_count == MOST_GOALS) {
+            return fail(error, ERROR_USAGE, "--prescription has more than %d goals", MOST_GOALS);
+        }
+        if (!read_goal(item, run, wavelength, &wishes->goals[wishes->goal_count], error)) {
+            return false;
+        }
+        struct text name = text_cut(&item, '=');
+        wishes->goal_names[wishes->goal_count++] =
+            arena_string(run->arena, name.start, name.length);
+    }
+    return true;
+}
+
+static void add_part(struct wishes *wishes, struct run *run, struct parameter what, double low,
+                     double high)
+{
+    size_t at = wishes->part_count++;
+    wishes->parts[at] = (struct prescription_part){what, low, high};
+    wishes->part_names[at] = parameter_write(what, run->arena);
+}
+
+/* What has a name, but is not fitted. */
+static bool refuse_kind(struct text name, struct parameter what, struct error *error)
+{
+    const char *words =
+        what.kind >= PARAMETER_DECENTER_X ? "displacement" : parameter_type(what.kind)->words;
+    bool hisses = words[strlen(words) - 1] == 's';
+    fail(error, ERROR_USAGE,
+         "bad part '%.*s' in --vary: fit varies radii, thicknesses and indices, not %s%s",
+         text_shown(name), name.start, words, hisses ? "es" : "s");
+    return what.kind == PARAMETER_CURVATURE &&
+           error_hint(error, "R%zu varies the curvature", what.surface + 1);
+}
+
+/* [2,10] without the first bracket */
+static bool read_bounds(struct text bounds, double *low, double *high)
+{
+    struct text second = bounds;
+    struct error ignored;
+    if (bounds.length == 0 || bounds.start[bounds.length - 1] != ']') {
+        return false;
+    }
+    second.length--;
+    struct text first = text_cut(&second, ',');
+    return second.start != NULL &&
+           quantity_read(first, &dimension_number, NULL, low, NULL, &ignored) &&
+           quantity_read(second, &dimension_number, NULL, high, NULL, &ignored);
+}
+
+/* R1, t3[2,10], n2 */
+static bool read_part(struct text item, struct run *run, struct wishes *wishes, struct error *error)
+{
+    struct text bounds = item, name = text_cut(&bounds, '[');
+    struct parameter what;
+    double low = -INFINITY, high = INFINITY;
+    if (!parameter_read(name, prescription_fits, &what, error)) {
+        error_prefix(error, "bad part in --vary: ");
+        return error->hint[0] == '\0' && error_hint(error, "%s", parts_are);
+    }
+    if (!prescription_fits(what.kind)) {
+        return refuse_kind(name, what, error);
+    }
+    if (bounds.start != NULL && !read_bounds(bounds, &low, &high)) {
+        fail(error, ERROR_USAGE, "bad part '%.*s' in --vary", (int)item.length, item.start);
+        return error_hint(error, "%s", parts_are);
+    }
+    add_part(wishes, run, what, low, high);
+    return true;
+}
+
+static void ignore_mark(struct wishes *wishes, const struct vary *vary, size_t number,
+                        struct arena *arena)
+{
+    wishes->ignored = arena_printf(arena, "%s%s%s~ of surface %zu",
+                                   wishes->ignored != NULL ? wishes->ignored : "",
+                                   wishes->ignored != NULL ? ", " : "",
+                                   parameter_name(vary->kind, vary->order, arena), number);
+}
+
+/* The marks R~ and t~ of the file. */
+static bool take_marks(const struct lens *lens, struct run *run, struct wishes *wishes,
+                       struct error *error)
+{
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        for (size_t j = 0; j < surface->vary_count; j++) {
+            const struct vary *vary = &surface->varies[j];
+            if (wishes->part_count == MOST_PARTS) {
+                return fail(error, ERROR_DOMAIN, "the lens has more than %d marks", MOST_PARTS);
+            }
+            if (!prescription_fits(vary->kind)) {
+                ignore_mark(wishes, vary, i + 1, run->arena);
+            } else {
+                add_part(wishes, run, (struct parameter){i, vary->kind, vary->order},
+                         vary->has_bounds ? vary->low.value.hi : -INFINITY,
+                         vary->has_bounds ? vary->high.value.hi : INFINITY);
+            }
+        }
+    }
+    if (wishes->ignored != NULL) {
+        doubts_add(run->doubts, "fit varies radii and thicknesses, not what is marked %s",
+                   wishes->ignored);
+    }
+    if (wishes->part_count > 0) {
+        return true;
+    }
+    fail(error, ERROR_DOMAIN, "nothing may change: give --vary, or mark R~ and t~ in the lens");
+    return wishes->ignored != NULL && error_hint(error, "fit does not vary %s", wishes->ignored);
+}
+
+static bool read_parts(const struct fit_input *input, const struct lens *lens, struct run *run,
+                       struct wishes *wishes, struct error *error)
+{
+    struct text rest = text_of(input->vary != NULL ? input->vary : "");
+    if (input->vary == NULL) {
+        return take_marks(lens, run, wishes, error);
+    }
+    while (rest.start != NULL) {
+        struct text item = next_item(&rest);
+        if (wishes->part_count == MOST_PARTS) {
+            return fail(error, ERROR_USAGE, "--vary has more than %d parts", MOST_PARTS);
+        }
+        if (!read_part(item, run, wishes, error)) {
+            return false;
+        }
+        for (size_t i = 0; i + 1 < wishes->part_count; i++) {
+            if (strcmp(wishes->part_names[i], wishes->part_names[wishes->part_count - 1]) == 0) {
+                return fail(error, ERROR_USAGE, "--vary names %s twice", wishes->part_names[i]);
+            }
+        }
+    }
+    return true;
+}
+
+/* A goal that is off by more than its deviation, in words; null: it is met. */
+static const char *miss(const struct wishes *wishes, const struct prescription_fit *fit, size_t g,
+                        struct arena *arena)
+{
+    const struct prescription_goal *goal = &wishes->goals[g];
+    double off = fit->reached[g] - goal->value;
+    return fabs(off) <= goal->deviation
+               ? NULL
+               : arena_printf(arena, "%s is missed by %.4g mm, its deviation is %.4g mm",
+                              wishes->goal_names[g], fabs(off), goal->deviation);
+}
+
+/* All goals that are missed, in words; null: none is. */
+static const char *misses(const struct wishes *wishes, const struct prescription_fit *fit,
+                          struct arena *arena)
+{
+    const char *all = NULL;
+    for (size_t g = 0; g < wishes->goal_count; g++) {
+        all = fit_join(all, miss(wishes, fit, g, arena), arena);
+    }
+    return all;
+}
+
+/* The fitted lens, checked; `doubt` receives what is odd about it. */
+static bool apply(const struct lens *lens, const struct wishes *wishes,
+                  const struct prescription_fit *fit, struct arena *arena, struct lens *fitted,
+                  const char **doubt, struct error *error)
+{
+    struct lens_warnings warnings;
+    *fitted = prescription_apply(lens, wishes->parts, wishes->part_count, fit, arena);
+    *doubt = NULL;
+    if (!lens_check(fitted, arena, &warnings, error)) {
+        return error_prefix(error, "the fitted lens: ");
+    }
+    for (size_t i = 0; i < warnings.count; i++) {
+        *doubt = fit_join(*doubt, warnings.texts[i], arena);
+    }
+    return true;
+}
+
+/* A mark whose bounds the fitted value violates is left without them: no fit would take it. */
+static void free_marks(struct lens *fitted, const struct wishes *wishes,
+                       const struct prescription_fit *fit, struct run *run, const char **freed)
+{
+    for (size_t j = 0; j < wishes->part_count; j++) {
+        const struct parameter what = wishes->parts[j].what;
+        struct surface *surface = &fitted->surfaces[what.surface];
+        struct vary *copy = ARENA_ARRAY(run->arena, surface->vary_count + 1, struct vary);
+        for (size_t i = 0; i < surface->vary_count; i++) {
+            struct vary *mark = &copy[i];
+            *mark = surface->varies[i];
+            double low = mark->low.value.hi, high = mark->high.value.hi, value = fit->values[j];
+            if (mark->kind != what.kind || !mark->has_bounds || (low <= value && value <= high)) {
+                continue;
+            }
+            mark->has_bounds = false;
+            const char *unit = what.kind == PARAMETER_INDEX ? "" : " mm";
+            const char *words = arena_printf(
+                run->arena,
+                "%s = %.6g%s is outside of [%.10g,%.10g]%s, the bounds of its mark %s~: they are "
+                "left out",
+                wishes->part_names[j], value, unit, low, high, unit,
+                parameter_type(what.kind)->name);
+            doubts_add(run->doubts, "%s", words);
+            *freed = fit_join(*freed, words, run->arena);
+        }
+        surface->varies = copy;
+    }
+}
+
+static void emit_goals(const struct wishes *wishes, const struct prescription_fit *fit,
+                       const struct lens *fitted, const char *doubt, struct run *run)
+{
+    for (size_t g = 0; g < wishes->goal_count; g++) {
+        const struct goal_row row = {
+            .goal = wishes->goal_names[g],
+            .lens = fitted->title,
+            .status = fit_status(&fit->summary),
+            .warning = fit_join(miss(wishes, fit, g, run->arena), doubt, run->arena),
+            .target = wishes->goals[g].value,
+            .deviation = wishes->goals[g].deviation,
+            .reached = fit->reached[g],
+            .off = fit->reached[g] - wishes->goals[g].value};
+        if (!run_emit(run, &row)) {
+            break;
+        }
+    }
+}
+
+/* Rows that fall short of what was asked stand, with exit status 1. */
+static void judge(const char *missed, const struct prescription_fit *fit, struct run *run)
+{
+    if (missed != NULL) {
+        fail(&run->shortfall, ERROR_DOMAIN, "%s", missed);
+    } else if (fit->summary.status != SOLVER_CONVERGED) {
+        fail(&run->shortfall, ERROR_DOMAIN, "%s", fit_status(&fit->summary));
+    }
+}
+
+static bool fit_wishes(const struct lens *lens, const struct wishes *wishes, struct arena *arena,
+                       struct prescription_fit *fit, struct error *error)
+{
+    const struct prescription_task task = {.goals = wishes->goals,
+                                           .goal_count = wishes->goal_count,
+                                           .parts = wishes->parts,
+                                           .part_count = wishes->part_count};
+    return prescription_fit(lens, &task, arena, fit, error);
+}
+
+/* What --output saves. */
+struct fitted {
+    struct lens lens;
+    const char *missed; /* null: no goal is */
+    const char *freed;  /* marks that lose their bounds, in words; null: none does */
+};
+
+static bool visit(const struct lens_case *one, void *context, struct error *error)
+{
+    const struct fit_asked *asked = context;
+    const struct fit_input *input = asked->input;
+    struct run *run = asked->run;
+    struct wishes *wishes = ARENA_NEW(run->arena, struct wishes);
+    struct prescription_fit fit;
+    struct lens fitted;
+    const char *doubt;
+    if (one->setup->position != NULL) {
+        return fail(error, ERROR_DOMAIN,
+                    "a lens with positions: its prescription is not that of one of them");
+    }
+    if (!read_goals(input->goals, run, one->light.wavelength, wishes, error) ||
+        !read_parts(input, one->setup->lens, run, wishes, error) ||
+        !fit_wishes(one->setup->lens, wishes, run->arena, &fit, error) ||
+        !apply(one->setup->lens, wishes, &fit, run->arena, &fitted, &doubt, error)) {
+        return false;
+    }
+    const char *missed = misses(wishes, &fit, run->arena), *freed = NULL;
+    free_marks(&fitted, wishes, &fit, run, &freed);
+    if (input->show == FIT_ANSWER || input->show == FIT_RESIDUALS) {
+        emit_goals(wishes, &fit, &fitted, doubt, run);
+    } else {
+        memcpy(fit.summary.standard_error, fit.errors, wishes->part_count * sizeof(double));
+        const struct fit_found found = {NULL, wishes->part_count, wishes->part_names, fit.values,
+                                        &fit.summary};
+        fit_emit(&found, (enum fit_show)input->show, run);
+    }
+    struct fitted *kept = ARENA_NEW(run->arena, struct fitted);
+    *kept = (struct fitted){fitted, missed, freed};
+    run->state = kept;
+    judge(missed, &fit, run);
+    return true;
+}
+
+static void add_note(struct lens *lens, const char *note, struct arena *arena)
+{
+    if (note == NULL) {
+        return;
+    }
+    const char **notes = ARENA_ARRAY(arena, lens->note_count + 1, const char *);
+    for (size_t i = 0; i < lens->note_count; i++) {
+        notes[i] = lens->notes[i];
+    }
+    notes[lens->note_count++] = note;
+    lens->notes = notes;
+}
+
+/* A lens that misses its goals says so, and what became of its marks. */
+bool fit_save_prescription(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    const struct fitted *fitted = job->run->state;
+    struct arena *arena = job->run->arena;
+    struct lens lens = fitted->lens;
+    (void)error;
+    add_note(&lens, fitted->missed, arena);
+    add_note(&lens, fitted->freed, arena);
+    struct text text = lens_write(&lens, arena);
+    output_text(sink, text.start, text.length);
+    return true;
+}
+
+bool fit_prescription(const struct fit_input *input, struct run *run, struct error *error)
+{
+    static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY};
+    struct lens_question question = input->question;
+    question.field = NAN;
+    if (input->show == FIT_MATRIX || input->show == FIT_CORRELATIONS) {
+        return fail(error, ERROR_USAGE, "--prescription shows answer or parameters");
+    }
+    struct fit_asked asked = {input, run};
+    return lens_each(&question, &policy, run->arena, visit, &asked, error);
+}

@@ -1,0 +1,122 @@
+/* commands/lens/cmd_draw.c - lenscalc draw: cross-section of a lens as SVG. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/lens/lens_options.h"
+#include "draw/section.h"
+
+struct input {
+    struct lens_question question;
+    bool planes, construction, no_rays;
+    const char *title;
+};
+
+static const struct option options[] = {
+    LENS_OPTION(struct input, question),
+    LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(struct input, question),
+    LENS_FIELD_OPTION(struct input, question),
+    LENS_POSITION_OPTION(struct input, question),
+    LENS_SECTION_OPTION(struct input, question),
+    {OPTION(struct input, planes), .name = "planes",
+     .help = "principal planes, focal points and pupils"},
+    {OPTION(struct input, construction), .name = "construction",
+     .help = "the three Gauss rays of the equivalent lens in place of the bundles"},
+    {OPTION(struct input, no_rays), .name = "no-rays", .help = "the lens alone"},
+    {OPTION(struct input, title), .name = "title", .value = "TEXT",
+     .help = "title in place of the lens's own"},
+};
+
+/* What draws, and the drawing. */
+struct drawer {
+    const struct input *input;
+    struct svg svg;
+};
+
+static const char *subtitle_of(const struct lens_case *one, struct arena *arena)
+{
+    const struct first_order *first = &one->light.first;
+    const char *focal =
+        first->is_afocal ? "afocal" : arena_printf(arena, "f = %.5g mm", first->efl);
+    const char *speed =
+        isfinite(first->fnumber) ? arena_printf(arena, ", f/%.3g", first->fnumber) : "";
+    const char *position = one->setup->position != NULL
+                               ? arena_printf(arena, ", position %s", one->setup->position)
+                               : "";
+    return arena_printf(arena, "%s%s%s, at %.5g nm", focal, speed, position,
+                        1000 * one->light.wavelength);
+}
+
+static bool draw_case(const struct lens_case *one, void *context, struct error *error)
+{
+    struct drawer *drawer = context;
+    struct arena *arena = drawer->svg.arena;
+    const struct input *input = drawer->input;
+    const struct layout_request request = {.wavelength = one->index,
+                                           .light = &one->light,
+                                           .planes = input->planes,
+                                           .construction = input->construction,
+                                           .no_rays = input->no_rays};
+    const char *title = one->setup->lens->title;
+    struct layout layout;
+    if ((input->construction || input->planes) && !layout_is_centred(one->setup->lens)) {
+        return fail(error, ERROR_DOMAIN,
+                    "--%s is for centred lenses, and parts of this one are decentred, tilted or "
+                    "bent",
+                    input->construction ? "construction" : "planes");
+    }
+    if (!layout_make(one->setup, &request, arena, &layout, error)) {
+        return false;
+    }
+    if (one->warning != NULL) {
+        layout_note(&layout, arena_printf(arena, "warning: %s", one->warning));
+    }
+    const struct section section = {.title = input->title != NULL ? input->title : title,
+                                    .subtitle = subtitle_of(one, arena),
+                                    .layout = &layout,
+                                    .faint = input->construction};
+    return section_draw(&section, &drawer->svg, error);
+}
+
+static bool check(const struct artifact_job *job, struct error *error)
+{
+    const struct input *input = job->inputs[0];
+    if (lens_positions_several(input->question.lens.lens, input->question.position)) {
+        return fail(error, ERROR_USAGE, "a drawing shows one position: --position NAME");
+    }
+    if (input->construction && (input->planes || input->no_rays)) {
+        return fail(error, ERROR_USAGE, "--construction has planes and rays of its own: no %s",
+                    input->planes ? "--planes" : "--no-rays");
+    }
+    return true;
+}
+
+static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    const struct input *input = job->inputs[0];
+    const struct lens *lens = input->question.lens.lens;
+    const struct plane_value focus = {.kind = lens != NULL ? layout_plane(lens) : PLANE_OF_LENS};
+    const struct lens_policy policy = {
+        .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_LARGEST, .focus = &focus};
+    struct drawer drawer = {.input = input, .svg = {.arena = job->run->arena}};
+    return lens_each(&input->question, &policy, job->run->arena, draw_case, &drawer, error) &&
+           drawing_write(job, &drawer.svg, sink, error);
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_ANSWER(drawing_types), .check = check, .make = draw},
+};
+
+static const struct example examples[] = {
+    {"draw double-gauss", "the cross-section with its rays (to a file: -o FILE.svg)"},
+    {"draw double-gauss --planes", "with principal planes and pupils"},
+    {"draw double-gauss --construction", "how the equivalent lens makes an image"},
+    {"draw nikkor-z-14-24 --position tele", "a zoom in one of its positions"},
+    {NULL, NULL},
+};
+
+const struct command command_draw = {
+    .name = "draw",
+    .group = "a lens",
+    .summary = "cross-section of a lens as an SVG drawing",
+    COMMAND_ASKS(struct input),
+    COMMAND_MAKES(artifacts),
+};

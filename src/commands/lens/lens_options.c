@@ -1,0 +1,210 @@
+/* commands/lens/lens_options.c - the cases a lens command is asked for. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/lens/lens_options.h"
+
+#include <string.h>
+
+const struct word section_words[] = {
+    {"y", "the y-z section"},
+    {"x", "the x-z section"},
+    {NULL, NULL},
+};
+
+static bool wants_all(const char *names)
+{
+    return names != NULL && text_same(text_of(names), "all");
+}
+
+bool lens_positions_several(const struct lens *lens, const char *names)
+{
+    return lens != NULL && names != NULL && lens->position_count > 1 &&
+           (wants_all(names) || strchr(names, ',') != NULL);
+}
+
+bool lens_makes_many(const struct lens_question *question, const struct lens_policy *policy)
+{
+    const struct lens *lens = question->lens.lens;
+    bool all = question->wavelength.name == NULL && policy->wavelengths == WAVELENGTHS_ALL;
+    return lens != NULL && ((all && lens->wavelength_count > 1) ||
+                            lens_positions_several(lens, question->position));
+}
+
+const char *lens_warnings_join(const char *first, const char *second, struct arena *arena)
+{
+    return first == NULL    ? second
+           : second == NULL ? first
+                            : arena_printf(arena, "%s; %s", first, second);
+}
+
+/* What is doubtful about the lens, and what its first-order data leave out. */
+static const char *warning_of(const struct lens_question *question, size_t position,
+                              const struct setup *setup)
+{
+    struct arena *arena = setup->arena;
+    struct first_order stated = setup->first;
+    stated.fnumber = isnan(question->fnumber) ? stated.fnumber : NAN;
+    /* sources state the figures of the y-z section */
+    const char *differs = setup->section == SECTION_Y
+                              ? lens_stated_warning(question->lens.lens, position, &stated, arena)
+                              : NULL;
+    const char *both = lens_warnings_join(question->lens.warning, differs, arena);
+    both = lens_warnings_join(both, first_order_warning(setup->lens, arena), arena);
+    return lens_warnings_join(both, setup->warning, arena);
+}
+
+bool lens_place_image(struct setup *setup, const struct plane_value *focus, struct error *error)
+{
+    static const char *const words[] = {[PLANE_PARAXIAL] = "paraxial",
+                                        [PLANE_TABLE] = "table",
+                                        [PLANE_BEST] = "best",
+                                        [PLANE_AT] = NULL};
+    if (setup_place_image(setup, focus, error)) {
+        return true;
+    }
+    return words[focus->kind] != NULL && error_prefix(error, "--focus %s: ", words[focus->kind]);
+}
+
+/* Of the set: bare numbers are degrees of a far object, mm of a near one. */
+static bool list_fields(const struct lens_question *question, const struct setup_question *asked,
+                        struct setup_field *list, struct error *error)
+{
+    const struct lens *lens = asked->lens;
+    bool far = lens->objects != NULL ? isinf(lens->objects[asked->position].value.hi)
+                                     : lens->object_is_infinite;
+    for (size_t i = 0; i < question->fields.count; i++) {
+        const struct field_item *item = &question->fields.items[i];
+        bool is_angle = far || isnan(item->height);
+        list[i] = lens_field(is_angle ? FIELD_ANGLE : FIELD_HEIGHT,
+                             is_angle ? item->angle : item->height, question->section);
+        list[i].weight = item->weight;
+        if (isnan(list[i].point.value[question->section == SECTION_X ? 0 : 1])) {
+            return fail(error, ERROR_USAGE,
+                        "--field %s: an object at infinity has no height, but an angle",
+                        question->fields.text);
+        }
+    }
+    return true;
+}
+
+static bool visit_position(const struct lens_question *question, const struct lens_policy *policy,
+                           size_t position, struct arena *arena, lens_setup_visit *visit,
+                           void *context, struct error *error)
+{
+    size_t count = isnan(question->field) ? question->fields.count : 1;
+    struct setup_field *fields = ARENA_ARRAY(arena, count + 1, struct setup_field);
+    struct setup *setup = ARENA_NEW(arena, struct setup);
+    const struct setup_question asked = {
+        .lens = question->lens.lens,
+        .position = position,
+        .section = (enum lens_section)question->section,
+        .wavelength =
+            question->wavelength.name != NULL ? question->wavelength.wavelength : (double)NAN,
+        .wavelengths = policy->wavelengths,
+        .fnumber = question->fnumber,
+        .fields = fields,
+        .field_count = count,
+        .field_policy = policy->fields,
+    };
+    fields[0] = lens_field(FIELD_ANGLE, question->field, question->section);
+    if (!list_fields(question, &asked, fields, error)) {
+        return false;
+    }
+    return setup_open(&asked, arena, setup, error) &&
+           (policy->focus == NULL || lens_place_image(setup, policy->focus, error)) &&
+           visit(setup, warning_of(question, position, setup), context, error);
+}
+
+static bool find_position(const struct lens *lens, struct text name, size_t *position,
+                          struct error *error)
+{
+    *position = lens_position_find(lens, name);
+    if (*position != LENS_NONE) {
+        return true;
+    }
+    struct nearest nearest = {.typed = name};
+    for (size_t i = 0; i < lens->position_count; i++) {
+        nearest_offer(&nearest, text_of(lens->positions[i]));
+    }
+    fail(error, ERROR_USAGE, "the lens has no position '%.*s'%s%s", text_shown(name), name.start,
+         lens->position_count > 0 ? ": its first is " : "",
+         lens->position_count > 0 ? lens->positions[0] : "");
+    return nearest.best.start != NULL &&
+           error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+}
+
+bool lens_positions(const struct lens *lens, const char *names, struct arena *arena,
+                    const size_t **positions, size_t *count, struct error *error)
+{
+    if (lens == NULL) {
+        fail(error, ERROR_USAGE, "no lens is given");
+        return error_hint(error, "a name of 'lenscalc list lenses', or a file");
+    }
+    bool all = wants_all(names) && lens->position_count > 0;
+    size_t most = all ? lens->position_count : 1;
+    for (const char *at = names; at != NULL && *at != '\0'; at++) {
+        most += *at == ',';
+    }
+    size_t *found = ARENA_ARRAY(arena, most, size_t);
+    *positions = found;
+    *count = all ? most : 0;
+    for (size_t i = 0; i < *count; i++) {
+        found[i] = i;
+    }
+    struct text rest = text_of(names != NULL ? names : "");
+    if (names == NULL || wants_all(names)) {
+        *count = most; /* the first, if there is nothing else */
+        return true;
+    }
+    while (rest.start != NULL) {
+        if (!find_position(lens, text_trim(text_cut(&rest, ',')), &found[*count], error)) {
+            return false;
+        }
+        ++*count;
+    }
+    return true;
+}
+
+bool lens_each_setup(const struct lens_question *question, const struct lens_policy *policy,
+                     struct arena *arena, lens_setup_visit *visit, void *context,
+                     struct error *error)
+{
+    const size_t *positions;
+    size_t count;
+    if (!lens_positions(question->lens.lens, question->position, arena, &positions, &count,
+                        error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!visit_position(question, policy, positions[i], arena, visit, context, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Who gets the cases of a setup. */
+struct visitor {
+    lens_visit *visit;
+    void *context;
+};
+
+static bool visit_wavelengths(const struct setup *setup, const char *warning, void *context,
+                              struct error *error)
+{
+    const struct visitor *visitor = context;
+    struct lens_case one = {.setup = setup, .warning = warning};
+    for (; one.index < setup->wavelength_count; one.index++) {
+        if (!setup_light(setup, one.index, &one.light, error) ||
+            !visitor->visit(&one, visitor->context, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool lens_each(const struct lens_question *question, const struct lens_policy *policy,
+               struct arena *arena, lens_visit *visit, void *context, struct error *error)
+{
+    struct visitor visitor = {visit, context};
+    return lens_each_setup(question, policy, arena, visit_wavelengths, &visitor, error);
+}

@@ -1,0 +1,222 @@
+/* commands/lens/pupil_cases.c - from the options of lenscalc pupil to shapes. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/lens/pupil_cases.h"
+
+#include "trace/aim.h"
+
+#include <string.h>
+
+static const double degrees = 180 / 3.141592653589793;
+
+/* Enough for 1e-5 of an area with corners. */
+enum { DIRECTIONS = 512 };
+
+/* What is asked, and who gets the answers. */
+struct asked {
+    const struct pupil_input *input;
+    struct arena *arena;
+    struct pupil_memo *memo; /* null = none */
+    pupil_visit *visit;
+    void *context;
+};
+
+/* What one lens at one wavelength needs for all its points. */
+struct scene {
+    const struct asked *asked;
+    const struct lens_case *one;
+    const struct system *clipped, *open;
+    double film; /* from the last vertex, mm; NaN for fields */
+    struct pupil_shape axis;
+};
+
+/* Both systems go the way the light of the points does. */
+static bool open_systems(struct scene *scene, unsigned way, struct error *error)
+{
+    const struct lens_case *one = scene->one;
+    scene->open = setup_system(one->setup, one->index, SETUP_OPEN | way, error);
+    scene->clipped = scene->open != NULL
+                         ? setup_system(one->setup, one->index, SETUP_CLIPPED | way, error)
+                         : NULL;
+    return scene->clipped != NULL;
+}
+
+static bool check_film(double film, struct error *error)
+{
+    if (isnan(film) || film == 0) {
+        fail(error, ERROR_DOMAIN, "the film lies %s",
+             film == 0 ? "in the last vertex" : "at infinity");
+        return error_hint(error, "say where the film is: --focus MM, from the last vertex");
+    }
+    return true;
+}
+
+static bool shape_of(const struct scene *scene, const struct beam *beam, struct arena *arena,
+                     struct pupil_shape *shape, struct error *error)
+{
+    const struct pupil_question question = {.clipped = scene->clipped,
+                                            .open = scene->open,
+                                            .beam = beam,
+                                            .first = &scene->one->light.first,
+                                            .directions = DIRECTIONS};
+    return pupil_shape(&question, arena, shape, error);
+}
+
+static struct beam film_beam(const struct scene *scene, double height)
+{
+    return beam_from_film((double[3]){0, height, scene->film}, scene->open->index_first);
+}
+
+static bool show(const struct scene *scene, const struct beam *beam, struct pupil_case *point,
+                 struct error *error)
+{
+    struct pupil_shape shape;
+    if (!shape_of(scene, beam, scene->asked->arena, &shape, error)) {
+        return false;
+    }
+    point->shape = &shape;
+    point->axis = &scene->axis;
+    point->one = scene->one;
+    return scene->asked->visit(point, scene->asked->context, error);
+}
+
+static bool show_field(const struct scene *scene, const struct field_point *field,
+                       struct error *error)
+{
+    const struct setup *setup = scene->one->setup;
+    struct beam beam;
+    if (!beam_of_field(field, &setup->object, &setup->first, &beam, error)) {
+        return false;
+    }
+    struct pupil_case point = {.height = NAN, .film = NAN, .object = NAN};
+    /* as it was asked for, to the last digit */
+    point.angle = field->kind == FIELD_ANGLE ? field->value[1] : atan2(beam.axis[1], beam.axis[2]);
+    if (!setup->object.is_infinite) {
+        point.object = -beam.axis[1] * beam.distance + 0.0;
+    }
+    return show(scene, &beam, &point, error);
+}
+
+static bool show_fields(const struct scene *scene, struct error *error)
+{
+    const struct setup *setup = scene->one->setup;
+    for (size_t i = 0; i < setup->field_count; i++) {
+        if (!show_field(scene, &setup->fields[i].point, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* -------- the point on the axis, once for all points of a sweep -------- */
+
+/* What the shape on the axis depends on. Compared byte by byte: filled with zeros first. */
+struct axis_key {
+    const struct lens *lens;
+    const char *position;
+    double wavelength, fnumber, film;
+};
+
+enum { AXES = 64 };
+
+struct pupil_memo {
+    size_t count;
+    struct axis_key keys[AXES];
+    struct pupil_shape shapes[AXES]; /* their numbers only: outlines end with their row */
+};
+
+static struct axis_key key_of(const struct scene *scene)
+{
+    struct axis_key key;
+    memset(&key, 0, sizeof key);
+    key.lens = scene->asked->input->question.lens.lens;
+    key.position = scene->one->setup->position;
+    key.wavelength = scene->one->light.wavelength;
+    key.fnumber = scene->asked->input->question.fnumber;
+    key.film = scene->film;
+    return key;
+}
+
+struct pupil_memo *pupil_memo_new(struct arena *arena)
+{
+    return ARENA_NEW(arena, struct pupil_memo);
+}
+
+static bool find_axis(struct scene *scene, const struct beam *beam, struct error *error)
+{
+    struct pupil_memo *memo = scene->asked->memo;
+    const struct axis_key key = key_of(scene);
+    for (size_t i = 0; memo != NULL && i < memo->count; i++) {
+        if (memcmp(&memo->keys[i], &key, sizeof key) == 0) {
+            scene->axis = memo->shapes[i];
+            return true;
+        }
+    }
+    if (!shape_of(scene, beam, scene->asked->arena, &scene->axis, error)) {
+        return false;
+    }
+    if (memo != NULL) {
+        size_t at = memo->count < AXES ? memo->count++ : 0;
+        struct pupil_shape *kept = &memo->shapes[at];
+        memo->keys[at] = key;
+        *kept = scene->axis;
+        kept->stop = kept->across = NULL;
+        kept->entrance.pupil.outline = kept->entrance.vertex.outline = NULL;
+        kept->exit.pupil.outline = kept->exit.vertex.outline = NULL;
+    }
+    return true;
+}
+
+static bool visit_lens(const struct lens_case *one, void *context, struct error *error)
+{
+    const struct asked *asked = context;
+    const struct setup *setup = one->setup;
+    struct scene scene = {.asked = asked, .one = one, .film = NAN};
+    bool from_film = !isnan(asked->input->height);
+    const struct field_point centre = {FIELD_NONE, {0, 0}};
+    struct beam beam;
+    if (!open_systems(&scene, from_film ? SETUP_REVERSED : 0, error) ||
+        (from_film && !check_film(setup->image, error))) {
+        return false;
+    }
+    if (from_film) {
+        scene.film = setup->image;
+        beam = film_beam(&scene, 0);
+    } else if (!beam_of_field(&centre, &setup->object, &setup->first, &beam, error)) {
+        return false;
+    }
+    if (!find_axis(&scene, &beam, error)) {
+        return false;
+    }
+    if (!from_film) {
+        return show_fields(&scene, error);
+    }
+    struct pupil_case point = {.from_film = true,
+                               .angle = NAN,
+                               .object = NAN,
+                               .height = asked->input->height,
+                               .film = scene.film};
+    beam = film_beam(&scene, point.height);
+    return show(&scene, &beam, &point, error);
+}
+
+bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pupil_memo *memo,
+                pupil_visit *visit, void *context, struct error *error)
+{
+    struct asked asked = {input, arena, memo, visit, context};
+    const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                       .fields = FIELDS_ALL,
+                                       .focus = isnan(input->height) ? NULL : &input->focus};
+    if (!isnan(input->question.field) && !isnan(input->height)) {
+        return fail(error, ERROR_USAGE,
+                    "--field is a point in front of the lens and --height one in the film: give "
+                    "one of them");
+    }
+    return lens_each(&input->question, &policy, arena, visit_lens, &asked, error);
+}
+
+const char *pupil_point_words(const struct pupil_case *point, struct arena *arena)
+{
+    return point->from_film        ? arena_printf(arena, "film %.4g mm", point->height)
+           : !isnan(point->object) ? arena_printf(arena, "object %.4g mm", point->object)
+                                   : arena_printf(arena, "%.4g deg", point->angle * degrees);
+}

@@ -1,0 +1,80 @@
+/* commands/photo/sharpness.c - the options that say how sharp is sharp. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/photo/sharpness.h"
+
+/* What an option is where only others of its kind are given. */
+static double given_or(double value, double usual)
+{
+    return isnan(value) ? usual : value;
+}
+
+static bool is_print_given(const struct sharpness *a)
+{
+    return !isnan(a->print) || !isnan(a->viewing) || !isnan(a->acuity);
+}
+
+bool sharpness_imply(const struct sharpness *a, enum pitch_use use, struct sharpness *implied,
+                     struct error *error)
+{
+    bool is_print = is_print_given(a), is_pitch = !isnan(a->pitch) && use == PITCH_FOR_COC;
+    *implied = *a;
+    if ((!is_print && !is_pitch) || !a->coc.is_fallback) {
+        return true;
+    }
+    if (is_print && is_pitch) {
+        fail(error, ERROR_USAGE, "--pitch and --print are two criteria of sharpness");
+        return error_hint(error, "--coc print or --coc 2px says which counts");
+    }
+    implied->coc = is_print ? (struct coc_value){{.kind = COC_PRINT, .value = 1}, "print", false}
+                            : (struct coc_value){{.kind = COC_PIXELS, .value = 2}, "2px", false};
+    return true;
+}
+
+bool sharpness_resolve_in(const struct sharpness *a, double wavelength, double fnumber, double *c,
+                          struct error *error)
+{
+    if (a->coc.coc.kind == COC_LENGTH) {
+        *c = a->coc.coc.value;
+        return true;
+    }
+    if (a->coc.coc.kind == COC_AIRY && isnan(fnumber)) {
+        return fail(error, ERROR_USAGE, "--coc airy needs --aperture");
+    }
+    struct coc coc = a->coc.coc;
+    struct sensor sensor = a->sensor.size;
+    sensor.pitch = sharpness_pitch(a);
+    coc.print = given_or(a->print, 254);
+    coc.viewing = given_or(a->viewing, 250);
+    coc.acuity = given_or(a->acuity, 5);
+    coc.wavelength = wavelength;
+    coc.fnumber = fnumber;
+    return coc_resolve(&coc, &sensor, c, error);
+}
+
+bool sharpness_resolve(const struct sharpness *a, double fnumber, double *c, struct error *error)
+{
+    return sharpness_resolve_in(a, a->wavelength, fnumber, c, error);
+}
+
+double sharpness_pitch(const struct sharpness *a)
+{
+    return isnan(a->pitch) ? a->sensor.size.pitch : a->pitch;
+}
+
+void sharpness_doubt_pitch(const struct sharpness *a, struct doubts *doubts)
+{
+    if (isnan(a->pitch) && !isnan(a->sensor.size.pitch) && a->sensor.pitch_note != NULL) {
+        doubts_add(doubts, "the pixel pitch of %s, %.4g um, is %s", a->sensor.name,
+                   1000 * a->sensor.size.pitch, a->sensor.pitch_note);
+    }
+}
+
+bool coc_is_pixels(const struct coc_value *coc)
+{
+    return coc->coc.kind == COC_PIXELS;
+}
+
+bool coc_is_print(const struct coc_value *coc)
+{
+    return coc->coc.kind == COC_PRINT;
+}
