@@ -25,15 +25,16 @@ static void test_singlet(void)
         {GOAL_FFL, -(1 - t / n * P2) / P, 1, 0.55, NAN},
         {GOAL_LENGTH, 8, 1, 0.55, NAN},
     };
-    const struct prescription_part parts[4] = {{PART_RADIUS, 0, -none, none},
-                                               {PART_RADIUS, 1, -none, none},
-                                               {PART_GAP, 0, -none, none},
-                                               {PART_INDEX, 0, -none, none}};
+    const struct prescription_part parts[4] = {{{0, PARAMETER_RADIUS, 0}, -none, none},
+                                               {{1, PARAMETER_RADIUS, 0}, -none, none},
+                                               {{0, PARAMETER_THICKNESS, 0}, -none, none},
+                                               {{0, PARAMETER_INDEX, 0}, -none, none}};
     struct arena arena = {0};
     struct prescription_fit fit;
     struct error error;
     const struct lens lens = lens_of("surface 55 7 1.62 -\nsurface -100 - air -\n", &arena);
-    CHECK(prescription_fit(&lens, goals, 4, parts, 4, &arena, &fit, &error));
+    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 4, parts, 4}, &arena, &fit,
+                           &error));
     CHECK(fit.summary.status == SOLVER_CONVERGED);
     for (int g = 0; g < 4; g++) {
         CHECK_RELATIVE(fit.reached[g], goals[g].value, 1e-11, "goal");
@@ -59,15 +60,16 @@ static void test_loose_and_bounds(void)
 {
     struct prescription_goal goals[2] = {{GOAL_EFL, 101, 1, 0.55, NAN},
                                          {GOAL_HEIGHT, 101 * 0.2, 1, 0.55, 0.19739555984988}};
-    const struct prescription_part free_parts[2] = {{PART_RADIUS, 0, -none, none},
-                                                    {PART_RADIUS, 1, -none, none}};
-    const struct prescription_part bounded[2] = {{PART_RADIUS, 0, 99, 100.5},
-                                                 {PART_GAP, 0, 4.9, 5.1}};
+    const struct prescription_part free_parts[2] = {{{0, PARAMETER_RADIUS, 0}, -none, none},
+                                                    {{1, PARAMETER_RADIUS, 0}, -none, none}};
+    const struct prescription_part bounded[2] = {{{0, PARAMETER_RADIUS, 0}, 99, 100.5},
+                                                 {{0, PARAMETER_THICKNESS, 0}, 4.9, 5.1}};
     struct arena arena = {0};
     struct prescription_fit fit;
     struct error error;
     const struct lens lens = lens_of("surface 100 5 1.5 -\nsurface -100 - air -\n", &arena);
-    CHECK(prescription_fit(&lens, goals, 1, free_parts, 2, &arena, &fit, &error));
+    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 1, free_parts, 2}, &arena,
+                           &fit, &error));
     CHECK(fit.is_loose);
     CHECK_RELATIVE(fit.reached[0], 101.0, 1e-9, "goal");
     /* the lens is alike from both sides: both radii change alike */
@@ -75,9 +77,130 @@ static void test_loose_and_bounds(void)
     CHECK(isnan(fit.errors[0]));
     goals[0].value = 103;
     goals[1].value = 103 * 0.2;
-    CHECK(prescription_fit(&lens, goals, 2, bounded, 2, &arena, &fit, &error));
+    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 2, bounded, 2}, &arena, &fit,
+                           &error));
     CHECK_RELATIVE(fit.values[0], 100.5, 1e-12, "R1 at its bound");
     CHECK(fit.summary.at_bound[0] && fit.values[1] >= 4.9 && fit.values[1] <= 5.1);
+    arena_free(&arena);
+}
+
+/* Power of a Mangin mirror by hand: in through R1, back from R2, out through R1. */
+static double mangin_power(double n, double R1, double R2, double t)
+{
+    const double powers[3] = {(n - 1) / R1, -2 * n / R2, (n - 1) / R1};
+    double y = 1, v = 0;
+    for (int i = 0; i < 3; i++) {
+        v -= y * powers[i];
+        y += i < 2 ? v * t / n : 0;
+    }
+    return -v;
+}
+
+/* The glass of a Mangin mirror is passed twice, and the index on both ways is one number. */
+static void test_mangin(void)
+{
+    double P = mangin_power(1.6, -60, -90, 6);
+    const struct prescription_goal goal = {GOAL_EFL, 1 / P, 1, 0.55, NAN};
+    const struct prescription_part part = {{0, PARAMETER_INDEX, 0}, -none, none};
+    struct arena arena = {0};
+    struct prescription_fit fit;
+    struct error error;
+    struct first_order first;
+    const struct lens lens =
+        lens_of("surface -60 6 1.5 -\nsurface -90 -6 mirror -\nsurface -60 - air -\n", &arena);
+    CHECK(prescription_fit(&lens, &(struct prescription_task){&goal, 1, &part, 1}, &arena, &fit,
+                           &error));
+    CHECK_RELATIVE(fit.reached[0], 1 / P, 1e-11, "efl");
+    CHECK_RELATIVE(fit.values[0], 1.6, 1e-9, "n");
+    CHECK(fit.summary.iterations <= 8); /* the derivative is that of both ways */
+    const struct lens all = prescription_apply(&lens, &part, 1, &fit, &arena);
+    CHECK(first_order_of_lens(&all, 0.55, SECTION_Y, &arena, &first, &error));
+    CHECK_RELATIVE(first.efl, 1 / P, 1e-11, "efl of the new lens");
+    arena_free(&arena);
+}
+
+static const char double_gauss[] =
+    "surface 58.95 7.52 1.67 -\nsurface 169.66 .24 air -\nsurface 38.55 8.05 1.67 -\n"
+    "surface 81.54 6.55 1.699 -\nsurface 25.5 11.41 air -\nstop - 9 air 34.2\n"
+    "surface -28.99 2.36 1.603 -\nsurface 81.54 12.13 1.658 -\nsurface -40.77 .38 air -\n"
+    "surface 874.13 6.44 1.717 -\nsurface -79.46 - air -\n";
+
+/*
+ * Power is linear in a curvature, so that a lens turns from positive to negative through no power
+ * at all: no way leads there over ever shorter focal lengths. Radii by exact rational arithmetic
+ * from P = P(0) + c (P(1) - P(0)).
+ */
+static void test_through_afocal(void)
+{
+    const struct prescription_goal goals[3] = {{GOAL_EFL, -100, 0.01, 0.55, NAN},
+                                               {GOAL_EFL, 101, 0.01, 0.55, NAN},
+                                               {GOAL_HEIGHT, -20, 0.01, 0.55, 0.19739555984988}};
+    const double radii[3] = {-26.134793179408963, 59.219775782694242, -26.134793179408963};
+    const struct prescription_part part = {{0, PARAMETER_RADIUS, 0}, -none, none};
+    struct arena arena = {0};
+    struct prescription_fit fit;
+    struct error error;
+    const struct lens lens = lens_of(double_gauss, &arena);
+    for (int g = 0; g < 3; g++) {
+        CHECK(prescription_fit(&lens, &(struct prescription_task){&goals[g], 1, &part, 1}, &arena,
+                               &fit, &error));
+        CHECK_RELATIVE(fit.reached[0], goals[g].value, 1e-11, "goal");
+        CHECK_RELATIVE(fit.values[0], radii[g], 1e-11, "R1");
+    }
+    arena_free(&arena);
+}
+
+/* A plane plate is where a lens may begin: 2 c (n - 1) - c^2 t (n - 1)^2/n = 1/f, symmetric. */
+static void test_from_plate(void)
+{
+    const struct prescription_goal goals[1] = {{GOAL_EFL, 100, 0.01, 0.55, NAN}};
+    const struct prescription_part parts[2] = {{{0, PARAMETER_RADIUS, 0}, -none, none},
+                                               {{1, PARAMETER_RADIUS, 0}, -none, none}};
+    struct arena arena = {0};
+    struct prescription_fit fit;
+    struct error error;
+    const struct lens lens = lens_of("surface - 5 1.5 -\nsurface - - air -\n", &arena);
+    double c = (1 - sqrt(1 - 5 * 0.01 / 1.5)) / (5 * 0.5 / 1.5);
+    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 1, parts, 2}, &arena, &fit,
+                           &error));
+    CHECK_RELATIVE(fit.reached[0], 100.0, 1e-9, "efl");
+    double bfl = 100 * (1 - 5 / 1.5 * 0.5 * c);
+    const struct prescription_goal both[2] = {goals[0], {GOAL_BFL, bfl, 0.01, 0.55, NAN}};
+    CHECK(prescription_fit(&lens, &(struct prescription_task){both, 2, parts, 2}, &arena, &fit,
+                           &error));
+    CHECK_RELATIVE(fit.values[0], 1 / c, 1e-9, "R1");
+    CHECK_RELATIVE(fit.values[1], -1 / c, 1e-9, "R2");
+    arena_free(&arena);
+}
+
+/* What one radius cannot do is as near as it gets, and is not far: 101 and 99 meet at 100. */
+static void test_contradiction(void)
+{
+    const struct prescription_goal goals[2] = {{GOAL_EFL, 101, 0.1, 0.55, NAN},
+                                               {GOAL_EFL, 99, 0.1, 0.55, NAN}};
+    const struct prescription_part part = {{0, PARAMETER_RADIUS, 0}, -none, none};
+    struct arena arena = {0};
+    struct prescription_fit fit;
+    struct error error;
+    const struct lens lens = lens_of(double_gauss, &arena);
+    CHECK(prescription_fit(&lens, &(struct prescription_task){goals, 2, &part, 1}, &arena, &fit,
+                           &error));
+    /* weights f^2/deviation: P = (101^4/101 + 99^4/99)/(101^4 + 99^4) */
+    double up = pow(101, 4), down = pow(99, 4);
+    CHECK_RELATIVE(fit.reached[0], (up + down) / (up / 101 + down / 99), 1e-10, "between");
+    arena_free(&arena);
+}
+
+static void check_bad_goal(struct prescription_goal goal, const char *word)
+{
+    const struct prescription_part part = {{0, PARAMETER_RADIUS, 0}, -none, none};
+    struct arena arena = {0};
+    struct prescription_fit fit;
+    struct error error;
+    const struct lens lens = lens_of(double_gauss, &arena);
+    CHECK(!prescription_fit(&lens, &(struct prescription_task){&goal, 1, &part, 1}, &arena, &fit,
+                            &error));
+    CHECK(error.code == ERROR_DOMAIN && strstr(error.message, word) != NULL);
     arena_free(&arena);
 }
 
@@ -90,7 +213,8 @@ static void check_refused(struct prescription_part part, const char *word)
     const struct lens lens = lens_of(
         "surface 100 5 1.5 -\nstop - 5 air 3\nsurface -100 5 {d 1.5} -\nsurface 50 - air -\n",
         &arena);
-    CHECK(!prescription_fit(&lens, &goal, 1, &part, 1, &arena, &fit, &error));
+    CHECK(!prescription_fit(&lens, &(struct prescription_task){&goal, 1, &part, 1}, &arena, &fit,
+                            &error));
     CHECK(error.code == ERROR_DOMAIN && strstr(error.message, word) != NULL);
     arena_free(&arena);
 }
@@ -99,11 +223,22 @@ int main(void)
 {
     test_singlet();
     test_loose_and_bounds();
-    check_refused((struct prescription_part){PART_RADIUS, 4, -none, none}, "no radius 5");
-    check_refused((struct prescription_part){PART_GAP, 3, -none, none}, "no gap 4");
-    check_refused((struct prescription_part){PART_RADIUS, 1, -none, none}, "no radius to vary");
-    check_refused((struct prescription_part){PART_INDEX, 2, -none, none}, "no index of its own");
-    check_refused((struct prescription_part){PART_RADIUS, 0, -10, 200}, "one sign");
-    check_refused((struct prescription_part){PART_GAP, 0, 6, 7}, "outside its bounds");
+    test_mangin();
+    test_through_afocal();
+    test_from_plate();
+    test_contradiction();
+    check_bad_goal((struct prescription_goal){GOAL_EFL, 0, 1, 0.55, NAN}, "focal length of 0");
+    check_bad_goal((struct prescription_goal){GOAL_HEIGHT, 0, 1, 0.55, 0.1}, "height of 0");
+    check_bad_goal((struct prescription_goal){GOAL_HEIGHT, 5, 1, 0.55, 0}, "on the axis");
+    check_refused((struct prescription_part){{4, PARAMETER_RADIUS, 0}, -none, none}, "no radius 5");
+    check_refused((struct prescription_part){{3, PARAMETER_THICKNESS, 0}, -none, none},
+                  "no thickness 4");
+    check_refused((struct prescription_part){{1, PARAMETER_RADIUS, 0}, -none, none},
+                  "no radius to vary");
+    check_refused((struct prescription_part){{2, PARAMETER_INDEX, 0}, -none, none},
+                  "no index of its own");
+    check_refused((struct prescription_part){{0, PARAMETER_RADIUS, 0}, -10, 200}, "one sign");
+    check_refused((struct prescription_part){{0, PARAMETER_THICKNESS, 0}, 6, 7},
+                  "outside its bounds");
     return check_report();
 }

@@ -81,7 +81,7 @@ static void test_examples(void)
         struct attach_lens lens;
         struct attach_focus near;
         struct error error;
-        CHECK(attach_bare(e->f, 4, 1, e->m_near, 0, 0, &lens, &error));
+        CHECK(attach_bare(&(struct attach_bare){e->f, 4, 1, e->m_near, 0, 0}, &lens, &error));
         CHECK(attach_apply(&lens, &e->step, 1, &error));
         CHECK(attach_focused(&lens, true, &near, &error));
         CHECK_NEAR(lens.m_far, e->m_far, e->tolerance, e->source);
@@ -99,7 +99,7 @@ static void test_close_up_range(void)
     struct attach_lens lens;
     struct attach_focus bare, with;
     struct error error;
-    CHECK(attach_bare(100, 4, 1, 100.0 / 1400, 0, 0, &lens, &error));
+    CHECK(attach_bare(&(struct attach_bare){100, 4, 1, 100.0 / 1400, 0, 0}, &lens, &error));
     CHECK(attach_focused(&lens, true, &bare, &error));
     CHECK_NEAR(bare.working_distance, 1500, 1e-9, "bare");
     CHECK(attach_apply(&lens, &(struct attach_step){ATTACH_CLOSE_UP, 3, 0, 0}, 1, &error));
@@ -141,7 +141,7 @@ static void test_traced_close_up(void)
         struct attach_lens lens;
         struct attach_focus near;
         struct error error;
-        CHECK(attach_bare(f, 4, 1, m0, 0, 0, &lens, &error));
+        CHECK(attach_bare(&(struct attach_bare){f, 4, 1, m0, 0, 0}, &lens, &error));
         CHECK(attach_apply(&lens, &(struct attach_step){ATTACH_CLOSE_UP, D, gap, 0}, 1, &error));
         if (!attach_focused(&lens, true, &near, &error)) {
             continue;
@@ -175,7 +175,7 @@ static void test_commute(void)
         struct attach_step rear_first[] = {front_first[1], front_first[2], front_first[0]};
         struct attach_lens a, b, bare;
         struct error error;
-        CHECK(attach_bare(f, 2.8, P, 0.3, front, 3, &bare, &error));
+        CHECK(attach_bare(&(struct attach_bare){f, 2.8, P, 0.3, front, 3}, &bare, &error));
         a = b = bare;
         if (front + front_first[0].gap < 0 || !attach_apply(&a, front_first, 1, &error)) {
             continue;
@@ -199,7 +199,7 @@ static void test_converter(void)
     struct attach_lens lens;
     struct attach_focus bare, with;
     struct error error;
-    CHECK(attach_bare(300, 2.8, 0.8, 0.2, 40, 5, &lens, &error));
+    CHECK(attach_bare(&(struct attach_bare){300, 2.8, 0.8, 0.2, 40, 5}, &lens, &error));
     CHECK(attach_focused(&lens, true, &bare, &error));
     CHECK(attach_apply(&lens, &(struct attach_step){ATTACH_CONVERTER, 1.4, 0, 0}, 1, &error));
     CHECK(attach_focused(&lens, true, &with, &error));
@@ -215,14 +215,14 @@ static void test_reversed(void)
     struct attach_lens lens;
     struct attach_focus focus;
     struct error error;
-    CHECK(attach_bare(28, 4, 1.6, 0, 0, 0, &lens, &error));
+    CHECK(attach_bare(&(struct attach_bare){28, 4, 1.6, 0, 0, 0}, &lens, &error));
     CHECK(attach_apply(&lens, &(struct attach_step){ATTACH_REVERSED, 84, 0, 0}, 1, &error));
     CHECK(attach_focused(&lens, false, &focus, &error));
     CHECK_NEAR(focus.m, 2, 1e-14, "84 mm behind a 28 mm lens is 2:1");
     CHECK_RELATIVE(focus.working_fnumber, 4 / 1.6 * (1 + 1.6 * 2), 1e-14, "apug 1057535");
     CHECK(!attach_apply(&lens, &(struct attach_step){ATTACH_REVERSED, 20, 0, 0}, 1, &error));
     /* a known back: H' 5 mm behind it is the new H, the old H 12 mm from there the new H' */
-    CHECK(attach_bare(28, 4, 1.6, 0, 9, 12, &lens, &error));
+    CHECK(attach_bare(&(struct attach_bare){28, 4, 1.6, 0, 9, 12}, &lens, &error));
     CHECK(attach_apply(&lens, &(struct attach_step){ATTACH_REVERSED, 84, 12, 5}, 1, &error));
     CHECK(attach_focused(&lens, false, &focus, &error));
     CHECK_NEAR(focus.working_distance, 42 - 5, 1e-13, "s = f (1 + 1/m) = 42 mm from H");
@@ -237,11 +237,11 @@ static void test_stacked_beam(void)
     struct attach_lens lens;
     struct attach_focus focus;
     struct error error;
-    CHECK(attach_bare(200, 4, 1, 0, 0, 0, &lens, &error));
+    CHECK(attach_bare(&(struct attach_bare){200, 4, 1, 0, 0, 0}, &lens, &error));
     CHECK(attach_apply(&lens, &(struct attach_step){ATTACH_STACKED, 50, 0, 2.8}, 1, &error));
     CHECK(attach_focused(&lens, false, &focus, &error));
     CHECK_RELATIVE(focus.working_fnumber, 200 / (50 / 2.8), 1e-13, "limited by the front lens");
-    CHECK(attach_bare(200, 16, 1, 0, 0, 0, &lens, &error));
+    CHECK(attach_bare(&(struct attach_bare){200, 16, 1, 0, 0, 0}, &lens, &error));
     CHECK(attach_apply(&lens, &(struct attach_step){ATTACH_STACKED, 50, 0, 2.8}, 1, &error));
     CHECK(attach_focused(&lens, false, &focus, &error));
     CHECK_RELATIVE(focus.working_fnumber, 16.0, 1e-13, "limited by the rear lens");
@@ -258,7 +258,7 @@ static void test_solved(void)
         struct error error;
         CHECK(attach_tube_for(f, m0, m, &e, &error));
         CHECK(attach_close_up_for(f, m0, m, &D, &error));
-        CHECK(attach_bare(f, 4, 1, m0, 0, 0, &tube, &error));
+        CHECK(attach_bare(&(struct attach_bare){f, 4, 1, m0, 0, 0}, &tube, &error));
         close_up = tube;
         CHECK(attach_apply(&tube, &(struct attach_step){ATTACH_TUBE, e, 0, 0}, 1, &error));
         CHECK(attach_apply(&close_up, &(struct attach_step){ATTACH_CLOSE_UP, D, 0, 0}, 1, &error));
@@ -283,17 +283,18 @@ static void test_refusals(void)
     };
     struct attach_lens bare, lens;
     struct error error;
-    CHECK(attach_bare(100, 4, 1, 0, 0, 0, &bare, &error));
+    CHECK(attach_bare(&(struct attach_bare){100, 4, 1, 0, 0, 0}, &bare, &error));
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         lens = bare;
         CHECK(!attach_apply(&lens, &rows[i].step, 1, &error) && error.code == ERROR_DOMAIN);
         check_at(strstr(error.message, rows[i].words) != NULL, __FILE__, __LINE__, rows[i].words);
     }
-    CHECK(!attach_bare(0, 4, 1, 0, 0, 0, &lens, &error));
-    CHECK(!attach_bare(50, 4, NONE, 0, 0, 0, &lens, &error));
-    CHECK(!attach_bare(50, 4, 1, -1, 0, 0, &lens, &error));
+    CHECK(!attach_bare(&(struct attach_bare){0, 4, 1, 0, 0, 0}, &lens, &error));
+    CHECK(!attach_bare(&(struct attach_bare){50, 4, NONE, 0, 0, 0}, &lens, &error));
+    CHECK(!attach_bare(&(struct attach_bare){50, 4, 1, -1, 0, 0}, &lens, &error));
     struct attach_focus focus;
-    CHECK(attach_bare(50, 4, 1, 5, 61, 0, &lens, &error)); /* s = 60 mm, front 61 mm before H */
+    CHECK(attach_bare(&(struct attach_bare){50, 4, 1, 5, 61, 0}, &lens,
+                      &error)); /* s = 60 mm, front 61 mm before H */
     CHECK(!attach_focused(&lens, true, &focus, &error));
     double e;
     CHECK(!attach_tube_for(50, 0.5, 0.4, &e, &error));

@@ -50,6 +50,14 @@ static void test_kinds(void)
 }
 
 /* Angles whose image height is known by heart, f = 10. */
+static bool focal_length(enum projection projection, double s, double P, double dimension,
+                         double angle, double *f)
+{
+    struct error error;
+    const struct fov_setting setting = {.projection = projection, .s = s, .P = P};
+    return fov_focal_length(&setting, dimension, angle, f, &error);
+}
+
 static void test_projections(void)
 {
     static const struct {
@@ -74,8 +82,7 @@ static void test_projections(void)
         double angle = 0, f = 0;
         CHECK(fov_angle(cases[i].projection, 10, cases[i].dimension, &angle, &error));
         CHECK_RELATIVE(angle / DEGREE, cases[i].degrees, 8 * DBL_EPSILON, cases[i].source);
-        CHECK(fov_focal_length(cases[i].projection, cases[i].dimension, angle, INFINITY, 1, &f,
-                               &error));
+        CHECK(focal_length(cases[i].projection, INFINITY, 1, cases[i].dimension, angle, &f));
         CHECK_RELATIVE(f, 10.0, 16 * DBL_EPSILON, cases[i].source);
     }
     double angle;
@@ -113,7 +120,7 @@ static void test_inverse(void)
     for (int projection = 0; projection < PROJECTIONS; projection++) {
         for (int i = 0; i < 25; i++) {
             double s = distance[i / 5], P = pupil[i % 5], f = 0, wanted = 55 * DEGREE;
-            CHECK(fov_focal_length((enum projection)projection, 36, wanted, s, P, &f, &error));
+            CHECK(focal_length((enum projection)projection, s, P, 36, wanted, &f));
             CHECK(f < s);
             struct fov fov = view((enum projection)projection, f, s, P, 1);
             CHECK_RELATIVE(fov.horizontal, wanted, 64 * DBL_EPSILON, "angle put back");
@@ -122,11 +129,11 @@ static void test_inverse(void)
     double f = 0;
     CHECK(fov_focal_length_for_field(36, 1200, 3000, &f, &error));
     CHECK_RELATIVE(view(RECTILINEAR, f, 3000, 1, 1).width_at_s, 1200.0, 1e-13, "field put back");
-    CHECK(!fov_focal_length(RECTILINEAR, 36, 180 * DEGREE, INFINITY, 1, &f, &error));
-    CHECK(!fov_focal_length(ORTHOGRAPHIC, 36, 181 * DEGREE, INFINITY, 1, &f, &error));
-    CHECK(!fov_focal_length(EQUIDISTANT, 36, 361 * DEGREE, INFINITY, 1, &f, &error));
-    CHECK(!fov_focal_length(RECTILINEAR, 36, NAN, INFINITY, 1, &f, &error));
-    CHECK(!fov_focal_length(RECTILINEAR, 36, 1, 0, 1, &f, &error));
+    CHECK(!focal_length(RECTILINEAR, INFINITY, 1, 36, 180 * DEGREE, &f));
+    CHECK(!focal_length(ORTHOGRAPHIC, INFINITY, 1, 36, 181 * DEGREE, &f));
+    CHECK(!focal_length(EQUIDISTANT, INFINITY, 1, 36, 361 * DEGREE, &f));
+    CHECK(!focal_length(RECTILINEAR, INFINITY, 1, 36, NAN, &f));
+    CHECK(!focal_length(RECTILINEAR, 0, 1, 36, 1, &f));
     CHECK(!fov_focal_length_for_field(36, 1200, INFINITY, &f, &error));
     struct fov_setting a = {RECTILINEAR, 50, 40, 1, 1};
     struct fov fov;

@@ -11,7 +11,7 @@ static struct glass_record find(struct lensdb *db, const char *name)
 {
     struct glass_record record = {0};
     struct error error;
-    CHECK(glass_find(db, text_of(name), db->arena, &record, &error));
+    CHECK(glass_find(db, text_of(name), GLASS_OWN_NAMES, db->arena, &record, &error));
     return record;
 }
 
@@ -161,21 +161,21 @@ static void test_names(struct lensdb *db)
 {
     struct glass_record record;
     struct error error;
-    CHECK(!glass_find(db, text_of("bk7"), db->arena, &record, &error));
+    CHECK(!glass_find(db, text_of("bk7"), GLASS_OWN_NAMES, db->arena, &record, &error));
     CHECK(error.code == ERROR_USAGE && strstr(error.message, "SUMITA:BK7 (obsolete)") != NULL);
-    CHECK(!glass_find(db, text_of("N-BK8"), db->arena, &record, &error));
+    CHECK(!glass_find(db, text_of("N-BK8"), GLASS_OWN_NAMES, db->arena, &record, &error));
     CHECK_TEXT(error.hint, "did you mean 'N-BK7'?");
-    CHECK(!glass_find(db, text_of("SCHOT:N-BK7"), db->arena, &record, &error));
-    CHECK(glass_find(db, text_of("nbk7"), db->arena, &record, &error));
+    CHECK(!glass_find(db, text_of("SCHOT:N-BK7"), GLASS_OWN_NAMES, db->arena, &record, &error));
+    CHECK(glass_find(db, text_of("nbk7"), GLASS_OWN_NAMES, db->arena, &record, &error));
     CHECK(text_equal(record.glass.name, "N-BK7") && text_equal(record.glass.catalog, "SCHOTT"));
     /* two names that differ by nothing but a hyphen */
-    CHECK(glass_find(db, text_of("c0550"), db->arena, &record, &error));
+    CHECK(glass_find(db, text_of("c0550"), GLASS_OWN_NAMES, db->arena, &record, &error));
     CHECK(text_equal(record.glass.name, "C0550"));
-    CHECK(glass_find(db, text_of("corning:c05-50"), db->arena, &record, &error));
+    CHECK(glass_find(db, text_of("corning:c05-50"), GLASS_OWN_NAMES, db->arena, &record, &error));
     CHECK(text_equal(record.glass.name, "C05-50"));
     CHECK(!glass_check_range(&record.glass, 20, &error) && error.code == ERROR_DOMAIN);
-    CHECK(!glass_find_medium(db, text_of("0/50"), db->arena, &record, &error));
-    CHECK(glass_find_medium(db, text_of("1.5"), db->arena, &record, &error));
+    CHECK(!glass_find_medium(db, text_of("0/50"), GLASS_OWN_NAMES, db->arena, &record, &error));
+    CHECK(glass_find_medium(db, text_of("1.5"), GLASS_OWN_NAMES, db->arena, &record, &error));
 }
 
 int main(void)

@@ -3,6 +3,7 @@
 #include "check.h"
 #include "file/lens_file.h"
 #include "optics/first_order.h"
+#include "optics/portable.h"
 
 static bool solve(const char *text, struct arena *arena, struct lens *lens,
                   struct paraxial_trace *trace, struct paraxial_trace *portable,

@@ -1,11 +1,14 @@
 /* tests/unit/test_pupil.c - beams, chief rays and clear pupils against closed forms. */
 /* SPDX-License-Identifier: MIT */
+#include "analysis/pupil_shape.h"
 #include "check.h"
 #include "exchange/lens_db.h"
 #include "file/lens_file.h"
 #include "trace/aim.h"
 #include "trace/clear.h"
 #include "trace/dispatch.h"
+
+#include <string.h>
 
 static const double pi = 3.141592653589793, degree = 3.141592653589793 / 180;
 
@@ -99,6 +102,26 @@ static void test_places(void)
             CHECK_NEAR(place[0], 3, 2e-14, "place, a");
             CHECK_NEAR(place[1], -4, 2e-14, "place, b");
         }
+    }
+}
+
+/* A block filled at once holds the bits of rays put in one by one. */
+static void test_fill(struct arena *arena)
+{
+    struct rays one = rays_new(arena, RAYS_BLOCK), all = rays_new(arena, RAYS_BLOCK);
+    struct beam beams[2] = {beam_from_infinity((double[2]){0.3, 0.7}, 1.33)};
+    struct error error;
+    double at[RAYS_BLOCK][2];
+    CHECK(beam_from_point((double[3]){1, -7, -90}, 1.33, &beams[1], &error));
+    for (size_t k = 0; k < 2; k++) {
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            at[i][0] = 0.37 * (double)i - 11;
+            at[i][1] = 5 - 0.11 * (double)i;
+            struct ray ray = beam_ray(&beams[k], at[i][0], at[i][1]);
+            rays_set(&one, i, beams[k].n, &ray);
+        }
+        beam_fill(&beams[k], (const double(*)[2])at, RAYS_BLOCK, all.blocks);
+        CHECK(memcmp(one.blocks, all.blocks, sizeof *one.blocks) == 0);
     }
 }
 
@@ -329,6 +352,83 @@ static void test_discs(struct arena *arena)
     }
 }
 
+/* The area that two circles of radii r and s, d apart, have in common. */
+static double lens_area(double r, double s, double d)
+{
+    double a = acos((d * d + r * r - s * s) / (2 * d * r));
+    double b = acos((d * d + s * s - r * r) / (2 * d * s));
+    return r * r * (a - sin(2 * a) / 2) + s * s * (b - sin(2 * b) / 2);
+}
+
+/* Two holes in air see each other aside: a cat's eye, with two corners. */
+static void test_cats_eyes(struct arena *arena)
+{
+    struct opened opened;
+    open_text("lens two\nobject inf\naperture stop\nsurface - 20 air 10\nstop - 10 air 8\n"
+              "surface - 10 air -\n",
+              true, arena, &opened);
+    const double r = 5, s = 4;
+    for (int t = 4; t <= 22; t += 3) {
+        struct beam beam = beam_at(&opened, 0, t * degree);
+        double d = 20 * tan(t * degree);
+        double corner = (d * d + r * r - s * s) / (2 * d), half = sqrt(r * r - corner * corner);
+        double width = corner < d ? half : s;
+        for (size_t directions = 64; directions <= 512; directions *= 2) {
+            struct clear_pupil pupil = clear_of(&opened, &beam, directions, arena);
+            CHECK(pupil.arcs == 2);
+            CHECK_RELATIVE(pupil.area, lens_area(r, s, d) * cos(t * degree), 1e-10,
+                           "cat's eye: area");
+            CHECK_NEAR(pupil.high[0], width, 1e-7 + (corner < d ? 0 : 2e-5), "cat's eye: width");
+        }
+    }
+}
+
+/* In air nothing bends the beam: its section with any plane across the axis is the same eye. */
+static void test_sections(struct arena *arena)
+{
+    const char *text = "lens two\nobject inf\naperture stop\nsurface - 20 air 10\n"
+                       "stop - 10 air 8\nsurface - 10 air -\n";
+    struct opened clipped, open;
+    struct pupil_shape shape;
+    struct error error;
+    open_text(text, true, arena, &clipped);
+    open_text(text, false, arena, &open);
+    for (int t = 4; t <= 22; t += 6) {
+        struct beam beam = beam_at(&open, 0, t * degree);
+        const struct pupil_question question = {&clipped.system, &open.system, &beam, &open.first,
+                                                512};
+        double d = 20 * tan(t * degree), area = lens_area(5, 4, d);
+        CHECK(pupil_shape(&question, arena, &shape, &error));
+        CHECK_RELATIVE(shape.entrance.vertex.area, area, 1e-10, "section: entrance, vertex");
+        CHECK_RELATIVE(shape.entrance.pupil.area, area, 1e-10, "section: entrance, pupil");
+        CHECK_RELATIVE(shape.exit.vertex.area, area, 1e-9, "section: exit, vertex");
+        CHECK_RELATIVE(shape.exit.pupil.area, area, 1e-9, "section: exit, pupil");
+        CHECK_NEAR(shape.exit.vertex.centre[0], 0, 1e-12, "section: centroid");
+        CHECK_NEAR(shape.exit.pupil.centre[1] - shape.entrance.pupil.centre[1], 0, 1e-9,
+                   "section: the pupils are one");
+    }
+}
+
+/* The sliver that two holes leave when they all but turn away: found, and nothing behind it. */
+static void test_slivers(struct arena *arena)
+{
+    struct opened opened;
+    open_text("lens two\nobject inf\naperture stop\nsurface - 100 air 10\nstop - 10 air 8\n"
+              "surface - 10 air -\n",
+              true, arena, &opened);
+    for (double part = 1e-2; part > 1e-9; part /= 10) {
+        double d = 9 * (1 - part), t = atan(d / 100);
+        struct beam beam = beam_at(&opened, 0, t);
+        struct clear_pupil pupil = clear_of(&opened, &beam, 64, arena);
+        CHECK(!pupil.is_empty);
+        CHECK_RELATIVE(pupil.area, lens_area(5, 4, d) * cos(t), 1e-6 + 1e-15 / part / part,
+                       "sliver: area");
+        beam = beam_at(&opened, 0, atan(9 * (1 + part) / 100));
+        pupil = clear_of(&opened, &beam, 64, arena);
+        CHECK(pupil.is_empty);
+    }
+}
+
 /* Against counting: the cells of a fine grid whose middle arrives. */
 static void test_counted(const char *name, double field, struct arena *arena)
 {
@@ -382,6 +482,7 @@ int main(void)
     struct arena arena = {0};
     test_places();
     test_points();
+    test_fill(&arena);
     test_far_object();
     test_decentred_stop(&arena);
     test_tilted_stop(&arena);
@@ -390,6 +491,9 @@ int main(void)
     test_virtual(&arena);
     test_wide_fields(&arena);
     test_discs(&arena);
+    test_cats_eyes(&arena);
+    test_sections(&arena);
+    test_slivers(&arena);
     test_counted("double-gauss", 14, &arena);
     test_counted("fisheye-16", 54, &arena);
     test_empty(&arena);

@@ -163,8 +163,38 @@ static void check_units(void)
     }
 }
 
+/* Kept in um, a wavelength is read to the double of its decimal, and written as it was typed. */
+static void check_wavelengths(void)
+{
+    static const struct {
+        const char *typed;
+        double um;
+        const char *nm;
+    } cases[] = {
+        {"587.5618", 0.5875618, "587.5618"},
+        {"587.5618nm", 0.5875618, "587.5618"},
+        {"0.5875618um", 0.5875618, "587.5618"},
+        {"700", 0.7, "700"},
+        {"0.7um", 0.7, "700"},
+        {"0.0006562725mm", 0.6562725, "656.2725"},
+        {"10.6um", 10.6, "10600"},
+    };
+    const struct unit *nm = unit_find(&dimension_wavelength_um, text_of("nm"));
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[NUMBER_LENGTH + 1];
+        struct error error;
+        double value;
+        CHECK(quantity_read(text_of(cases[i].typed), &dimension_wavelength_um, nm, &value, NULL,
+                            &error));
+        CHECK_NEAR(value, cases[i].um, 0, cases[i].typed);
+        *quantity_write(text, value, nm) = '\0';
+        CHECK_TEXT(text, cases[i].nm);
+    }
+}
+
 int main(void)
 {
+    check_wavelengths();
     check_good();
     check_bad();
     check_round_trips();

@@ -68,6 +68,42 @@ static double missing(unsigned bit, unsigned which, double value)
     return bit == which ? NAN : value;
 }
 
+/* Rays with heights and places by 50-digit arithmetic: Snell's law as vectors, lines cut. */
+static void test_rays(void)
+{
+    static const struct {
+        double n, n_after, R, z, height;
+        double crossing, image, difference, transverse;
+        double u, i, i_after, u_after; /* paraxial */
+    } rows[] = {
+        {1, 1.5, 50, -200, 10, 2.86877819032957065052e+2, 3.00000000000000000000e+2,
+         -1.31221809670429349478e+1, -4.59029996037102064376e-1, 5.00000000000000000000e-2,
+         2.50000000000000000000e-1, 1.66666666666666666667e-1, -3.33333333333333333333e-2},
+        {1.33, 1.7, -30, -45, 8, -4.05989971334807468162e+1, -4.05835543766578249337e+1,
+         -1.54427568229218825391e-2, 3.12664470566921489931e-3, 1.77777777777777777778e-1,
+         -8.88888888888888888889e-2, -6.95424836601307189542e-2, 1.97124183006535947712e-1},
+        {1.5, 1, -40, 60, -6, 2.53070935742887023851e+1, 2.66666666666666666667e+1,
+         -1.35957309237796428159e+0, 3.16675008399805659682e-1, 1.00000000000000000000e-1,
+         2.50000000000000000000e-1, 3.75000000000000000000e-1, 2.25000000000000000000e-1},
+        {1, 1.6, 25, -INFINITY, 12, 6.35187693949609838350e+1, 6.66666666666666666667e+1,
+         -3.14789727170568283163e+0, -6.24887780281201848086e-1, 0.00000000000000000000e+20,
+         4.80000000000000000000e-1, 3.00000000000000000000e-1, -1.80000000000000000000e-1},
+    };
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        const struct refract_surface s =
+            solved(rows[k].n, rows[k].n_after, rows[k].R, rows[k].z, NAN);
+        const struct refract_ray ray = traced(s, rows[k].height, NAN);
+        CHECK_RELATIVE(s.z_image, rows[k].image, 1e-15, "Gaussian image");
+        CHECK_RELATIVE(ray.crossing, rows[k].crossing, 1e-14, "crossing");
+        CHECK_RELATIVE(ray.difference, rows[k].difference, 1e-13, "difference");
+        CHECK_RELATIVE(ray.transverse, rows[k].transverse, 1e-13, "transverse");
+        CHECK_NEAR(ray.paraxial_slope, rows[k].u, 1e-16, "u");
+        CHECK_NEAR(ray.paraxial_incidence, rows[k].i, 1e-16, "i");
+        CHECK_NEAR(ray.paraxial_refraction, rows[k].i_after, 1e-16, "i'");
+        CHECK_NEAR(ray.paraxial_slope_after, rows[k].u_after, 1e-16, "u'");
+    }
+}
+
 /* What is solved for, put back. */
 static void test_round_trip(void)
 {
@@ -259,6 +295,7 @@ static void test_refusals(void)
 int main(void)
 {
     test_conjugates();
+    test_rays();
     test_round_trip();
     test_exact();
     test_aplanatic();

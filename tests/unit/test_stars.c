@@ -34,9 +34,9 @@ static void test_rules(void)
     CHECK_NEAR(t, 1.26, 0.005, "theprimecalculator.com: 200 mm f/4, 3.75 um, 1.26 s");
     CHECK(npf_simple_time(24, 2.8, 0.0033, &t, &error));
     CHECK_NEAR(t, 8.208, 5e-4, "detect_meteors test_calculate_npf_rule: 24 mm f/2.8, 3.3 um");
-    CHECK(npf_full_time(24, 2.8, 0.0043, 0, 1, &t, &error));
+    CHECK(npf_full_time(&(struct npf_setting){24, 2.8, 0.0043, 0, 1}, &t, &error));
     CHECK_NEAR(t, (47.32 + 2.4 + 58.91) / 24, 1e-12, "Michaud's full formula, by hand");
-    CHECK(npf_full_time(24, 2.8, 0.0043, pi / 3, 3, &t, &error));
+    CHECK(npf_full_time(&(struct npf_setting){24, 2.8, 0.0043, pi / 3, 3}, &t, &error));
     CHECK_NEAR(t, 6 * (47.32 + 2.4 + 58.91) / 24, 1e-11, "k = 3, declination 60 deg");
     CHECK(four_minus_crop_time(20, 1, &t, &error));
     CHECK_NEAR(t, 15, 1e-14, "webastro.net 186159: 300 for 35 mm");
@@ -121,15 +121,45 @@ static void test_projection(void)
     }
 }
 
-/* Corner at 45 deg: scale f/cos^2 45 deg = 2 f; the fastest star is 45 deg nearer the equator. */
+/* Image of a direction turned about the pole by `angle`, per focal length, from the place u, w. */
+static void turn(double dec, double angle, const double place[2], double image[2])
+{
+    double p[3] = {0, cos(dec), sin(dec)}, d[3] = {place[0], place[1], 1}, out[3];
+    double along = p[1] * d[1] + p[2] * d[2], c = cos(angle), s = sin(angle);
+    const double across[3] = {p[1] * d[2] - p[2] * d[1], p[2] * d[0], -p[1] * d[0]};
+    for (int i = 0; i < 3; i++) {
+        out[i] = d[i] * c + across[i] * s + p[i] * along * (1 - c); /* Rodrigues */
+    }
+    image[0] = out[0] / out[2];
+    image[1] = out[1] / out[2];
+}
+
+/* The longest of many trails in a disc: the sky turned about the pole, and projected. */
+static double longest(double dec, double slope, double t)
+{
+    double most = 0;
+    for (int r = 0; r <= 40; r++) {
+        for (int k = 0; k < 720; k++) {
+            double angle = k * pi / 360, before[2], behind[2];
+            const double place[2] = {slope * r / 40 * cos(angle), slope * r / 40 * sin(angle)};
+            turn(dec, STELLAR_RATE * t / 2, place, behind);
+            turn(dec, -STELLAR_RATE * t / 2, place, before);
+            most = fmax(most, hypot(behind[0] - before[0], behind[1] - before[1]));
+        }
+    }
+    return most;
+}
+
 static void test_worst(void)
 {
-    static const double rows[][2] = {
-        {0, 2}, {30, 2}, {60, 1.9318516525781366}, {90, 1.4142135623730951}};
-    for (int i = 0; i < COUNT(rows); i++) {
-        double worst = NAN;
-        CHECK(star_trail_worst(20, rows[i][0] * pi / 180, 10, 20, &worst, &error));
-        CHECK_RELATIVE(worst, rows[i][1] * 20 * STELLAR_RATE * 10, 1e-13, "2 cos(dec - 45 deg)");
+    static const double decs[] = {0, 10, -30, 45, 60, 80, 90}, slopes[] = {0.2, 0.9, 2};
+    for (int i = 0; i < COUNT(decs); i++) {
+        for (int k = 0; k < COUNT(slopes); k++) {
+            double worst = NAN, dec = decs[i] * pi / 180;
+            CHECK(star_trail_worst(20, dec, 1, 20 * slopes[k], &worst, &error));
+            /* the directions are half a degree apart: 1e-5 of the speed at the most */
+            CHECK_RELATIVE(worst, 20 * longest(dec, slopes[k], 1), 2e-5, "the sky turned");
+        }
     }
 }
 
@@ -164,7 +194,8 @@ static void test_refusals(void)
         double dec = poles[i] * pi / 180;
         CHECK(!star_time(50, dec, 0.01, &time, &error) && error.code == ERROR_DOMAIN);
         CHECK(strstr(error.message, "90 deg is a pole") != NULL);
-        CHECK(!npf_full_time(50, 2, 0.004, dec, 1, &x, &error) && error.code == ERROR_DOMAIN);
+        CHECK(!npf_full_time(&(struct npf_setting){50, 2, 0.004, dec, 1}, &x, &error) &&
+              error.code == ERROR_DOMAIN);
         CHECK(!star_focal_length(dec, 10, 0.01, &x, &error) && error.code == ERROR_DOMAIN);
     }
     CHECK(star_time(50, 89.9999 * pi / 180, 0.01, &time, &error));
@@ -179,7 +210,7 @@ static void test_refusals(void)
     CHECK(!star_trail_worst(50, 0, 1, -1, &x, &error));
     CHECK(!star_rule_time(0, 50, 1, &x, &error) && !star_rule_time(500, 50, 0, &x, &error));
     CHECK(!npf_simple_time(50, 0, 0.004, &x, &error) && !npf_simple_time(50, 2, -1, &x, &error));
-    CHECK(!npf_full_time(50, 2, 0.004, 0, 0, &x, &error));
+    CHECK(!npf_full_time(&(struct npf_setting){50, 2, 0.004, 0, 0}, &x, &error));
     CHECK(!four_minus_crop_time(50, 4, &x, &error) && !four_minus_crop_time(0, 1, &x, &error));
 }
 

@@ -75,10 +75,10 @@ static void check_errors(void)
     char text[1000];
     memset(text, 'x', sizeof text);
     text[500] = '\n';
-    CHECK(!fail_at(&error, ERROR_USAGE, text, sizeof text, 501, "here"));
+    CHECK(!fail_at(&error, ERROR_USAGE, (struct text){text, sizeof text}, 501, "here"));
     CHECK(error.caret >= 1 && strlen(error.text) < sizeof error.text);
     CHECK(error.text[error.caret - 1] == '?'); /* the caret still points at the line feed */
-    CHECK(!fail_at(&error, ERROR_USAGE, text, 3, 99, "behind"));
+    CHECK(!fail_at(&error, ERROR_USAGE, (struct text){text, 3}, 99, "behind"));
     CHECK(error.caret == 4);
     CHECK(!error_locate(&error, "a.lens", 12, 3));
     CHECK(error.line == 12 && error.column == 3);

@@ -227,28 +227,30 @@ static void test_coverage(void)
     struct tilt_coverage cover, rotated;
     struct error error;
     CHECK(tilt_solve(&g, &t, &error));
-    CHECK(tilt_coverage(&t, 43.8, 32.9, 0, 15, &cover, &error));
+    CHECK(tilt_coverage(&t, &(struct tilt_frame){43.8, 32.9, 0, 15}, &cover, &error));
     CHECK_NEAR(cover.circle, 80.8, 0.05, "getdpi 75775: 80.8 mm");
-    CHECK(tilt_coverage(&t, 36, 24, 0, 0, &cover, &error));
+    CHECK(tilt_coverage(&t, &(struct tilt_frame){36, 24, 0, 0}, &cover, &error));
     CHECK_NEAR(cover.circle, 43.2666, 1e-4, "the diagonal");
-    CHECK(tilt_coverage(&t, 36, 24, 11, 0, &cover, &error));
-    CHECK(tilt_coverage(&t, 36, 24, -11, 0, &rotated, &error));
+    CHECK(tilt_coverage(&t, &(struct tilt_frame){36, 24, 11, 0}, &cover, &error));
+    CHECK(tilt_coverage(&t, &(struct tilt_frame){36, 24, -11, 0}, &rotated, &error));
     CHECK_NEAR(cover.circle, rotated.circle, 1e-12, "up or down, the same circle");
+    const struct tilt level = {.f = 50, .image = 50};
     double limit;
-    CHECK(tilt_shift_limit(50, 50, cover.circle, 36, 24, &limit, &error));
+    CHECK(
+        tilt_shift_limit(&level, cover.circle, &(struct tilt_frame){36, 24, 0, 0}, &limit, &error));
     CHECK_NEAR(limit, 11, 1e-12, "and back: 11 mm");
-    CHECK(tilt_shift_limit(50, 50, 80.80, 32.9, 43.8, &limit, &error));
+    CHECK(tilt_shift_limit(&level, 80.80, &(struct tilt_frame){32.9, 43.8, 0, 0}, &limit, &error));
     CHECK_NEAR(limit, 15, 0.01, "getdpi 75775: 15 mm along the long side");
-    CHECK(!tilt_shift_limit(50, 50, 40, 36, 24, &limit, &error));
+    CHECK(!tilt_shift_limit(&level, 40, &(struct tilt_frame){36, 24, 0, 0}, &limit, &error));
     /* a tilt moves the axis over the sensor by v' tan a: a rise by as much brings it back */
     g.tilt = 10 * degree;
     CHECK(tilt_solve(&g, &t, &error));
-    CHECK(tilt_coverage(&t, 36, 24, 0, 0, &cover, &error));
-    CHECK(tilt_coverage(&t, 36, 24, -50 * tan(g.tilt), 0, &rotated, &error));
+    CHECK(tilt_coverage(&t, &(struct tilt_frame){36, 24, 0, 0}, &cover, &error));
+    CHECK(tilt_coverage(&t, &(struct tilt_frame){36, 24, -50 * tan(g.tilt), 0}, &rotated, &error));
     CHECK(rotated.circle < cover.circle && cover.circle > 43.27);
     g.tilt = 80 * degree;
     CHECK(tilt_solve(&g, &t, &error));
-    CHECK(!tilt_coverage(&t, 36, 36, 0, 0, &cover, &error));
+    CHECK(!tilt_coverage(&t, &(struct tilt_frame){36, 36, 0, 0}, &cover, &error));
 }
 
 static void check_on_line(struct tilt_segment s, double A, double B, double f)

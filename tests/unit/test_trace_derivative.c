@@ -54,7 +54,8 @@ static bool set_up(struct under_test *test, const char *text, bool reverse)
         return false;
     }
     derivative_layout(&test->system,
-                      DERIVE_CONIC | DERIVE_SERIES | DERIVE_DISPLACEMENT | DERIVE_BEND,
+                      DERIVE_CONIC | DERIVE_SERIES | DERIVE_DISPLACEMENT | DERIVE_BEND |
+                          (strstr(text, "A3") != NULL ? DERIVE_ODD : 0),
                       &test->arena, &test->layout);
     test->tape = derivative_tape_new(&test->system, &test->arena);
     for (int i = 0; i < RAYS_BLOCK; i++) {
@@ -124,15 +125,14 @@ static void nudge(struct pair *value, double by)
 
 /* Central difference by one number of the lens, against the row of the gradient. */
 static void check_parameter(struct under_test *test, struct pair *value, enum parameter_kind kind,
-                            size_t surface, const char *what)
+                            int order, size_t surface, const char *what)
 {
     const double step = 1e-13;
-    size_t row = derivative_row(&test->layout, kind, surface);
+    size_t row = derivative_row(&test->layout, (struct parameter){surface, kind, order});
     CHECK(row != LENS_NONE);
     struct pair kept = *value;
-    /* what goes with r^(2 i + 2) has i + 1 times the rounding error of r */
-    bool series = kind >= PARAMETER_A2 && kind < PARAMETER_DECENTER_X;
-    double power = series ? (double)(kind - PARAMETER_A2 + 1) : 1;
+    /* what goes with r^order has half as many times the rounding error of r^2 */
+    double power = fmax((double)order / 2, 1);
     double scale[OUTPUTS] = {0};
     for (int output = 0; output < OUTPUTS; output++) {
         for (int lane = 0; lane < LANES; lane++) {
@@ -170,19 +170,23 @@ static void check_surface(struct under_test *test, size_t i)
             : (surface->is_plane ? surface->curvature.value
                                  : pair_divide(pair_of(1), surface->radius.value));
     if (surface->kind != SURFACE_STOP) {
-        check_parameter(test, &surface->curvature.value, PARAMETER_CURVATURE, i, "curvature");
-        check_parameter(test, &surface->conic.value, PARAMETER_CONIC, i, "conic");
-        for (size_t j = 0; j < 4; j++) {
-            check_parameter(test, &surface->coefficient[j].value,
-                            (enum parameter_kind)(PARAMETER_A2 + (int)j), i, "coefficient");
+        check_parameter(test, &surface->curvature.value, PARAMETER_CURVATURE, 0, i, "curvature");
+        check_parameter(test, &surface->conic.value, PARAMETER_CONIC, 0, i, "conic");
+        for (int j = 0; j < 4; j++) {
+            check_parameter(test, &surface->coefficient[j].value, PARAMETER_COEFFICIENT, 2 * j + 2,
+                            i, "coefficient");
+            if ((test->layout.what & DERIVE_ODD) != 0) {
+                check_parameter(test, &surface->coefficient[LENS_EVEN + j].value,
+                                PARAMETER_COEFFICIENT, 2 * j + 1, i, "odd power");
+            }
         }
     }
     if (i + 1 < test->lens.surface_count) {
-        check_parameter(test, &surface->thickness.value, PARAMETER_THICKNESS, i, "thickness");
+        check_parameter(test, &surface->thickness.value, PARAMETER_THICKNESS, 0, i, "thickness");
     }
     if (surface->kind == SURFACE_REFRACT) {
         struct pair *n = (struct pair *)test->system.n + i + 1;
-        check_parameter(test, n, PARAMETER_INDEX, i, "index");
+        check_parameter(test, n, PARAMETER_INDEX, 0, i, "index");
     }
     was = (struct displacement *)surface->moved;
     moved = was != NULL ? *was : moved;
@@ -190,7 +194,8 @@ static void check_surface(struct under_test *test, size_t i)
     static const char *const names[] = {"decenter x", "decenter y", "tilt x", "tilt y", "tilt z"};
     for (int j = 0; j < 5; j++) {
         struct pair *value = j < 2 ? &moved.decenter[j].value : &moved.tilt[j - 2].value;
-        check_parameter(test, value, (enum parameter_kind)(PARAMETER_DECENTER_X + j), i, names[j]);
+        check_parameter(test, value, (enum parameter_kind)(PARAMETER_DECENTER_X + j), 0, i,
+                        names[j]);
     }
     surface->moved = was;
     was = (struct displacement *)surface->bend;
@@ -198,7 +203,7 @@ static void check_surface(struct under_test *test, size_t i)
     surface->bend = &moved;
     for (int j = 0; j < 5; j++) {
         struct pair *value = j < 2 ? &moved.decenter[j].value : &moved.tilt[j - 2].value;
-        check_parameter(test, value, (enum parameter_kind)(PARAMETER_BEND_DECENTER_X + j), i,
+        check_parameter(test, value, (enum parameter_kind)(PARAMETER_BEND_DECENTER_X + j), 0, i,
                         names[j]);
     }
     surface->bend = was;
@@ -217,7 +222,7 @@ static void check_tangents(struct under_test *test, const struct parameter *by, 
     tangent_trace(&test->system, by, count, SET_SSE2, &test->tape, again.blocks);
     CHECK(memcmp(again.blocks, tangents, count * sizeof *tangents) == 0);
     for (size_t j = 0; j < count; j++) {
-        size_t row = derivative_row(&test->layout, by[j].kind, by[j].surface);
+        size_t row = derivative_row(&test->layout, by[j]);
         for (int output = 0; output < OUTPUTS; output++) {
             const double *back = test->gradient[output] + row * RAYS_BLOCK;
             const double *forward = output_of(&tangents[j], output);
@@ -225,8 +230,7 @@ static void check_tangents(struct under_test *test, const struct parameter *by, 
             for (int lane = 0; lane < LANES; lane++) {
                 scale = fmax(scale, fabs(back[lane]));
             }
-            bool series = by[j].kind >= PARAMETER_A2 && by[j].kind < PARAMETER_DECENTER_X;
-            double power = series ? (double)(by[j].kind - PARAMETER_A2 + 1) : 1;
+            double power = fmax((double)by[j].order / 2, 1);
             for (int lane = 0; lane < LANES; lane++) {
                 compare(test, lane, output, (real)back[lane], forward[lane], scale * power * 2,
                         "forward", by[j].surface + (size_t)100 * by[j].kind);
@@ -241,11 +245,12 @@ static void check_forward(struct under_test *test, enum instruction_set set)
     struct parameter all[TANGENTS_MOST];
     size_t count = 0, next = 0, tested = 0;
     for (size_t s = 0; s <= test->lens.surface_count; s++) {
-        for (int kind = 0; kind < PARAMETER_KINDS; kind++) {
-            if (derivative_row(&test->layout, (enum parameter_kind)kind, s - 1) == LENS_NONE) {
+        for (struct parameter by = {.surface = s - 1}; by.kind < PARAMETER_KINDS;
+             by = parameter_next(by)) {
+            if (derivative_row(&test->layout, by) == LENS_NONE) {
                 continue;
             }
-            all[count++] = (struct parameter){(enum parameter_kind)kind, s - 1};
+            all[count++] = by;
             tested++;
             if (count == sizes[next % 4]) {
                 check_tangents(test, all, count, set);
@@ -314,8 +319,8 @@ static void check_lost(struct under_test *test)
     memcpy(first, test->gradient, sizeof first);
     test->start.y[LOST] = 1e4;
     sweep(test, SET_BEST);
-    struct parameter by = {PARAMETER_CURVATURE, 0};
-    size_t row = derivative_row(&test->layout, by.kind, by.surface);
+    struct parameter by = {.surface = 0, .kind = PARAMETER_CURVATURE};
+    size_t row = derivative_row(&test->layout, by);
     struct rays rays = rays_new(&test->arena, RAYS_BLOCK);
     memset(rays.blocks, 0, sizeof *rays.blocks);
     tangent_trace(&test->system, &by, 1, SET_BEST, &test->tape, rays.blocks);
@@ -338,6 +343,15 @@ int main(void)
         "surface 60 -30 mirror - k=-1\nsurface 200 35 mirror - A4=1e-7\nsurface 50 3 1.5 -\n",
         "surface 50 6 1.6 - decenter=0.5,-0.3 tilt=3,-2\nbend decenter=0.2,0.1 tilt=4,-3,10\n"
         "surface -80 3 air - cyl=x\nsurface -70 2 1.5 - cyl=y k=-2 A4=1e-6\n",
+        "surface 50 6 1.6 -\nsurface - 3 1.2 - tilt=2,1\nsurface -60 5 1.8 - tilt=-3,4\n",
+        /* no ray hits a vertex, where odd powers have no second derivative */
+        "surface 50 6 1.6 - k=-0.7 A3=2e-4 A4=-1e-5 A5=1e-6 decenter=0.7,-0.3\n"
+        "surface - 3 1.2 - A3=-1e-4 decenter=-0.4,0.8 tilt=2,1\n"
+        "surface -60 5 1.8 - A7=-2e-9 A8=1e-11 decenter=0.3,0.2\n"
+        "surface 90 0 1.1 - cyl=x A3=1e-4 decenter=-0.5,0.6\n",
+        "surface -300 -20 mirror - k=-1 A3=2e-5 decenter=0.3,0.7\n"
+        "surface 400 25 mirror - A5=1e-7 decenter=0.6,0.4\n"
+        "surface 50 3 1.5 - A1=0.01 A9=1e-12 decenter=4.5,-3.5\n",
     };
     if (sizeof(real) == sizeof(double)) {
         printf("derivatives: skipped, no number has more than 53 bits\n");

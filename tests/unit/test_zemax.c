@@ -1,9 +1,9 @@
 /* tests/unit/test_zemax.c - .zmx files: what they say, and what is lost. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "exchange/foreign.h"
-#include "file/lens_change.h"
+#include "exchange/lens_formats.h"
 #include "exchange/zemax/zemax.h"
+#include "file/lens_change.h"
 #include "optics/first_order.h"
 
 #include <stdlib.h>

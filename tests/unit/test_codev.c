@@ -1,0 +1,308 @@
+/* tests/unit/test_codev.c - CODE V sequence files: what each command means, or why it is lost. */
+/* SPDX-License-Identifier: MIT */
+#include "foreign_cases.h"
+
+static const char good[] = "RDM;LEN\n"
+                           "TITLE 'Singlet'\n"
+                           "EPD 10\n"
+                           "WL 587.5618\n"
+                           "YAN 0 10\n"
+                           "SO 0 1e13\n"
+                           "S 50 4 517642\n"
+                           "STO\n"
+                           "S -50 90\n"
+                           "SI 0 0\n"
+                           "GO\n";
+
+static const struct meaning of_lens[] = {
+    {"", "", "lens Singlet\nunit mm\nwavelength 587.5618nm\nobject inf\nfield angle 0 10"},
+    {"", "", "aperture epd 10\nfocus table"},
+    {"", "", "surface 50 4 1.517/64.2 - stop\nsurface -50 90 air -"},
+    {"'Singlet'", "\"it's\"", "lens it's"},
+    {"'Singlet'", "\"\"a name\"\"", "lens a name"},
+    {"TITLE", "tit", "lens Singlet"},
+    {"EPD", "DIM C\nEPD", "unit cm"},
+    {"EPD", "dim in\nEPD", "unit in"},
+    {"GO\n", "DIM I ! behind the lengths\n", "unit in"},
+    {"WL 587.5618", "WL 656.3 587.6 486.1\nWTW 1 2 0.5",
+     "wavelength 587.6nm:2 656.3nm 486.1nm:0.5"},
+    {"WL 587.5618", "WL 656.3 &\n 587.6 486.1\nREF 3", "wavelength 486.1nm 656.3nm 587.6nm"},
+    {"WL 587.5618\n", "", "unit mm\nobject inf"},
+    {"EPD 10", "FNO 4", "aperture f/4"},
+    {"EPD 10", "NA 0.25", "aperture f/2"}, /* N = 1/(2 NA') */
+    {"EPD 10", "NAO 0.1", "aperture na 0.1"},
+    {"EPD 10\n", "", "field angle 0 10\nfocus table"},
+    {"YAN 0 10\n", "", "object inf\naperture epd 10"},
+    {"YAN 0 10", "YAN 0 -10\nXAN 0 0", "field angle 0 -10"},
+    {"YAN 0 10", "YOB 0 -7.5", "field height 0 -7.5"},
+    {"YAN 0 10", "YIM 0 21.6", "field image 0 21.6"},
+    {"YAN 0 10", "YRI 0 0", "field image 0 0"},
+    {"YAN 0 10", "YAN 0 10\nVUY 0 0\nVLX F2 0", "field angle 0 10"},
+    {"SO 0 1e13", "SO 0 200 1.333:55", "object 200\nmedium 1.333/55"},
+    {"SO 0 1e13", "S0 0 1e10", "object inf"},
+    {"SI 0 0", "SI 0 -0.5", "surface -50 89.5 air -"}, /* the image is displaced */
+    {"SI 0 0", "PIM\nSI 0 0", "focus paraxial"},
+    {"SI 0 0", "REF 1; CCY 0 ; THC S1 0 ; TOL 3 ; WTF 1 2; SAV 'x'\nSI 0 0", "focus table"},
+    {"SI 0 0", "SI 0 0\nZOO 1", "focus table"},
+    /* what lenscalc keeps in comments */
+    {"GO", "! lenscalc: source a book\n! lenscalc: kind triplet", "kind triplet\nsource a book"},
+    {"GO", "! lenscalc: note one\n! lenscalc: note two", "note one\nnote two"},
+    {"GO", "! lenscalc: stated efl 95.5\n! lenscalc: stated fnumber 4",
+     "stated efl 95.5\nstated fnumber 4"},
+    {"GO", "! lenscalc: stated bfl -3 4", "focus table\n# radius thickness medium diameter"},
+    {"GO", "! lenscalc: stated bfl x", "focus table\n# radius thickness medium diameter"},
+    {"GO", "CIR S1 6\n! lenscalc: the stop's diameter rules, not EPD", "aperture stop"},
+};
+
+static const struct meaning of_surfaces[] = {
+    {"S 50 4", "S1 50 4", "surface 50 4 1.517/64.2 - stop"},
+    {"S 50", "s 50", "surface 50 4 1.517/64.2 - stop"},
+    {"517642", "517800.642000", "surface 50 4 1.517800/64.2000 - stop"},
+    {"517642", "NBK7_SCHOTT", "surface 50 4 SCHOTT:N-BK7 - stop"},
+    {"517642", "AIR", "surface 50 4 air - stop"},
+    {"517642", "REFR 517642", "surface 50 4 1.517/64.2 - stop"},
+    {"517642", "REFL", "surface 50 4 mirror - stop"},
+    {"STO", "STO\nRMD REFL", "surface 50 4 mirror - stop"},
+    {"STO", "STO\nGLA S1 1.6", "surface 50 4 1.6 - stop"},
+    {"GO", "STO S2", "surface 50 4 1.517/64.2 -\nsurface -50 90 air - stop"},
+    {"S 50", "S 0", "surface - 4 1.517/64.2 - stop"},
+    {"S 50 4 517642", "S 0 4", "stop - 4 air -"},
+    {"STO", "STO\nRDY 80", "surface 80 4 1.517/64.2 - stop"},
+    {"STO", "STO\nCUY 0.02", "surface 50 4 1.517/64.2 - stop"}, /* 1/0.02 is a short radius */
+    {"STO", "STO\nCUY 0.0312345", "surface - 4 1.517/64.2 - c=0.0312345 stop"},
+    {"RDM;LEN", "RDM N;LEN", "surface 0.02 4 1.517/64.2 - stop"},
+    {"GO", "THI S1 5;THI S2 80.5", "surface 50 5 1.517/64.2 - stop\nsurface -50 80.5 air -"},
+    {"STO", "STO\nCYL", "surface 50 4 1.517/64.2 - stop cyl=y"},
+    {"S 50 4 517642\nSTO", "S 0 4 517642\nSTO\nCYL;RDX 50", "surface 50 4 1.517/64.2 - stop cyl=x"},
+    {"S 50 4 517642\nSTO", "S 0 4 517642\nSTO\nCYL;CUX 0.02;RDX 0",
+     "surface 50 4 1.517/64.2 - stop cyl=x"},
+    {"STO", "STO\nCON\nK -0.5", "surface 50 4 1.517/64.2 - k=-0.5 stop"},
+    {"STO", "STO\nASP\nK 0.1;A 1e-5;B 2e-7;C 0.0",
+     "surface 50 4 1.517/64.2 - k=0.1 A4=1e-5 A6=2e-7 stop"},
+    {"STO", "STO\nASP\nC 1e-9;D 1e-11;E 1e-13;F 1e-15;G 1e-17;H 1e-19;J 1e-21",
+     "surface 50 4 1.517/64.2 - A8=1e-9 A10=1e-11 A12=1e-13 A14=1e-15 A16=1e-17 A18=1e-19 A20=1e-21"
+     " stop"},
+    {"STO", "STO\nSPS ODD 1\nSCO K -1\nSCO AR3 1e-4\nSCO C5 2e-6\nSCO AR22 0",
+     "surface 50 4 1.517/64.2 - k=-1 A3=1e-4 A4=2e-6 stop"},
+    {"STO", "STO\nCIR 6", "surface 50 4 1.517/64.2 12 stop"},
+    {"STO", "STO\nCIR CLR L'rim' 6;CIR EDG 7", "surface 50 4 1.517/64.2 12 stop"},
+    {"STO", "STO\nCIR 0", "surface 50 4 1.517/64.2 - stop"},
+    {"STO", "STO\nSLB 'front'\nCIR S'front' 6", "surface 50 4 1.517/64.2 12 stop name=\"front\""},
+    {"STO", "STO\nCIR SS 6;CIR SI 7;CIR S1..1 8", "surface 50 4 1.517/64.2 16 stop"},
+};
+
+/* alpha and beta turn left-handed in CODE V, gamma right-handed; a lens turns right-handed. */
+static const struct meaning of_shifts[] = {
+    {"STO", "STO\nXDE 0.5;YDE -1;ADE 2;BDE -3;DAR",
+     "surface 50 4 1.517/64.2 - stop decenter=0.5,-1 tilt=-2,3"},
+    {"STO", "STO\nXDE 0.5;YDE -1;ADE 2;BDE -3;CDE 4",
+     "bend decenter=0.5,-1 tilt=-2,3,4\nsurface 50 4 1.517/64.2 - stop"},
+    {"STO", "STO\nADE 0;YDE 0;ADX 0;XOD 0", "surface 50 4 1.517/64.2 - stop"},
+    /* along z: with what follows, or back again behind the surface */
+    {"SI 0 0", "ZDE 2\nSI 0 0", "surface 50 6 1.517/64.2 - stop\nsurface -50 90 air -"},
+    {"SI 0 0", "ZDE 2;DAR\nSI 0 0", "surface 50 6 1.517/64.2 - stop\nsurface -50 88 air -"},
+    {"SI 0 0", "SI 0 0\nZDE 2", "surface -50 92 air -"},
+    /* a fold: the surface is turned, and the axis behind it once more */
+    {"SI 0 0", "S 0 -30 REFL\nADE 45;BEN\nSI 0 0",
+     "bend decenter=0,0 tilt=-45,0,0\nsurface - 0 mirror -\n"
+     "bend decenter=0,0 tilt=-45,0,0\nsurface - -30 air -"},
+    {"SI 0 0", "SI 0 0\nADE 10",
+     "surface -50 90 air -\nbend decenter=0,0 tilt=-10,0,0\n"
+     "surface - 0 air -"},
+};
+
+/* What follows another surface: scale * number + offset. */
+static const struct meaning of_pickups[] = {
+    {"GO", "PIK RDY S2 RDY S1 -1", "surface -50 90 air -"},
+    {"GO", "PIK RDY S2 Z1 RDY S1 Z1 0.5 5", "surface 30 90 air -"},
+    {"GO", "PIK CUY S2 CUY S1 1 0.005", "surface 40 90 air -"},
+    {"GO", "PIK CUY S2 CUY S1 -1", "surface -50 90 air -"},
+    {"GO", "PIK THI S2 THI S1 2 0.5", "surface -50 8.5 air -"},
+    {"GO", "CIR S1 6;PIK CIR S2 CIR S1", "surface -50 90 air 12"},
+    {"GO", "K S1 -0.5;PIK K S2 K S1 2", "surface -50 90 air - k=-1"},
+    {"GO", "PIK GLA S2 GLA S1", "surface -50 90 1.517/64.2 -"},
+    {"GO", "PIK RDY S2..2 RDY S1", "surface 50 90 air -"},
+};
+
+/* A plano-convex lens of n = 1.5, R = 50, t = 6: f = 100, bfl = 100 - 6/1.5 = 96. */
+static const char plano[] = "RDM;LEN\nEPD 5\nSO 0 1e13\nS 50 6 1.5\nSTO\nS 0 1\nSI 0 0\nGO\n";
+static const struct meaning of_solves[] = {
+    {"SI 0 0", "PIM\nSI 0 -0.5", "surface - 95.5 air -"},
+    {"SI 0 0", "THI HMY 1.2\nSI 0 0", "surface - 48 air -"}, /* y = 2.4, u' = -2.5/100 */
+    {"SI 0 0", "PIM\nSI 0 0", "focus paraxial"},
+    /* n'u' = n u - y (n' - n) c: -0.0488 = -0.025 + 2.4 0.5 c */
+    {"SI 0 0", "CUY UMY -0.049\nSI 0 0", "surface - 1 air - c=-0.02"},
+    /* the chief ray through the stop at surface 1: y = 6 tan w/1.5 at surface 2, u' = tan w */
+    {"EPD 5\nSO 0 1e13\nS 50 6 1.5\nSTO\nS 0 1\n",
+     "EPD 5\nYOB 0 -50\nSO 0 100\nS 0 6 1.5\nSTO\nS 0 1\nTHI HCY 12\n", "surface - 20 air -"},
+    {"EPD 5\nSO 0 1e13\nS 50 6 1.5\nSTO\nS 0 1\n",
+     "EPD 5\nYOB 0 -50\nSO 0 100\nS 0 6 1.5\nSTO\nS 0 1\nCUY UCY 0.48\n",
+     "surface - 1 air - c=-0.02"},
+    {"SI 0 0", "ZOO 2\nZOO EPD 5 10\nTHI HMY 1.2\nSI 0 0", "let d2 48 72"},
+};
+
+static const char zoom[] = "RDM;LEN\nTITLE 'Zoom'\nEPD 5\nSO 0 1e13\nS 50 6 1.5\nSTO\nCIR 4\n"
+                           "S 0 10\nSI 0 0\nZOO 3\nZOO THI S1 6 7 8\nGO\n";
+static const struct meaning of_positions[] = {
+    {"", "", "position z1 z2 z3\nlet d1 6 7 8"},
+    {"GO", "TIT Z1 'far end';TIT Z2 'all';TIT Z3 'far end'", "position far-end z2 z3"},
+    {"GO", "ZOO TIT;TITLE 'two'", "lens two"},
+    {"GO", "ZOO EPD 5 4 3", "let aperture epd 5 epd 4 epd 3"},
+    {"EPD 5", "FNO 4;!", "aperture f/4"},
+    {"EPD 5\nSO", "FNO 4\nSO", "aperture f/4"},
+    {"GO", "ZOO CIR S1 4 5 6", "let a1 8 10 12"},
+    {"GO", "ZOO THI SO 1e13 200 100", "let object inf 200 100"},
+    {"GO", "THI S2 Z2 12.5", "let d2 10 12.5 10"},
+    {"GO", "CIR S1 Z3 5", "let a1 8 8 10"},
+    {"GO", "PIK THI S2 THI S1 1 0.5", "let d2 6.5 7.5 8.5"},
+    {"GO", "ZOO THC S1 0 0 0;ZOO XAN 0 0 0", "let d1 6 7 8"},
+    {"GO", "ZDE S2 1", "let d1 7 8 9"},
+};
+
+static const char position_words[] =
+    "ZOO: 'RDY' in positions: only thicknesses, diameters and apertures change with them";
+static const char stands[] = "the number of the file stands";
+
+static const struct refusal losses[] = {
+    {"STO", "STO\n@XYZ 1", "XYZ: an unknown command", ""},
+    {"STO", "STO\n@REV", "REV: a shift or turn that is undone or related to another surface", ""},
+    {"STO", "STO\n@REX 2", "REX: a rectangular or elliptic aperture", ""},
+    {"STO", "STO\n@XTO", "XTO: a toric, anamorphic or special surface", ""},
+    {"STO", "STO\n@DIF GRT", "DIF: a diffractive surface", ""},
+    {"STO", "STO\n@TEM 40", "TEM: a thermal environment", ""},
+    {"STO", "STO\n@INC S1 0.1", "INC: an index that is changed", ""},
+    {"STO", "STO\n@VUY 0 0.1", "VUY: vignetting factors", ""},
+    {"STO", "STO\n@ADY 1", "ADY: a shifted or turned aperture", ""},
+    {"STO", "STO\n@CUF 0.1", "CUF: a Fresnel surface of this base", ""},
+    {"STO", "STO\n@XOD 1", "XOD: an offset of the point about which a surface turns", ""},
+    {"STO", "STO\n@CIR OBS 2", "CIR: an obscuration or hole", ""},
+    {"STO", "STO\n@CIR HOL 2", "CIR: an obscuration or hole", ""},
+    {"STO", "STO\n@RDX 40", "RDX: a curvature in x of a surface that is no cylinder", ""},
+    {"STO", "STO\nCYL\n@CUX 0.1", "CUX: a surface that is curved in x and in y", ""},
+    {"STO", "STO\n@RDY Z2 40", "RDY: a curvature of position 2 alone", ""},
+    {"STO", "STO\n@GLA Z2 AIR", "GLA: a glass of position 2 alone", ""},
+    {"STO", "STO\n@K Z2 1", "K: a constant of position 2 alone", ""},
+    {"STO", "STO\n@ADE Z2 1", "ADE: a shift or turn of position 2 alone", ""},
+    {"STO", "STO\n@EPD Z2 1", "EPD: an aperture of position 2 alone: write ZOO EPD", ""},
+    {"STO", "STO\n@SPS QBF", "SPS: a surface of a shape that lenscalc has not", ""},
+    {"STO", "STO\n@SPS ODD 2", "SPS: a radius that r is divided by", ""},
+    {"STO", "STO\nSPS ODD\n@SCO AR21 1", "SCO: a constant of a shape that lenscalc has not", ""},
+    {"STO", "STO\n@SCO C3 1", "SCO: a constant of a shape that lenscalc has not", ""},
+    {"STO", "STO\nSPS ODD\n@SCO X3 1", "SCO: a constant of a shape that lenscalc has not", ""},
+    {"STO", "STO\n@CUY SMY 1", "CUY: a solve that is not known", stands},
+    {"STO", "STO\n@THI UMY 1", "THI: a solve that is not known", stands},
+    {"GO", "@PIK XDE S1 XDE S2", "PIK: a pick-up that is not known", stands},
+    {"GO", "@PIK RDY S2 THI S1", "PIK: a pick-up between unlike numbers or positions", ""},
+    {"GO", "@PIK RDY S2 Z2 RDY S1", "PIK: a pick-up between unlike numbers or positions", ""},
+    {"YAN 0 10", "@XAN 1 0\nYAN 0 10", "fields beside the y axis", "their x is left out"},
+    {"YAN 0 10", "YAN 0 10\n@YAN F2 8", "YAN: a field of one position or of one number alone", ""},
+    {"YAN 0 10", "@YRI 0 10", "YRI: real image heights", "taken for paraxial ones"},
+    {"EPD 10\nWL 587.5618\nYAN 0 10\nSO 0 1e13", "FNO 4\n@SO 0 200",
+     "the working f-number of a near object", "taken as that of the lens"},
+    {"SO 0 1e13", "@SO 500 1e13", "a curved or tilted object", "taken as a plane"},
+    {"SI 0 0", "@SI -500 0", "a curved image", "taken as a plane"},
+    {"SO 0 1e13", "@SO 0 1e13\nZDE 5", "a curved or tilted object", "taken as a plane"},
+    {"STO", "STO\nADE 10;BDE 5\n@BEN", "a bend with turns about more than one axis",
+     "only the first is kept"},
+    {"STO", "STO\nCYL;CDE 10\n@DAR", "a cylinder turned about z", "left unturned"},
+    {"GO", "ZOO 2\n@ZOO RDY S1 50 40", position_words, ""},
+};
+
+static const char macro[] = "a command of a macro: lenscalc reads lens data and runs no macros";
+
+static const struct refusal errors[] = {
+    {"SI 0 0\n", "", "the file has no image surface SI", NULL},
+    {"S 50 4 517642\nSTO\nS -50 90\n", "", "the file has no surface between object and image",
+     NULL},
+    {"SO 0 1e13\n", "@", "a surface before the object SO", NULL},
+    {"STO", "STO\n@SO 0 5", "the object SO is not the first surface", NULL},
+    {"GO", "@S 0 1", "a surface behind the image SI", NULL},
+    {"S 50 4", "@S2 50 4", "surface 2, where surface 1 must stand", NULL},
+    {"S 50 4", "@S1a 50 4", "the number of the surface is a whole number from 1 on", NULL},
+    {"S 50 4 517642", "S 50@", "the thickness is missing", NULL},
+    {"S 50 4 517642", "S@", "the radius is missing", NULL},
+    {"S 50 4 517642", "S 5@x 4", "the radius '5x' is no number", NULL},
+    {"S 50 4 517642", "S @1e100 4", "the radius must be finite and below 1e100", NULL},
+    {"S 50 4 517642", "S 50 4 517642 REFR @6", "'6' does not belong here", NULL},
+    {"517642", "@NOGLASS", "glass 'NOGLASS' is in no catalogue", NULL},
+    {"517642", "@1.5.6", "glass '1.5.6' is in no catalogue", NULL},
+    {"517642", "@51764", "glass '51764' is in no catalogue", NULL},
+    {"STO", "STO @5", "'5' does not belong here", NULL},
+    {"STO", "STO @S9", "there is no surface 'S9'", NULL},
+    {"STO", "STO @S1..7", "there is no surface 'S1..7'", NULL},
+    {"STO", "@STO SO", "the object cannot be the stop", NULL},
+    {"SO 0", "@STO\nSO 0", "'STO' before the first surface", NULL},
+    {"STO", "STO\n'@text'", "a text where a command must stand", NULL},
+    {"STO", "@^x == 1", macro, NULL},
+    {"STO", "@FOR ^i 1 3", macro, NULL},
+    {"TITLE 'Singlet'", "TITLE @'Singlet", "the text does not end with '", NULL},
+    {"TITLE 'Singlet'", "@TITLE Z2 'x'", "position 2 of 0", NULL},
+    {"TITLE 'Singlet'", "DIM @F", "the unit is one of M, C, I", NULL},
+    {"TITLE 'Singlet'", "DIM M @I", "'I' does not belong here", NULL},
+    {"TITLE 'Singlet'", "RDM Y @1", "'1' does not belong here", NULL},
+    {"WL 587.5618", "WL @0.5876", "the wavelength is not within 1 nm to 1 mm", NULL},
+    {"WL 587.5618", "WL 587.6 @red", "the wavelength 'red' is no number", NULL},
+    {"WL 587.5618", "WL 587.6\nWTW @-1", "a weight is not below 0", NULL},
+    {"WL 587.5618", "WL 587.6\nREF @0", "the number of the wavelength is a whole number from 1 on",
+     NULL},
+    {"EPD 10", "EPD @0", "the aperture must be above 0", NULL},
+    {"EPD 10", "EPD@", "the aperture is missing", NULL},
+    {"EPD 10", "EPD 10 @5", "'5' does not belong here", NULL},
+    {"YAN 0 10", "YAN 0 @200", "a field angle is not beyond 180 degrees", NULL},
+    {"YAN 0 10", "YAN 0 @x", "the field 'x' is no number", NULL},
+    {"STO", "STO\nGLA S1@", "the glass is missing", NULL},
+    {"STO", "STO\nGLA S1 AIR @5", "'5' does not belong here", NULL},
+    {"STO", "STO\nK @x", "the conic 'x' is no number", NULL},
+    {"STO", "STO\nA 1 @2", "'2' does not belong here", NULL},
+    {"STO", "STO\nSPS ODD @q", "the radius 'q' is no number", NULL},
+    {"STO", "STO\nSPS ODD\nSCO AR1@", "the coefficient is missing", NULL},
+    {"STO", "STO\nSLB 'a' '@b'", "'b' does not belong here", NULL},
+    {"STO", "STO\nCIR @-5", "the radius of an aperture is not below 0", NULL},
+    {"STO", "STO\nCIR S1@", "the radius of the aperture is missing", NULL},
+    {"STO", "STO\nXDE @x", "the decentre 'x' is no number", NULL},
+    {"STO", "STO\nADE 1 @2", "'2' does not belong here", NULL},
+    {"STO", "STO\nDAR @2", "'2' does not belong here", NULL},
+    {"STO", "STO\nCYL @2", "'2' does not belong here", NULL},
+    {"STO", "STO\nTHI HMY@", "the target of the solve is missing", NULL},
+    {"STO", "STO\nTHI HMY 0 @1", "'1' does not belong here", NULL},
+    {"GO", "PIM @1", "'1' does not belong here", NULL},
+    {"GO", "PIK RDY @S9 RDY S1", "there is no surface 'S9'", NULL},
+    {"GO", "@PIK RDY S1 RDY S1", "a pick-up between surfaces 1 and 1 of 4", NULL},
+    {"GO", "PIK RDY S2 RDY S1 1 0 @3", "'3' does not belong here", NULL},
+    {"GO", "PIK RDY S2 RDY S1 @x", "the scale 'x' is no number", NULL},
+    {"GO", "ZOO @0", "the number of positions is a whole number from 1 on", NULL},
+    {"GO", "ZOO @101", "more than 100 positions", NULL},
+    {"GO", "ZOO 2\nZOO @3", "ZOO stands here twice", NULL},
+    {"GO", "ZOO 2 @3", "'3' does not belong here", NULL},
+    {"GO", "ZOO 2\n@ZOO THI S1 3 4 5", "3 numbers for 2 positions", NULL},
+    {"GO", "ZOO 2\nZOO @EPD 3", "1 numbers for 2 positions", NULL},
+    {"GO", "ZOO 2\nZOO EPD 3 @-4", "the aperture must be above 0", NULL},
+    {"GO", "ZOO 2\nZOO THI S1 3 @x", "the value 'x' is no number", NULL},
+    {"GO", "@THI S1 Z2 5", "1 numbers for 0 positions", NULL},
+    {"TITLE 'Singlet'", "ZOO 2\n@ZOO THI 1 2", "positions of a surface before the first surface",
+     NULL},
+    {"GO", "PRV\nPWL @x\nEND", "the wavelength 'x' is no number", NULL},
+    {"GO", "PRV @x\nEND", "'x' does not belong here", NULL},
+    {"GO", "PRV\nPWL 500 600\n'A' @1.5\nEND", "1 indices for 2 wavelengths of PWL", NULL},
+    {"GO", "PRV\nPWL 500 600\n'A' 1.5 @n\nEND", "the index 'n' is no number", NULL},
+    {"S 50 4 517642", "PRV\nPWL 500 600\n'A' LAU 1 2\nEND\nS 50 4 '@A'",
+     "the glass 'A' has a formula that lenscalc does not know", NULL},
+    {"RDM;LEN\nTITLE 'Singlet'\nEPD 10\nWL 587.5618\nYAN 0 10\nSO 0 1e13\nS 50",
+     "LEN\nEPD 10\nSO 0 1e13\n@S 50",
+     "without RDM the number of a surface is its curvature, and the beam of 10 mm does not pass "
+     "through a sphere of radius 0.02 mm",
+     NULL},
+};
+
+int main(void)
+{
+    check_meanings("lens.seq", good, CASES(of_lens));
+    check_meanings("surfaces.seq", good, CASES(of_surfaces));
+    check_meanings("shifts.seq", good, CASES(of_shifts));
+    check_meanings("pickups.seq", good, CASES(of_pickups));
+    check_meanings("solves.seq", plano, CASES(of_solves));
+    check_meanings("zoom.seq", zoom, CASES(of_positions));
+    check_refusals("lost.seq", good, CASES(losses));
+    check_refusals("bad.seq", good, CASES(errors));
+    return check_report();
+}

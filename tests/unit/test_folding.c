@@ -1,0 +1,68 @@
+/* tests/unit/test_folding.c - folds of maps whose Jacobian is known. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/folding.h"
+#include "check.h"
+
+#include <math.h>
+
+enum { EDGES = 256 };
+
+static const double pi = 3.141592653589793;
+
+/* A disc about (0, y), mapped by (x, y) -> (x, y + bend y^2): the Jacobian is 1 + 2 bend y. */
+static bool folds(double centre, double radius, double bend, double mirror)
+{
+    struct arena arena = {0};
+    struct clear_edge edges[EDGES] = {0};
+    struct clear_pupil clear = {.centre = {0, centre},
+                                .low = {-radius, centre - radius},
+                                .high = {radius, centre + radius},
+                                .edges = edges,
+                                .edge_count = EDGES};
+    for (size_t i = 0; i < EDGES; i++) {
+        double angle = 2 * pi * (double)i / EDGES - pi / 2;
+        edges[i].at[0] = radius * cos(angle);
+        edges[i].at[1] = centre + radius * sin(angle);
+    }
+    size_t count;
+    const double(*at)[2] = folding_places(&clear, &arena, &count);
+    double(*points)[2] = arena_array(&arena, count, sizeof *points);
+    for (size_t i = 0; i < count; i++) {
+        points[i][0] = mirror * at[i][0];
+        points[i][1] = at[i][1] + bend * at[i][1] * at[i][1];
+    }
+    bool seen = folding_seen((const double(*)[2])points, count);
+    arena_free(&arena);
+    return seen;
+}
+
+/* The line of the fold, y = -1/(2 bend), cuts the disc or does not. */
+static void test_parabola(void)
+{
+    CHECK(!folds(0, 10, 0, 1));
+    CHECK(!folds(0, 10, 0, -1));     /* turned over as a whole: no fold */
+    CHECK(!folds(0, 10, 0.0499, 1)); /* at y = -10.02 */
+    CHECK(folds(0, 10, 0.0501, 1));  /* -9.98 */
+    CHECK(folds(0, 10, 0.0501, -1));
+    CHECK(folds(0, 10, -0.0501, 1));
+    CHECK(folds(0, 10, 1, 1));
+    CHECK(!folds(-20, 10, 1, 1)); /* the other sheet alone */
+    CHECK(folds(-10.4, 10, 1, 1));
+}
+
+/* Lost rays say nothing. */
+static void test_lost(void)
+{
+    const double points[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}, {NAN, NAN}, {0, -1}};
+    const double turned[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}, {1, 0}, {0, -1}};
+    CHECK(!folding_seen(points, 6));
+    CHECK(folding_seen(turned, 6));
+    CHECK(!folding_seen(points, 0));
+}
+
+int main(void)
+{
+    test_parabola();
+    test_lost();
+    return check_report();
+}

@@ -1,0 +1,72 @@
+/* tests/unit/test_search.c - rays at strong aspheres are met, however Newton's method fares. */
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+#include "random_aspheres.h"
+#include "trace/verify.h"
+#include "trace_one.h"
+
+/* A strong asphere whose start lies beyond the sheet of the vertex; found by 113-bit bisection. */
+static void test_other_sheet(void)
+{
+    struct arena arena = {0};
+    struct lens lens;
+    struct system system;
+    struct error error;
+    const char *text = "medium 1.5\nsurface 12.85 - air - k=10.9 A2=0.0653 A4=-0.0079\n";
+    struct system_options options = system_options_default();
+    CHECK(lens_read("test", text_of(text), NULL, &arena, &lens, &error));
+    CHECK(system_compile(&lens, 0.55, &options, &arena, &system, &error));
+    double length = sqrt(0.4338 * 0.4338 + 0.901 * 0.901);
+    struct ray start = {.point = {0, 2.3, -1.54}, .cosine = {0, 0.4338 / length, 0.901 / length}};
+    struct ray end = trace_one(&system, &start);
+    CHECK(end.status == RAY_OK);
+    CHECK_NEAR(end.point[1], 3.2172307, 5e-8, "y");
+    CHECK_NEAR(end.point[2], 0.3650827, 5e-8, "z");
+    struct verification check = verify_ray(&system, &start, &end);
+    CHECK(check.ray.status == RAY_OK && check.point_error < 1e-14 && check.cosine_error < 1e-14);
+    arena_free(&arena);
+}
+
+/* From far away, where steps of a ray are lost in its numbers: met, or an end is found. */
+static void test_afar(void)
+{
+    struct arena arena = {0};
+    struct lens lens;
+    struct system system;
+    struct error error;
+    const char *text = "medium 1.5\nsurface 12.85 - air - k=10.9 A2=0.0653 A4=-0.0079\n";
+    struct system_options options = system_options_default();
+    CHECK(lens_read("test", text_of(text), NULL, &arena, &lens, &error));
+    CHECK(system_compile(&lens, 0.55, &options, &arena, &system, &error));
+    for (double z = -1e3; z > -1e17; z *= 10) {
+        const struct ray start = {.point = {0, 1, z}, .cosine = {0, 0, 1}};
+        const struct ray slant = {.point = {0, 1 + 1e-9 * z, z}, .cosine = {0, 1e-9, 1}};
+        const struct ray back = {.point = {0, 1, -z}, .cosine = {0, 0, -1}};
+        const struct ray end = trace_one(&system, &start);
+        CHECK(end.status == RAY_OK);
+        CHECK_NEAR(end.point[1], 1, 0, "the height of a parallel ray");
+        CHECK(verify_ray(&system, &start, &end).ray.status == RAY_OK);
+        verify_ray(&system, &slant, &end);
+        verify_ray(&system, &back, &end);
+    }
+    arena_free(&arena);
+}
+
+int main(void)
+{
+    static const struct strength strengths[] = {{0.8, 0.4, 4, 0.7}, {2, 1.5, 15, 1}};
+    test_other_sheet();
+    test_afar();
+    for (size_t i = 0; i < sizeof strengths / sizeof strengths[0]; i++) {
+        struct asphere_tally tally = {0};
+        unsigned long long state = 1 + i;
+        for (int k = 0; k < 60; k++) {
+            CHECK(try_asphere(&state, &strengths[i], 600, ASPHERE_RAYS, &tally));
+        }
+        CHECK(tally.lost == 0 && tally.wrong == 0 && tally.unconverged == 0);
+        CHECK(tally.worst < 1e-11);
+        printf("aspheres: %zu rays, %zu met, %zu elsewhere than first, worst %.2g of the size\n",
+               tally.rays, tally.met, tally.differ, tally.worst);
+    }
+    return check_report();
+}

@@ -1,0 +1,253 @@
+/* tests/unit/test_zemax_words.c - .zmx files word by word: what each means, or why it is lost. */
+/* SPDX-License-Identifier: MIT */
+#include "foreign_cases.h"
+
+static const char good[] = "MODE SEQ\n"
+                           "NAME Singlet\n"
+                           "UNIT MM X W X CM MR CPMM\n"
+                           "ENPD 10\n"
+                           "FTYP 0 0 2 1 0 0 0\n"
+                           "XFLN 0 0\n"
+                           "YFLN 0 10\n"
+                           "WAVM 1 0.5875618 1\n"
+                           "PWAV 1\n"
+                           "SURF 0\n"
+                           "  TYPE STANDARD\n"
+                           "  DISZ INFINITY\n"
+                           "SURF 1\n"
+                           "  STOP\n"
+                           "  CURV 0.02\n"
+                           "  DISZ 4\n"
+                           "  GLAS ___BLANK 1 0 1.5 0\n"
+                           "SURF 2\n"
+                           "  CURV -0.02\n"
+                           "  DISZ 90\n"
+                           "SURF 3\n"
+                           "  TYPE STANDARD\n"
+                           "  DISZ 0\n";
+
+static const struct meaning of_lens[] = {
+    {"", "", "lens Singlet\nunit mm\nwavelength d\nobject inf\nfield angle 0 10\naperture epd 10"},
+    {"", "", "focus table"},
+    {"", "", "surface 50 4 1.5 - stop\nsurface -50 90 air -"},
+    {"UNIT MM", "UNIT IN", "unit in"},
+    {"UNIT MM", "UNIT CM", "unit cm"},
+    {"UNIT MM", "UNIT METER", "unit m"},
+    {"NAME Singlet", "NAME", "unit mm\nwavelength d"},
+    {"NAME Singlet", "NAME a \"b\" #c\nNOTE 0 first\nNOTE 4\nNOTE 0 second",
+     "lens a \"b\" No.c\nnote first\nnote second"},
+    {"ENPD 10", "FNUM 4 0", "aperture f/4"},
+    {"ENPD 10", "FNUM 4", "aperture f/4"},
+    {"ENPD 10", "FNUM 4 1", "aperture f/4"}, /* at infinity the working one is the same */
+    {"ENPD 10", "OBNA 0.1 0", "aperture na 0.1"},
+    {"ENPD 10\n", "", "field angle 0 10\nfocus table"},
+    {"FTYP 0 0 2 1 0 0 0", "FTYP 1 0 2 1 0 0 0", "field height 0 10"},
+    {"FTYP 0 0 2 1 0 0 0", "FTYP 2 0 2 1 0 0 0", "field image 0 10"},
+    {"FTYP 0 0 2 1 0 0 0\nXFLN 0 0\nYFLN 0 10", "FTYP 0 0 2 1\nYFLN 0 10 20 0 0",
+     "field angle 0 10"},
+    {"FTYP 0 0 2 1 0 0 0\nXFLN 0 0\nYFLN 0 10",
+     "FTYP 0 0 14 1\nYFLN 0 1 2 3 4 5 6 7 8 9 10 11 12 13",
+     "field angle 0 1 2 3 4 5 6 7 8 9 10 11 12 13"},
+    {"XFLN 0 0\nYFLN 0 10", "XFLD 0 0\nYFLD 0 5", "field angle 0 5"},
+    {"YFLN 0 10\n", "", "object inf\naperture epd 10"},
+    {"FTYP 0 0 2 1 0 0 0\nXFLN 0 0\nYFLN 0 10\nWAVM 1 0.5875618 1\nPWAV 1",
+     "FTYP 0 0 2 3\nYFLN 0 10\nWAVM 1 0.4 1\nWAVM 2 0.5 2\nWAVM 3 0.6 1\nWAVM 4 0.7 1\nPWAV 2",
+     "wavelength 0.5um:2 0.4um 0.6um"},
+    {"FTYP 0 0 2 1 0 0 0\nXFLN 0 0\nYFLN 0 10\nWAVM 1 0.5875618 1\nPWAV 1",
+     "FTYP 0 0 2 3\nYFLN 0 10\nWAVL 0.4 0.5 0.6\nWWGT 1 0.5 1\nPWAV 3",
+     "wavelength 0.6um 0.4um 0.5um:0.5"},
+    {"FTYP 0 0 2 1 0 0 0\nXFLN 0 0\nYFLN 0 10\nWAVM 1 0.5875618 1\nPWAV 1",
+     "WAVM 1 0.4861327 1\nWAVM 2 0.55 1\nWAVM 3 0.55 1\nPWAV 1", "wavelength F 0.55um"},
+    {"DISZ INFINITY", "DISZ 200\n  GLAS ___BLANK 1 0 1.333 55.5", "object 200\nmedium 1.333/55.5"},
+    {"DISZ INFINITY", "DISZ 1e10", "object inf"},
+};
+
+static const struct meaning of_surfaces[] = {
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS ___BLANK 1 0 1.6 50", "surface 50 4 1.6/50 - stop"},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS 517642", "surface 50 4 1.517/64.2 - stop"},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS N-BK7 0 0 1.5 40", "surface 50 4 SCHOTT:N-BK7 - stop"},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS AIR", "surface 50 4 air - stop"},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS MIRROR 0 0", "surface 50 4 mirror - stop"},
+    {"CURV -0.02", "CURV 0", "surface - 90 air -"},
+    {"CURV -0.02\n", "", "surface - 90 air -"},
+    {"CURV -0.02", "CURV -0.0312345", "surface - 90 air - c=-0.0312345"},
+    {"CURV -0.02", "CURV -0.02\n  CONI -0.5", "surface -50 90 air - k=-0.5"},
+    {"CURV -0.02", "CURV -0.02\n  DIAM 6.25 0", "surface -50 90 air 12.5"},
+    {"CURV -0.02", "CURV -0.02\n  DIAM 6\n  CLAP 0 5 0", "surface -50 90 air 10"},
+    {"CURV -0.02", "CURV -0.02\n  OBDC 0 0", "surface -50 90 air -"},
+    {"CURV -0.02", "CURV -0.02\n  COMM rear \"side\"", "surface -50 90 air - name=\"rear 'side'\""},
+    {"CURV -0.02", "CURV -0.02\n  COAT AR", "note coating of surface 2: AR"},
+    {"CURV -0.02", "TYPE EVENASPH\n  PARM 1 1e-3\n  PARM 2 2e-5\n  PARM 8 3e-20\n  PARM 3 0",
+     "surface - 90 air - A2=1e-3 A4=2e-5 A16=3e-20"},
+    {"CURV -0.02", "TYPE ODDASPHE\n  PARM 1 1e-3\n  PARM 2 2e-5\n  PARM 7 3e-10",
+     "surface - 90 air - A1=1e-3 A2=2e-5 A7=3e-10"},
+    /* alpha (r/r0)^(2 i): r0 = 10 */
+    {"CURV -0.02", "TYPE XASPHERE\n  XDAT 1 3 0\n  XDAT 2 10 0\n  XDAT 4 5\n  XDAT 5 0",
+     "surface - 90 air - A4=0.0005"},
+    {"CURV -0.02", "TYPE XASPHERE\n  XDAT 1 1 0\n  XDAT 2 1 0\n  XDAT 3 5\n  XDAT 4 7",
+     "surface - 90 air - A2=5"},
+    {"CURV -0.02", "TYPE XOSPHERE\n  XDAT 1 3 0\n  XDAT 2 2 0\n  XDAT 3 1\n  XDAT 5 1",
+     "surface - 90 air - A1=0.5 A3=0.125"},
+    {"CURV -0.02", "TYPE TOROIDAL\n  CURV -0.02", "surface -50 90 air - cyl=y"},
+    {"CURV -0.02", "TYPE TOROIDAL\n  CURV 0\n  PARM 1 40", "surface 40 90 air - cyl=x"},
+    {"SURF 2\n  CURV -0.02\n", "SURF 2\n  TYPE TILTSURF\n  PARM 2 -1\n",
+     "surface - 90 air - decenter=0,0 tilt=-45,0"},
+    {"SURF 2\n  CURV -0.02\n", "SURF 2\n  TYPE TILTSURF\n  PARM 1 1\n",
+     "surface - 90 air - decenter=0,0 tilt=0,-45"},
+    /* a break bends the axis: decentre, then x, y, z; with PARM 6 the other way around */
+    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3",
+     "SURF 2\n  TYPE COORDBRK\n  PARM 1 0.5\n  PARM 2 -1\n  PARM 3 2\n  PARM 4 -3\n  PARM 5 4\n"
+     "  DISZ 0\nSURF 3\n  DISZ 90\nSURF 4",
+     "bend decenter=0.5,-1 tilt=2,-3,4\nsurface - 90 air -"},
+    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3",
+     "SURF 2\n  TYPE COORDBRK\n  PARM 2 -1\n  PARM 3 2\n  PARM 6 1\n  DISZ 0\n"
+     "SURF 3\n  DISZ 90\nSURF 4",
+     "bend decenter=0,0 tilt=2,0,0\nsurface - 0 1.5 -\nbend decenter=0,-1 tilt=0,0,0\n"
+     "surface - 90 air -"},
+    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3",
+     "SURF 2\n  TYPE COORDBRK\n  PARM 3 2\n  DISZ 5\nSURF 3\n  DISZ 90\nSURF 4",
+     "bend decenter=0,0 tilt=2,0,0\nsurface - 5 1.5 -\nsurface - 90 air -"},
+    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3",
+     "SURF 2\n  TYPE COORDBRK\n  DISZ 5\n  COMM arm\nSURF 3\n  DISZ 90\nSURF 4",
+     "surface - 5 1.5 - name=\"arm\""},
+};
+
+static const struct meaning of_solves[] = {
+    {"DISZ 90", "DISZ 12\n  PZUP 1 2 0.5", "surface -50 8.5 air -"},
+    {"DISZ 90", "DISZ 12\n  PZUP 1 2.5", "surface -50 10 air -"},
+    {"DISZ 90", "DISZ 12\n  TCOM 1 20", "surface -50 16 air -"},
+    {"DISZ 90", "DISZ 12\n  TOLE 1 50", "surface -50 46 air -"},
+};
+
+static const struct meaning of_positions[] = {
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nTHIC 2 1 90\nTHIC 2 2 80\n",
+     "position 1 2\nlet d2 90 80"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nTHIC 2 1 80\nTHIC 2 2 80\n",
+     "surface -50 80 air -"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nTHIC 0 1 1e10\nTHIC 0 2 500\n",
+     "let object inf 500"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nAPER 0 1 10\nAPER 0 2 5\n",
+     "let aperture epd 10 epd 5"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nSDIA 1 1 6\nSDIA 1 2 5\n", "let D1 12 10"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nYFIE 1 1 0\nYFIE 1 2 0\n", "position 1 2"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 1 1\nCRVT 1 1 0.5\nEFFL 1 2\n",
+     "surface 50 4 1.5 - stop"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nNOTE 0 lenscalc positions wide tele\nMNUM 2 1\n",
+     "position wide tele"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nNOTE 0 lenscalc positions wide\nMNUM 2 1\n",
+     "position 1 2"},
+};
+
+static const char stands[] = "the file's number stands";
+
+static const struct refusal losses[] = {
+    {"NAME", "@QQQQ 1\nNAME", "unknown word 'QQQQ'", ""},
+    {"FTYP 0 0 2 1", "@FTYP 3 0 2 1", "real image heights", "taken for paraxial ones"},
+    {"FTYP 0 0 2 1", "@FTYP 4 0 2 1", "fields of the kind 4", "left out"},
+    {"XFLN 0 0", "XFLN 0 @5", "field 2 lies beside the y-z plane: lenscalc has no such field",
+     "left out"},
+    {"NAME", "VDYN 0 @0.1\nNAME", "VDYN: lenscalc has no vignetting factors and no apodised pupil",
+     ""},
+    {"NAME", "@ENVD 40 1 1\nNAME",
+     "indices at 40 C and 1 atmospheres: lenscalc has those of 20 C and 1 atmosphere",
+     "they stand for them"},
+    {"ENPD 10", "@OBNA 10 1", "the aperture as the angle of a cone: the lens gets none", ""},
+    {"ENPD 10", "@FLOA", "the aperture is that of the stop, which has no diameter",
+     "the lens gets none"},
+    {"TYPE STANDARD\n  DISZ INFINITY", "TYPE STANDARD\n  @CURV 0.1", "a curved object",
+     "taken for a plane"},
+    {"  TYPE STANDARD\n  DISZ 0", "  @CURV 0.1\n  DISZ 0", "a curved image", "taken for a plane"},
+    {"CURV -0.02", "@CLAP 1 5 0", "an aperture with a hole", "the hole is left out"},
+    {"CURV -0.02", "@SQAP 1 5 0",
+     "SQAP: apertures are round and centred here, and nothing is obscured", "left out"},
+    {"CURV -0.02", "@OBDC 1 0",
+     "OBDC: apertures are round and centred here, and nothing is obscured", "left out"},
+    {"CURV -0.02", "@PARM 13 1", "a parameter that no surface of lenscalc has", ""},
+    {"CURV -0.02", "TYPE @DGRATING\n  CURV -0.02", "a surface of the type DGRATING",
+     "its standard form with curvature and conic stands for it"},
+    {"SURF 2\n  CURV -0.02", "SURF 2\n  @TYPE TOROIDAL\n  CURV 0.02\n  PARM 1 40", "a toroid",
+     "its y-z section stands for it, as a cylinder"},
+    {"SURF 2\n  CURV -0.02", "SURF 2\n  @TYPE TOROIDAL\n  PARM 2 1e-5", "a toroid",
+     "its y-z section stands for it, as a cylinder"},
+    {"CURV -0.02", "TYPE XASPHERE\n  XDAT 1 11\n  XDAT 2 1\n  @XDAT 13 1",
+     "the coefficient A22: lenscalc goes up to A20", ""},
+    {"CURV -0.02", "@DIAM 6 2 1 0 1", "a semi-diameter that follows another number", stands},
+    {"CURV -0.02", "@CONI -1 2 1", "a conic that follows another number", stands},
+    {"CURV -0.02", "PARM 1 0\n  @PPAR 1 5 1 0 0", "a parameter that follows no earlier surface",
+     stands},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS @___BLANK 1 0 1.5 60 0.01",
+     "the deviation 0.01 of the partial dispersion PgF", ""},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS @NOGLASS 0 0 1.6 50",
+     "the glass 'NOGLASS' is in no catalogue", "its nd 1.6 and Vd 50 stand for it"},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS @N-BK7 4 0 1.5 60 0 0 0 0 0.001",
+     "a glass with an offset of its index or dispersion", ""},
+    {"CURV -0.02", "CURV -0.02\n  GLAS @___BLANK 2 5 1.5 0",
+     "a glass that follows no earlier surface", "the file's glass stands"},
+    {"DISZ 90", "DISZ 90\n  @MAZH 0 1", "a solve that follows a real ray", stands},
+    {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2 1\nCRVT 1 1 0.02\n@CRVT 1 2 0.03\n",
+     "CRVT 1 changes between the configurations", "the first one's value stands"},
+    {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2 1\n@SDIA 1 1 6\n",
+     "semi-diameters that are not one for each configuration", ""},
+};
+
+static const struct refusal errors[] = {
+    {"MODE SEQ", "MODE @NSC",
+     "a non-sequential system: lenscalc has lenses whose surfaces follow each other", NULL},
+    {"UNIT MM", "UNIT @FT", "the unit is one of MM, CM, IN, METER", NULL},
+    {"ENPD 10", "ENPD @x", "ENPD wants a number", NULL},
+    {"ENPD 10", "@ENPD", "ENPD wants a number", NULL},
+    {"ENPD 10", "ENPD @-1", "the aperture must be above 0", NULL},
+    {"YFLN 0 10", "YFLN 0 @200", "a field angle is not beyond 180 degrees", NULL},
+    {"WAVM 1 0.5875618 1", "@WAVM 0 0.5 1", "WAVM wants the number, the wavelength and its weight",
+     NULL},
+    {"WAVM 1 0.5875618 1", "@WAVM 1", "WAVM wants the number, the wavelength and its weight", NULL},
+    {"WAVM 1 0.5875618 1", "WAVM 1 @5500 1", "the wavelength is not within 0.001 to 1000 um", NULL},
+    {"WAVM 1 0.5875618 1", "WAVL 0.5 @0", "the wavelength is not within 0.001 to 1000 um", NULL},
+    {"PWAV 1", "@PWAV 0", "PWAV wants a wavelength's number", NULL},
+    {"PWAV 1", "@PWAV 2", "the primary wavelength is number 2 of 1", NULL},
+    {"WAVM 1 0.5875618 1\nPWAV 1", "WAVM 1 0.55 -1\n@PWAV 1",
+     "wavelength 1 is missing, or its weight is below 0", NULL},
+    {"PWAV 1", "PWAV 1\n@DISZ 5", "'DISZ' stands before any surface", NULL},
+    {"SURF 1", "@SURF 2", "SURF 1 is expected here", NULL},
+    {"SURF 1", "@SURF", "SURF 1 is expected here", NULL},
+    {"DISZ INFINITY", "DISZ @-5", "the object lies at or behind the first surface", NULL},
+    {"SURF 0", "@SURF 0\n  STOP", "the object is the stop", NULL},
+    {"SURF 3", "@SURF 3\n  STOP", "the image is the stop", NULL},
+    {"SURF 2", "@SURF 2\n  STOP", "a second stop", NULL},
+    {"DISZ 4", "DISZ @INFINITY", "an infinite distance behind surface 1", NULL},
+    {"DISZ 4", "DISZ @far", "DISZ wants a number", NULL},
+    {"CURV -0.02", "@CURV", "CURV wants a number", NULL},
+    {"CURV -0.02", "CONI @x", "CONI wants a number", NULL},
+    {"CURV -0.02", "DIAM @x", "DIAM wants a number", NULL},
+    {"CURV -0.02", "CLAP @x", "CLAP wants a number", NULL},
+    {"CURV -0.02", "@PARM 1", "PARM wants a number and a value", NULL},
+    {"CURV -0.02", "@XDAT -1 5", "XDAT wants a number and a value", NULL},
+    {"CURV -0.02", "TYPE @NONSEQCO",
+     "a non-sequential group: lenscalc has lenses whose surfaces follow each other", NULL},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS@", "the glass is missing", NULL},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS @___BLANK 1 0 0 0", "a model glass without an index", NULL},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS ___BLANK 1 0 1.5 @-5", "the Abbe number is below 0", NULL},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS @NOGLASS 0 0 1.5 40",
+     "the glass 'NOGLASS' is in no catalogue, and the file has no index of it", NULL},
+    {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\n@MNUM 0\n",
+     "MNUM wants the number of configurations, 1 to 100", NULL},
+    {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\n@THIC 1 3 5\n",
+     "THIC wants a surface, a configuration and its value", NULL},
+    {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\nAPER 0 1 @0\n",
+     "the aperture must be above 0", NULL},
+    {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\nTHIC 0 2 -1\n",
+     "configuration 1: the object is not before the lens", NULL},
+    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3\n  TYPE STANDARD\n  DISZ 0\n", "",
+     "the file has no surface between object and image", NULL},
+};
+
+int main(void)
+{
+    check_meanings("lens.zmx", good, CASES(of_lens));
+    check_meanings("surfaces.zmx", good, CASES(of_surfaces));
+    check_meanings("solves.zmx", good, CASES(of_solves));
+    check_meanings("positions.zmx", good, CASES(of_positions));
+    check_refusals("lost.zmx", good, CASES(losses));
+    check_refusals("bad.zmx", good, CASES(errors));
+    return check_report();
+}
