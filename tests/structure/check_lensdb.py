@@ -43,9 +43,10 @@ COLUMNS = {
     "shutters.tsv": "series step label note",
     "iso.tsv": "series step label din note",
     "scenes.tsv": "name ev100 scene confidence source",
-    "films.tsv": "maker film model parameters onset_s valid_to_s status source note",
+    "films.tsv": "maker film iso model parameters onset_s valid_to_s status source note",
     "filters.tsv": "name kind factor stops confidence source",
     "lines.tsv": "name nm element note",
+    "glass_aliases.tsv": "alias material",
 }
 
 passed = 0
@@ -325,8 +326,61 @@ def check_filters(path, rows):
     unique(path, [(line, row["name"]) for line, row in rows])
 
 
+UNSTATED = (0.365, 1.014)  # um, i to t: where a glass without a stated range has to be normal
+STEPS = 2000  # of a range that is looked through
+
+
+def terms(row):
+    """(weight, resonance l^2) of a Sellmeier sum; none of the other formulas."""
+    c = [float(word) for word in row["coefficients"].split()]
+    if row["formula"] == "sellmeier":
+        return list(zip(c[0::2], c[1::2]))
+    if row["formula"] == "sellmeier_sq":
+        return [(b, r * r) for b, r in zip(c[1::2], c[2::2])]
+    return []
+
+
+def slope(row):
+    """A function of l whose sign is that of dn/dl where n is above 0."""
+    c = [float(word) for word in row["coefficients"].split()]
+    formula, resonances = row["formula"], terms(row)
+    if resonances:
+        return lambda l: -sum(b * r / (l * l - r) ** 2 for b, r in resonances)
+    if formula == "schott":
+        return lambda l: c[1] - (c[2] + (2 * c[3] + (3 * c[4] + 4 * c[5] / l**2) / l**2)
+                                 / l**2) / l**4
+    if formula == "power":
+        return lambda l: sum(a * p * l ** (p - 1) for a, p in zip(c[1::2], c[2::2]))
+    if formula == "conrady":
+        return lambda l: -c[1] - 3.5 * c[2] / l**2.5
+    if formula == "herzberger":
+        return lambda l: (c[3] + 2 * c[4] * l**2 + 3 * c[5] * l**4
+                          - (c[1] + 2 * c[2] / (l * l - 0.028)) / (l * l - 0.028) ** 2)
+    raise ValueError(formula)
+
+
+def dispersion_faults(row):
+    """Transparent matter has normal dispersion: n falls all over the range, without a pole."""
+    low, high = UNSTATED if row["from_um"] == "-" else (float(row["from_um"]),
+                                                        float(row["to_um"]))
+    resonances = terms(row)
+    poles = [math.sqrt(r) for b, r in resonances if b != 0 and r > 0]
+    if row["formula"] == "herzberger":
+        poles.append(math.sqrt(0.028))
+    faults = [f"has a pole at {pole:.4g} um, inside of its range" for pole in poles
+              if low <= pole <= high]
+    if faults or resonances and all(b >= 0 and r >= 0 for b, r in resonances):
+        return faults  # each term of such a sum falls
+    of = slope(row)
+    rising = [l for l in (low + (high - low) * i / STEPS for i in range(STEPS + 1)) if not of(l) < 0]
+    if rising:
+        faults.append(f"index rises with the wavelength between {rising[0]:.4g} and "
+                      f"{rising[-1]:.4g} um, inside of {low:g} to {high:g}")
+    return faults
+
+
 def check_glasses(path, rows):
-    # names stand once but for case; ranges are ranges; sources are stated
+    # names stand once but for case; ranges are ranges; n falls in them; sources are stated
     seen = {}
     for line, row in rows:
         faults = []
@@ -336,9 +390,34 @@ def check_glasses(path, rows):
         if (row["from_um"] == "-") != (row["to_um"] == "-") or \
                 row["from_um"] != "-" and not 0 < float(row["from_um"]) < float(row["to_um"]):
             faults.append(f"range {row['from_um']} to {row['to_um']}")
+        else:
+            faults += dispersion_faults(row)
         if row["licence"] not in ("CC0", "facts") or len(row["source"]) < 4:
             faults.append("has no source or licence")
         check(f"{path}:{line}", faults)
+
+
+def check_aliases(path, rows):
+    # each leads to a material or a catalogue, and hides the name of none
+    glasses = {}
+    for other in sorted(glob.glob(os.path.join(os.path.dirname(path), "glass", "*.tsv"))):
+        catalog = os.path.basename(other)[:-4]
+        with open(other, encoding="utf-8") as stream:
+            names = [line.split("\t")[0] for line in stream if not line.startswith("#")][1:]
+        glasses[catalog] = {key(name) for name in names}
+    for line, row in rows:
+        faults = []
+        catalog, name = (row["material"].split(":") + [""])[:2]
+        if row["alias"].endswith(":"):
+            if catalog not in glasses or name or row["alias"][:-1] in glasses:
+                faults.append(f"'{row['alias']}' is a catalogue or stands for none")
+        else:
+            if key(name) not in glasses.get(catalog, ()):
+                faults.append(f"'{row['material']}' is in no catalogue")
+            faults += [f"alias '{row['alias']}' hides {other}:{row['alias']}"
+                       for other, names in glasses.items() if key(row["alias"]) in names]
+        check(f"{path}:{line}", faults)
+    unique(path, [(line, row["alias"]) for line, row in rows])
 
 
 CHECKS = {
@@ -352,6 +431,7 @@ CHECKS = {
     "scenes.tsv": check_scenes,
     "films.tsv": check_films,
     "filters.tsv": check_filters,
+    "glass_aliases.tsv": check_aliases,
 }
 
 

@@ -2,8 +2,9 @@
 """tests/structure/check_structure.py - rules of the source tree: check_structure.py BUILD_DIR
 
 The layer table, what the numeric folders may not call, no writable data in any object, first
-lines, headers that compile alone, sizes of functions, files and lines, and words that do not
-belong into the repository.
+lines, headers that compile alone, sizes of functions, files and lines, how much one function
+decides and takes, no circles between files, no public name that nobody uses, and words that do not
+belong into the repository. check_rules.py shows of each rule that it fails where it is broken.
 """
 # SPDX-License-Identifier: MIT
 
@@ -18,19 +19,24 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import ROOT, Checks
 
-# Folder -> folders it may include besides itself. "design/NAME" allows single headers.
+# Folder -> folders it may include besides itself; folders inside it are of its layer.
 LAYERS = {
     "base": [],
     "report": ["base"],
     "photo": ["base"],
     "optics": ["base"],
     "trace": ["base", "optics"],
-    "file": ["base", "optics", "photo"],
+    "data": ["base", "optics", "photo"],
+    "file": ["base", "optics", "data"],
+    "exchange": ["base", "optics", "data", "file"],
     "analysis": ["base", "optics", "trace", "photo"],
     "design": ["base", "optics", "trace", "analysis", "photo"],
-    "camera": ["base", "optics", "trace", "analysis", "photo"],
-    "cli": None,  # everything
-    "": None,     # main.c
+    "camera": ["base", "optics", "trace", "analysis", "photo", "file"],
+    "draw": ["base", "report", "photo", "optics", "analysis", "design"],
+    "cli": ["base", "report", "photo", "optics", "trace", "data", "file", "exchange", "analysis",
+            "design", "camera", "draw"],
+    "commands": None,  # everything
+    "": None,          # main.c
 }
 NUMERIC = ("base", "photo", "optics", "trace", "analysis", "design", "camera")
 # Words no numeric source may use; stdio only formats into buffers there.
@@ -51,6 +57,29 @@ WRITABLE = {
 # The one source in C++; what it may call of stdio only formats into buffers.
 CXX_SOURCES = ["src/design/solver_ceres.cc"]
 LONGEST_FUNCTION, LONGEST_FILE, LONGEST_LINE = 60, 600, 100
+MOST_COMPLEX = 15  # McCabe's number as pmccabe counts it, a switch as one decision
+MOST_PARAMETERS = 6  # of a public function
+# The table of commands, which the commands that print it are in.
+OPEN_TABLES = {"commands"}
+# Public names that only tests use, with the reason; those of PUBLIC_FOLDERS need none.
+PUBLIC_FOLDERS = ("photo",)  # formulas, complete whether a command asks for them or not
+FOR_TESTS = {
+    # formulas that are tested where their numbers come out, before others use them up
+    "text_distance": "edit distance, by hand",
+    "air_refractivity": "tables of air",
+    "rays_best_focus": "lines given as numbers",
+    "aim_ray": "one ray, against longer arithmetic",
+    "thick_residuals": "the solver calls it by its pointer; its derivatives",
+    # derivatives of everything by everything, which the optimiser stands on
+    "derivative_layout": "", "derivative_row": "", "derivative_sweep": "",
+    "derivative_tape_new": "", "derivative_trace": "", "tangent_trace": "",
+    "parameter_get": "", "parameter_slope": "",
+    # every set of instructions gives the same bits
+    "instruction_set_name": "", "instruction_set_works": "",
+    "first_order_compute_portable": "", "paraxial_trace_portable": "",
+    # what there is to try
+    "foreign_formats": "the fuzzer's list of formats",
+}
 # Sources that are one table or one idea and may be longer, with the reason.
 LONG_FILES = {}
 FORBIDDEN_WORDS = re.compile(
@@ -100,9 +129,14 @@ def functions_of(text):
             start = None
 
 
+def layer_of(inside):
+    """The layer of a path in src: its outermost folder."""
+    return inside.split("/")[0] if "/" in inside else ""
+
+
 def check_includes(checks, path, text):
     inside = os.path.relpath(path, "src")
-    folder = os.path.dirname(inside)
+    folder = layer_of(inside)
     if not checks.check(folder in LAYERS, f"{path}: folder '{folder}' is not in the layer table"):
         return
     allowed = LAYERS[folder]
@@ -113,15 +147,14 @@ def check_includes(checks, path, text):
         target = include[1]
         checks.check(os.path.exists(os.path.join("src", target)),
                      f"{path}:{number}: includes \"{target}\", which is not a path in src")
-        wanted = os.path.dirname(target)
-        checks.check(allowed is None or wanted == folder or wanted in allowed or
-                     target[:-2] in allowed,
+        wanted = layer_of(target)
+        checks.check(allowed is None or wanted == folder or wanted in allowed,
                      f"{path}:{number}: {folder} may not include {target}")
 
 
 def check_calls(checks, path, text):
     inside = os.path.relpath(path, "src")
-    if os.path.dirname(inside) not in NUMERIC:
+    if layer_of(inside) not in NUMERIC:
         return
     found = []
     for number, line in enumerate(blank_comments(text).split("\n"), 1):
@@ -158,6 +191,89 @@ def check_sizes(checks, path, text):
                          f"{path}:{line}: {name} has {code} code lines, at most {LONGEST_FUNCTION}")
 
 
+def check_complexity(checks, sources):
+    """Decisions of each function; pmccabe prints: modified, McCabe's ... path(line): name."""
+    listing = subprocess.run(["pmccabe", *sources], capture_output=True, text=True).stdout
+    checks.check(len(listing.splitlines()) >= len(sources) / 2, "pmccabe counted hardly a function")
+    for line in listing.splitlines():
+        count, *_, where = line.split("\t")
+        place, name = where.split(": ")
+        checks.check(int(count) <= MOST_COMPLEX,
+                     f"{place}: {name} has complexity {count}, at most {MOST_COMPLEX}")
+
+
+def parameters_of(arguments):
+    """How many there are between the brackets of a prototype."""
+    depth = count = 0
+    for letter in arguments:
+        depth += (letter in "([") - (letter in ")]")
+        count += letter == "," and depth == 0
+    return count + 1
+
+
+def check_parameters(checks, path, text):
+    plain = re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", "", blank_comments(text), flags=re.M)
+    for match in re.finditer(r"^[a-z][\w\s*]*?\b(\w+)\s*\(([^;{]*?)\)\s*"
+                             r"(?:__attribute__\s*\(\(.*?\)\)\s*)?[;{]", plain, re.M | re.S):
+        count = parameters_of(match[2])
+        checks.check(count <= MOST_PARAMETERS,
+                     f"{path}: {match[1]} has {count} parameters, at most {MOST_PARAMETERS}")
+
+
+def links_of(build):
+    """(symbol -> file that has it, file -> symbols it takes from others) of the objects in C."""
+    objects = read(os.path.join(build, "objects")).split() + [
+        os.path.join(build, "main.o"), os.path.join(build, "design", "solver_none.o"),
+        os.path.join(build, "design", "solver_ceres.o")]
+    listing = subprocess.run(["nm", "-A", "-g", *filter(os.path.exists, objects)],
+                             capture_output=True, text=True).stdout
+    owner, wanted = {}, {}
+    for line in listing.splitlines():
+        entry = re.match(r"(.+)\.o:\S*\s+(\w)\s+(\S+)$", line)
+        if entry is None or entry[3].startswith("_"):
+            continue
+        # a kernel is compiled once for each instruction set
+        name = re.sub(r"(kernel\w*)_(sse2|avx2|avx512)$", r"\1", os.path.relpath(entry[1], build))
+        if entry[2] == "U":
+            wanted.setdefault(name, set()).add(entry[3])
+        elif name != "design/solver_ceres" and entry[2] in "TDBRC":
+            owner.setdefault(entry[3], name)
+    return owner, wanted
+
+
+def circles_of(calls):
+    """The files of each circle: those that reach each other."""
+    reached = {}
+    for start in calls:
+        found, waiting = set(), [start]
+        while waiting:
+            for name in calls.get(waiting.pop(), ()):
+                if name not in found:
+                    found.add(name)
+                    waiting.append(name)
+        reached[start] = found
+    circles = {tuple(sorted(other for other in reached[name] if name in reached.get(other, ())))
+               for name in reached if name in reached[name]}
+    return sorted(circles)
+
+
+def check_links(checks, build):
+    owner, wanted = links_of(build)
+    calls = {name: {owner[symbol] for symbol in symbols - OPEN_TABLES
+                    if owner.get(symbol, name) != name} for name, symbols in wanted.items()}
+    for circle in circles_of(calls):
+        checks.check(False, f"a circle of files that call each other: {', '.join(circle)}")
+    tests = "\n".join(read(path) for path in glob.glob("tests/**/*.[ch]", recursive=True))
+    used = {symbol for name, symbols in wanted.items() for symbol in symbols
+            if owner.get(symbol) not in (None, name)}
+    tested = set(re.findall(r"\w+", tests))
+    for symbol, name in sorted(owner.items()):
+        spared = layer_of(name) in PUBLIC_FOLDERS or symbol in FOR_TESTS
+        checks.check(symbol in used | {"main"} or (spared and symbol in tested),
+                     f"src/{name}.c: {symbol} is public, and no other file uses it" +
+                     (" but tests" if symbol in tested else ""))
+
+
 def check_headers(checks, headers):
     def compile_alone(header):
         compiler = os.environ.get("CC", "cc").split()
@@ -179,8 +295,7 @@ def check_names(checks, paths):
 
 
 def check_objects(checks, build):
-    objects = sorted(glob.glob(os.path.join(build, "*.o")) +
-                     glob.glob(os.path.join(build, "*", "*.o")))
+    objects = sorted(glob.glob(os.path.join(build, "**", "*.o"), recursive=True))
     sources = {os.path.splitext(os.path.relpath(path, "src"))[0]
                for path in glob.glob("src/**/*.c*", recursive=True)} | {"lensdb"}
     objects = [path for path in objects
@@ -221,13 +336,11 @@ def check_words(checks):
         checks.check(not found, f"word that does not belong here: {'; '.join(found[:4])}")
 
 
-def main():
-    os.chdir(ROOT)
-    checks = Checks()
-    checks.check(glob.glob("src/**/*.c?*", recursive=True) == CXX_SOURCES, "sources in C++")
-    sources = sorted(glob.glob("src/**/*.[ch]", recursive=True) + CXX_SOURCES)
+def check_tree(checks, build):
+    """Every rule on the tree that is the working directory."""
+    sources = sorted(glob.glob("src/**/*.[ch]", recursive=True) +
+                     glob.glob("src/**/*.cc", recursive=True))
     programs = sorted(glob.glob("tests/**/*.[ch]", recursive=True))
-    checks.check(len(sources) > 40, "src is not here")
     for path in sources + programs:
         text = read(path)
         check_head(checks, path, text)
@@ -235,11 +348,24 @@ def main():
         if path in sources:
             check_includes(checks, path, text)
             check_calls(checks, path, text)
+        if path in sources and path.endswith(".h"):
+            check_parameters(checks, path, text)
+    check_complexity(checks, [path for path in sources if path.endswith(".c")])
     check_names(checks, sources)
     check_headers(checks, [path for path in sources if path.endswith(".h")])
-    check_objects(checks, os.path.abspath(sys.argv[1]))
+    check_objects(checks, build)
+    check_links(checks, build)
     check_words(checks)
+
+
+def main():
+    os.chdir(ROOT)
+    checks = Checks()
+    checks.check(glob.glob("src/**/*.c?*", recursive=True) == CXX_SOURCES, "sources in C++")
+    checks.check(len(glob.glob("src/**/*.c", recursive=True)) > 40, "src is not here")
+    check_tree(checks, os.path.abspath(sys.argv[1]))
     checks.finish()
 
 
-main()
+if __name__ == "__main__":
+    main()
