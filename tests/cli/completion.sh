@@ -30,6 +30,9 @@ candidates glass --like N-SF6
 candidates conjugate double-gauss --object-medium WATE
 candidates list len
 touch my.lens && candidates lens my
+candidates dof --scale my
+candidates draw -o my
+candidates fit --map my
 lenscalc completion zsh > script
 if command -v zsh > /dev/null; then
     zsh -f -c 'compadd() { print -l -- "${names[@]}"; }; _files() { echo files; }

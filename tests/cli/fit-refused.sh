@@ -31,9 +31,12 @@ printf 'wavelength_nm,index\n500,1.5\n600,1.49\n' > few.csv
 say fit --glass few.csv
 say fit --glass few.csv --formula cauchy --terms 7
 say fit --glass few.csv --formula cauchy --terms 2 --show matrix
-say fit double-gauss -o /nowhere/x.lens --columns efl_mm
+say fit double-gauss -o x.lens
+say fit double-gauss --distortion 1.5
+say fit double-gauss --rays 1 --columns efl_mm,rms_um
+say fit double-gauss --distortion 0 -o /nowhere/x.lens --columns efl_mm
 touch there.lens
-say fit double-gauss -o there.lens --columns efl_mm
+say fit double-gauss --distortion 0 -o there.lens --columns efl_mm
 printf 'wavelength_nm,index\n500,nan\n600,1.5\n700,1.4\n' > nan.csv
 say fit --glass nan.csv
 say fit --glass few.csv --map x.svg
@@ -55,3 +58,14 @@ say fit double-gauss --prescription efl=100 --vary R12
 say fit double-gauss --prescription efl=100 --vary n5 --columns goal,reached_mm
 say fit nikkor-z-14-24 --prescription efl=15 --vary R1
 say fit double-gauss --prescription efl=100 --vary 'R1[60,50]'
+for part in R0 R1234567 A21_1 v1 V1 r1 c1 k1 glass2 tilt_x1 A42; do
+    say fit double-gauss --prescription efl=101 --vary "$part"
+done
+say fit double-gauss --field 0,10:-2,14deg
+say fit double-gauss --field 0,10:inf
+printf 'lens twice\nsurface 50 7.5 1.5 20 R~ R~\nsurface -50 - air 20\n' > twice.lens
+say fit twice.lens --prescription efl=52
+printf 'lens crossed\nsurface 50 7.5 1.5 20 R~[60,40]\nsurface -50 - air 20\n' > crossed.lens
+say fit crossed.lens --prescription efl=52
+printf 'lens conic\nsurface 50 7.5 1.5 20 k~\nsurface -50 - air 20\n' > conic.lens
+say fit conic.lens --prescription efl=52

@@ -1,6 +1,7 @@
 # what is refused, and what is said
 for words in "BK7" "N-BK8" "SCHOT:N-BK7" "N-BK7 -w 200" "N-BK7 -w q" "N-BK7 --nd 1.5..1.6" \
-    "--nd 1.5" "--nd 1.6..1.5" "--nd 3..4" "HWS1" "0/50" "N-BK7 --temperature 200" \
+    "--nd 0.5" "--vd 0" "--vd 1e4" "--nd 1.5x" "--nd 1.6..1.5" "--pgf 0.5" "--like N-BK7 --nd 1.5" \
+    "N-BK7 --nd 1.5" "--nd 3..4" "HWS1" "0/50" "N-BK7 --temperature 200" \
     "SCHOTT:AF32ECO --temperature 50" "N-BK7 --label F2" "N-BK7 --abbe x.svg"; do
     lenscalc glass $words
     echo "status $?"

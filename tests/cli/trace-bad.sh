@@ -31,3 +31,8 @@ printf 'lens telescope\nobject inf\naperture stop\nsurface 50 300 1.5 10 stop\ns
 lenscalc trace ./afocal.lens --to image
 lenscalc trace ./afocal.lens --focus best
 printf 'x,y\n0,1\n' | lenscalc trace double-gauss --batch - --csv
+# a field is answered by itself: a weight would be lost
+lenscalc trace double-gauss --field 0,10:2,14deg
+lenscalc pupil double-gauss --field 10deg:0.5
+lenscalc draw double-gauss --field 10:x
+lenscalc fit double-gauss --field 0,10mm

@@ -160,9 +160,9 @@ def list_options(program, command):
 
 
 def common_options(program, command):
-    """What `COMMAND --help` shows under "Options of every command"."""
+    """What `COMMAND --help` shows under "Common options"."""
     text = program.run(command, "--help").stdout.decode()
-    return set(re.findall(r"^ .{2,6}(--[a-z-]+)", text.partition("Options of every command")[2],
+    return set(re.findall(r"^ .{2,6}(--[a-z-]+)", text.partition("Common options")[2],
                           re.M))
 
 

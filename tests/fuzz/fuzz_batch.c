@@ -84,7 +84,6 @@ static void read_rows(struct batch *batch, const struct command *command, struct
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static const char *const names[] = {"dof", "fov", "hyperfocal"};
-    static const char *const formats[] = {NULL, "csv", "tsv", "jsonl"};
     if (size < 1) {
         return 0;
     }
@@ -109,8 +108,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     void *constants = arena_array(&arena, 1, command->input_size);
     memcpy(constants, input, command->input_size);
     reader.arena = &row_arena;
-    if (batch_open(&batch, path, formats[data[0] / 3 % 4], &arguments, &reader, constants,
-                   &error)) {
+    const struct batch_source source = {.path = path,
+                                        .format = (enum batch_format)(data[0] / 3 % 4),
+                                        .arguments = &arguments,
+                                        .reader = &reader,
+                                        .constants = constants};
+    if (batch_open(&batch, &source, &error)) {
         read_rows(&batch, command, &run, input, constants, lines_in(data + 1, size - 1));
     } else {
         fuzz_require_error(&error);

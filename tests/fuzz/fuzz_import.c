@@ -1,6 +1,6 @@
 /* tests/fuzz/fuzz_import.c - lens files of other programs: read by every format, written again. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/foreign.h"
+#include "exchange/lens_formats.h"
 #include "file/lens_change.h"
 #include "fuzz.h"
 #include "optics/first_order.h"
@@ -66,7 +66,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             struct arena arena = {0};
             struct lens lens;
             struct error error = {0};
-            const char *source = arena_printf(&arena, "fuzz%s", (*format)->ending);
+            const char *source = arena_printf(&arena, "fuzz%s", (*format)->type.ending);
             struct foreign_job job = {.source = source, .arena = &arena, .lossy = lossy != 0};
             if (foreign_read(&job, (struct text){content, size}, &lens, &error)) {
                 use(&job, &lens);

@@ -14,6 +14,8 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import ROOT, Checks, Program
 
+AIRY = 2 * 3.8317059702075123 / math.pi  # first zero of J1 over pi, twice
+
 LECTURE = "lecture, exposure and high dynamic range"
 
 # command line, column, expected, tolerance, source
@@ -21,6 +23,41 @@ LIGHT = [
     ("exposure --scene sunny-16 -N 16", "ev100", math.log2(25600), 2e-4,
      "f/16 at 1/S s: log2(100 16^2)"),
     ("exposure --scene sunny-16 -N 16", "time_s", 1 / 100, 5e-6, "the rule sunny 16 itself"),
+    ("exposure --scene sunny-16 -N 16 --iso 400", "time_s", 1 / 400, 1e-17, "exactly 1/ISO"),
+    ("exposure --scene sunny-16 -N 8 --iso 125", "time_s", 1 / 500, 1e-17, "two stops from it"),
+    ("exposure -N 22 --ev 5 --film HP5_Plus", "time_s", 22**2 / 2**5 / 4, 1e-12,
+     "a film of ISO 400 takes a quarter of the time"),
+    ("exposure -N 22 --ev 5 --film HP5_Plus", "iso", 400, 0, "what is on the box"),
+    ("exposure -N 4 --ev 10 --film Ektar_100", "iso", 100, 0, "one of three in a row"),
+    ("exposure -N 4 --ev 10 --film Portra_160", "iso", 160, 0, "another"),
+    ("exposure -N 22 --ev 5 --film HP5_Plus --iso 800", "iso", 800, 0, "pushed: as given"),
+    ("exposure -N 8 -t 1/125", "residual_stops", 0, 0, "these settings are on the dial"),
+    ("exposure -N 5.6 -t 1/30 --series full", "residual_stops", 0, 0, "and these"),
+    ("exposure -N 8 -t 1/125 --focal-plane", "glass_transmittance", 0.9, 0, "ISO 12232"),
+    ("exposure -N 8 -t 1/125 --focal-plane", "vignetting", 0.98, 0, "ISO 12232"),
+    ("exposure -N 8 -t 1/125 --focal-plane", "off_axis_deg", 10, 1e-14, "ISO 12232"),
+    ("exposure -N 8 -t 1/125 --focal-plane --transmittance 0.8", "glass_transmittance", 0.8, 0,
+     "as given"),
+    ("dof -f 100 -N 2.8 -s 200mm -c airy", "coc_mm", AIRY * 550e-6 * 5.6, 1e-16,
+     "Airy disc at 1:1: f/2.8 works as f/5.6"),
+    ("dof -f 100 -N 2.8 -s 200mm -c airy -P 2", "coc_mm", AIRY * 550e-6 * 4.2, 1e-16,
+     "N (1 + m/P)"),
+    ("dof -f 100 -N 2.8 -s inf -c airy", "coc_mm", AIRY * 550e-6 * 2.8, 1e-16, "at infinity"),
+    ("dof -f 50 -N 8 --magnification 1 -c airy", "coc_mm", AIRY * 550e-6 * 16, 1e-15,
+     "the distance is the unknown"),
+    # c = a N (1 + N c/f) at the hyperfocal distance, a = 2.44 times the wavelength
+    ("hyperfocal -f 5 -N 11 -c airy", "coc_mm",
+     AIRY * 550e-6 * 11 / (1 - AIRY * 550e-6 * 11**2 / 5), 1e-15, "solved for c by hand"),
+    ("equivalent -f 50 -N 4 -m 1 --to mft -c airy --columns coc", "coc_mm", AIRY * 550e-6 * 8,
+     1e-16, "life size"),
+    ("diffraction -N 16 -m 1:1 -c airy", "coc_mm", AIRY * 550e-6 * 32, 1e-15, "life size"),
+    ("dof -f 50 -N 8 -s 2m --print 30in --viewing 1m", "coc_mm",
+     1000 / 250 / (5 * 30 * 25.4 / 36), 1e-15, "5 lp/mm at 25 cm, 1.25 at 1 m, enlarged 21 times"),
+    ("dof -f 50 -N 8 -s 2m --acuity 8", "coc_mm", 1 / (8 * 254 / 36), 1e-15,
+     "10 inches at 25 cm"),
+    ("hyperfocal -f 50 -N 8 --pitch 4um", "coc_mm", 0.008, 1e-17, "two pixels"),
+    ("dof -f 50 -N 8 -s 2m --pitch 4um -c 3px", "coc_mm", 0.012, 1e-17, "three"),
+    ("flash -g 36 -s 4.5 --power 1/16..1/16", "fnumber", 2, 1e-12, "four stops less light"),
     ("exposure -N 1 -t 1", "luminance_cd_m2", 0.125, 0, "EV 0 with K 12.5: 0.125 cd/m2"),
     ("exposure -N 1 -t 1", "illuminance_lx", 2.5, 0, "EV 0 with C 250: 2.5 lx"),
     ("exposure -N 1 -t 1 --iso 100", "sv", 5, 1e-12, "APEX: ISO 100 is Sv 5"),

@@ -4,13 +4,16 @@
 Every row of lensdb/glass at the d F C g e lines and two wavelengths near the ends of its range,
 through the binary: within 4e-16 of the formula evaluated with 50 digits from the decimals of the
 table; nd and Vd as the maker prints them; tests/truth/glass.tsv (evaluated by another program);
-the (nd, Vd) model; every name is found, homonyms are refused.
+the (nd, Vd) model; tests/truth/published.tsv (indices that others print); every name is found, homonyms are
+refused or the current one is taken; names of other programs;
+what is nearest to an nd and Vd.
 """
 # SPDX-License-Identifier: MIT
 
 import csv
 import glob
 import io
+import math
 import os
 import re
 import sys
@@ -70,7 +73,7 @@ def ask(program, checks, questions):
     """The answers to (glass, wavelength) pairs."""
     text = "glass\twavelength_nm\n" + "".join(f"{glass}\t{nm}\n" for glass, nm in questions)
     result = program.run("glass", "--batch", "-", "--tsv", "--columns",
-                         "glass,catalog,wavelength,index,nd,vd,error", stdin=text, timeout=600)
+                         "glass,catalog,wavelength,index,nd,vd,taken_as,error", stdin=text, timeout=600)
     answers = list(csv.DictReader(io.StringIO(result.stdout.decode()), delimiter="\t",
                                   quoting=csv.QUOTE_NONE))
     checks.check(len(answers) == len(questions), f"{len(answers)} answers of {len(questions)}: "
@@ -152,32 +155,118 @@ def check_truth(program, checks, rows, worst):
             checks.check("outside the range" in answer["error"], f"{glass} at {nm} nm: not refused")
 
 
+def check_published(program, checks):
+    """Indices that others print, each with its own limit."""
+    cases = read_table(os.path.join(ROOT, "tests/truth/published.tsv"))
+    answers = ask(program, checks, [(case["glass"], str(1000 * Decimal(case["um"])))
+                                    for case in cases])
+    for case, answer in zip(cases, answers):
+        what = f"{case['glass']} at {case['um']} um"
+        checks.check(answer["index"] and abs(float(answer["index"]) - float(case["index"]))
+                     <= float(case["within"]),
+                     f"{what}: {answer['index']} {answer['error']}, but {case['index']} within "
+                     f"{case['within']} by {case['source']}")
+
+
+def check_nearest(program, checks, rows):
+    """What is nearest to an nd and a Vd, against a ranking made here."""
+    lines = [Decimal(LINES[name]) / 1000 for name in "dFC"]
+    known = {}
+    for (catalog, name), row in rows.items():
+        if row["from_um"] == "-" or (Decimal(row["from_um"]) <= lines[1] and
+                                     Decimal(row["to_um"]) >= lines[2]):
+            d, F, C = (float(index_of(row["formula"], row["c"], line)) for line in lines)
+            known[catalog, name] = (d, (d - 1) / (F - C))
+    for nd, Vd in ((1.517, 64), (1.62, 36), (1.9, 31), (1.435, 95), (1.52, None), (None, 50)):
+        asked = [word for option, value in (("--nd", nd), ("--vd", Vd)) if value is not None
+                 for word in (option, str(value))]
+        result = program.run("glass", *asked, "--count", "12", "--tsv", "--columns",
+                             "glass,catalog,distance,nd_difference,vd_difference"
+                             if nd and Vd else "glass,catalog,distance")
+        found = list(csv.DictReader(io.StringIO(result.stdout.decode()), delimiter="\t"))
+
+        def distance(values):
+            return math.hypot((values[0] - nd) / 0.0005 if nd else 0,
+                              (values[1] - Vd) / (0.008 * Vd) if Vd else 0)
+        best = sorted(distance(values) for values in known.values())[:12]
+        what = " ".join(asked)
+        checks.check(len(found) == 12, f"{what}: {len(found)} rows, {result.stderr.decode()}")
+        for want, row in zip(best, found):
+            values = known[row["catalog"], row["glass"]]
+            checks.check(abs(float(row["distance"]) - want) <= 1e-7 + 1e-9 * want and
+                         abs(distance(values) - want) <= 1e-7 + 1e-9 * want,
+                         f"{what}: {row} instead of a distance of {want}")
+            if nd and Vd:
+                checks.check(abs(float(row["nd_difference"]) - (values[0] - nd)) <= 1e-12 and
+                             abs(float(row["vd_difference"]) - (values[1] - Vd)) <= 1e-8,
+                             f"{what}: differences of {row}")
+
+
+def chosen(found):
+    """Of several glasses of a name the only current one, else the only one not obsolete."""
+    current = [entry for entry in found if entry[2]["status"] == "current"]
+    alive = [entry for entry in found if entry[2]["status"] != "obsolete"]
+    return current if current else alive
+
+
 def check_names(program, checks, rows):
-    """A bare name finds its glass in any case, or is refused because several have it."""
+    """A bare name finds its glass in any case, the current one of several, or is refused."""
     by_name = {}
     for (catalog, name), row in rows.items():
         by_name.setdefault(name.lower(), []).append((catalog, name, row))
     names = list(by_name)
     answers = ask(program, checks, [(name, "1000") for name in names])
     for name, answer in zip(names, answers):
-        several = len({(row["formula"], row["coefficients"]) for _, _, row in by_name[name]}) > 1
-        if several:
-            checks.check("several glasses" in answer["error"], f"homonym {name} is not refused")
+        found = by_name[name]
+        several = len({(row["formula"], row["coefficients"]) for _, _, row in found}) > 1
+        left = chosen(found) if several else found
+        if several and len(left) != 1:
+            typed = [f"{catalog}:{spelt}" for catalog, spelt, _ in found]
+            checks.check("several glasses" in answer["error"] and
+                         all(word in answer["error"] for word in typed),
+                         f"homonym {name} is not refused with its list: {answer['error']}")
         elif answer["error"]:
             checks.check("outside the range" in answer["error"], f"{name}: {answer['error']}")
         else:
-            checks.check(answer["glass"] in [spelt for _, spelt, _ in by_name[name]],
-                         f"{name} is answered by {answer['glass']}")
+            checks.check((answer["catalog"], answer["glass"]) in
+                         [(catalog, spelt) for catalog, spelt, _ in left],
+                         f"{name} is answered by {answer['catalog']}:{answer['glass']}")
+            checks.check(bool(answer["taken_as"]) == several,
+                         f"{name}: what it is taken as is '{answer['taken_as']}'")
+
+
+def check_aliases(program, checks):
+    """Other programs' names: a question takes them and says so, a lens file does not."""
+    aliases = [row for row in read_table(os.path.join(ROOT, "lensdb/glass_aliases.tsv"))
+               if not row["alias"].endswith(":")]
+    answers = ask(program, checks, [(row["alias"].lower(), "3000") for row in aliases])
+    for row, answer in zip(aliases, answers):
+        if not answer["error"]:
+            checks.check(f"{answer['catalog']}:{answer['glass']}" == row["material"] and
+                         answer["taken_as"].startswith(row["material"] + ", "),
+                         f"{row['alias']} is {answer['catalog']}:{answer['glass']}, "
+                         f"'{answer['taken_as']}'")
+        else:
+            checks.check(f"range of {row['material']}," in answer["error"],
+                         f"{row['alias']}: {answer['error']}")
+        lens = f"wavelength 3um\nsurface 50 1 {row['alias']} 9\nsurface - 9 air 9\n"
+        result = program.run("lens", "--lens", "-", stdin=lens)
+        checks.check(result.returncode == 4 and "is in no catalogue" in result.stderr.decode() and
+                     row["material"] in result.stderr.decode(),
+                     f"{row['alias']} in a lens file: {result.stderr.decode()}")
 
 
 def main():
     program, checks, worst = Program(sys.argv[1]), Checks(), [Decimal(0)]
     rows = catalogue()
-    checks.check(len(rows) == 2788, f"{len(rows)} glasses, 2788 expected")
+    checks.check(len(rows) == 2829, f"{len(rows)} glasses, 2829 expected")
     answers = check_catalogue(program, checks, rows, worst)
     check_printed(checks, rows, answers)
     check_truth(program, checks, rows, worst)
+    check_published(program, checks)
     check_names(program, checks, rows)
+    check_aliases(program, checks)
+    check_nearest(program, checks, rows)
     if "--worst" in sys.argv:
         print(f"worst relative error {worst[0]:.4}")
     checks.finish()

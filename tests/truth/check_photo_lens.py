@@ -238,12 +238,12 @@ def check_hyperfocal(bench, lens, N):
 
 
 def check_fov(bench, lens, s):
-    """The chief ray from the edge of the sensor, traced back by tracing two rays forward."""
+    """The paraxial chief ray from the edge of the sensor, by tracing two rays forward."""
     _, H, _ = lens.focal()
     E, _ = lens.entrance_pupil()
     far = s == "inf"
     row, _, result = bench.ask("fov", "--lens", lens.name + ".lens", "-s", s + ("" if far else "mm"),
-                               "--sensor", "36x24mm")
+                               "--sensor", "36x24mm", "--projection", "rectilinear")
     name = f"fov {lens.name} {s}"
     if not bench.checks.check(row is not None, f"{name}: {result.stderr}"):
         return

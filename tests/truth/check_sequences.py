@@ -294,7 +294,7 @@ def check_own_refusals(checks, tool):
              ("RD 5", "RD five", "refused.len:6:4:", "no number"),
              ("RD 5", "PK CV 1", "refused.len:6:7:", "not before surface 1"),
              ("RD 5", "PFL 5", "refused.len:6:1:", "perfect lens"),
-             ("RD 5", "ASP ZER 4", "refused.len:6:1:", "no even one"),
+             ("RD 5", "ASP ZER 4", "refused.len:6:1:", "no polynomial of r"),
              ("EBR 1", "UNI 7", "refused.len:2:5:", "one of 1, 10"),
              ("RD 5", "WV9 0.5", "refused.len:6:1:", "number 9 behind 0"))
     for old, new, place, reason in cases:

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""tests/robust/check_dark.py - lenses through which little light passes, or none.
+
+The commands that look for rays answer or refuse, in every format and in a short time, and no answer
+holds a nan or a control character. Files that showed faults before are read from the shared folder
+where there is one.
+"""
+# SPDX-License-Identifier: MIT
+
+import glob
+import json
+import os
+import re
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import SHARED, Checks, Program
+
+NAN = re.compile(rb"(?i)(?<![a-z])-?nan(?![a-z])")
+CONTROL = re.compile(rb"[\x00-\x08\x0b-\x1f\x7f]")
+COMMANDS = (["check"], ["draw"], ["trace"], ["pupil"], ["pupil", "--height", "5"],
+            ["trace", "--pattern", "gauss", "--rays", "18"],
+            ["trace", "--pupil-point", "0.3:0.5", "--field", "60deg"])
+HEAD = "lens x\nwavelength d\nobject inf\nfield angle {field}\naperture epd 5\n"
+
+
+def dark_lenses():
+    """name -> text of a lens."""
+    def lens(field, *rows):
+        return HEAD.format(field=field) + "".join(row + "\n" for row in rows)
+
+    singlet = ("surface 50 5 1.5 20", "surface -50 50 air 20", "stop - 1 air 20")
+    yield "the edge of the field does not arrive", lens("0 90", *singlet)
+    yield "nor does 179 deg", lens("0 179", *singlet)
+    yield "crossed cylinders", lens("0 10", "surface 50 5 1.5 20 cyl=x",
+                                    "surface -50 50 air 20 cyl=y", "stop - 1 air 20")
+    yield "two holes aside", lens("0 5", "surface - 50 air 4 decenter=0,9", "stop - 10 air 4",
+                                  "surface - 10 air -")
+    yield "total reflection", lens("0 60", "surface - 5 1.9 20", "surface -4 2 air 20",
+                                   "stop - 1 air 20")
+    pairs = [f"surface {1000 + i} 0.5 1.5 20\nsurface {-1000 - i} 0.5 air 20" for i in range(250)]
+    yield "500 surfaces", lens("0 60 80", *pairs, "stop - 1 air 20")
+
+
+def main():
+    checks, program = Checks(), Program(sys.argv[1])
+    limit = 300  # s: a search that never ends, on a busy machine too
+    paths = []
+    for number, (name, text) in enumerate(dark_lenses()):
+        paths.append((name, os.path.join(program.holder.name, f"dark{number}.lens")))
+        with open(paths[-1][1], "w", encoding="ascii") as file:
+            file.write(text)
+    known = sorted(glob.glob(os.path.join(SHARED, "data", "hostile", "*.*")))
+    paths += [(os.path.basename(path), path) for path in known if not path.endswith(".md")]
+    if not known:
+        print("skipped: files that showed faults before, there is no shared folder")
+    for name, path in paths:
+        for words in COMMANDS:
+            # what was seen once needs one look: a form that holds every number
+            formats = ([],) if words[0] == "draw" else (["--json"],) if path in known else (
+                [], ["--json"])
+            if path in known and len(words) > 1:
+                continue
+            for form in formats:
+                what = f"{name}: {' '.join(words + form)}"
+                try:
+                    result = program.run(*words, path, *form, timeout=limit)
+                except Exception as trouble:  # too slow
+                    checks.check(False, f"{what}: {str(trouble)[:100]}")
+                    continue
+                said = result.stdout + result.stderr.replace(path.encode(), b"")
+                checks.check(result.returncode in (0, 1, 2, 4), f"{what}: {result.returncode}")
+                checks.check(not NAN.search(said), f"{what}: {said[-300:]!r}")
+                checks.check(not CONTROL.search(said), f"{what}: control characters")
+                if form and result.returncode == 0:
+                    try:
+                        json.loads(result.stdout)
+                    except ValueError as trouble:
+                        checks.check(False, f"{what}: {trouble}")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,351 @@
+#!/usr/bin/env python3
+"""tests/robust/check_options.py - every common option with every command: honoured, or refused.
+
+An option that says nothing beside what else is asked is refused, and answered beside what it serves.
+What a command's --help does not show is refused with exit status 2 and the reason. What it shows
+makes a difference that is tried here: another answer, a file, another failure. A new command needs
+its line in ASKED below, a new common option its function.
+"""
+# SPDX-License-Identifier: MIT
+
+import os
+import re
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import Checks, Program
+
+# Command -> a question that every format answers, two options with values to sweep (the first with
+# a number), and a batch of two questions where the question is not two of the same lens.
+ASKED = {
+    "dof": ("-f 50 -s 3 -N 5.6", ("f", "35,50", "N", "2.8,4"), "s\n2\n3\n"),
+    "hyperfocal": ("-f 50 -N 5.6", ("f", "35,50", "N", "2.8,4"), "N\n4\n8\n"),
+    "fov": ("-f 50 -s 3", ("f", "35,50", "s", "1,2"), "s\n2\n3\n"),
+    "focus": ("-f 50 -s 3 -N 5.6", ("s", "1,2", "f", "35,50"), "s\n2\n3\n"),
+    "exposure": ("-N 5.6 -t 1/60 --iso 200", ("N", "4,8", "t", "1/30,1/60"), "N\n4\n8\n"),
+    "flash": ("-g 36 -N 5.6", ("N", "4,8", "g", "20,36"), "N\n4\n8\n"),
+    "bracket": ("--from 30s --to 1/1000", None, "from\n30\n15\n"),
+    "motion": ("-f 50 -s 10 --speed 5km/h", ("s", "5,10", "f", "35,50"), "s\n2\n3\n"),
+    "stars": ("-f 24 -N 5.6 --pitch 4um", ("f", "24,35", "N", "2.8,4"), "N\n4\n8\n"),
+    "diffraction": ("-N 5.6 -f 50", ("N", "4,8", "f", "35,50"), "N\n4\n8\n"),
+    "equivalent": ("-f 50 -N 5.6 --sensor 4/3", ("f", "35,50", "N", "2.8,4"), "N\n4\n8\n"),
+    "tilt": ("-f 90 -N 5.6 --tilt 5 -s 0.6", ("s", "0.6,1", "tilt", "2,4"), "s\n2\n3\n"),
+    "panorama": ("-f 24 --distance 3", ("f", "24,35", "overlap", "0.2,0.3"), "f\n24\n35\n"),
+    "refract": ("--after 1.5168 -R 50 -z -200", ("R", "40,50", "z", "-100,-200"), "R\n40\n50\n"),
+    "lensmaker": ("--r1 50 --r2 -50 -n 1.5168 -d 5", ("r1", "40,50", "d", "4,5"), "d\n4\n5\n"),
+    "lens": ("double-gauss -N 5.6 -w d", ("N", "4,8", "w", "486,587"), "N\n4\n8\n"),
+    "surfaces": ("double-gauss -N 5.6", None, "N\n4\n8\n"),
+    "matrix": ("double-gauss", None, "w\n486\n587\n"),
+    "conjugate": ("double-gauss --object 1m -N 5.6 -w d", ("object", "1m,2m", "w", "486,587"),
+                  "w\n486\n587\n"),
+    "trace": ("double-gauss --x 0 --y 5 --z -20 -w d -N 5.6", ("w", "486,587", "N", "4,8"),
+              "w\n486\n587\n"),
+    "check": ("double-gauss -N 5.6 --steps 2", None, "N\n4\n8\n"),
+    "pupil": ("double-gauss -N 5.6 --field 0", None, "N\n4\n8\n"),
+    "draw": ("double-gauss -N 5.6", None, None),
+    "fit": ("double-gauss -N 5.6 --distortion 0", ("N", "4,8", "w", "486,587"), "N\n4\n8\n"),
+    "list": ("formats", None, None),
+    "glass": ("N-BK7 -w 500 --thickness 10mm", ("w", "486,587", "thickness", "5,10"),
+              "w\n486\n587\n"),
+    "convert": ("double-gauss", None, None),
+    "help": ("", None, None),
+    "completion": ("bash", None, None),
+}
+ODD_LENS = ("MODE SEQ\nUNIT MM\nENPD 10\nFTYP 0 0 2 1 0 0 0\nXFLN 0 3\nYFLN 0 5\n"
+            "WAVM 1 0.5876 1\nPWAV 1\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n"
+            "  DISZ 4\n  GLAS N-BK7 0 0\n  OBSC 0 2 0\nSURF 2\n  DISZ 90\nSURF 3\n")
+TABLES = ("cameras", "films", "filters", "formats", "fstops", "iso", "lines", "scenes", "shutters",
+          "glass/BAD")
+
+
+# Command, options that say nothing there, the words of the refusal, what makes them say something
+# (None: nothing is tried). Without words of a refusal the question is answered.
+IDLE = (
+    ("trace double-gauss", "--rays 5", "--rays wants --pattern", "--pattern gauss"),
+    ("trace double-gauss", "--pattern few --rays 5", "--rays wants --pattern", None),
+    ("trace double-gauss", "--seed 5", "--seed wants --pattern sobol", "--pattern sobol"),
+    ("trace double-gauss", "--pattern gauss --seed 5", "--seed wants --pattern sobol", None),
+    ("trace double-gauss", "--pupil-point 0:0.5 --rays 9", "--rays wants --pattern", None),
+    ("trace double-gauss", "--point 0:1:0 --aim entrance", "--aim and --point exclude", None),
+    ("trace double-gauss --pupil-point 0:0.5", "--aim entrance", None, ""),
+    ("fit double-gauss", "--seed 4", "--seed wants --pattern sobol", "--pattern sobol"),
+    ("fit double-gauss", "--terms 3", "--terms wants --glass", None),
+    ("fit double-gauss", "--formula cauchy", "--formula wants --glass", None),
+) + tuple(("fit double-gauss --prescription efl=101 --vary R1", option,
+           f"--prescription and {option.split()[0]} exclude", None)
+          for option in ("--distortion 1", "--rays 20", "--field 0,10", "--match rays",
+                         "--no-clip", "--chromatic")) + (
+    ("glass N-BK7", "--count 3", "--count wants --like or --nd or --vd", None),
+    ("glass", "--count 3 --nd 1.5", None, ""),
+    ("glass N-BK7", "--air ciddor", "--air wants --temperature or --pressure",
+     "--temperature 20"),
+    ("dof -f 50 -s 3 -N 5.6", "-w 500", "--wavelength wants --lens or --coc airy", "--coc airy"),
+    ("dof -s 3 -N 5.6", "-w 500 --lens double-gauss", None, ""),
+    ("dof -f 50 -s 3 -N 5.6", "-w 500 --coc 0.03,airy", None, ""),
+    ("hyperfocal -f 50 -N 5.6", "-w 500", "--wavelength wants", "--coc airy"),
+    ("equivalent -f 50 -N 5.6 --sensor 4/3", "-w 500", "--wavelength wants", "--coc airy"),
+    ("tilt -f 90 -N 5.6 --tilt 5 -s 0.6", "-w 500", "--wavelength wants --coc airy",
+     "--coc airy"),
+    ("exposure -N 8 --ev 12", "-w 500", "--wavelength wants --lens", None),
+    ("exposure -N 8 --ev 12", "-P 2", "--pupil wants --magnification", "-m 1"),
+    ("fov -f 50", "-w 500", "--wavelength wants --lens", None),
+    ("focus -f 50 -s 3", "-w 500", "--wavelength wants --lens", None),
+    ("stars -f 24 -N 2.8", "--accuracy 2", "--accuracy wants --pitch", "--pitch 4um"),
+    ("stars -f 24 -N 2.8", "--trail 10um --coc 0.02", "--trail and --coc exclude", None),
+    ("stars -f 24 -N 2.8", "-w 500", "--wavelength wants", "--trail airy"),
+    ("flash -g 36 -N 8", "--sync 1/200", "--sync wants --time", "-t 1/125 --ev 12"),
+)
+
+
+class Asked:
+    """A command's question, tried with more options; the folder has data that cannot be read."""
+
+    def __init__(self, program, command, folder):
+        self.program, self.command, self.folder = program, command, folder
+        question, self.pair, self.batch = ASKED[command]
+        self.question = question.split()
+        self.plain = self.run()
+
+    def run(self, *more, question=None, stdin=""):
+        words = self.question if question is None else question
+        return self.program.run(self.command, *words, *more, stdin=stdin, cwd=self.folder)
+
+    def differs(self, *more, plain=None):
+        result = self.run(*more)
+        return result.returncode == 0 and result.stdout != (plain or self.plain).stdout
+
+    def without(self, *options):
+        """The question without these options, which a sweep or a batch gives."""
+        words, at = [], 0
+        while at < len(self.question):
+            word = self.question[at]
+            if word.startswith("-") and word.lstrip("-") in options:
+                at += 1
+            else:
+                words.append(word)
+            at += 1
+        return words
+
+    def swept(self, *more):
+        names, lists = self.pair[::2], self.pair[1::2]
+        words = self.without(*names)
+        for name, values_of in zip(names, lists):
+            words += ["-" * (1 + (len(name) > 1)) + name + "=" + values_of]
+        return self.run(*more, question=words)
+
+    def batched(self, *more, rows=None):
+        header = self.batch.split("\n")[0]
+        return self.run("--batch", "-", *more, question=self.without(header),
+                        stdin=self.batch if rows is None else rows)
+
+    def with_lens(self, *more):
+        """A file that another program wrote, in place of any lens."""
+        words = [word for word in self.question if word != "double-gauss"]
+        if words == self.question:
+            words = self.without("f")
+        if self.command == "fit":
+            words += ["--field", "0,5"]
+        return self.run("--lens", "./odd.zmx", *more, question=words)
+
+
+def try_format(asked):
+    return asked.differs("--format", "html") and asked.differs("--format", "json")
+
+
+def try_short(name):
+    return lambda asked: asked.differs(f"--{name}")
+
+
+def try_columns(asked):
+    name = asked.run("--csv").stdout.decode().split("\n")[0].split(",")[0]
+    return asked.run("--csv", "--columns", name).stdout.decode().split("\n")[0] == name
+
+
+def try_digits(asked):
+    return asked.differs("--csv", "--digits", "2", plain=asked.run("--csv"))
+
+
+def try_table(asked):
+    cell = ":y_out_mm" if asked.command == "trace" else ""  # the command proposes none
+    result = asked.swept("--table", f"{asked.pair[0]},{asked.pair[2]}{cell}")
+    return result.returncode == 0 and result.stdout != asked.swept().stdout
+
+
+def try_plot(asked):
+    path = os.path.join(asked.folder, "plot.svg")
+    pair = asked.pair
+    result = (asked.run("--plot", "plot.svg") if pair is None else
+              asked.run("--plot", "plot.svg", question=asked.without(pair[0]) +
+                        ["-" * (1 + (len(pair[0]) > 1)) + pair[0] + "=" + pair[1]]))
+    with open(path if os.path.exists(path) else os.devnull, "rb") as file:
+        written = file.read().startswith(b"<?xml")
+    return result.returncode == 0 and written
+
+
+def try_units(asked):
+    if asked.command == "diffraction":  # the distances of the best f-number
+        asked.question = "-f 50 --near 2 --far 10".split()
+        asked.plain = asked.run()
+    return asked.differs("--units", "imperial")
+
+
+def try_batch(asked):
+    result = asked.batched("--csv")
+    return result.returncode == 0 and result.stdout.count(b"\n") > asked.batch.count("\n") - 1
+
+
+def try_batch_format(asked):
+    return asked.batched("--batch-format", "jsonl").returncode not in (0, asked.batched().returncode)
+
+
+def try_fail_fast(asked):
+    header = asked.batch.split("\n")[0]
+    rows = f"{header}\nx\nx\n"
+    plain, fast = (asked.batched(*more, rows=rows).stderr.count(b": standard input:")
+                   for more in ((), ("--fail-fast",)))
+    return plain == 2 and fast == 1
+
+
+def try_force(asked):
+    """More than a million rows are refused; with --force the next error comes."""
+    if asked.command == "convert" or asked.batch is None:
+        return False
+    header = asked.batch.split("\n")[0]
+    option = "-" * (1 + (len(header) > 1)) + header
+    words = asked.without(header) + [option, "1..2#1000001", "--columns", "nothing"]
+    plain, forced = asked.run(question=words), asked.run("--force", question=words)
+    return b"--force" in plain.stderr and forced.stderr.find(b"nothing") > 0
+
+
+def try_output(asked):
+    ending = {"draw": "out.svg", "convert": "out.lens", "fit": "out.lens"}.get(asked.command, "out")
+    result = asked.run("-o", ending)
+    path = os.path.join(asked.folder, ending)
+    with open(path if os.path.exists(path) else os.devnull, "rb") as file:
+        content = file.read()
+    return result.returncode == 0 and (content == asked.plain.stdout or asked.command == "fit")
+
+
+def try_lensdb(asked):
+    """Tables that cannot be read are an error where they are used."""
+    words = {"glass": ["N-BK7", "-w", "d"]}.get(asked.command)
+    return (asked.run("--lensdb", "bad", question=words).returncode == 4 or
+            asked.run("--lensdb", "bad", "--nominal").returncode == 4)
+
+
+def try_agf(asked):
+    if asked.command in ("glass", "list"):
+        question = {"glass": None, "list": ["glasses"]}[asked.command]
+        return asked.run("--agf", "bad.agf", question=question).returncode == 4
+    return asked.with_lens("--lossy", "--agf", "bad.agf").returncode == 4
+
+
+def try_lossy(asked):
+    plain, lossy = asked.with_lens(), asked.with_lens("--lossy")
+    return plain.returncode == 4 and lossy.returncode == 0 and b"lost:" in lossy.stderr
+
+
+def try_help(asked):
+    return b"Examples:" in asked.run("--help").stdout
+
+
+TRIES = {
+    "--format": try_format, "--columns": try_columns, "--digits": try_digits,
+    "--units": try_units, "--table": try_table, "--plot": try_plot,
+    "--explain": try_short("explain"), "--nominal": try_short("nominal"), "--batch": try_batch,
+    "--batch-format": try_batch_format, "--fail-fast": try_fail_fast, "--force": try_force,
+    "--output": try_output, "--lensdb": try_lensdb, "--agf": try_agf, "--lossy": try_lossy,
+    "--help": try_help,
+}
+TRIES.update({f"--{name}": try_short(name) for name in ("csv", "tsv", "json", "jsonl")})
+
+
+def common_options(program):
+    rows = program.run("list", "options", "--kind", "all", "--tsv", "--columns", "option,value")
+    return [row.split("\t") for row in rows.stdout.decode().split("\n")[1:-1]]
+
+
+def shown_options(program, command):
+    """(its own, the common ones that it uses)"""
+    text = program.run(command, "--help").stdout.decode()
+    own, _, common = text.partition("\nCommon options:\n")
+    return tuple(set(re.findall(r"^ {2}(?:-\w, |    )(--[a-z-]+)", part, re.M))
+                 for part in (own.partition("\nOptions:\n")[2], common))
+
+
+def make_folder(folder):
+    os.makedirs(os.path.join(folder, "bad", "glass"))
+    os.makedirs(os.path.join(folder, "bad", "lenses"))
+    for name in TABLES:
+        with open(os.path.join(folder, "bad", name + ".tsv"), "w") as file:
+            file.write("nothing\tof\tuse\nx\ty\n")
+    with open(os.path.join(folder, "bad", "lenses", "double-gauss.lens"), "w") as file:
+        file.write("nothing of use\n")
+    with open(os.path.join(folder, "bad.agf"), "w") as file:
+        file.write("NM\nnothing of use\n")
+    with open(os.path.join(folder, "odd.zmx"), "w") as file:
+        file.write(ODD_LENS)
+
+
+def check_command(checks, program, command, options):
+    own, used = shown_options(program, command)
+    with tempfile.TemporaryDirectory(prefix="lenscalc-options-") as folder:
+        make_folder(folder)
+        asked = Asked(program, command, folder)
+        checks.check(asked.plain.returncode == 0, f"{command} {ASKED[command][0]}: status "
+                     f"{asked.plain.returncode}: {asked.plain.stderr.decode()[:200]}")
+        for option, value in options:
+            name = f"{command} {option}"
+            if option in used or option in own:
+                checks.check(TRIES[option](asked), f"{name} is shown by --help, and does nothing")
+                continue
+            result = asked.run(*([option] if value == "" else [option, "x"]))
+            error = result.stderr.decode()
+            checks.check(result.returncode == 2 and f"{option} does nothing here" in error,
+                         f"{name}: status {result.returncode}, {error[:120]!r}")
+
+
+def check_idle(checks, program, commands):
+    for question, options, refusal, served in IDLE:
+        if question.split()[0] not in commands:
+            continue
+        words = f"{question} {options}"
+        if refusal is not None:
+            result = program.run(*words.split())
+            checks.check(result.returncode == 2 and refusal in result.stderr.decode(),
+                         f"{words}: status {result.returncode}, {result.stderr.decode()[:120]!r}")
+        if served is not None:
+            result = program.run(*words.split(), *served.split())
+            checks.check(result.returncode == 0, f"{words} {served}: {result.stderr.decode()[:120]!r}")
+    batch = program.run(*"dof -f 50 -s 3 -N 5.6 -w 500 --batch -".split(), stdin="coc\nairy\n")
+    checks.check(batch.returncode == 0, f"columns of a batch count as given: {batch.stderr[:120]}")
+
+
+def check_fields_apart(checks, program):
+    """Rows of a sweep can be told apart."""
+    result = program.run(*"surfaces double-gauss --field 7,14 --csv --columns field_deg".split())
+    rows = result.stdout.decode().split("\n")[1:-1]
+    checks.check(set(rows) == {"7", "14"} and len(rows) > 2, f"surfaces --field: {rows}")
+
+
+def main():
+    checks, program = Checks(), Program(sys.argv[1])
+    rows = program.run("list", "commands", "--columns", "command", "--csv").stdout.decode()
+    commands, options = rows.split("\n")[1:-1], common_options(program)
+    checks.check(len(commands) > 20 and len(options) > 10, f"{commands} {options}")
+    checks.check({option for option, _ in options} == set(TRIES),
+                 f"tried are {set(TRIES)}, there are {options}")
+    if not os.path.exists(os.path.join(program.build, "lenscalc-ceres")):
+        print("fit: skipped, CERES=0")
+        commands.remove("fit")
+    check_idle(checks, program, commands)
+    check_fields_apart(checks, program)
+    for command in commands:
+        if checks.check(command in ASKED, f"{command} has no question in ASKED"):
+            check_command(checks, program, command, options)
+    checks.finish()
+
+
+main()
