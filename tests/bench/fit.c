@@ -79,7 +79,7 @@ static double time_exact(const struct lens *lens, const struct first_order *firs
 /* The double Gauss at the d line, fields to 14 degrees, nothing clipped. */
 struct subject {
     struct lens lens;
-    struct first_order first;
+    struct setup setup;
     struct bundle_request request;
     struct bundle bundle;
     struct thick_fit fit;
@@ -88,32 +88,30 @@ struct subject {
 
 static void open_subject(struct subject *subject, struct arena *arena)
 {
-    static const double wavelengths[] = {0.5875618}, fields[] = {0, 0.06, 0.12, 0.18, 0.24};
+    static const struct setup_field fields[] = {{{FIELD_ANGLE, {0, 0}}, 1},
+                                                {{FIELD_ANGLE, {0, 0.06}}, 1},
+                                                {{FIELD_ANGLE, {0, 0.12}}, 1},
+                                                {{FIELD_ANGLE, {0, 0.18}}, 1},
+                                                {{FIELD_ANGLE, {0, 0.24}}, 1}};
     struct error error;
     struct lensdb db = {.arena = arena};
     need(lens_db_find(&db, text_of("double-gauss"), arena, &subject->lens, &error), &error);
-    const struct conjugate_object object = lens_object(&subject->lens);
-    const struct aperture_setting aperture = lens_aperture(&subject->lens);
-    need(first_order_of_lens(&subject->lens, wavelengths[0], SECTION_Y, arena, &subject->first,
-                             &error) &&
-             first_order_aperture(&subject->first, &object, &aperture, FIELD_NONE, NAN, &error),
-         &error);
-    subject->request = (struct bundle_request){.lens = &subject->lens,
-                                               .first = &subject->first,
-                                               .wavelengths = wavelengths,
-                                               .wavelength_count = 1,
-                                               .fields = fields,
-                                               .field_count = 5,
-                                               .pattern = PATTERN_SQUARE,
-                                               .ray_count = 200,
-                                               .no_clip = true};
+    const struct setup_question question = {.lens = &subject->lens,
+                                            .wavelength = 0.5875618,
+                                            .fnumber = NAN,
+                                            .fields = fields,
+                                            .field_count = 5,
+                                            .field_policy = FIELDS_SPREAD};
+    need(setup_open(&question, arena, &subject->setup, &error), &error);
+    subject->request = (struct bundle_request){
+        .setup = &subject->setup, .pattern = PATTERN_SQUARE, .ray_count = 200, .no_clip = true};
     subject->trace_time = subject->fit_time = INFINITY;
 }
 
 /* Trace and fit once; what is in the arena stays until the next turn. */
 static void run_once(struct subject *subject, struct arena *work)
 {
-    const struct first_order *first = &subject->first;
+    const struct first_order *first = &subject->setup.first;
     struct error error;
     double start = now();
     need(bundle_trace(&subject->request, work, &subject->bundle, &error), &error);
@@ -125,6 +123,7 @@ static void run_once(struct subject *subject, struct arena *work)
         .index_image = subject->bundle.index_image,
         .planes = {first->image, first->exit_pupil},
         .plane_weights = {1, THICK_PUPIL_WEIGHT},
+        .focus_weight = THICK_FOCUS_WEIGHT,
         .object = INFINITY,
         .start = {first->efl, first->front_principal, first->rear_principal, 1, 1, {0}, INFINITY}};
     task.rays.count = (size_t)fmin((double)task.rays.count, 1000);
@@ -145,10 +144,10 @@ int main(void)
     }
     const struct thick_lens *thick = &subject.fit.lenses[0];
     struct thick_lens thin = *thick;
-    thin.front = subject.first.length + thin.rear;
+    thin.front = subject.setup.first.length + thin.rear;
     printf("rays %zu\niterations %d\n", subject.bundle.rays.count, subject.fit.summary.iterations);
     printf("fit %.1f\nbundle %.1f\n", 1e6 * subject.fit_time, 1e6 * subject.trace_time);
-    printf("exact %.2f\n", time_exact(&subject.lens, &subject.first, &arena));
+    printf("exact %.2f\n", time_exact(&subject.lens, &subject.setup.first, &arena));
     printf("thick %.2f\nthin %.2f\n", time_map(&subject.bundle, thick),
            time_map(&subject.bundle, &thin));
     return 0;

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_db.h"
 #include "optics/first_order.h"
+#include "optics/portable.h"
 
 #include <math.h>
 #include <stdio.h>

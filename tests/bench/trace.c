@@ -267,7 +267,7 @@ static double time_tangents(struct bench *bench, size_t count)
     struct parameter by[TANGENTS_MOST];
     double best = 1e9;
     for (size_t j = 0; j < count; j++) {
-        by[j] = (struct parameter){PARAMETER_CURVATURE, j < 5 ? j : j + 1};
+        by[j] = (struct parameter){j < 5 ? j : j + 1, PARAMETER_CURVATURE, 0};
     }
     for (int turn = 0; turn < TURNS * 4; turn++) {
         double began = now();
