@@ -63,13 +63,14 @@ programs_1 = $(BUILD)/lenscalc-ceres
 all: $(BUILD)/lenscalc $(programs_$(CERES))
 
 # what a build depends on besides the times of files, in files that change only with their content:
-# a source or a lens that is gone, another flag. Tests and bench link what $(BUILD)/objects lists.
+# a source or a lens that is gone, another flag. Tests and bench link what $(BUILD)/objects lists,
+# by names within BUILD, which may be called by another path the next time.
 define stamp
 $(BUILD)/$(1): FORCE
 	@mkdir -p $$(@D)
 	@$(3) echo '$(2)' | cmp -s - $$@ || echo '$(2)' > $$@
 endef
-$(eval $(call stamp,objects,$(objects)))
+$(eval $(call stamp,objects,$(objects:$(BUILD)/%=%)))
 $(eval $(call stamp,embedded,$(lensdb)))
 # what is installed is what was built: the flags of 'make STATIC=0' need not be said again
 installs := $(if $(filter install,$(MAKECMDGOALS)),test -f $(BUILD)/flags ||)

@@ -45,7 +45,7 @@ class Bench:
         """Those of the program without its main function."""
         build = os.path.dirname(self.lenscalc)
         with open(os.path.join(build, "objects"), encoding="utf-8") as file:
-            objects = [os.path.join(ROOT, path) for path in file.read().split()]
+            objects = [os.path.join(build, path) for path in file.read().split()]
         solver = "solver_ceres.o" if ceres else "solver_none.o"
         return [*objects, os.path.join(build, "design", solver)]
 

@@ -47,7 +47,9 @@ lint() {
 root=$stage/usr
 ceres=1
 [ -x "$build/lenscalc-ceres" ] || ceres=0
+linked=$(ls --full-time "$build/lenscalc")
 check "make install" make -s install BUILD="$build" CERES=$ceres DESTDIR="$stage" PREFIX=/usr
+check "make install builds nothing anew" test "$linked" = "$(ls --full-time "$build/lenscalc")"
 check "the program is installed" test -x "$root/bin/lenscalc"
 check "the installed program answers" "$root/bin/lenscalc" dof -f 50mm -N 2.8 -s 3m
 check "the installed program is the built one" same_help

@@ -176,7 +176,7 @@ def build(tree):
         subprocess.run([*os.environ.get("CC", "cc").split(), "-Isrc", "-c", "-o", result,
                         os.path.join("src", path)], check=True)
         if path != "main.c":
-            objects.append(result)
+            objects.append(os.path.relpath(result, "build"))
     with open("build/objects", "w") as file:
         file.write(" ".join(objects))
 

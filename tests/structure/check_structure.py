@@ -222,11 +222,11 @@ def check_parameters(checks, path, text):
 
 def links_of(build):
     """(symbol -> file that has it, file -> symbols it takes from others) of the objects in C."""
-    objects = read(os.path.join(build, "objects")).split() + [
-        os.path.join(build, "main.o"), os.path.join(build, "design", "solver_none.o"),
-        os.path.join(build, "design", "solver_ceres.o")]
-    listing = subprocess.run(["nm", "-A", "-g", *filter(os.path.exists, objects)],
-                             capture_output=True, text=True).stdout
+    objects = [os.path.join(build, name) for name in
+               [*read(os.path.join(build, "objects")).split(), "main.o"]]
+    solvers = [os.path.join(build, "design", name) for name in ("solver_none.o", "solver_ceres.o")]
+    listing = subprocess.run(["nm", "-A", "-g", *objects, *filter(os.path.exists, solvers)],
+                             capture_output=True, text=True, check=True).stdout
     owner, wanted = {}, {}
     for line in listing.splitlines():
         entry = re.match(r"(.+)\.o:\S*\s+(\w)\s+(\S+)$", line)
