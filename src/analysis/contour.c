@@ -2,17 +2,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/contour.h"
 
+#include "base/constants.h"
 #include "trace/sample.h"
 
 #include <math.h>
-
-static const double pi = 3.141592653589793;
 
 /* d/dt on a circle: central differences of eighth order. */
 static void slope_on_circle(const double (*points)[2], size_t count, size_t i, double slope[2])
 {
     static const double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-    const double step = 2 * pi / (double)count;
+    const double step = 2 * PI / (double)count;
     slope[0] = slope[1] = 0;
     for (size_t k = 1; k <= 4; k++) {
         const double *after = points[(i + k) % count], *before = points[(i + count - k) % count];
@@ -86,7 +85,7 @@ static void add(struct sums *sums, const double at[2], const double along[2])
 
 static void add_circle(const double (*points)[2], size_t count, struct sums *sums)
 {
-    const double dt = 2 * pi / (double)count;
+    const double dt = 2 * PI / (double)count;
     for (size_t i = 0; i < count; i++) {
         double slope[2];
         slope_on_circle(points, count, i, slope);

@@ -2,10 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/layout.h"
 
+#include "base/constants.h"
+
 enum { SAMPLES = 48, HATCHES = 28 };
-static const double QUARTER = 1.5707963267948966; /* of a turn */
-static const double THINNEST = 0.12;              /* edge of an element, against its middle */
-static const double STEEPEST = 2;                 /* slope of an edge */
+static const double THINNEST = 0.12; /* edge of an element, against its middle */
+static const double STEEPEST = 2;    /* slope of an edge */
 
 struct layout_part *layout_add(struct layout *layout, enum layout_kind kind, size_t count,
                                double **z, double **y)
@@ -274,7 +275,7 @@ static void add_element(struct layout *layout, size_t i)
             count++;
         }
         for (int k = 0; k <= SAMPLES; k++) {
-            double h = up * semi * sin(QUARTER * (2.0 * k / SAMPLES - 1)); /* denser at the rims */
+            double h = up * semi * sin(PI / 2 * (2.0 * k / SAMPLES - 1)); /* denser at the rims */
             z[count] = layout->vertex[surface] + sag(layout, surface, h);
             y[count] = h;
             put(layout, surface, &z[count], &y[count]);

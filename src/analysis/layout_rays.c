@@ -5,9 +5,10 @@
 #include "trace/clear.h"
 #include "trace/follow.h"
 
+#include "base/constants.h"
+
 #include <string.h>
 
-static const double DEGREE = 57.29577951308232; /* per rad */
 enum { LEAST_FIELDS = 60 };
 
 /* What the rays need: the lens with a rim at every surface that is drawn. */
@@ -245,8 +246,8 @@ static void note_share(struct layout *layout, double share)
                 arena_printf(layout->arena,
                              "the oblique bundle is drawn at %.3g%s, not %.3g%s: no ray from "
                              "there passes the rims",
-                             share * field * (angle ? DEGREE : 1), angle ? "°" : " mm",
-                             field * (angle ? DEGREE : 1), angle ? "°" : " mm"));
+                             share * field * (angle ? DEGREES_PER_RADIAN : 1), angle ? "°" : " mm",
+                             field * (angle ? DEGREES_PER_RADIAN : 1), angle ? "°" : " mm"));
 }
 
 static bool has_mirror(const struct lens *lens)

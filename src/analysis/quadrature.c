@@ -2,11 +2,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/quadrature.h"
 
+#include "base/constants.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
-
-static const double pi = 3.141592653589793;
 
 enum { DIRECTIONS = 32, GRID = 24, CORNERS = 8, CORNER_ROUNDS = 5, CORNER_STEPS = 4, STRIDES = 8 };
 
@@ -241,7 +240,7 @@ static void find_corners(const struct probe *probe, struct star *star)
     struct edge edges[DIRECTIONS];
     size_t begins[CORNERS], count = 0;
     for (size_t i = 0; i < DIRECTIONS; i++) {
-        angles[i] = 2 * pi * ((double)i + 0.5) / DIRECTIONS;
+        angles[i] = 2 * PI * ((double)i + 0.5) / DIRECTIONS;
     }
     find_edges(probe, star->centre, angles, DIRECTIONS, roughly, edges);
     for (size_t i = 0; i < DIRECTIONS; i++) {
@@ -253,7 +252,7 @@ static void find_corners(const struct probe *probe, struct star *star)
         }
         begins[count] = edges[i].limit;
         low[count] = angles[i];
-        high[count++] = angles[i] + 2 * pi / DIRECTIONS;
+        high[count++] = angles[i] + 2 * PI / DIRECTIONS;
     }
     for (int round = 0; round < CORNER_ROUNDS && count > 0; round++) {
         narrow(probe, star->centre, begins, count, low, high);
@@ -272,13 +271,13 @@ static size_t spread(const struct star *star, size_t arms, struct arena *arena, 
     *angles = ARENA_ARRAY(arena, most, double);
     *shares = ARENA_ARRAY(arena, most, double);
     for (size_t k = 0; k < arms && arcs == 0; k++) {
-        (*angles)[k] = 2 * pi * (double)k / (double)arms;
+        (*angles)[k] = 2 * PI * (double)k / (double)arms;
         (*shares)[k] = 1 / (double)arms;
         count++;
     }
     for (size_t i = 0; i < arcs; i++) {
-        double next = i + 1 < arcs ? star->corners[i + 1] : star->corners[0] + 2 * pi;
-        double length = next - star->corners[i], share = length / (2 * pi);
+        double next = i + 1 < arcs ? star->corners[i + 1] : star->corners[0] + 2 * PI;
+        double length = next - star->corners[i], share = length / (2 * PI);
         size_t points = (size_t)ceil((double)arms * share) + 1;
         gauss_rule(points, *angles + count, *shares + count);
         for (size_t end = count + points; count < end; count++) {

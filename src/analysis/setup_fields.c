@@ -2,9 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/setup.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
-static const double FIVE_DEGREES = 5 * (3.141592653589793 / 180);
+static const double FIVE_DEGREES = 5 * RADIANS_PER_DEGREE;
 static const double HALF_DIAGONAL = 21.633; /* of 35 mm film, mm */
 static const double STEEPEST = 1.732;       /* tan 60 deg: lenses beyond it distort */
 

@@ -2,11 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/units.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <string.h>
 
-#define COUNT(array)       (sizeof(array) / sizeof((array)[0]))
-#define RADIANS_PER_DEGREE 0.017453292519943295769
+#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 static const struct unit number_units[] = {
     {"", "", {1, 0}, 1, NULL, "plain number"},

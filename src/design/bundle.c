@@ -3,6 +3,7 @@
 #include "design/bundle.h"
 
 #include "analysis/quadrature.h"
+#include "base/constants.h"
 #include "trace/aim.h"
 #include "trace/dispatch.h"
 #include "trace/system.h"
@@ -75,7 +76,7 @@ static bool open_tracing(struct tracing *tracing, struct bundle *bundle, struct 
         if (setup->object.is_infinite && !(fabs(field_of(setup, i)) < 1.57)) {
             return fail(error, ERROR_DOMAIN,
                         "the field of %.6g degrees: the rays of a thick lens stay below 90",
-                        field_of(setup, i) * 57.29577951308232);
+                        field_of(setup, i) * DEGREES_PER_RADIAN);
         }
     }
     return true;

@@ -3,6 +3,7 @@
 #include "draw/wedge.h"
 
 #include "base/arena.h"
+#include "base/constants.h"
 #include "base/error.h"
 #include "draw/svg.h"
 #include "draw/ticks.h"
@@ -20,8 +21,6 @@ static const double LEGEND = 356;  /* its first line */
 
 static const char *const BLUE = "#0060a0", *const ORANGE = "#c25e00", *const RED = "#d0370a";
 static const char *const GREY = "#666", *const BLACK = "#1d1d1d", *const TINT = "#56b4e9";
-
-static const double HALF_TURN_DEGREES = 180, PI = 3.141592653589793;
 
 static const char *metres(struct arena *arena, double length)
 {
@@ -55,7 +54,7 @@ static void name_plane(struct svg *svg, const struct view *view, const struct st
              &(struct svg_label){.x = x2 + in * (x1 - x2) + lift * sin(turn),
                                  .y = y2 + in * (y1 - y2) - lift * cos(turn),
                                  .size = 13,
-                                 .rotation = turn * (HALF_TURN_DEGREES / PI),
+                                 .rotation = turn * DEGREES_PER_RADIAN,
                                  .anchor = SVG_END,
                                  .colour = colour},
              name);

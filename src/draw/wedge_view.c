@@ -3,6 +3,7 @@
 #include "draw/wedge_view.h"
 
 #include "base/arena.h"
+#include "base/constants.h"
 #include "base/number.h"
 #include "draw/svg.h"
 
@@ -146,6 +147,6 @@ const char *wedge_digits(struct arena *arena, double x)
 
 const char *wedge_degrees(struct arena *arena, double angle)
 {
-    double turn = angle * (180 / 3.141592653589793);
+    double turn = angle * DEGREES_PER_RADIAN;
     return arena_printf(arena, "%s%s°", turn < 0 ? "−" : "", wedge_digits(arena, fabs(turn)));
 }

@@ -2,13 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_json.h"
 
+#include "base/constants.h"
 #include "base/number.h"
 #include "exchange/writing.h"
 
 #include <math.h>
 #include <string.h>
-
-static const double degree = 3.14159265358979323846 / 180;
 
 struct writer {
     struct writing out;
@@ -188,7 +187,7 @@ static void put_use(struct writer *writer)
     put(writer, fields[lens->field_kind]);
     put_key(writer, "fields");
     put_values(writer, lens->fields, lens->field_count,
-               lens->field_kind == FIELD_ANGLE ? degree : 1);
+               lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : 1);
     put_key(writer, "aperture_kind");
     put(writer, apertures[lens->aperture_kind]);
     put_key(writer, "aperture");
@@ -221,7 +220,7 @@ static void put_displacement(struct writer *writer, const char *key,
         put(writer, "{\"decenter_mm\":");
         put_values(writer, moved->decenter, 2, 1);
         put(writer, ",\"tilt_deg\":");
-        put_values(writer, moved->tilt, 3, degree);
+        put_values(writer, moved->tilt, 3, RADIANS_PER_DEGREE);
         put(writer, "}");
     }
 }

@@ -3,9 +3,9 @@
 #include "exchange/lens_json.h"
 #include "exchange/lens_json_reading.h"
 
-#include <math.h>
+#include "base/constants.h"
 
-static const double radians = 0.017453292519943295;
+#include <math.h>
 
 static bool read_wave(struct json_reading *reading, const struct json_value *item,
                       struct error *error)
@@ -142,7 +142,7 @@ static bool read_fields(struct json_reading *reading, const struct json_value *r
     lens->field_kind = (enum field_kind)choice;
     lens->field_count = fields->count;
     for (size_t i = 0; choice == FIELD_ANGLE && i < fields->count; i++) {
-        if (!(fabs(lens->fields[i].value.hi) <= 180 * radians)) {
+        if (!(fabs(lens->fields[i].value.hi) <= 180 * RADIANS_PER_DEGREE)) {
             return json_wrong(reading, fields, error, "a field angle is not beyond 180 degrees");
         }
     }

@@ -2,14 +2,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_json_reading.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 enum { MOST_KEYS = 32 };
-
-static const double radians = 0.017453292519943295;
 
 /* The line of a value, for messages. */
 struct lens_words json_place(struct json_reading *reading, const struct json_value *value)
@@ -144,7 +144,7 @@ bool json_read_figure(struct json_reading *reading, const struct json_value *val
     }
     *figure = (struct figure){number, text, LENS_NONE};
     if (power == JSON_ANGLE) {
-        figure->value = pair_multiply(number, pair_of(radians));
+        figure->value = pair_multiply(number, pair_of(RADIANS_PER_DEGREE));
     }
     return true;
 }

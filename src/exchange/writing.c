@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/writing.h"
 
+#include "base/constants.h"
 #include "file/decimal.h"
 #include "file/lens_build.h"
 #include "file/lens_glass.h"
@@ -9,8 +10,6 @@
 
 #include <math.h>
 #include <string.h>
-
-static const double radians = 0.017453292519943295;
 
 void writing_begin(struct writing *writing, const struct lens *lens, bool has_metres,
                    struct arena *arena)
@@ -49,7 +48,7 @@ struct text writing_degrees(const struct writing *writing, const struct figure *
 {
     return figure->typed.start != NULL
                ? figure->typed
-               : figure_computed(pair_divide(figure->value, pair_of(radians)),
+               : figure_computed(pair_divide(figure->value, pair_of(RADIANS_PER_DEGREE)),
                                  (struct number_scale){1, 0}, writing->arena)
                      .typed;
 }

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_file.h"
 
+#include "base/constants.h"
 #include "file/lens_surface.h"
 #include "file/lens_words.h"
 
@@ -9,8 +10,6 @@
 #include <string.h>
 
 const struct file_type lens_file_type = {{"lens", "lenscalc's own"}, ".lens"};
-
-static const double radians = 0.017453292519943295;
 
 /* A file being read. Arrays grow by doubling in the arena. */
 struct parser {
@@ -203,7 +202,7 @@ static bool read_field(struct parser *parser, struct error *error)
             return lens_words_fail(&parser->words, field->typed, error,
                                    "a field angle is not beyond 180 degrees");
         }
-        field->value = pair_multiply(field->value, pair_of(radians));
+        field->value = pair_multiply(field->value, pair_of(RADIANS_PER_DEGREE));
     }
     return true;
 }

@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_surface.h"
 
-#include <string.h>
+#include "base/constants.h"
 
-static const double radians = 0.017453292519943295;
+#include <string.h>
 
 /* A surface being read: the displacement and the marks live in the arena once there is one. */
 struct reading {
@@ -111,7 +111,7 @@ static bool read_decenter(struct reading *reading, struct text value, struct err
 
 static bool read_tilt(struct reading *reading, struct text value, struct error *error)
 {
-    const struct vector_form form = {"tilt", 2, NUMBER_UNSCALED, radians};
+    const struct vector_form form = {"tilt", 2, NUMBER_UNSCALED, RADIANS_PER_DEGREE};
     return lens_words_vector(reading->words, value, &form, displacement_of(reading)->tilt, error);
 }
 
@@ -404,7 +404,7 @@ bool lens_bend_read(struct lens_words *words, const struct displacement **bend, 
         }
         *seen = true;
         const struct vector_form shift = {"decentre", 2, words->scale, 0};
-        const struct vector_form turn = {"tilt", 3, NUMBER_UNSCALED, radians};
+        const struct vector_form turn = {"tilt", 3, NUMBER_UNSCALED, RADIANS_PER_DEGREE};
         bool read = decenter ? lens_words_vector(words, value, &shift, all->decenter, error)
                              : lens_words_vector(words, value, &turn, all->tilt, error);
         if (!read) {

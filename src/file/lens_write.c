@@ -3,6 +3,8 @@
 #include "file/lens_file.h"
 #include "optics/growing.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -68,7 +70,7 @@ static void put_vector(struct writer *writer, const char *key, const struct figu
 static void put_displacement(struct writer *writer, const struct displacement *all, size_t turns)
 {
     put_vector(writer, " decenter=", all->decenter, 2, writer->unit);
-    put_vector(writer, " tilt=", all->tilt, turns, 0.017453292519943295);
+    put_vector(writer, " tilt=", all->tilt, turns, RADIANS_PER_DEGREE);
 }
 
 /* Of a thick lens, where they are not 0. */
@@ -236,7 +238,7 @@ static void put_header(struct writer *writer)
     }
     if (lens->field_kind != FIELD_NONE) {
         put_figures(writer, fields[lens->field_kind], lens->fields, lens->field_count,
-                    lens->field_kind == FIELD_ANGLE ? 0.017453292519943295 : writer->unit);
+                    lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : writer->unit);
     }
     if (lens->aperture_kind != APERTURE_NONE && lens->apertures == NULL) {
         put_apertures(writer, "aperture    ", &lens->aperture, 1);

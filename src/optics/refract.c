@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "optics/refract.h"
 
-#include <math.h>
+#include "base/constants.h"
 
-#define DEGREES_PER_RADIAN 57.295779513082320877
+#include <math.h>
 
 double refract_power(const struct refract_surface *surface)
 {
@@ -255,7 +255,7 @@ bool refract_place(const struct refract_surface *s, const struct refract_aim *ai
     if (isinf(aim->height)) {
         return misses(s, aim->height, error);
     }
-    if (!isnan(aim->angle) && !(fabs(aim->angle) < 1.57079632679489655)) {
+    if (!isnan(aim->angle) && !(fabs(aim->angle) < PI / 2)) {
         return fail(error, ERROR_DOMAIN,
                     "angle %.6g deg is out of range: it must be above -90 to below 90 deg",
                     aim->angle * DEGREES_PER_RADIAN);

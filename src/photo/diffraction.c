@@ -1,7 +1,9 @@
 /* photo/diffraction.c - the Airy disc, resolution, and MTF of a perfect lens. */
 /* SPDX-License-Identifier: MIT */
-#define _XOPEN_SOURCE 700 /* j1 and M_PI, in POSIX but not in C */
+#define _XOPEN_SOURCE 700 /* j1, in POSIX but not in C */
 #include "photo/diffraction.h"
+
+#include "base/constants.h"
 
 #include <math.h>
 
@@ -9,7 +11,7 @@
 static const double j1_zero = 3.8317059702075123;
 
 /* Empirical: 116 arc seconds for an aperture of 1 mm. */
-static const double dawes_mm = 116 * M_PI / (180 * 3600);
+static const double dawes_mm = 116 * (RADIANS_PER_DEGREE / 3600);
 
 static double mm_from_um(double um)
 {
@@ -83,7 +85,7 @@ static double mtf_lens(double x)
         return 0;
     }
     /* 2 t = 4 asin(...); rounding must not make it more than all the contrast there is */
-    return fmin(1, minus_sine(4 * asin(sqrt((1 - x) / 2))) / M_PI);
+    return fmin(1, minus_sine(4 * asin(sqrt((1 - x) / 2))) / PI);
 }
 
 static double mtf_defocus(double z)
@@ -99,8 +101,8 @@ static double mtf_pixel(double z)
 static struct diffraction_mtf mtf_factors(const struct diffraction_setting *s, double nu)
 {
     struct diffraction_mtf mtf = {.lens = mtf_lens(airy_unit(s) * nu),
-                                  .defocus = mtf_defocus(M_PI * s->blur * nu),
-                                  .pixel = mtf_pixel(M_PI * s->pitch * nu)};
+                                  .defocus = mtf_defocus(PI * s->blur * nu),
+                                  .pixel = mtf_pixel(PI * s->pitch * nu)};
     mtf.total = mtf.lens * mtf.defocus * mtf.pixel;
     return mtf;
 }
@@ -126,7 +128,7 @@ bool diffraction_frequency(const struct diffraction_setting *setting, double lev
     }
     double low = 0;
     double high =
-        fmin(1 / airy_unit(setting), fmin(j1_zero / (M_PI * setting->blur), 1 / setting->pitch));
+        fmin(1 / airy_unit(setting), fmin(j1_zero / (PI * setting->blur), 1 / setting->pitch));
     double middle = high / 2;
     while (low < middle && middle < high) { /* down to neighbouring numbers */
         if (mtf_factors(setting, middle).total > level) {

@@ -2,11 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/format.h"
 
+#include "base/constants.h"
 #include "photo/given.h"
 
 #include <math.h>
 
-#define PI               3.14159265358979323846
 #define FIRST_ZERO_OF_J1 3.83170597020751231561
 
 const struct coc coc_default = {.kind = COC_DIAGONAL, .value = 1500};

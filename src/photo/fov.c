@@ -2,11 +2,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/fov.h"
 
+#include "base/constants.h"
 #include "photo/given.h"
 
 #include <math.h>
-
-#define PI 3.14159265358979323846
 
 const struct word projections[PROJECTIONS + 1] = {
     [RECTILINEAR] = {"rectilinear", "f tan t: straight lines stay straight"},
@@ -149,9 +148,9 @@ static bool check_angle(enum projection projection, double angle, struct error *
         return true;
     }
     return fail(error, ERROR_DOMAIN,
-                "angle of view %.15g deg must be above 0 and %s %.15g deg (%s)", angle * (180 / PI),
-                rule->open ? "below" : "at most", rule->largest_angle * (180 / PI),
-                projections[projection].word);
+                "angle of view %.15g deg must be above 0 and %s %.15g deg (%s)",
+                angle * DEGREES_PER_RADIAN, rule->open ? "below" : "at most",
+                rule->largest_angle * DEGREES_PER_RADIAN, projections[projection].word);
 }
 
 bool fov_focal_length(const struct fov_setting *setting, double dimension, double angle, double *f,
@@ -246,7 +245,7 @@ const char *fov_kind(double diagonal)
         const char *word;
     } kinds[] = {{20, "narrow"}, {40, "medium"}, {60, "normal"}, {90, "wide"}};
     for (int i = 0; i < 4; i++) {
-        if (diagonal * (180 / PI) < kinds[i].below) {
+        if (diagonal * DEGREES_PER_RADIAN < kinds[i].below) {
             return kinds[i].word;
         }
     }

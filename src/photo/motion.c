@@ -2,17 +2,17 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/motion.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
 #include "photo/given.h"
 
-static const double pi = 3.14159265358979323846;
-
 static bool check_angle(double angle, struct error *error)
 {
-    if (!(angle >= 0 && angle <= pi)) {
+    if (!(angle >= 0 && angle <= PI)) {
         return fail(error, ERROR_DOMAIN, "--angle %.10g deg lies outside 0 to 180 deg",
-                    angle * 180 / pi);
+                    angle * DEGREES_PER_RADIAN);
     }
     return true;
 }
@@ -116,7 +116,7 @@ bool motion_solve(struct motion *motion, struct error *error)
     motion->v = path / motion->t;
     if (!isfinite(motion->v)) {
         return fail(error, ERROR_DOMAIN, "no speed blurs by --blur %.10g mm at --angle %.6g deg",
-                    motion->blur, motion->angle * 180 / pi);
+                    motion->blur, motion->angle * DEGREES_PER_RADIAN);
     }
     return answer_positive("the speed", motion->v, error);
 }

@@ -2,16 +2,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/panorama.h"
 
+#include "base/constants.h"
 #include "photo/given.h"
 
 #include <math.h>
 
-static const double pi = 3.141592653589793;
 static const double most_frames = 1e6;
 
 static double degrees_from_radians(double angle)
 {
-    return angle * (180 / pi);
+    return angle * DEGREES_PER_RADIAN;
 }
 
 /* Above 0 (or from 0 on) up to `most`, with the slack of degrees turned into radians. */
@@ -28,8 +28,8 @@ static bool check_angle(double angle, bool zero, double most, const char *option
 
 static bool check_flat(const struct panorama_frame *frame, struct error *error)
 {
-    if (!(frame->horizontal > 0 && frame->horizontal < pi && frame->vertical > 0 &&
-          frame->vertical < pi)) {
+    if (!(frame->horizontal > 0 && frame->horizontal < PI && frame->vertical > 0 &&
+          frame->vertical < PI)) {
         return fail(error, ERROR_DOMAIN,
                     "a flat frame of %g x %g degrees is out of range (above 0, below 180)",
                     degrees_from_radians(frame->horizontal), degrees_from_radians(frame->vertical));
@@ -45,7 +45,7 @@ static bool check_lens(double m, double P, struct error *error)
 
 static bool is_closed(double arc)
 {
-    return arc > 2 * pi * (1 - 1e-12); /* 360 degrees after conversion */
+    return arc > 2 * PI * (1 - 1e-12); /* 360 degrees after conversion */
 }
 
 bool panorama_frame(const struct panorama_lens *lens, double width, double height,
@@ -65,7 +65,7 @@ bool panorama_frame(const struct panorama_lens *lens, double width, double heigh
 
 bool panorama_focal(double angle, double m, double P, double width, double *f, struct error *error)
 {
-    if (!(angle > 0 && angle < pi)) {
+    if (!(angle > 0 && angle < PI)) {
         return fail(error, ERROR_DOMAIN,
                     "angle of view %g degrees is out of range (above 0, below "
                     "180)",
@@ -98,10 +98,10 @@ static bool count_frames(double angle, double total, double overlap, bool closed
 static bool check_goal(const struct panorama_frame *frame, const struct panorama_goal *goal,
                        struct error *error)
 {
-    if (!check_angle(frame->horizontal, false, 2 * pi, "horizontal angle of view", error) ||
-        !check_angle(frame->vertical, false, 2 * pi, "vertical angle of view", error) ||
-        !check_angle(goal->arc, false, 2 * pi, "--arc", error) ||
-        !check_angle(goal->span, true, pi, "--span", error)) {
+    if (!check_angle(frame->horizontal, false, 2 * PI, "horizontal angle of view", error) ||
+        !check_angle(frame->vertical, false, 2 * PI, "vertical angle of view", error) ||
+        !check_angle(goal->arc, false, 2 * PI, "--arc", error) ||
+        !check_angle(goal->span, true, PI, "--span", error)) {
         return false;
     }
     if (!(goal->overlap >= 0 && goal->overlap < 1)) {
@@ -117,7 +117,7 @@ bool panorama_plan(const struct panorama_frame *frame, const struct panorama_goa
     bool closed = is_closed(goal->arc);
     struct panorama p = {0};
     if (!check_goal(frame, goal, error) ||
-        !count_frames(frame->horizontal, closed ? 2 * pi : goal->arc, goal->overlap, closed,
+        !count_frames(frame->horizontal, closed ? 2 * PI : goal->arc, goal->overlap, closed,
                       &p.columns, &p.step, error) ||
         !count_frames(frame->vertical, goal->span, goal->overlap, false, &p.rows, &p.row_step,
                       error)) {
@@ -137,15 +137,15 @@ bool panorama_plan(const struct panorama_frame *frame, const struct panorama_goa
 bool panorama_overlap(const struct panorama_frame *frame, double arc, int columns, double *overlap,
                       struct error *error)
 {
-    if (!check_angle(frame->horizontal, false, 2 * pi, "horizontal angle of view", error) ||
-        !check_angle(arc, false, 2 * pi, "--arc", error)) {
+    if (!check_angle(frame->horizontal, false, 2 * PI, "horizontal angle of view", error) ||
+        !check_angle(arc, false, 2 * PI, "--arc", error)) {
         return false;
     }
     if (columns < 1) {
         return fail(error, ERROR_DOMAIN, "--columns %d is out of range (1 or more)", columns);
     }
     double h = frame->horizontal;
-    double step = is_closed(arc) ? 2 * pi / columns
+    double step = is_closed(arc) ? 2 * PI / columns
                   : columns > 1  ? (arc - h) / (columns - 1)
                                  : (double)NAN;
     *overlap = 1 - step / h;
@@ -164,12 +164,12 @@ bool panorama_row_at(const struct panorama_frame *frame, const struct panorama_g
         return fail(error, ERROR_DOMAIN, "row %d is out of range (0 to %d)", index, plan->rows - 1);
     }
     double elevation = place->middle + (index - (plan->rows - 1) / 2.0) * plan->row_step;
-    if (!(fabs(elevation) <= pi / 2 + 1e-9)) {
+    if (!(fabs(elevation) <= PI / 2 + 1e-9)) {
         return fail(error, ERROR_DOMAIN, "row at %g degrees is out of range (-90 to 90)",
                     degrees_from_radians(elevation));
     }
     row->elevation = elevation;
-    if (fabs(elevation) > pi / 2 - 1e-9) { /* the pole in the middle of the frame */
+    if (fabs(elevation) > PI / 2 - 1e-9) { /* the pole in the middle of the frame */
         row->columns = 1;
         row->step = 0;
         return true;
@@ -178,7 +178,7 @@ bool panorama_row_at(const struct panorama_frame *frame, const struct panorama_g
     double forward = cos(fabs(elevation) - half) / cos(half);
     double angle = 2 * atan(tan(frame->horizontal / 2) / forward);
     bool closed = is_closed(goal->arc);
-    return count_frames(angle, closed ? 2 * pi : goal->arc, goal->overlap, closed, &row->columns,
+    return count_frames(angle, closed ? 2 * PI : goal->arc, goal->overlap, closed, &row->columns,
                         &row->step, error);
 }
 
@@ -190,14 +190,14 @@ bool panorama_size(const struct panorama_frame *frame, const struct panorama_goa
         return false;
     }
     double per_radian = pixels / (2 * tan(frame->horizontal / 2));
-    double arc = fmax(goal->arc, fmin(frame->horizontal, 2 * pi));
+    double arc = fmax(goal->arc, fmin(frame->horizontal, 2 * PI));
     double span = fmax(goal->span, frame->vertical);
     *size = (struct panorama_size){
-        .per_degree = per_radian * (pi / 180),
+        .per_degree = per_radian * RADIANS_PER_DEGREE,
         .width = arc * per_radian,
         .sphere_height = span * per_radian,
-        .cylinder_height = span < pi ? 2 * tan(span / 2) * per_radian : (double)INFINITY,
-        .flat_width = arc < pi ? 2 * tan(arc / 2) * per_radian : (double)INFINITY};
+        .cylinder_height = span < PI ? 2 * tan(span / 2) * per_radian : (double)INFINITY,
+        .flat_width = arc < PI ? 2 * tan(arc / 2) * per_radian : (double)INFINITY};
     return true;
 }
 
@@ -211,7 +211,7 @@ bool panorama_parallax(double offset, double step, double near, double far, doub
                        struct error *error)
 {
     double e = fabs(offset);
-    if (!check_angle(step, false, pi, "--step", error)) {
+    if (!check_angle(step, false, PI, "--step", error)) {
         return false;
     }
     if (!(near > e && isfinite(near))) {
@@ -230,13 +230,13 @@ bool panorama_parallax(double offset, double step, double near, double far, doub
 
 static bool check_parallax(double parallax, double step, struct error *error)
 {
-    if (!check_angle(step, false, pi, "--step", error)) {
+    if (!check_angle(step, false, PI, "--step", error)) {
         return false;
     }
-    if (!(parallax > 0 && parallax < pi - step)) {
+    if (!(parallax > 0 && parallax < PI - step)) {
         return fail(error, ERROR_DOMAIN,
                     "parallax of %g degrees is out of range (above 0, below %g)",
-                    degrees_from_radians(parallax), degrees_from_radians(pi - step));
+                    degrees_from_radians(parallax), degrees_from_radians(PI - step));
     }
     return true;
 }

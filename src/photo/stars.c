@@ -2,18 +2,18 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/stars.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
 #include "photo/given.h"
 
-static const double half_pi = 1.57079632679489661923;
-
 static bool check_declination(double dec, struct error *error)
 {
     /* 1e-12: 90 deg converted from other units may round up */
-    if (!(fabs(dec) <= half_pi * (1 + 1e-12))) {
+    if (!(fabs(dec) <= PI / 2 * (1 + 1e-12))) {
         return fail(error, ERROR_DOMAIN, "--declination %.10g deg lies outside -90 to 90 deg",
-                    dec * 90 / half_pi);
+                    dec * DEGREES_PER_RADIAN);
     }
     return true;
 }
@@ -23,11 +23,11 @@ static bool check_off_pole(double dec, struct error *error)
     if (!check_declination(dec, error)) {
         return false;
     }
-    if (!(fabs(dec) < half_pi * (1 - 1e-12))) {
+    if (!(fabs(dec) < PI / 2 * (1 - 1e-12))) {
         return fail(error, ERROR_DOMAIN,
                     "--declination %.10g deg is a pole: a star there does not move and no time is "
                     "too long; the declination must lie between -90 and 90 deg",
-                    dec * 90 / half_pi);
+                    dec * DEGREES_PER_RADIAN);
     }
     return true;
 }

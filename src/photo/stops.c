@@ -2,12 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/stops.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
 #include "photo/given.h"
 
 static const double log10_of_2 = 0.30102999566398119521;
-static const double pi = 3.14159265358979323846;
 
 double stops_from_density(double D)
 {
@@ -151,18 +152,18 @@ bool shutter_solve(struct shutter *shutter, struct error *error)
         return false;
     }
     if (!is_given(shutter->t)) {
-        shutter->t = shutter->angle / (2 * pi * shutter->rate);
+        shutter->t = shutter->angle / (2 * PI * shutter->rate);
     } else if (!is_given(shutter->rate)) {
-        shutter->rate = shutter->angle / (2 * pi * shutter->t);
+        shutter->rate = shutter->angle / (2 * PI * shutter->t);
     } else {
-        shutter->angle = 2 * pi * shutter->rate * shutter->t;
+        shutter->angle = 2 * PI * shutter->rate * shutter->t;
     }
     /* 1e-12: an angle of 360 deg may arrive with rounding from 1/24 s at 24 fps */
-    if (!(shutter->angle <= 2 * pi * (1 + 1e-12))) {
+    if (!(shutter->angle <= 2 * PI * (1 + 1e-12))) {
         return fail(error, ERROR_DOMAIN,
                     "a shutter angle of %.10g deg exceeds 360 deg: the exposure is longer than "
                     "the frame",
-                    shutter->angle * 180 / pi);
+                    shutter->angle * DEGREES_PER_RADIAN);
     }
     return true;
 }

@@ -2,15 +2,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/tilt.h"
 
+#include "base/constants.h"
 #include "photo/given.h"
 
 #include <math.h>
 
-static const double pi = 3.141592653589793;
-
 static double degrees_from_radians(double angle)
 {
-    return angle * (180 / pi);
+    return angle * DEGREES_PER_RADIAN;
 }
 
 static bool check_lens(const struct tilt_given *g, struct error *error)
@@ -43,7 +42,7 @@ static bool solve_tilt(const struct tilt_given *g, double *tilt, struct error *e
                     "mm on either side)",
                     g->hinge, g->f, g->f);
     }
-    if (!(fabs(*tilt) < pi / 2)) {
+    if (!(fabs(*tilt) < PI / 2)) {
         return fail(error, ERROR_DOMAIN, "--tilt %g degrees is out of range (-90 to 90, exclusive)",
                     degrees_from_radians(*tilt));
     }
@@ -80,7 +79,7 @@ static bool ratio_from_angle(const struct tilt_given *g, double tilt, double *ra
                     "--angle needs a tilt: untilted, the plane of focus is parallel to the sensor "
                     "(a tilt other than 0)");
     }
-    if (!(size > fabs(tilt) && size < pi)) {
+    if (!(size > fabs(tilt) && size < PI)) {
         double sign = copysign(1, tilt);
         return fail(error, ERROR_DOMAIN,
                     "--angle %g degrees cannot be reached with this tilt (between %g and %g)",

@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/beam.h"
 
-#include <math.h>
+#include "base/constants.h"
 
-static const double pi = 3.141592653589793;
+#include <math.h>
 
 /* Across the axis: sagittal at right angles to the z axis too, meridional upwards. */
 static void set_across(struct beam *beam)
@@ -66,17 +66,17 @@ struct beam beam_from_film(const double point[3], double n)
 static bool from_angle(const double angle[2], const struct conjugate_object *object, double n,
                        struct beam *beam, struct error *error)
 {
-    const double degree = 180 / pi;
+    const double degree = DEGREES_PER_RADIAN;
     double t = hypot(angle[0], angle[1]);
     if (object->is_infinite) {
-        if (!(t < pi)) {
+        if (!(t < PI)) {
             return fail(error, ERROR_DOMAIN, "a field angle of %.6g deg: it must be below 180",
                         t * degree);
         }
         *beam = beam_from_infinity(angle, n);
         return true;
     }
-    if (!(t < pi / 2)) {
+    if (!(t < PI / 2)) {
         return fail(error, ERROR_DOMAIN,
                     "a field angle of %.6g deg: for an object at a distance it must be below 90",
                     t * degree);

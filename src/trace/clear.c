@@ -2,12 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/clear.h"
 
+#include "base/constants.h"
 #include "trace/probe.h"
 #include "trace/sample.h"
 
 #include <math.h>
-
-static const double pi = 3.141592653589793;
 
 struct clear_guess clear_guess_of(const struct system *system, const struct beam *beam,
                                   const struct first_order *first)
@@ -126,7 +125,7 @@ static void bisect(const struct probe *probe, const struct star *star, const dou
 static double angle_of(size_t i, size_t count)
 {
     /* quarter turns exactly, so that axes stay axes */
-    return 2 * pi * ((double)i / (double)count) - pi / 2;
+    return 2 * PI * ((double)i / (double)count) - PI / 2;
 }
 
 static void find_edges(const struct probe *probe, const struct star *star, size_t count,
@@ -166,7 +165,7 @@ static struct clear_edge extreme(const struct probe *probe, const struct star *s
                                  const struct clear_pupil *pupil, int axis, double sign)
 {
     size_t best = 0, count = pupil->edge_count;
-    double angles[RAYS_BLOCK], step = 2 * pi / (double)count;
+    double angles[RAYS_BLOCK], step = 2 * PI / (double)count;
     struct clear_edge edges[RAYS_BLOCK];
     for (size_t i = 1; i < count; i++) {
         best = sign * pupil->edges[i].at[axis] > sign * pupil->edges[best].at[axis] ? i : best;
@@ -261,7 +260,7 @@ static void put_arcs(const struct probe *probe, const struct star *star,
             size_t arc = (done + i) / CLEAR_ARC, k = (done + i) % CLEAR_ARC;
             double from = (corners[arc].low + corners[arc].high) / 2;
             const struct corner *next = &corners[(arc + 1) % count];
-            double to = (next->low + next->high) / 2 + (arc + 1 == count ? 2 * pi : 0);
+            double to = (next->low + next->high) / 2 + (arc + 1 == count ? 2 * PI : 0);
             angles[i] = from + x[k] * (to - from);
             widths[arc] = to - from;
             arms[done + i].area = w[k] * (to - from);
@@ -288,7 +287,7 @@ static void put_circle(struct arena *arena, struct clear_pupil *pupil)
 {
     struct clear_arm *arms = ARENA_ARRAY(arena, pupil->edge_count, struct clear_arm);
     for (size_t i = 0; i < pupil->edge_count; i++) {
-        arms[i] = (struct clear_arm){pupil->edges[i], 2 * pi / (double)pupil->edge_count};
+        arms[i] = (struct clear_arm){pupil->edges[i], 2 * PI / (double)pupil->edge_count};
     }
     pupil->arms = arms;
     pupil->arm_count = pupil->edge_count;

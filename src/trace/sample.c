@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/sample.h"
 
-#include <math.h>
+#include "base/constants.h"
 
-static const double pi = 3.141592653589793;
+#include <math.h>
 
 const struct word patterns[] = {
     [PATTERN_GAUSS] = {"gauss", "Gauss quadrature: converges fast"},
@@ -31,7 +31,7 @@ static void legendre(size_t n, double x, double *value, double *slope)
 void gauss_rule(size_t count, double *x, double *w)
 {
     for (size_t i = 0; i < count; i++) {
-        double root = cos(pi * ((double)i + 0.75) / ((double)count + 0.5)), value, slope;
+        double root = cos(PI * ((double)i + 0.75) / ((double)count + 0.5)), value, slope;
         for (int step = 0; step < 20; step++) {
             legendre(count, root, &value, &slope);
             double move = value / slope;
@@ -70,7 +70,7 @@ static void make_gauss(size_t rays, struct arena *arena, struct sample *sample)
     room(sample, rings * arms, arena);
     for (size_t i = 0; i < rings; i++) {
         for (size_t k = 0; k < arms; k++) {
-            double angle = 2 * pi * (double)k / (double)arms, r = sqrt(r2[i]);
+            double angle = 2 * PI * (double)k / (double)arms, r = sqrt(r2[i]);
             add(sample, r * sin(angle), r * cos(angle), w[i] / (double)arms);
         }
     }
@@ -87,7 +87,7 @@ static void make_hexapolar(size_t rays, struct arena *arena, struct sample *samp
     add(sample, 0, 0, 1 / (double)count);
     for (size_t i = 1; i <= rings; i++) {
         for (size_t k = 0; k < 6 * i; k++) {
-            double angle = 2 * pi * (double)k / (double)(6 * i), r = (double)i / (double)rings;
+            double angle = 2 * PI * (double)k / (double)(6 * i), r = (double)i / (double)rings;
             add(sample, r * sin(angle), r * cos(angle), 1 / (double)count);
         }
     }
@@ -174,7 +174,7 @@ static uint32_t sobol_second(uint32_t i)
 /* The square to the disc: areas stay in proportion. */
 static struct pupil_point to_disc(double u, double v)
 {
-    double r = sqrt(u), angle = 2 * pi * v;
+    double r = sqrt(u), angle = 2 * PI * v;
     return (struct pupil_point){r * sin(angle), r * cos(angle), 0};
 }
 

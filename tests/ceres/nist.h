@@ -3,6 +3,8 @@
 #ifndef LENSCALC_TESTS_CERES_NIST_H
 #define LENSCALC_TESTS_CERES_NIST_H
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <stddef.h>
 
@@ -62,7 +64,7 @@ static inline double eckerle4(const double *b, double x, double *slope)
 
 static inline double roszman1(const double *b, double x, double *slope)
 {
-    const double pi = 3.141592653589793;
+    const double pi = PI;
     double d = x - b[3], q = d * d + b[2] * b[2];
     slope[0] = 1;
     slope[1] = -x;

@@ -1,5 +1,6 @@
 /* tests/ceres/test_bundle.c - thick lenses of real ones: their limit, their terms, lost rays. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "check.h"
 #include "subject.h"
 
@@ -97,7 +98,7 @@ static void test_stopped_down(void)
         struct subject subject;
         struct thick_fit fit;
         struct error error;
-        double field = cases[i].degrees / 57.29577951308232;
+        double field = cases[i].degrees / DEGREES_PER_RADIAN;
         CHECK_TRUE(trace(cases[i].lens, cases[i].fnumber, field, true, &arena, &subject, &error),
                    "%s", cases[i].lens);
         subject.task.distortions = cases[i].terms;
@@ -237,7 +238,7 @@ static void test_vignetting(void)
         struct subject subject;
         struct error error;
         double clear;
-        CHECK_TRUE(trace_rays(cases[i].lens, cases[i].stop, cases[i].degrees / 57.29577951308232,
+        CHECK_TRUE(trace_rays(cases[i].lens, cases[i].stop, cases[i].degrees / DEGREES_PER_RADIAN,
                               cases[i].rays, &arena, &subject, &error),
                    "%s", cases[i].lens);
         double found = spot(&subject, &clear);

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_TESTS_UNIT_RANDOM_ASPHERES_H
 #define LENSCALC_TESTS_UNIT_RANDOM_ASPHERES_H
 
+#include "base/constants.h"
 #include "file/lens_file.h"
 #include "first_meeting.h"
 #include "trace/dispatch.h"
@@ -83,11 +84,11 @@ static inline bool random_asphere(unsigned long long *state, const struct streng
 static inline struct ray random_ray(unsigned long long *state, const struct strength *strength,
                                     const struct random_asphere *one)
 {
-    double turn = chance_between(state, 0, 6.283185307179586);
+    double turn = chance_between(state, 0, 2 * PI);
     double tilt = strength->tilt * sqrt(chance(state));
     struct ray ray = {
         .cosine = {sin(tilt) * cos(turn), sin(tilt) * sin(turn), one->direction * cos(tilt)}};
-    double r = one->h * sqrt(chance(state)), at = chance_between(state, 0, 6.283185307179586);
+    double r = one->h * sqrt(chance(state)), at = chance_between(state, 0, 2 * PI);
     double z = (double)asphere_sag(&one->shape, r, &(real){0});
     double point[3] = {r * cos(at), r * sin(at), z}, back = chance_between(state, 0, 3) * one->h;
     for (int i = 0; i < 3; i++) {

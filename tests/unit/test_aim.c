@@ -1,5 +1,6 @@
 /* tests/unit/test_aim.c - rays aimed at the stop: every lens of lensdb over its field. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_db.h"
 #include "trace/aim.h"
@@ -7,7 +8,7 @@
 
 #include <stdlib.h>
 
-static const double degree = 3.141592653589793 / 180;
+static const double degree = RADIANS_PER_DEGREE;
 
 struct opened {
     struct lens lens;

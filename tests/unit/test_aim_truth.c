@@ -1,5 +1,6 @@
 /* tests/unit/test_aim_truth.c - aiming and vignetting against a program of 50 digits. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
 #include "trace/aim.h"
@@ -14,7 +15,7 @@
  *     lost  field, point of the stop: no ray does
  *     edge  field = lowest and highest meridional ray that passes all rims, and the chief ray
  */
-static const double degree = 3.141592653589793 / 180;
+static const double degree = RADIANS_PER_DEGREE;
 
 struct reading {
     char line[8192], name[256];

@@ -1,11 +1,12 @@
 /* tests/unit/test_angle_of_view.c - what a sensor sees, against chief rays of other programs. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/angle_of_view.h"
+#include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_db.h"
 #include "file/lens_file.h"
 
-static const double degree = 3.141592653589793 / 180;
+static const double degree = RADIANS_PER_DEGREE;
 
 /* A lens, and a sensor in its paraxial focus. */
 struct camera {

@@ -2,13 +2,14 @@
 /* SPDX-License-Identifier: MIT */
 #include <stdint.h>
 
+#include "base/constants.h"
 #include "check.h"
 #include "photo/bracket.h"
 #include "photo/exposure.h"
 #include "photo/sensitometry.h"
 #include "photo/stops.h"
 
-static const double pi = 3.14159265358979323846;
+static const double pi = PI;
 static struct error error;
 
 #define COUNT(table) ((int)(sizeof(table) / sizeof *(table)))

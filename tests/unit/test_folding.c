@@ -1,13 +1,14 @@
 /* tests/unit/test_folding.c - folds of maps whose Jacobian is known. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/folding.h"
+#include "base/constants.h"
 #include "check.h"
 
 #include <math.h>
 
 enum { EDGES = 256 };
 
-static const double pi = 3.141592653589793;
+static const double pi = PI;
 
 /* A disc about (0, y), mapped by (x, y) -> (x, y + bend y^2): the Jacobian is 1 + 2 bend y. */
 static bool folds(double centre, double radius, double bend, double mirror)

@@ -2,10 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include <float.h>
 
+#include "base/constants.h"
 #include "check.h"
 #include "photo/fov.h"
 
-#define DEGREE (3.14159265358979323846 / 180)
+#define DEGREE RADIANS_PER_DEGREE
 
 static const struct sensor full_frame = {36, 24, NAN};
 

@@ -1,5 +1,6 @@
 /* tests/unit/test_panorama.c - frames, size and parallax of panoramas. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "photo/panorama.h"
 
 #include <stdint.h>
@@ -9,7 +10,7 @@
 
 #define NONE ((double)NAN)
 
-static const double pi = 3.141592653589793, degree = 3.141592653589793 / 180;
+static const double pi = PI, degree = RADIANS_PER_DEGREE;
 
 /* Columbia University, R4110 week 12 (2000): frames of a full turn, 35 mm film upright, at least
    50 % overlap. The table rounds up to even numbers, and so does the comparison. */

@@ -1,5 +1,6 @@
 /* tests/unit/test_parameter.c - names, numbers, scaling and reversal of what may change. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "check.h"
 #include "file/lens_change.h"
 #include "file/lens_file.h"
@@ -494,7 +495,7 @@ static void check_reversed_bend(void)
     static const char *const texts[2] = {
         "surface 50 6 1.5 -\nbend decenter=1,2 tilt=3,4,5\nsurface -80 - air -\n",
         "surface 50 6 1.5 -\nbend decenter=1,2 tilt=3,4,5\nsurface -80 - mirror -\n"};
-    const double degree = 0.01745329251994329577;
+    const double degree = RADIANS_PER_DEGREE;
     const double expected[2][5] = {{5 * degree, -4 * degree, 3 * degree, 1, -2},
                                    {-5 * degree, -4 * degree, -3 * degree, -1, -2}};
     static const char *const names[5] = {"bend_tilt_z2", "bend_tilt_y3", "bend_tilt_x4",

@@ -1,6 +1,7 @@
 /* tests/unit/test_pupil.c - beams, chief rays and clear pupils against closed forms. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/pupil_shape.h"
+#include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_db.h"
 #include "file/lens_file.h"
@@ -10,7 +11,7 @@
 
 #include <string.h>
 
-static const double pi = 3.141592653589793, degree = 3.141592653589793 / 180;
+static const double pi = PI, degree = RADIANS_PER_DEGREE;
 
 struct opened {
     struct lens lens;

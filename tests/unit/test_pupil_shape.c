@@ -1,10 +1,11 @@
 /* tests/unit/test_pupil_shape.c - areas and solid angles of pupils against closed forms. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/pupil_shape.h"
+#include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
 
-static const double pi = 3.141592653589793, degree = 3.141592653589793 / 180;
+static const double pi = PI, degree = RADIANS_PER_DEGREE;
 static const double STOP = 5, RIM = 8, GAP = 20; /* mm */
 
 static struct pupil_shape shape_of(const char *text, struct field_point field, struct arena *arena)

@@ -1,7 +1,10 @@
 /* tests/unit/test_quantity.c - quantities as people write them. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "base/quantity.h"
 #include "check.h"
+
+#include <math.h>
 
 /*
  * Expected values are exact by the definitions of the units: inch 25.4 mm, foot 304.8 mm, yard
@@ -192,8 +195,17 @@ static void check_wavelengths(void)
     }
 }
 
+/* The tests of angles take these constants too: here they are held to the C library's. */
+static void check_constants(void)
+{
+    CHECK_NEAR(PI, acos(-1), 0, "pi");
+    CHECK_NEAR(RADIANS_PER_DEGREE, acos(-1) / 180, 0, "a degree");
+    CHECK_NEAR(DEGREES_PER_RADIAN, 180 / acos(-1), 0, "a radian");
+}
+
 int main(void)
 {
+    check_constants();
     check_wavelengths();
     check_good();
     check_bad();

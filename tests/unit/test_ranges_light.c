@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
+#include "base/constants.h"
 #include "photo/bracket.h"
 #include "photo/exposure.h"
 #include "photo/flash.h"
@@ -9,7 +10,7 @@
 #include "photo/stops.h"
 #include "ranges.h"
 
-static const double pi = 3.14159265358979323846;
+static const double pi = PI;
 
 /* What is not named is not given: named members override the NaNs. */
 #pragma GCC diagnostic ignored "-Woverride-init"

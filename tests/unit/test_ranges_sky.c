@@ -2,12 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
+#include "base/constants.h"
 #include "photo/panorama.h"
 #include "photo/stars.h"
 #include "photo/tilt.h"
 #include "ranges.h"
 
-static const double pi = 3.14159265358979323846;
+static const double pi = PI;
 
 static void test_star_ranges(void)
 {
@@ -162,25 +163,19 @@ static void test_panorama_plan(void)
         {{0, 1},
          {1, 0, 0},
          "horizontal angle of view 0 degrees is out of range (above 0, up to 360)"},
-        {{2.5 * 3.14159265358979324, 1},
+        {{2.5 * PI, 1},
          {1, 0, 0},
          "horizontal angle of view 450 degrees is out of range (above 0, up to 360)"},
         {{1, 0},
          {1, 0, 0},
          "vertical angle of view 0 degrees is out of range (above 0, up to 360)"},
-        {{1, 2.5 * 3.14159265358979324},
+        {{1, 2.5 * PI},
          {1, 0, 0},
          "vertical angle of view 450 degrees is out of range (above 0, up to 360)"},
         {{1, 1}, {0, 0, 0}, "--arc 0 degrees is out of range (above 0, up to 360)"},
-        {{1, 1},
-         {2.5 * 3.14159265358979324, 0, 0},
-         "--arc 450 degrees is out of range (above 0, up to 360)"},
-        {{1, 1},
-         {1, -0.25 * 3.14159265358979324, 0},
-         "--span -45 degrees is out of range (from 0, up to 180)"},
-        {{1, 1},
-         {1, 1.25 * 3.14159265358979324, 0},
-         "--span 225 degrees is out of range (from 0, up to 180)"},
+        {{1, 1}, {2.5 * PI, 0, 0}, "--arc 450 degrees is out of range (above 0, up to 360)"},
+        {{1, 1}, {1, -0.25 * PI, 0}, "--span -45 degrees is out of range (from 0, up to 180)"},
+        {{1, 1}, {1, 1.25 * PI, 0}, "--span 225 degrees is out of range (from 0, up to 180)"},
         {{1, 1}, {1, 0, 1}, "--overlap 1 is out of range (0 up to below 1)"},
         {{1, 1}, {1, 0, -0.5}, "--overlap -0.5 is out of range (0 up to below 1)"},
     };

@@ -1,12 +1,13 @@
 /* tests/unit/test_ranges_view.c - legal ranges of views, formats and motion. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "photo/equivalent.h"
 #include "photo/format.h"
 #include "photo/fov.h"
 #include "photo/motion.h"
 #include "ranges.h"
 
-static const double pi = 3.14159265358979323846;
+static const double pi = PI;
 
 /* What is not named is not given: named members override the NaNs. */
 #pragma GCC diagnostic ignored "-Woverride-init"
@@ -37,12 +38,12 @@ static void test_projections(void)
         double largest, angle; /* height in focal lengths, full angle there, rad */
         const char *refusal;
     } rows[] = {
-        {EQUIDISTANT, 3.14159265358979324, 6.28318530717958648,
+        {EQUIDISTANT, PI, 2 * PI,
          "image height 4 mm lies beyond the edge of the equidistant projection, "
          "3.14159265358979 mm"},
-        {EQUISOLID, 2, 6.28318530717958648,
+        {EQUISOLID, 2, 2 * PI,
          "image height 4 mm lies beyond the edge of the equisolid projection, 2 mm"},
-        {ORTHOGRAPHIC, 1, 3.14159265358979324,
+        {ORTHOGRAPHIC, 1, PI,
          "image height 4 mm lies beyond the edge of the orthographic projection, 1 mm"},
     };
     double angle = 0;
@@ -89,7 +90,7 @@ static void test_fov_goals(void)
     struct fov_setting far = {RECTILINEAR, NAN, INFINITY, 1, 1},
                        near = {RECTILINEAR, NAN, 1000, 1, 1};
     const struct fov_setting wide = {RECTILINEAR, NAN, INFINITY, 1, 5.0 / 3};
-    static const double right = 1.57079632679489662;
+    static const double right = PI / 2;
     double f = 0;
     INSIDE(fov_solve(&far, &sensor, GOALS(.horizontal = right), &f, &error));
     CHECK_RELATIVE(f, 18.0, 1e-15, "90 deg: half the width");

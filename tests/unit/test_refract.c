@@ -1,12 +1,13 @@
 /* tests/unit/test_refract.c - one surface: conjugates, exact rays, their differences. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "optics/refract.h"
 
 #include <float.h>
 
 #include "check.h"
 
-#define DEGREE (3.14159265358979323846 / 180)
+#define DEGREE RADIANS_PER_DEGREE
 
 static struct error error;
 

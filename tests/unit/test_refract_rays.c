@@ -1,5 +1,6 @@
 /* tests/unit/test_refract_rays.c - one ray at one surface, all its numbers, each way to aim. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "optics/refract.h"
 
 #include <stddef.h>
@@ -173,7 +174,7 @@ static bool place(double R, double z, double height, double angle, bool at_verte
 
 static void test_aims(void)
 {
-    const double right = 1.57079632679489662;
+    const double right = PI / 2;
     MISUSED(place(50, -80, NAN, NAN, false),
             "a ray follows from two of its height, its angle and the object: give two");
     MISUSED(place(50, -80, 1, 0.1, false),

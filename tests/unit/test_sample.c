@@ -1,5 +1,6 @@
 /* tests/unit/test_sample.c - points of the pupil: moments of the disc, nets, counts. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "check.h"
 #include "trace/sample.h"
 
@@ -112,7 +113,7 @@ static void test_weights(struct arena *arena)
 /* Back from the disc to the square. */
 static void to_square(const struct pupil_point *point, double square[2])
 {
-    double angle = atan2(point->x, point->y) / (2 * 3.141592653589793);
+    double angle = atan2(point->x, point->y) / (2 * PI);
     square[0] = point->x * point->x + point->y * point->y;
     square[1] = angle < 0 ? angle + 1 : angle;
 }

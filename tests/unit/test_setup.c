@@ -1,11 +1,12 @@
 /* tests/unit/test_setup.c - the rules by which a lens is made ready, each in closed form. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/setup.h"
+#include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
 #include "trace/dispatch.h"
 
-static const double degree = 3.141592653589793 / 180;
+static const double degree = RADIANS_PER_DEGREE;
 
 /* A stop 10 mm before an ideal thin lens, which has no colours and no aberrations. */
 #define THIN(f) "stop - 10 air 20\nthick " f " 99 air 60\n"

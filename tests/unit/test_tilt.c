@@ -1,5 +1,6 @@
 /* tests/unit/test_tilt.c - tilted lens: published settings, and rays traced through a thin lens. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "photo/tilt.h"
 
 #include <stdint.h>
@@ -9,7 +10,7 @@
 
 #define NONE ((double)NAN)
 
-static const double degree = 3.141592653589793 / 180;
+static const double degree = RADIANS_PER_DEGREE;
 
 /* Merklinger, View Camera, July/August 1996, the examples with a 150 mm Symmar; feet and degrees
    as printed, rounded to what a tripod and a tilt scale show. */
@@ -291,7 +292,7 @@ static void test_refusals(void)
         enum error_code code;
         const char *words;
     } rows[] = {
-        {{150, 11, 0.1, 1.5707963267948966, NONE, 160, NONE, NONE}, ERROR_DOMAIN, "-90 to 90"},
+        {{150, 11, 0.1, PI / 2, NONE, 160, NONE, NONE}, ERROR_DOMAIN, "-90 to 90"},
         {{150, 11, 0.1, -2, NONE, 160, NONE, NONE}, ERROR_DOMAIN, "-90 to 90"},
         {{150, 11, 0.1, NONE, 149, 160, NONE, NONE}, ERROR_DOMAIN, "150 mm on either side"},
         {{150, 11, 0.1, NONE, 0, 160, NONE, NONE}, ERROR_DOMAIN, "--hinge 0 mm"},

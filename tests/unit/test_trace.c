@@ -1,5 +1,6 @@
 /* tests/unit/test_trace.c - exact rays: other programs, closed forms, hard cases, all kernels. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_db.h"
 #include "trace/beam.h"
@@ -267,7 +268,7 @@ static void check_tilts(void)
     CHECK(compile("surface - 5 1.5 -\nsurface - 0 air - decenter=3,4 tilt=10,0\n", NAN, false,
                   &arena, &system));
     end = trace_one(&system, &axis);
-    double a = 10 * 3.14159265358979323846 / 180;
+    double a = 10 * RADIANS_PER_DEGREE;
     CHECK_NEAR(atan2(end.cosine[1], end.cosine[2]), asin(1.5 * sin(a)) - a, 1e-15, "prism");
     CHECK_NEAR(end.point[2], -4 * tan(a), 1e-14, "the wedge's face");
     CHECK(compile("surface 50 5 1.5 -\nbend decenter=1,2 tilt=10,0,0\nsurface - 0 1.5 -\n"

@@ -1,5 +1,6 @@
 /* tests/unit/test_trace_wide.c - rays from behind the first vertex: fisheyes past 90 degrees. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "check.h"
 #include "exchange/lens_db.h"
 #include "trace/dispatch.h"
@@ -71,7 +72,7 @@ static void check_fisheye(const char *name, double degrees, size_t fans)
     CHECK(system_compile(&lens, 0.5875618, &options, &arena, &back, &error));
     for (size_t i = 0; i <= fans; i++) {
         double angle = degrees * (double)i / (double)fans;
-        size_t arrived = check_fan(&forward, &back, angle * 0.017453292519943295);
+        size_t arrived = check_fan(&forward, &back, angle * RADIANS_PER_DEGREE);
         if (arrived == 0) {
             printf("%s: no ray at %g degrees\n", name, angle);
         }

@@ -1,6 +1,7 @@
 /* tests/unit/test_wedge.c - the drawing of a tilted lens: well-formed, complete, on its page. */
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
+#include "base/constants.h"
 #include "base/error.h"
 #include "draw/svg.h"
 #include "draw/wedge.h"
@@ -9,7 +10,7 @@
 
 #include "check.h"
 
-static const double degree = 3.141592653589793 / 180;
+static const double degree = RADIANS_PER_DEGREE;
 
 /* A thin lens focused at `distance` straight ahead: A = f/distance (inf: level plane), B = sin. */
 static struct wedge camera(double f, double N, double c, double tilt, double distance)

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit_job.h"
 
+#include "base/constants.h"
+
 static struct thick_lens thick_of(const struct first_order *first, const struct lens *lens)
 {
     return (struct thick_lens){.focal = first->efl,
@@ -53,7 +55,7 @@ const char *fit_missing_fields(const struct fit_job *job)
             found = job->bundle.field[i] == f;
         }
         double field = fit_field(job, f);
-        double shown = job->setup->object.is_infinite ? field * 57.29577951308232 : field;
+        double shown = job->setup->object.is_infinite ? field * DEGREES_PER_RADIAN : field;
         if (!found) {
             list = arena_printf(arena, "%s%s%.6g", list != NULL ? list : "",
                                 list != NULL ? ", " : "", shown);

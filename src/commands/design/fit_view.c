@@ -6,6 +6,8 @@
 #include "draw/svg.h"
 #include "file/lens_file.h"
 
+#include "base/constants.h"
+
 /* One ray: where in field and pupil the equivalent fails. */
 struct ray_row {
     const char *position;
@@ -171,7 +173,7 @@ static void label_map(const struct fit_job *job, struct ray_map *map)
     const char **columns = ARENA_ARRAY(arena, job->setup->field_count, const char *);
     const char **rows = ARENA_ARRAY(arena, job->setup->wavelength_count, const char *);
     for (size_t i = 0; i < job->setup->field_count; i++) {
-        columns[i] = angle ? arena_printf(arena, "%.4g°", fit_field(job, i) * 57.29577951308232)
+        columns[i] = angle ? arena_printf(arena, "%.4g°", fit_field(job, i) * DEGREES_PER_RADIAN)
                            : arena_printf(arena, "%.4g mm", fit_field(job, i));
     }
     for (size_t i = 0; i < job->setup->wavelength_count; i++) {

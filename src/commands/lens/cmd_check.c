@@ -4,7 +4,7 @@
 #include "commands/lens/lens_options.h"
 #include "draw/plot.h"
 
-static const double degrees = 180 / 3.141592653589793;
+#include "base/constants.h"
 
 struct input {
     struct lens_question question;
@@ -17,7 +17,7 @@ static const struct option options[] = {
     LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct input, question),
     {OPTION(struct input, question.field), .name = "field", .dimension = &dimension_angle,
-     .unit = "deg", .lowest = -3.141592653589793, .highest = 3.141592653589793,
+     .unit = "deg", .lowest = -PI, .highest = PI,
      .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
      .help = "largest field angle, in object space, a list is swept; without it that of the lens, "
              "else 5 deg"},
@@ -190,7 +190,7 @@ static const char *field_words(const struct row *row, double largest, bool arriv
     const char *words = isnan(largest) || isnan(row->trusted_field)
                             ? arena_printf(arena, "up to %.3g %% of the field", 100 * row->trusted)
                             : arena_printf(arena, "up to %.4g deg of %.4g deg",
-                                           row->trusted_field * degrees, largest);
+                                           row->trusted_field * DEGREES_PER_RADIAN, largest);
     return arrives ? words
                    : arena_printf(arena, "%s, from where no chief ray reaches the stop", words);
 }
@@ -204,7 +204,7 @@ static const char *extent_words(const struct row *row, enum check_quantity quant
         return arena_printf(arena, "at no %s", field ? "field" : "aperture");
     }
     if (field) {
-        return field_words(row, edge->angle * degrees, !isnan(edge->exact), arena);
+        return field_words(row, edge->angle * DEGREES_PER_RADIAN, !isnan(edge->exact), arena);
     }
     if (isnan(row->trusted_fnumber)) {
         return arena_printf(arena, "up to %.3g %% of the aperture", 100 * row->trusted);
@@ -252,7 +252,7 @@ static void fill(const struct bench *bench, enum check_quantity quantity, double
 {
     struct check_value here = check_at(&bench->problem, quantity, fraction, arena);
     struct check_value half = check_at(&bench->problem, quantity, fraction / 2, arena);
-    double unit = quantity == CHECK_EXIT_ANGLE ? degrees : 1;
+    double unit = quantity == CHECK_EXIT_ANGLE ? DEGREES_PER_RADIAN : 1;
     row->fraction = fraction;
     row->fnumber = here.fnumber;
     row->height = here.height;
@@ -372,7 +372,7 @@ static bool add_curves(const struct lens_case *one, void *context, struct error 
                      isfinite(one->light.first.fnumber) ? one->light.first.fnumber
                                                         : one->light.first.working_fnumber,
                      bench.problem.field.kind == FIELD_ANGLE
-                         ? arena_printf(arena, ", field %.4g deg", largest * degrees)
+                         ? arena_printf(arena, ", field %.4g deg", largest * DEGREES_PER_RADIAN)
                          : "");
     return true;
 }

@@ -3,6 +3,8 @@
 #include "commands/lens/pupil_cases.h"
 #include "draw/outlines.h"
 
+#include "base/constants.h"
+
 enum side { SIDE_BOTH, SIDE_ENTRANCE, SIDE_EXIT };
 
 static const struct word sides[] = {
@@ -17,8 +19,7 @@ static const struct option options[] = {
     LENS_WAVELENGTH_OPTION(struct pupil_input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct pupil_input, question),
     {OPTION(struct pupil_input, question.field), .name = "field", .column = "field",
-     .dimension = &dimension_angle, .unit = "deg", .lowest = -3.141592653589793,
-     .highest = 3.141592653589793,
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -PI, .highest = PI,
      .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
      .help = "field angle in object space, of 90 deg and more too, a list is swept; without it "
              "those of the lens"},

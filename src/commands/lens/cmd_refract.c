@@ -4,6 +4,8 @@
 #include "commands/photo/photo_options.h"
 #include "optics/refract.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
 struct input {
@@ -44,7 +46,7 @@ static const struct option options[] = {
     {PLACE(aim.height), .name = "height", .letter = 'y', .column = "height",
      .flags = OPTION_NO_INFINITY, .help = "height of the ray: brings the exact results"},
     {OPTION(struct input, aim.angle), .name = "angle", .letter = 'u', .dimension = &dimension_angle,
-     .unit = "deg", .lowest = -1.5707963267948966, .highest = 1.5707963267948966, .value = "ANGLE",
+     .unit = "deg", .lowest = -PI / 2, .highest = PI / 2, .value = "ANGLE",
      .help = "slope angle U of the ray, + rising to the right; instead of --height or --object"},
     {OPTION(struct input, height_at), .name = "height-at", .words = planes, .fallback = "surface",
      .value = "PLACE", .help = "where --height is measured"},

@@ -3,6 +3,8 @@
 #include "commands/lens/trace_answer.h"
 #include "optics/wavelength.h"
 
+#include "base/constants.h"
+
 #include <string.h>
 
 static const struct word aims[] = {
@@ -37,8 +39,7 @@ static const struct option options[] = {
      .help = "wavelength in nm, or a line: d F C e g; default the primary of the lens"},
     LENS_FNUMBER_OPTION(struct trace_input, question),
     {OPTION(struct trace_input, field), .name = "field", .column = "field",
-     .dimension = &dimension_angle, .unit = "deg", .lowest = -3.141592653589793,
-     .highest = 3.141592653589793,
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -PI, .highest = PI,
      .flags = OPTION_GOAL | OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,
      .value = "ANGLE",
      .help = "field angle in object space, a list is swept; default all fields of the lens"},

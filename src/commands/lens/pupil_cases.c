@@ -2,11 +2,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/pupil_cases.h"
 
+#include "base/constants.h"
 #include "trace/aim.h"
 
 #include <string.h>
-
-static const double degrees = 180 / 3.141592653589793;
 
 /* Enough for 1e-5 of an area with corners. */
 enum { DIRECTIONS = 512 };
@@ -216,7 +215,8 @@ bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pup
 
 const char *pupil_point_words(const struct pupil_case *point, struct arena *arena)
 {
-    return point->from_film        ? arena_printf(arena, "film %.4g mm", point->height)
-           : !isnan(point->object) ? arena_printf(arena, "object %.4g mm", point->object)
-                                   : arena_printf(arena, "%.4g deg", point->angle * degrees);
+    return point->from_film ? arena_printf(arena, "film %.4g mm", point->height)
+           : !isnan(point->object)
+               ? arena_printf(arena, "object %.4g mm", point->object)
+               : arena_printf(arena, "%.4g deg", point->angle * DEGREES_PER_RADIAN);
 }

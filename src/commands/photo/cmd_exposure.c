@@ -3,6 +3,8 @@
 #include "commands/photo/exposure_answer.h"
 #include "commands/photo/light_options.h"
 
+#include "base/constants.h"
+
 #define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
@@ -42,7 +44,7 @@ static const struct option options[] = {
     OPTION_PUPIL_OF_LENS(struct exposure_input, pupil, "magnification"),
     {OPTION(struct exposure_input, shutter_angle), .name = "shutter-angle",
      .column = "shutter_angle", .dimension = &dimension_angle, .unit = "deg", .lowest = 0,
-     .highest = 6.283185307179586, .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE",
+     .highest = 2 * PI, .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE",
      .help = "of a film or video camera"},
     {OPTION(struct exposure_input, frame_rate), .name = "frame-rate", .column = "frame_rate",
      .dimension = &dimension_rate, POSITIVE, .value = "RATE", .help = "frames per second"},

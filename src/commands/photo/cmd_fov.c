@@ -4,6 +4,8 @@
 #include "commands/photo/photo_lens.h"
 #include "photo/fov.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
 /* How angles are found: by the lens's rays, or a projection of photo/fov.h behind them. */
@@ -32,7 +34,7 @@ struct input {
 #define ANGLE_GOAL(member_name)                                                                    \
     OPTION(struct input, member_name), .name = #member_name, .column = #member_name,               \
                                        .dimension = &dimension_angle, .unit = "deg", .lowest = 0,  \
-                                       .highest = 6.283185307179586, .value = "ANGLE",             \
+                                       .highest = 2 * PI, .value = "ANGLE",                        \
                                        .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL
 #define FIELD_GOAL(member_name)                                                                    \
     OPTION(struct input, member_name),                                                             \

@@ -6,6 +6,8 @@
 #include "photo/given.h"
 #include "photo/motion.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
 struct input {
@@ -32,7 +34,7 @@ static const struct option options[] = {
      .help = "blur allowed on the sensor: 0.02mm, 2px, d/1500 (the circle of confusion unless "
              "given)"},
     {OPTION(struct input, angle), .name = "angle", .column = "angle", .dimension = &dimension_angle,
-     .unit = "deg", .lowest = 0, .highest = 3.141592653589793, .fallback = "90", .value = "ANGLE",
+     .unit = "deg", .lowest = 0, .highest = PI, .fallback = "90", .value = "ANGLE",
      .help = "of the motion: 90 deg across the view, 0 straight at the camera"},
     {OPTION(struct input, height), .name = "height", .column = "height",
      .dimension = &dimension_length, .unit = "mm", .fallback = "0", .value = "LENGTH",

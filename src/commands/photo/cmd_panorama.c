@@ -6,6 +6,8 @@
 #include "photo/conjugate.h"
 #include "photo/panorama.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
 struct input {
@@ -23,8 +25,7 @@ struct input {
 #define ANGLE_OPTION(member_name)                                                                  \
     OPTION(struct input, member_name), .name = #member_name, .dimension = &dimension_angle,        \
                                        .unit = "deg", .value = "ANGLE"
-#define DEGREES(x) ((x)*0.017453292519943295)
-#define POSITIVE   OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+#define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
@@ -37,16 +38,16 @@ static const struct option options[] = {
     {OPTION(struct input, hiatus), .name = "hiatus", .dimension = &dimension_length, .unit = "mm",
      .flags = OPTION_NO_INFINITY, .fallback = "0", .value = "LENGTH",
      .help = "distance between the principal planes"},
-    {ANGLE_OPTION(horizontal), .column = "horizontal", .lowest = 0, .highest = DEGREES(360),
+    {ANGLE_OPTION(horizontal), .column = "horizontal", .lowest = 0, .highest = 2 * PI,
      .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,
      .help = "horizontal angle of one frame as held, in place of -f (a fisheye)"},
-    {ANGLE_OPTION(vertical), .column = "vertical", .lowest = 0, .highest = DEGREES(360),
+    {ANGLE_OPTION(vertical), .column = "vertical", .lowest = 0, .highest = 2 * PI,
      .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .help = "vertical angle of one frame as held"},
-    {ANGLE_OPTION(arc), .lowest = 0, .highest = DEGREES(360), .flags = OPTION_ABOVE_LOWEST,
+    {ANGLE_OPTION(arc), .lowest = 0, .highest = 2 * PI, .flags = OPTION_ABOVE_LOWEST,
      .fallback = "360", .help = "horizontal angle of the panorama; 360 closes on itself"},
-    {ANGLE_OPTION(span), .lowest = 0, .highest = DEGREES(180), .fallback = "0",
+    {ANGLE_OPTION(span), .lowest = 0, .highest = PI, .fallback = "0",
      .help = "vertical angle of the panorama; up to that of a frame: one row"},
-    {ANGLE_OPTION(elevation), .lowest = DEGREES(-90), .highest = DEGREES(90), .fallback = "0",
+    {ANGLE_OPTION(elevation), .lowest = -PI / 2, .highest = PI / 2, .fallback = "0",
      .help = "of the panorama's middle, for --each-row"},
     {OPTION(struct input, overlap), .name = "overlap", .dimension = &dimension_ratio, .lowest = 0,
      .highest = 0.95, .fallback = "30%", .value = "FRACTION",
@@ -259,7 +260,7 @@ static double frame_pixels(const struct input *input)
 /* Parallax needs a size in pixels only where it is told in pixels. */
 static bool find_parallax(const struct input *input, struct row *row, struct error *error)
 {
-    double per_radian = row->size.per_degree / DEGREES(1);
+    double per_radian = row->size.per_degree / RADIANS_PER_DEGREE;
     bool has_offset = !isnan(input->offset), has_near = !isnan(input->near);
     bool moves = row->step > 0;
     if (has_offset && has_near && moves) {

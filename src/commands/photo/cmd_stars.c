@@ -7,6 +7,8 @@
 #include "photo/motion.h"
 #include "photo/stars.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
 struct input {
@@ -19,8 +21,8 @@ static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, 0),
     OPTION_APERTURE(struct input, fnumber, 0),
     {OPTION(struct input, declination), .name = "declination", .column = "declination",
-     .dimension = &dimension_angle, .unit = "deg", .lowest = -1.5707963267948966,
-     .highest = 1.5707963267948966, .fallback = "0", .value = "ANGLE",
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -PI / 2, .highest = PI / 2,
+     .fallback = "0", .value = "ANGLE",
      .help = "of the frame's centre; 0 is the celestial equator, where stars are fastest"},
     OPTION_TIME(struct input, time, 0),
     {OPTION(struct input, trail), .name = "trail", .dimension = &dimension_length, .unit = "um",

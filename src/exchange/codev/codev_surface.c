@@ -2,10 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
+#include "base/constants.h"
+
 #include <string.h>
 
 static const struct number_scale plain = {1, 0};
-static const double radians = 0.017453292519943295;
 
 /* The surface a command is about. */
 static struct sequence_surface *surface_of(struct codev *codev,
@@ -447,7 +448,7 @@ bool codev_shift(struct codev *codev, int what, struct error *error)
         surface->shift[what - 'X'] = figure;
         return true;
     }
-    figure.value = pair_multiply(figure.value, pair_of(radians));
+    figure.value = pair_multiply(figure.value, pair_of(RADIANS_PER_DEGREE));
     surface->turn[what - 'A'] = what == 'C' ? figure : sequence_negate(figure, codev->job->arena);
     return true;
 }

@@ -5,11 +5,12 @@
 #include "exchange/codev/codev_system.h"
 #include "file/decimal.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <string.h>
 
 static const struct number_scale plain = {1, 0};
-static const double radians = 0.017453292519943295;
 
 static struct text without_quotes(struct text text)
 {
@@ -224,7 +225,7 @@ bool codev_fields(struct codev *codev, int what, struct error *error)
                                  "a field angle is not beyond 180 degrees");
         }
         if (kind == 'a') {
-            fields[i].value = pair_multiply(fields[i].value, pair_of(radians));
+            fields[i].value = pair_multiply(fields[i].value, pair_of(RADIANS_PER_DEGREE));
         }
     }
     if (qualifiers.zoom > 1 || qualifiers.field > 0) {

@@ -5,13 +5,14 @@
 #include "exchange/remarks.h"
 #include "exchange/sequence.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <string.h>
 
 static const struct command_grammar grammar = {
     .comment = "//", .quotes = "\"", .separator = ';', .continuation = '\0', .infinity = 1e8};
 static const struct number_scale plain = {1, 0};
-static const double radians = 0.017453292519943295;
 
 /* The surface being read, and the words behind the command's name are what they should be. */
 static struct sequence_surface *present(struct oslo *oslo)
@@ -228,7 +229,7 @@ static bool read_shift(struct oslo *oslo, int what, struct error *error)
         surface->shift[what - 'X'] = figure;
         return true;
     }
-    figure.value = pair_multiply(figure.value, pair_of(radians));
+    figure.value = pair_multiply(figure.value, pair_of(RADIANS_PER_DEGREE));
     surface->turn[what - 'A'] = what == 'C' ? figure : sequence_negate(figure, oslo->job->arena);
     return true;
 }

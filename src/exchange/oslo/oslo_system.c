@@ -3,11 +3,12 @@
 #include "exchange/oslo/oslo_words.h"
 #include "file/decimal.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <string.h>
 
 static const struct number_scale plain = {1, 0};
-static const double radians = 0.017453292519943295;
 
 bool oslo_unit(struct oslo *oslo, struct error *error)
 {
@@ -285,7 +286,7 @@ bool oslo_fields(struct oslo *oslo, struct text line, struct error *error)
         return false;
     }
     for (size_t i = 0; i < lens->field_count && angle; i++) {
-        lens->fields[i].value = pair_multiply(lens->fields[i].value, pair_of(radians));
+        lens->fields[i].value = pair_multiply(lens->fields[i].value, pair_of(RADIANS_PER_DEGREE));
     }
     return true;
 }
@@ -300,8 +301,8 @@ static void put_fields(struct oslo *oslo, enum field_kind kind, struct figure ed
         double fraction = oslo->points[i].value.hi;
         struct figure field = fraction == 0 ? zero : edge;
         if (fraction != 0 && fraction != 1 && kind == FIELD_ANGLE) {
-            field = figure_of(atan(fraction * tan(edge.value.hi)) / radians, arena);
-            field.value = pair_multiply(field.value, pair_of(radians));
+            field = figure_of(atan(fraction * tan(edge.value.hi)) / RADIANS_PER_DEGREE, arena);
+            field.value = pair_multiply(field.value, pair_of(RADIANS_PER_DEGREE));
         } else if (fraction != 0 && fraction != 1) {
             field = figure_computed(pair_multiply(edge.value, pair_of(fraction)),
                                     oslo->commands.scale, arena);
@@ -328,9 +329,10 @@ static void finish_field(struct oslo *oslo, bool is_infinite)
     } else if (oslo->field_is != OSLO_NO_FIELD) {
         if (oslo->field_is == OSLO_OBJECT) {
             double distance = oslo->sequence.surfaces[0].thickness.value.hi;
-            edge = figure_of(atan(-edge.value.hi / distance) / radians, oslo->job->arena);
+            edge =
+                figure_of(atan(-edge.value.hi / distance) / RADIANS_PER_DEGREE, oslo->job->arena);
         }
-        edge.value = pair_multiply(edge.value, pair_of(radians));
+        edge.value = pair_multiply(edge.value, pair_of(RADIANS_PER_DEGREE));
         put_fields(oslo, FIELD_ANGLE, edge);
     }
 }

@@ -4,10 +4,10 @@
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_surface.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <string.h>
-
-static const double radians = 0.017453292519943295;
 
 /* A figure of a line again, in another unit. */
 static struct figure in_unit(struct figure figure, struct number_scale scale)
@@ -69,7 +69,7 @@ static bool add_field(struct zemax_file *file, size_t at, bool angle, struct err
             return lens_words_fail(&file->y->words, field->typed, error,
                                    "a field angle is not beyond 180 degrees");
         }
-        field->value = pair_multiply(field->value, pair_of(radians));
+        field->value = pair_multiply(field->value, pair_of(RADIANS_PER_DEGREE));
     }
     return true;
 }

@@ -2,12 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_surface.h"
 
+#include "base/constants.h"
 #include "exchange/zemax/zemax_solve.h"
 
 #include <math.h>
 #include <string.h>
-
-static const double radians = 0.017453292519943295;
 
 static bool is_type(const struct zemax_surface *surface, const char *type)
 {
@@ -239,8 +238,8 @@ static bool set_tilted(struct zemax_file *file, size_t at, struct surface *to, s
     double turns[3] = {atan(b), atan(-a * cos(atan(b))) + 0., 0}; /* -0 + 0 is 0 */
     (void)error;
     for (int i = 0; i < 3; i++) {
-        moved->tilt[i] = figure_of(turns[i] / radians, file->job->arena);
-        moved->tilt[i].value = pair_multiply(moved->tilt[i].value, pair_of(radians));
+        moved->tilt[i] = figure_of(turns[i] / RADIANS_PER_DEGREE, file->job->arena);
+        moved->tilt[i].value = pair_multiply(moved->tilt[i].value, pair_of(RADIANS_PER_DEGREE));
         moved->decenter[i % 2] = figure_of(0, file->job->arena);
     }
     to->moved = moved;
@@ -478,7 +477,7 @@ static void add_break(struct zemax_file *file, size_t at)
             bend->decenter[1] = in_unit(file, two, 1);
         } else {
             bend->tilt[part - 3] = one;
-            bend->tilt[part - 3].value = pair_multiply(one.value, pair_of(radians));
+            bend->tilt[part - 3].value = pair_multiply(one.value, pair_of(RADIANS_PER_DEGREE));
         }
     }
 }

@@ -7,6 +7,8 @@
 #include "file/lens_build.h"
 #include "optics/wavelength.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -72,7 +74,7 @@ static bool put_fields(struct zemax_writer *writer, struct error *error)
     for (size_t i = 0; i < count; i++) {
         struct figure field = lens->fields[i];
         if (field.typed.start == NULL && lens->field_kind == FIELD_ANGLE) {
-            field.value = pair_divide(field.value, pair_of(0.017453292519943295));
+            field.value = pair_divide(field.value, pair_of(RADIANS_PER_DEGREE));
         }
         growing_string(&writer->out, " ");
         growing_figure(&writer->out, &field,

@@ -6,6 +6,8 @@
 #include "file/lens_glass.h"
 #include "optics/glass.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -192,7 +194,7 @@ static void put_parameter(struct zemax_writer *writer, int number, const struct 
 {
     struct figure one = *figure;
     if (angle && one.typed.start == NULL) {
-        one.value = pair_divide(one.value, pair_of(0.017453292519943295));
+        one.value = pair_divide(one.value, pair_of(RADIANS_PER_DEGREE));
     }
     growing_format(&writer->out, "  PARM %d ", number);
     if (negative && one.value.hi != 0 && one.typed.start != NULL) {

@@ -1,0 +1,11 @@
+/* base/constants.h - pi and the degree. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_BASE_CONSTANTS_H
+#define LENSCALC_BASE_CONSTANTS_H
+
+/* Macros, so that tables may hold them: a const object is no constant expression in C17. */
+#define PI                 3.14159265358979323846
+#define RADIANS_PER_DEGREE 0.017453292519943295769
+#define DEGREES_PER_RADIAN 57.295779513082320877
+
+#endif
