@@ -55,16 +55,16 @@ static void slope_on_arc(const struct nodes *nodes, const double (*points)[2], s
 static void end_of_arc(const struct nodes *nodes, const double (*points)[2], double end,
                        double at[2])
 {
-    double below = 0, above[2] = {0, 0};
+    double denominator = 0, numerator[2] = {0, 0};
     for (size_t k = 0; k < CLEAR_ARC; k++) {
         double share = nodes->weight[k] / (end - nodes->x[k]);
-        below += share;
+        denominator += share;
         for (int axis = 0; axis < 2; axis++) {
-            above[axis] += share * points[k][axis];
+            numerator[axis] += share * points[k][axis];
         }
     }
-    at[0] = above[0] / below;
-    at[1] = above[1] / below;
+    at[0] = numerator[0] / denominator;
+    at[1] = numerator[1] / denominator;
 }
 
 /* Twice the area, and three halves of its first moments, about one point of the curve. */

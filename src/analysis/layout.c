@@ -7,7 +7,7 @@
 bool layout_is_centred(const struct lens *lens)
 {
     for (size_t i = 0; i < lens->surface_count; i++) {
-        if (lens->surfaces[i].moved != NULL || lens->surfaces[i].bend != NULL) {
+        if (lens->surfaces[i].decentre != NULL || lens->surfaces[i].coordinate_break != NULL) {
             return false;
         }
     }
@@ -34,14 +34,15 @@ static void find_image(struct layout *layout)
     double distance = layout->setup->image;
     double reach = 8 * (layout->right - layout->left + 2 * layout->size);
     layout->image = NAN;
-    if (distance * layout->heading >= 0 && fabs(distance) <= reach) {
+    if (distance * layout->light_direction >= 0 && fabs(distance) <= reach) {
         layout->image = layout_rear(layout) + distance;
     } else if (isfinite(distance)) {
         layout_note(layout,
-                    arena_printf(
-                        layout->arena, "the image is not shown: it lies %.5g mm %s", fabs(distance),
-                        distance * layout->heading > 0 ? "behind the last vertex"
-                                                       : "before the last vertex (virtual)"));
+                    arena_printf(layout->arena, "the image is not shown: it lies %.5g mm %s",
+                                 fabs(distance),
+                                 distance * layout->light_direction > 0
+                                     ? "behind the last vertex"
+                                     : "before the last vertex (virtual)"));
     } else {
         layout_note(layout, "the image is at infinity");
     }
@@ -73,7 +74,7 @@ static void add_image(struct layout *layout)
 }
 
 /* From vertex to vertex where the axis bends, and a little farther at both ends. */
-static void add_bent_axis(struct layout *layout)
+static void add_folded_axis(struct layout *layout)
 {
     const struct lens *lens = layout->setup->lens;
     const size_t count = lens->surface_count;
@@ -86,7 +87,7 @@ static void add_bent_axis(struct layout *layout)
         y[i + 1] = layout->axis[i].y;
     }
     const struct surface *last = &lens->surfaces[count - 1];
-    double t = last->has_thickness ? last->thickness.value.hi : more * layout->heading;
+    double t = last->has_thickness ? last->thickness.value.hi : more * layout->light_direction;
     double angle = layout->axis[count - 1].angle;
     z[count + 1] = z[count] + t * cos(angle);
     y[count + 1] = y[count] + t * sin(angle);
@@ -137,7 +138,7 @@ bool layout_make(const struct setup *setup, const struct layout_request *request
         return false;
     }
     if (!layout->is_centred) {
-        add_bent_axis(layout);
+        add_folded_axis(layout);
     }
     if (!(request->construction ? layout_construction(layout, error)
                                 : add_bundles(layout, request, error))) {

@@ -65,7 +65,7 @@ struct layout {
     double size;                           /* the largest semi-diameter drawn */
     double left, right;                    /* of what is drawn of the lens itself */
     double image;                          /* the image plane; NaN = none within reach */
-    double heading;                        /* in which light leaves: 1 or -1 */
+    double light_direction;                /* in which light leaves: 1 or -1 */
     struct paraxial_ray *marginal, *chief; /* one a surface; NaN where there is no such ray */
 };
 

@@ -95,7 +95,7 @@ static void find_places(struct layout *layout)
         layout->is_drawn[i] = surface_traits(surface)->is_drawn || is_glass(layout, i) ||
                               (i > 0 && is_glass(layout, i - 1));
     }
-    layout->heading = direction;
+    layout->light_direction = direction;
 }
 
 /* Shift, then turn, as far as both lie in the plane of the drawing; returns what does not. */
@@ -124,10 +124,11 @@ static void find_frames(struct layout *layout)
     layout->is_centred = true;
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        is_skew = displace(layout, surface->bend, &axis) || is_skew;
+        is_skew = displace(layout, surface->coordinate_break, &axis) || is_skew;
         layout->axis[i] = layout->frames[i] = axis;
-        is_skew = displace(layout, surface->moved, &layout->frames[i]) || is_skew;
-        layout->is_centred = layout->is_centred && surface->bend == NULL && surface->moved == NULL;
+        is_skew = displace(layout, surface->decentre, &layout->frames[i]) || is_skew;
+        layout->is_centred =
+            layout->is_centred && surface->coordinate_break == NULL && surface->decentre == NULL;
         double t = surface->has_thickness ? surface->thickness.value.hi : 0;
         axis.z += t * cos(axis.angle);
         axis.y += t * sin(axis.angle);

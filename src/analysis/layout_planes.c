@@ -115,7 +115,7 @@ bool layout_construction(struct layout *layout, struct error *error)
     if (first->is_afocal || !isfinite(at.F) || !isfinite(at.F2)) {
         return fail(error, ERROR_DOMAIN, "the lens is afocal: it has no equivalent lens");
     }
-    if (layout->heading < 0) {
+    if (layout->light_direction < 0) {
         return fail(error, ERROR_DOMAIN,
                     "an odd number of mirrors: light leaves to the left, and the construction "
                     "is for lenses");

@@ -20,7 +20,7 @@ struct beams {
 };
 
 /* Surfaces without a diameter have that of the drawing, and a little more: nobody stated it. */
-static const struct lens *with_rims(const struct layout *layout)
+static const struct lens *with_clear_apertures(const struct layout *layout)
 {
     const struct lens *lens = layout->setup->lens;
     struct lens *copy = ARENA_NEW(layout->arena, struct lens);
@@ -44,8 +44,9 @@ static bool open_beams(struct layout *layout, struct beams *beams, struct error 
     *beams = (struct beams){.layout = layout,
                             .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
                             .has_stop = has_stop};
-    return beams->open != NULL && setup_compile(setup, with_rims(layout), layout->wavelength,
-                                                SETUP_CLIPPED, &beams->clipped, error);
+    return beams->open != NULL &&
+           setup_compile(setup, with_clear_apertures(layout), layout->wavelength, SETUP_CLIPPED,
+                         &beams->clipped, error);
 }
 
 /* From the frame of a surface's axis to the drawing. */
@@ -290,11 +291,11 @@ bool layout_rays(struct layout *layout, struct error *error)
     const struct setup *setup = layout->setup;
     const struct first_order *first = &setup->first;
     struct beams beams;
-    bool has_rim = isfinite(first->stop_radius) || isfinite(first->entrance_diameter);
+    bool has_clear_aperture = isfinite(first->stop_radius) || isfinite(first->entrance_diameter);
     for (size_t i = 0; i < setup->lens->surface_count; i++) {
-        has_rim = has_rim || setup->lens->surfaces[i].has_diameter;
+        has_clear_aperture = has_clear_aperture || setup->lens->surfaces[i].has_diameter;
     }
-    if (!has_rim) {
+    if (!has_clear_aperture) {
         layout_note(layout, "no rays: the lens states no aperture (give -N)");
         return true;
     }

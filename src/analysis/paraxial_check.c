@@ -74,14 +74,14 @@ static struct meridional follow(const struct check_problem *problem, const struc
 
 /* A ray that starts in the plane of the first (last) vertex. */
 static struct ray start_at(const struct check_problem *problem, double y, double slope,
-                           double heading)
+                           double light_direction)
 {
     size_t axis = problem->section == SECTION_X ? 0 : 1;
     double length = sqrt(1 + slope * slope);
     struct ray ray = {.status = RAY_OK};
     ray.point[axis] = y;
-    ray.cosine[axis] = heading * slope / length;
-    ray.cosine[2] = heading / length;
+    ray.cosine[axis] = light_direction * slope / length;
+    ray.cosine[2] = light_direction / length;
     return ray;
 }
 
@@ -120,8 +120,8 @@ static double place_scale(const struct first_order *first)
 static struct meridional follow_back(const struct check_problem *problem, double h,
                                      struct arena *arena)
 {
-    double heading = problem->first->index_image < 0 ? 1 : -1;
-    struct ray ray = start_at(problem, h, 0, heading);
+    double light_direction = problem->first->index_image < 0 ? 1 : -1;
+    struct ray ray = start_at(problem, h, 0, light_direction);
     return follow(problem, problem->backward, &ray, arena);
 }
 

@@ -121,10 +121,10 @@ static const double *place_of(const struct clear_pupil *clear, const double chie
 /* -------- outlines -------- */
 
 /* Where a line crosses z = const; NaN where it runs along it, or the other way. */
-static void cross(const struct ray *ray, double z, double heading, double point[2])
+static void cross(const struct ray *ray, double z, double light_direction, double point[2])
 {
     double t = (z - ray->point[2]) / ray->cosine[2];
-    bool meets = ray->cosine[2] * heading > ALONG;
+    bool meets = ray->cosine[2] * light_direction > ALONG;
     for (int i = 0; i < 2; i++) {
         point[i] = meets ? ray->point[i] + t * ray->cosine[i] : (double)NAN;
     }
@@ -174,7 +174,7 @@ static void bound(const struct clear_pupil *clear, const double (*points)[2],
 
 /* The outline of rays in a plane, with its limits as numbers of edges. */
 static void look_at(const struct clear_pupil *clear, const struct ray *rays, double z,
-                    double heading, struct arena *arena, struct pupil_extent *extent,
+                    double light_direction, struct arena *arena, struct pupil_extent *extent,
                     size_t limit[PUPIL_ENDS])
 {
     const size_t edges = clear->edge_count, count = ray_count(clear);
@@ -182,7 +182,7 @@ static void look_at(const struct clear_pupil *clear, const struct ray *rays, dou
     bool met = isfinite(z);
     *extent = (struct pupil_extent){.z = z};
     for (size_t i = 0; i < count; i++) {
-        cross(&rays[i], met ? z : 0, heading, points[i]);
+        cross(&rays[i], met ? z : 0, light_direction, points[i]);
         met = met && isfinite(points[i][0]) && isfinite(points[i][1]);
     }
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
@@ -277,7 +277,7 @@ static struct ray *trace_edges(const struct pupil_question *question,
 }
 
 /* Where a folded bundle covers a plane twice its edges enclose nothing that has a meaning. */
-static void check_fold(const struct ray *rays, size_t count, double z, double heading,
+static void check_fold(const struct ray *rays, size_t count, double z, double light_direction,
                        struct arena *arena, struct pupil_extent *extent)
 {
     double(*points)[2] = arena_array(arena, count, sizeof *points);
@@ -285,7 +285,7 @@ static void check_fold(const struct ray *rays, size_t count, double z, double he
         return;
     }
     for (size_t i = 0; i < count; i++) {
-        cross(&rays[i], z, heading, points[i]);
+        cross(&rays[i], z, light_direction, points[i]);
     }
     extent->folds = folding_seen((const double(*)[2])points, count);
     if (!extent->folds) {
@@ -306,23 +306,24 @@ static void check_fold(const struct ray *rays, size_t count, double z, double he
 
 /* The side that the bundle leaves on. */
 static void check_folds(const struct pupil_question *question, const struct clear_pupil *clear,
-                        double heading, struct arena *arena, struct pupil_side *side)
+                        double light_direction, struct arena *arena, struct pupil_side *side)
 {
     size_t count;
     const double(*at)[2] = folding_places(clear, arena, &count);
     const struct ray *rays = trace_places(question, at, count, question->open->places, arena);
-    check_fold(rays, count, side->pupil.z, heading, arena, &side->pupil);
-    check_fold(rays, count, 0, heading, arena, &side->vertex);
+    check_fold(rays, count, side->pupil.z, light_direction, arena, &side->pupil);
+    check_fold(rays, count, 0, light_direction, arena, &side->vertex);
 }
 
 /* What the rays do on one side; the last of them is the chief ray. */
 static void fill_side(const struct clear_pupil *clear, const struct ray *rays, bool has_chief,
-                      double z, double heading, struct arena *arena, struct pupil_side *side)
+                      double z, double light_direction, struct arena *arena,
+                      struct pupil_side *side)
 {
     const struct ray *chief = &rays[ray_count(clear)];
     size_t count = clear->edge_count, ends[PUPIL_ENDS], vertex[PUPIL_ENDS];
-    look_at(clear, rays, z, heading, arena, &side->pupil, ends);
-    look_at(clear, rays, 0, heading, arena, &side->vertex, vertex);
+    look_at(clear, rays, z, light_direction, arena, &side->pupil, ends);
+    look_at(clear, rays, 0, light_direction, arena, &side->vertex, vertex);
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
         size_t edge = ends[i] < count ? ends[i] : vertex[i];
         side->limit[i] = edge < count ? clear->edges[edge].surface : 0;
@@ -330,8 +331,8 @@ static void fill_side(const struct clear_pupil *clear, const struct ray *rays, b
     side->chief = *chief;
     if (!has_chief || side->chief.status == RAY_MISS) {
         side->chief = (struct ray){.point = {NAN, NAN, NAN}, .cosine = {NAN, NAN, NAN}};
-    } else if (side->chief.cosine[2] * heading > ALONG) {
-        cross(chief, 0, heading, side->chief.point);
+    } else if (side->chief.cosine[2] * light_direction > ALONG) {
+        cross(chief, 0, light_direction, side->chief.point);
         side->chief.point[2] = 0;
     }
 }
@@ -416,13 +417,13 @@ bool pupil_shape(const struct pupil_question *question, struct arena *arena,
     const double *middle = shape->has_chief ? chief : clear.centre;
     const struct ray *in = trace_edges(question, &clear, middle, 0, arena);
     const struct ray *out = trace_edges(question, &clear, middle, open->places, arena);
-    double heading[2] = {1, question->first->index_image < 0 ? -1 : 1};
+    double light_direction[2] = {1, question->first->index_image < 0 ? -1 : 1};
     struct pupil_side *own = reverse ? &shape->exit : &shape->entrance;
     fill_side(&clear, reverse ? out : in, shape->has_chief, question->first->entrance_pupil,
-              reverse ? -heading[0] : heading[0], arena, &shape->entrance);
+              reverse ? -light_direction[0] : light_direction[0], arena, &shape->entrance);
     fill_side(&clear, reverse ? in : out, shape->has_chief, question->first->exit_pupil,
-              reverse ? -heading[1] : heading[1], arena, &shape->exit);
-    check_folds(question, &clear, reverse ? -heading[0] : heading[1], arena,
+              reverse ? -light_direction[1] : light_direction[1], arena, &shape->exit);
+    check_folds(question, &clear, reverse ? -light_direction[0] : light_direction[1], arena,
                 reverse ? &shape->entrance : &shape->exit);
     limit_by_beam(&clear, &shape->entrance);
     limit_by_beam(&clear, &shape->exit);

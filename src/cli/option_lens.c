@@ -4,7 +4,7 @@
 
 #include "cli/option.h"
 #include "data/lines.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "optics/wavelength.h"
 
 static bool find_lens(struct lensdb *db, struct text name, struct arena *arena,
@@ -13,7 +13,7 @@ static bool find_lens(struct lensdb *db, struct text name, struct arena *arena,
     struct lens *lens = ARENA_NEW(arena, struct lens);
     struct lens_warnings warnings;
     const char *warning = NULL;
-    if (!lens_db_find(db, name, arena, lens, error)) {
+    if (!lens_open(db, name, arena, lens, error)) {
         return false;
     }
     if (!lens_check(lens, arena, &warnings, error)) {
@@ -91,8 +91,8 @@ static bool read_lens_text(const struct reader *reader, const struct option *opt
 {
     struct lens_text_value value = {.db = reader->db, .arena = reader->arena};
     (void)option;
-    if (!lens_db_content(reader->db, text_trim(text), reader->arena, &value.source, &value.content,
-                         error)) {
+    if (!lens_open_text(reader->db, text_trim(text), reader->arena, &value.source, &value.content,
+                        error)) {
         return false;
     }
     *(struct lens_text_value *)member = value;

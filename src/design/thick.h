@@ -123,9 +123,10 @@ struct thick_score thick_score(const struct thick_rays *rays, const struct thick
 /* A pupil: the picture of the stop from one side. */
 struct thick_pupil {
     double place, radius; /* from the reference plane on that side; signed as the stop's picture */
-    double growth;        /* radius times 1 + growth s, s the squared slope of the ray */
-    double place_error, radius_error, growth_error; /* standard errors, of independent rays */
-    double rms; /* distance of the rays from where they should cross, mm */
+    double spherical_aberration; /* radius times 1 + growth s, s the squared slope of the ray */
+    double place_error, radius_error,
+        spherical_aberration_error; /* standard errors, of independent rays */
+    double rms;                     /* distance of the rays from where they should cross, mm */
 };
 
 /*
@@ -137,7 +138,7 @@ struct thick_pupil {
  *           radius times growth
  * Errors    ERROR_DOMAIN: rays that leave place or radius open
  */
-bool thick_fit_pupil(const struct thick_rays *rays, bool exit, bool growth, struct arena *arena,
-                     struct thick_pupil *pupil, struct error *error);
+bool thick_fit_pupil(const struct thick_rays *rays, bool exit, bool spherical_aberration,
+                     struct arena *arena, struct thick_pupil *pupil, struct error *error);
 
 #endif

@@ -213,14 +213,14 @@ static void put_stated(struct writer *writer)
 }
 
 static void put_displacement(struct writer *writer, const char *key,
-                             const struct displacement *moved)
+                             const struct displacement *displacement)
 {
-    if (moved != NULL) {
+    if (displacement != NULL) {
         put_key(writer, key);
         put(writer, "{\"decenter_mm\":");
-        put_values(writer, moved->decenter, 2, 1);
+        put_values(writer, displacement->decenter, 2, 1);
         put(writer, ",\"tilt_deg\":");
-        put_values(writer, moved->tilt, 3, RADIANS_PER_DEGREE);
+        put_values(writer, displacement->tilt, 3, RADIANS_PER_DEGREE);
         put(writer, "}");
     }
 }
@@ -334,8 +334,8 @@ static bool put_surface(struct writer *writer, size_t i, struct error *error)
         put_key(writer, "cylinder");
         put_string(writer, surface_section(surface)->key);
     }
-    put_displacement(writer, "moved", surface->moved);
-    put_displacement(writer, "bend_before", surface->bend);
+    put_displacement(writer, "moved", surface->decentre);
+    put_displacement(writer, "bend_before", surface->coordinate_break);
     put_varies(writer, surface);
     put(writer, "}");
     return true;

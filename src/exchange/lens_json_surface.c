@@ -27,7 +27,8 @@ static bool read_cell(struct json_reading *reading, const struct json_value *val
 }
 
 static bool read_displacement(struct json_reading *reading, const struct json_value *value,
-                              size_t turns, const struct displacement **moved, struct error *error)
+                              size_t turns, const struct displacement **displacement,
+                              struct error *error)
 {
     static const char *const keys[] = {"decenter_mm", "tilt_deg", NULL};
     struct figure *figures = NULL;
@@ -49,7 +50,7 @@ static bool read_displacement(struct json_reading *reading, const struct json_va
         return false;
     }
     memcpy(all->tilt, figures, sizeof all->tilt);
-    *moved = all;
+    *displacement = all;
     return turns == 3 || all->tilt[2].value.hi == 0 ||
            json_wrong(reading, turn, error, "a surface is not turned about z");
 }
@@ -340,8 +341,9 @@ static bool read_beside(struct json_reading *reading, const struct json_value *o
     return (json_is_null(conic) || read_conic(reading, conic, &surface->conic, error)) &&
            check_curve(reading, object, surface, error) &&
            read_coefficients(reading, json_item(object, "coefficients_mm"), surface, error) &&
-           read_displacement(reading, json_item(object, "moved"), 2, &surface->moved, error) &&
-           read_displacement(reading, json_item(object, "bend_before"), 3, &surface->bend, error) &&
+           read_displacement(reading, json_item(object, "moved"), 2, &surface->decentre, error) &&
+           read_displacement(reading, json_item(object, "bend_before"), 3,
+                             &surface->coordinate_break, error) &&
            read_varies(reading, json_item(object, "vary"), surface, error) &&
            read_thick(reading, object, surface, error);
 }

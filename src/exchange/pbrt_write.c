@@ -72,9 +72,9 @@ static bool lose_shape(struct writer *writer, const struct surface *surface, siz
     if (!surface->has_diameter) {
         return refuse(writer, number, "has no diameter");
     }
-    bool bent = surface->moved != NULL || surface->bend != NULL;
+    bool is_displaced = surface->decentre != NULL || surface->coordinate_break != NULL;
     bool aspheric = fabs(surface->conic.value.hi) > 0 || surface->coefficients != 0;
-    return (!bent ||
+    return (!is_displaced ||
             LOSE(writer, "surface %zu: its decentre or tilt" LOSS_INSTEAD "left out", number)) &&
            (!aspheric ||
             LOSE(writer, "surface %zu: an asphere" LOSS_INSTEAD "a sphere stands for it",

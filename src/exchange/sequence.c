@@ -228,7 +228,7 @@ static void put_curve(const struct sequence *sequence, const struct sequence_sur
 }
 
 /* Beside a shift along the axis, which goes into the thicknesses. */
-static bool is_moved(const struct sequence_surface *surface)
+static bool is_decentred(const struct sequence_surface *surface)
 {
     bool some = sequence_is_some(&surface->shift[0]) || sequence_is_some(&surface->shift[1]);
     for (int i = 0; i < 3; i++) {
@@ -268,8 +268,8 @@ static void spread_z(const struct sequence *sequence)
 static bool check_move(const struct sequence *sequence, const struct sequence_surface *from,
                        struct error *error)
 {
-    const struct lens_words place = commands_place(sequence->commands, &from->moved_at);
-    const struct text word = from->moved_at.text;
+    const struct lens_words place = commands_place(sequence->commands, &from->decentred_at);
+    const struct text word = from->decentred_at.text;
     int turns = sequence_is_some(&from->turn[0]) + sequence_is_some(&from->turn[1]);
     bool about_z = sequence_is_some(&from->turn[2]);
     int moves = turns + about_z;
@@ -301,7 +301,7 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     struct lens_build *build = sequence->build;
     struct arena *arena = sequence->job->arena;
     struct lens *lens = build->lens;
-    if (is_moved(from) && !check_move(sequence, from, error)) {
+    if (is_decentred(from) && !check_move(sequence, from, error)) {
         return false;
     }
     struct surface *surface = lens_build_surface(build);
@@ -329,17 +329,17 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     if (from->is_stop) {
         lens_build_stop(build, *lens_index);
     }
-    if (is_moved(from) && from->move == SEQUENCE_BACK) {
-        surface->moved = displacement_of(sequence, from, false);
-    } else if (is_moved(from)) {
-        surface->bend = displacement_of(sequence, from, false);
+    if (is_decentred(from) && from->move == SEQUENCE_BACK) {
+        surface->decentre = displacement_of(sequence, from, false);
+    } else if (is_decentred(from)) {
+        surface->coordinate_break = displacement_of(sequence, from, false);
     }
-    if (is_moved(from) && from->move == SEQUENCE_BEND) {
+    if (is_decentred(from) && from->move == SEQUENCE_BEND) {
         const struct medium medium = surface->medium;
         surface->thickness = figure_of(0, arena);
         surface = lens_build_surface(build);
         surface->medium = medium;
-        surface->bend = displacement_of(sequence, from, true);
+        surface->coordinate_break = displacement_of(sequence, from, true);
         from->has_plane_behind = true;
     }
     surface->thickness = thickness;
@@ -373,7 +373,7 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     struct sequence_surface *object = &sequence->surfaces[0];
     const struct lens_words place = commands_place(sequence->commands, &object->at);
     bool along = sequence_is_some(&object->shift[2]);
-    if ((sequence_is_some(&object->curve) || is_moved(object) || along) &&
+    if ((sequence_is_some(&object->curve) || is_decentred(object) || along) &&
         !foreign_loss(sequence->job, &place, object->at.text, error,
                       "a curved or tilted object" LOSS_INSTEAD "taken as a plane")) {
         return false;
@@ -415,7 +415,7 @@ static bool put_image(const struct sequence *sequence, bool is_solved, struct er
                       "a curved image" LOSS_INSTEAD "taken as a plane")) {
         return false;
     }
-    if (is_moved(image)) {
+    if (is_decentred(image)) {
         image->thickness = sequence_nothing;
         image->extra = pair_of(0);
         image->medium = lens->surfaces[last - 1].medium;

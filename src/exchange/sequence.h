@@ -69,7 +69,7 @@ struct sequence_surface {
     enum sequence_move move;
     bool turns_first;                /* before it is shifted, and about z first */
     struct figure shift[3], turn[3]; /* x, y, z */
-    struct command_word moved_at;
+    struct command_word decentred_at;
     bool has_plane_behind;     /* in the lens, to turn the axis */
     struct command_word glass; /* what is still to be looked up; empty = medium is known */
     struct sequence_solve thickness_solve, curvature_solve;

@@ -18,8 +18,8 @@ struct parser {
     const struct glass_source *glasses;
     struct surface *surfaces;
     size_t surface_room, note_room, variable_room;
-    const struct displacement *bend; /* of the next surface */
-    struct text stop_word;           /* where the stop was named, and in which line */
+    const struct displacement *coordinate_break; /* of the next surface */
+    struct text stop_word;                       /* where the stop was named, and in which line */
     struct text aperture_word;
     struct lens_words aperture_line;
     struct lens_words *variable_lines; /* where each variable was first used */
@@ -429,8 +429,8 @@ static bool add_surface(struct parser *parser, enum surface_kind kind, struct er
         !find_glass(parser, &surface->medium, error)) {
         return false;
     }
-    surface->bend = parser->bend;
-    parser->bend = NULL;
+    surface->coordinate_break = parser->coordinate_break;
+    parser->coordinate_break = NULL;
     lens->surface_count++;
     if (surface->is_stop) {
         if (lens->stop != LENS_NONE) {
@@ -457,13 +457,13 @@ static bool read_thick(struct parser *parser, struct error *error)
     return add_surface(parser, SURFACE_THICK, error);
 }
 
-static bool read_bend(struct parser *parser, struct error *error)
+static bool read_coordinate_break(struct parser *parser, struct error *error)
 {
-    if (parser->bend != NULL) {
+    if (parser->coordinate_break != NULL) {
         return lens_words_fail(&parser->words, parser->words.line, error,
                                "two bends before one surface");
     }
-    return lens_bend_read(&parser->words, &parser->bend, error);
+    return lens_coordinate_break_read(&parser->words, &parser->coordinate_break, error);
 }
 
 /* The bits of those that may stand once; unit is the first, so that it sees what came before. */
@@ -489,7 +489,7 @@ static const struct {
     {"surface", 0, read_surface},
     {"stop", 0, read_stop},
     {"thick", 0, read_thick},
-    {"bend", 0, read_bend},
+    {"bend", 0, read_coordinate_break},
 };
 
 static bool read_line(struct parser *parser, struct error *error)

@@ -61,29 +61,32 @@ static struct displacement *add_plane(struct turn *turn)
 {
     const struct lens *lens = turn->build.lens;
     const struct medium medium = lens->surfaces[lens->surface_count - 1].medium;
-    struct displacement *bend = ARENA_NEW(turn->arena, struct displacement);
+    struct displacement *coordinate_break = ARENA_NEW(turn->arena, struct displacement);
     struct surface *plane = lens_build_surface(&turn->build);
     for (int i = 0; i < 3; i++) {
-        bend->tilt[i] = bend->decenter[i % 2] = figure_zero();
+        coordinate_break->tilt[i] = coordinate_break->decenter[i % 2] = figure_zero();
     }
     plane->medium = medium;
-    plane->bend = bend;
-    return bend;
+    plane->coordinate_break = coordinate_break;
+    return coordinate_break;
 }
 
 /* Undo a bend: z, y, x, shift. */
-static void add_bends(struct turn *turn, const struct displacement *bend)
+static void add_breaks(struct turn *turn, const struct displacement *coordinate_break)
 {
     for (int i = 2; i >= 0; i--) {
-        if (bend->tilt[i].value.hi != 0) {
-            const enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BEND_TILT_X + i);
-            add_plane(turn)->tilt[i] = undone(turn, kind, bend->tilt[i]);
+        if (coordinate_break->tilt[i].value.hi != 0) {
+            const enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BREAK_TILT_X + i);
+            add_plane(turn)->tilt[i] = undone(turn, kind, coordinate_break->tilt[i]);
         }
     }
-    if (bend->decenter[0].value.hi != 0 || bend->decenter[1].value.hi != 0) {
+    if (coordinate_break->decenter[0].value.hi != 0 ||
+        coordinate_break->decenter[1].value.hi != 0) {
         struct displacement *shift = add_plane(turn);
-        shift->decenter[0] = undone(turn, PARAMETER_BEND_DECENTER_X, bend->decenter[0]);
-        shift->decenter[1] = undone(turn, PARAMETER_BEND_DECENTER_Y, bend->decenter[1]);
+        shift->decenter[0] =
+            undone(turn, PARAMETER_BREAK_DECENTER_X, coordinate_break->decenter[0]);
+        shift->decenter[1] =
+            undone(turn, PARAMETER_BREAK_DECENTER_Y, coordinate_break->decenter[1]);
     }
 }
 
@@ -181,7 +184,7 @@ static void add_surface(struct turn *turn, size_t index)
     struct surface *to = lens_build_surface(&turn->build);
     *to = from->surfaces[index];
     to->medium = index > 0 ? from->surfaces[index - 1].medium : from->object_medium;
-    to->bend = NULL;
+    to->coordinate_break = NULL;
     turn_numbers(turn, to);
     to->varies = NULL;
     to->vary_count = 0;
@@ -191,8 +194,8 @@ static void add_surface(struct turn *turn, size_t index)
     if (from->surfaces[index].is_stop) {
         turn->build.lens->stop = turn->build.lens->surface_count - 1;
     }
-    if (from->surfaces[index].bend != NULL) {
-        add_bends(turn, from->surfaces[index].bend);
+    if (from->surfaces[index].coordinate_break != NULL) {
+        add_breaks(turn, from->surfaces[index].coordinate_break);
     }
     if (index > 0) {
         struct lens *lens = turn->build.lens;

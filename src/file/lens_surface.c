@@ -10,7 +10,7 @@
 struct reading {
     struct lens_words *words;
     struct surface *surface;
-    struct displacement *moved;
+    struct displacement *decentre;
     struct vary *varies;
     const struct lens_surface_line *line;
     bool stops;    /* the word stop stands there already */
@@ -94,12 +94,12 @@ static bool read_conic(struct reading *reading, struct text value, struct error 
 
 static struct displacement *displacement_of(struct reading *reading)
 {
-    if (reading->moved == NULL) {
-        reading->moved = ARENA_NEW(reading->words->arena, struct displacement);
-        *reading->moved = displacement_none;
-        reading->surface->moved = reading->moved;
+    if (reading->decentre == NULL) {
+        reading->decentre = ARENA_NEW(reading->words->arena, struct displacement);
+        *reading->decentre = displacement_none;
+        reading->surface->decentre = reading->decentre;
     }
-    return reading->moved;
+    return reading->decentre;
 }
 
 static bool read_decenter(struct reading *reading, struct text value, struct error *error)
@@ -386,7 +386,8 @@ bool lens_surface_read(struct lens_words *words, const struct lens_surface_line 
     return true;
 }
 
-bool lens_bend_read(struct lens_words *words, const struct displacement **bend, struct error *error)
+bool lens_coordinate_break_read(struct lens_words *words,
+                                const struct displacement **coordinate_break, struct error *error)
 {
     struct displacement *all = ARENA_NEW(words->arena, struct displacement);
     bool has_decenter = false, has_tilt = false;
@@ -411,6 +412,6 @@ bool lens_bend_read(struct lens_words *words, const struct displacement **bend, 
             return false;
         }
     }
-    *bend = all;
+    *coordinate_break = all;
     return true;
 }

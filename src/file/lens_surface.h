@@ -21,7 +21,7 @@ bool lens_surface_read(struct lens_words *words, const struct lens_surface_line 
                        struct surface *surface, struct error *error);
 
 /* Read what follows `bend`. */
-bool lens_bend_read(struct lens_words *words, const struct displacement **bend,
-                    struct error *error);
+bool lens_coordinate_break_read(struct lens_words *words,
+                                const struct displacement **coordinate_break, struct error *error);
 
 #endif

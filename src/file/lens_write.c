@@ -114,8 +114,8 @@ static void put_extras(struct writer *writer, const struct surface *surface)
     if (surface->is_stop && surface->kind != SURFACE_STOP) {
         put_string(writer, " stop");
     }
-    if (surface->moved != NULL) {
-        put_displacement(writer, surface->moved, 2);
+    if (surface->decentre != NULL) {
+        put_displacement(writer, surface->decentre, 2);
     }
     if (!surface_is_round(surface)) {
         put_string(writer, " cyl=");
@@ -140,9 +140,9 @@ static void put_extras(struct writer *writer, const struct surface *surface)
 
 static void put_surface(struct writer *writer, const struct surface *surface)
 {
-    if (surface->bend != NULL) {
+    if (surface->coordinate_break != NULL) {
         put_string(writer, "bend");
-        put_displacement(writer, surface->bend, 3);
+        put_displacement(writer, surface->coordinate_break, 3);
         put(writer, "\n", 1);
     }
     size_t start = writer->text.length;

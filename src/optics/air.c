@@ -50,7 +50,7 @@ static double resonance_gap(const struct glass_thermal *thermal, double l)
     return l * l - copysign(thermal->resonance * thermal->resonance, thermal->resonance);
 }
 
-double glass_growth(const struct glass *glass, double wavelength, double temperature)
+double glass_dn_dT(const struct glass *glass, double wavelength, double temperature)
 {
     const struct glass_thermal *t = &glass->thermal;
     double n = glass_n(glass, wavelength), dT = temperature - t->reference;
@@ -59,8 +59,8 @@ double glass_growth(const struct glass *glass, double wavelength, double tempera
             (t->e0 + 2 * t->e1 * dT) / resonance_gap(t, wavelength));
 }
 
-/* Growth from the reference temperature on: the integral of glass_growth. */
-static double growth_over(const struct glass_thermal *t, double n, double l, double dT)
+/* Growth from the reference temperature on: the integral of glass_dn_dT. */
+static double change_over(const struct glass_thermal *t, double n, double l, double dT)
 {
     double bracket = t->d0 + dT * (t->d1 + dT * t->d2) + (t->e0 + dT * t->e1) / resonance_gap(t, l);
     return (n * n - 1) / (2 * n) * bracket * dT;
@@ -78,14 +78,14 @@ bool glass_in_air(const struct glass *glass, double wavelength, const struct air
 {
     const struct glass_thermal *thermal = &glass->thermal;
     struct glass_index index = glass_index(glass, pair_of(wavelength));
-    double dT = air->temperature - thermal->reference, growth = 0;
+    double dT = air->temperature - thermal->reference, change = 0;
     if (isnan(dT)) {
         return not_known(glass, "reference temperature", error);
     }
     if (fabs(dT) > 0) {
-        growth = growth_over(thermal, index.n.hi, wavelength, dT);
+        change = change_over(thermal, index.n.hi, wavelength, dT);
     }
-    if (isnan(growth)) {
+    if (isnan(change)) {
         return not_known(glass, "dn/dT", error);
     }
     const struct air reference = {air->model, thermal->reference, AIR_STANDARD_PRESSURE};
@@ -93,9 +93,9 @@ bool glass_in_air(const struct glass *glass, double wavelength, const struct air
     double after = air_refractivity(air, wavelength);
     /* n (1 + before)/(1 + after), by the difference: no digit is lost where they agree */
     double ratio = (before - after) / (1 + after);
-    state->n = index.n.hi + (index.n.lo + index.n.hi * ratio + growth / (1 + after));
+    state->n = index.n.hi + (index.n.lo + index.n.hi * ratio + change / (1 + after));
     /* the dispersion of air and of the growth are below 1e-5 of the glass's own */
     state->slope = index.slope * (1 + ratio);
-    state->growth = glass_growth(glass, wavelength, air->temperature);
+    state->dn_dT = glass_dn_dT(glass, wavelength, air->temperature);
     return true;
 }

@@ -37,9 +37,9 @@ double air_refractivity(const struct air *air, double wavelength);
 
 /* Index of a glass in another state. */
 struct glass_state {
-    double n;      /* relative to that air; to vacuum with pressure 0 */
-    double slope;  /* dn/dl, 1/um */
-    double growth; /* dn/dT in vacuum at that temperature, 1/K; NaN if not known */
+    double n;     /* relative to that air; to vacuum with pressure 0 */
+    double slope; /* dn/dl, 1/um */
+    double dn_dT; /* dn/dT in vacuum at that temperature, 1/K; NaN if not known */
 };
 
 /*
@@ -58,6 +58,6 @@ bool glass_in_air(const struct glass *glass, double wavelength, const struct air
                   struct glass_state *state, struct error *error);
 
 /* dn/dT in vacuum, 1/K; NaN where the catalogue does not give it. */
-double glass_growth(const struct glass *glass, double wavelength, double temperature);
+double glass_dn_dT(const struct glass *glass, double wavelength, double temperature);
 
 #endif

@@ -315,14 +315,14 @@ const char *first_order_warning(const struct lens *lens, struct arena *arena)
     const char *warning = lens->focus == FOCUS_BEST ? focus : NULL;
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        if (surface->moved == NULL && surface->bend == NULL) {
+        if (surface->decentre == NULL && surface->coordinate_break == NULL) {
             continue;
         }
         const char *text = arena_printf(
             arena,
             "surface %zu is %s: first-order data are those of the "
             "centred lens",
-            i + 1, surface->moved != NULL ? "decentred or tilted" : "behind a bend of the axis");
+            i + 1, surface->decentre != NULL ? "decentred or tilted" : "behind a bend of the axis");
         return warning == NULL ? text : arena_printf(arena, "%s; %s", text, warning);
     }
     return warning;

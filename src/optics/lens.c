@@ -238,7 +238,8 @@ bool lens_is_round(const struct lens *lens)
 {
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        if (surface->moved != NULL || surface->bend != NULL || !surface_is_round(surface)) {
+        if (surface->decentre != NULL || surface->coordinate_break != NULL ||
+            !surface_is_round(surface)) {
             return false;
         }
     }

@@ -131,14 +131,14 @@ static void put_coefficient(struct surface *surface, size_t offset, struct figur
     put_member(surface, offset, figure, arena);
 }
 
-static const struct figure *look_moved(const struct surface *surface, size_t offset)
+static const struct figure *look_decentre(const struct surface *surface, size_t offset)
 {
-    return surface->moved != NULL ? at(surface->moved, offset) : NULL;
+    return surface->decentre != NULL ? at(surface->decentre, offset) : NULL;
 }
 
-static const struct figure *look_bend(const struct surface *surface, size_t offset)
+static const struct figure *look_break(const struct surface *surface, size_t offset)
 {
-    return surface->bend != NULL ? at(surface->bend, offset) : NULL;
+    return surface->coordinate_break != NULL ? at(surface->coordinate_break, offset) : NULL;
 }
 
 /* Another displacement with one number changed; without one the others are 0. */
@@ -151,16 +151,16 @@ static const struct displacement *displaced(const struct displacement *from, siz
     return to;
 }
 
-static void put_moved(struct surface *surface, size_t offset, struct figure figure,
-                      struct arena *arena)
+static void put_decentre(struct surface *surface, size_t offset, struct figure figure,
+                         struct arena *arena)
 {
-    surface->moved = displaced(surface->moved, offset, figure, arena);
+    surface->decentre = displaced(surface->decentre, offset, figure, arena);
 }
 
-static void put_bend(struct surface *surface, size_t offset, struct figure figure,
-                     struct arena *arena)
+static void put_break(struct surface *surface, size_t offset, struct figure figure,
+                      struct arena *arena)
 {
-    surface->bend = displaced(surface->bend, offset, figure, arena);
+    surface->coordinate_break = displaced(surface->coordinate_break, offset, figure, arena);
 }
 
 static const struct storage member = {look_member, put_member, NULL, NULL},
@@ -169,8 +169,8 @@ static const struct storage member = {look_member, put_member, NULL, NULL},
                                          set_curvature},
                             thickness = {look_thickness, put_thickness, NULL, NULL},
                             coefficient = {look_coefficient, put_coefficient, NULL, NULL},
-                            moved = {look_moved, put_moved, NULL, NULL},
-                            bend = {look_bend, put_bend, NULL, NULL};
+                            decentre = {look_decentre, put_decentre, NULL, NULL},
+                            coordinate_break = {look_break, put_break, NULL, NULL};
 
 enum {
     MARK = PARAMETER_IS_MARK,
@@ -183,8 +183,8 @@ enum {
 #define ROW(kind, basis, wants, where, ...)                                                        \
     [PARAMETER_##kind] = {{__VA_ARGS__, PARAMETER_##basis}, wants, where}
 #define IN(part, what)        &(part), offsetof(struct surface, what)
-#define MOVED(what)           &moved, offsetof(struct displacement, what)
-#define BEND(what)            &bend, offsetof(struct displacement, what)
+#define DECENTRE(what)        &decentre, offsetof(struct displacement, what)
+#define BREAK(what)           &coordinate_break, offsetof(struct displacement, what)
 #define IN_MEDIUM(what)       NULL, offsetof(struct medium, what)
 #define ONE(kind, where, ...) [PARAMETER_##kind] = {{__VA_ARGS__, PARAMETER_##kind}, 0, where}
 
@@ -208,18 +208,21 @@ static const struct row {
     ROW(INDEX, INDEX, MEDIUM, IN_MEDIUM(index), "n", "index", 0, BEHIND, TURN_KEEPS),
     ROW(ABBE, INDEX, MEDIUM, IN_MEDIUM(abbe), "V", "Abbe number", 0, BEHIND, TURN_KEEPS),
     ROW(GLASS, KINDS, MEDIUM, IN_MEDIUM(written), "glass", "glass", 0, MARK | BEHIND, TURN_KEEPS),
-    ONE(DECENTER_X, MOVED(decenter[0]), "decenter_x", "decentre in x", 1, 0, TURN_WITH_AXES),
-    ONE(DECENTER_Y, MOVED(decenter[1]), "decenter_y", "decentre in y", 1, 0, TURN_KEEPS),
-    ONE(TILT_X, MOVED(tilt[0]), "tilt_x", "tilt about x", 0, ANGLE, TURN_WITH_AXES),
-    ONE(TILT_Y, MOVED(tilt[1]), "tilt_y", "tilt about y", 0, ANGLE, TURN_KEEPS),
-    ONE(TILT_Z, MOVED(tilt[2]), "tilt_z", "tilt about z", 0, ANGLE, TURN_WITH_AXES),
-    ONE(BEND_DECENTER_X, BEND(decenter[0]),
+    ONE(DECENTER_X, DECENTRE(decenter[0]), "decenter_x", "decentre in x", 1, 0, TURN_WITH_AXES),
+    ONE(DECENTER_Y, DECENTRE(decenter[1]), "decenter_y", "decentre in y", 1, 0, TURN_KEEPS),
+    ONE(TILT_X, DECENTRE(tilt[0]), "tilt_x", "tilt about x", 0, ANGLE, TURN_WITH_AXES),
+    ONE(TILT_Y, DECENTRE(tilt[1]), "tilt_y", "tilt about y", 0, ANGLE, TURN_KEEPS),
+    ONE(TILT_Z, DECENTRE(tilt[2]), "tilt_z", "tilt about z", 0, ANGLE, TURN_WITH_AXES),
+    ONE(BREAK_DECENTER_X, BREAK(decenter[0]),
         "bend_decenter_x", "bend's decentre in x", 1, 0, TURN_WITH_AXES),
-    ONE(BEND_DECENTER_Y, BEND(decenter[1]),
+    ONE(BREAK_DECENTER_Y, BREAK(decenter[1]),
         "bend_decenter_y", "bend's decentre in y", 1, 0, TURN_KEEPS),
-    ONE(BEND_TILT_X, BEND(tilt[0]), "bend_tilt_x", "bend's tilt about x", 0, ANGLE, TURN_WITH_AXES),
-    ONE(BEND_TILT_Y, BEND(tilt[1]), "bend_tilt_y", "bend's tilt about y", 0, ANGLE, TURN_KEEPS),
-    ONE(BEND_TILT_Z, BEND(tilt[2]), "bend_tilt_z", "bend's tilt about z", 0, ANGLE, TURN_WITH_AXES),
+    ONE(BREAK_TILT_X, BREAK(tilt[0]),
+        "bend_tilt_x", "bend's tilt about x", 0, ANGLE, TURN_WITH_AXES),
+    ONE(BREAK_TILT_Y, BREAK(tilt[1]),
+        "bend_tilt_y", "bend's tilt about y", 0, ANGLE, TURN_KEEPS),
+    ONE(BREAK_TILT_Z, BREAK(tilt[2]),
+        "bend_tilt_z", "bend's tilt about z", 0, ANGLE, TURN_WITH_AXES),
 };
 /* clang-format on */
 

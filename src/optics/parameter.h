@@ -36,11 +36,11 @@ enum parameter_kind {
     PARAMETER_TILT_X, /* rad */
     PARAMETER_TILT_Y,
     PARAMETER_TILT_Z,
-    PARAMETER_BEND_DECENTER_X, /* of the axis before the surface, and all that follows */
-    PARAMETER_BEND_DECENTER_Y,
-    PARAMETER_BEND_TILT_X,
-    PARAMETER_BEND_TILT_Y,
-    PARAMETER_BEND_TILT_Z,
+    PARAMETER_BREAK_DECENTER_X, /* of the axis before the surface, and all that follows */
+    PARAMETER_BREAK_DECENTER_Y,
+    PARAMETER_BREAK_TILT_X,
+    PARAMETER_BREAK_TILT_Y,
+    PARAMETER_BREAK_TILT_Z,
     PARAMETER_KINDS
 };
 

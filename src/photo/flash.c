@@ -167,17 +167,17 @@ bool lighting_stops(double ratio, double *stops, struct error *error)
 }
 
 /* All that enters the two exposures is given and legal. */
-static bool check_ambient(const struct flash_ambient *scene, struct error *error)
+static bool check_ambient(const struct flash_ambient *light, struct error *error)
 {
-    const struct flash_setting *s = &scene->flash;
+    const struct flash_setting *s = &light->flash;
     return check_setting(s, error) && require_positive("--guide-number", " mm", s->GN, error) &&
            require_positive("--aperture", "", s->N, error) &&
            require_positive("--distance", " mm", s->d, error) &&
            require_positive("--iso", "", s->S, error) &&
            require_positive("--power", "", s->power, error) &&
            require_positive("--flashes", "", s->flashes, error) &&
-           require_positive("--time", " s", scene->t, error) &&
-           require_within("--ev", "", scene->ev100, -100, 100, error);
+           require_positive("--time", " s", light->t, error) &&
+           require_within("--ev", "", light->ev100, -100, 100, error);
 }
 
 static bool check_sync(double t, double sync, struct error *error)
@@ -195,10 +195,10 @@ static bool check_sync(double t, double sync, struct error *error)
     return true;
 }
 
-bool flash_against_ambient(const struct flash_ambient *scene, struct flash_balance *balance,
+bool flash_against_ambient(const struct flash_ambient *light, struct flash_balance *balance,
                            struct error *error)
 {
-    struct flash_ambient given = *scene;
+    struct flash_ambient given = *light;
     struct flash_setting *s = &given.flash;
     assume(&s->loss, 0);
     if (!check_ambient(&given, error) || !check_sync(given.t, given.sync, error)) {

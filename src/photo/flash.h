@@ -118,7 +118,7 @@ struct flash_balance {
  *           the sync time
  * Limits    `loss` here is the flash's; a filter on the lens takes light from both
  */
-bool flash_against_ambient(const struct flash_ambient *scene, struct flash_balance *balance,
+bool flash_against_ambient(const struct flash_ambient *light, struct flash_balance *balance,
                            struct error *error);
 
 #endif

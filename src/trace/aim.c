@@ -93,12 +93,12 @@ static void broyden(struct search *search, const double change[2])
     double *m = search->inverse, moved[2], back[2];
     multiply(m, change, moved);
     const double *s = search->step;
-    double below = s[0] * moved[0] + s[1] * moved[1];
-    if (!(fabs(below) > 1e-12 * (s[0] * s[0] + s[1] * s[1]))) {
+    double denominator = s[0] * moved[0] + s[1] * moved[1];
+    if (!(fabs(denominator) > 1e-12 * (s[0] * s[0] + s[1] * s[1]))) {
         return;
     }
-    back[0] = (s[0] * m[0] + s[1] * m[2]) / below;
-    back[1] = (s[0] * m[1] + s[1] * m[3]) / below;
+    back[0] = (s[0] * m[0] + s[1] * m[2]) / denominator;
+    back[1] = (s[0] * m[1] + s[1] * m[3]) / denominator;
     double more[2] = {s[0] - moved[0], s[1] - moved[1]};
     for (int i = 0; i < 4; i++) {
         m[i] += more[i / 2] * back[i % 2];

@@ -21,7 +21,7 @@ void chief_to_stop(const struct aim *aim)
     const struct system *system = aim->system;
     struct ray_block *block = aim->work.blocks;
     rays_trace_part(system, 0, system_place(system, system->stop) + 1, &aim->work, NULL);
-    if (system->lens->surfaces[system->stop].moved == NULL) {
+    if (system->lens->surfaces[system->stop].decentre == NULL) {
         return;
     }
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
@@ -159,11 +159,11 @@ static double excess(const struct aim *aim, double b)
 
 /* Is this bracket better than the one there is? Rim first, then nearness to the paraxial ray. */
 static void offer(const struct aim *aim, const struct region *region, double low, double high,
-                  bool compares_rims, struct bracket *bracket)
+                  bool compares_apertures, struct bracket *bracket)
 {
     double middle = (low + high) / 2;
     double distance = fabs(middle - region->guess[1]);
-    if (compares_rims) {
+    if (compares_apertures) {
         double beyond = fmax(excess(aim, middle) - 1, 0);
         distance += 1e6 * beyond * (region->high[1] - region->low[1]);
     }

@@ -107,8 +107,8 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
         if ((what & DERIVE_DISPLACEMENT) != 0) {
             number(&numbering, i, PARAMETER_DECENTER_X, 5);
         }
-        if ((what & DERIVE_BEND) != 0) {
-            number(&numbering, i, PARAMETER_BEND_DECENTER_X, 5);
+        if ((what & DERIVE_BREAK) != 0) {
+            number(&numbering, i, PARAMETER_BREAK_DECENTER_X, 5);
         }
     }
     *layout = (struct derivative_layout){what, numbering.next, count, numbering.row};
@@ -189,7 +189,7 @@ static struct adjoint_rows rows_of(const struct sweep *sweep, size_t place)
     rows.index_before = row_or(sweep, PARAMETER_INDEX, reverse ? surface : surface - 1, scratch);
     rows.index_after = row_or(sweep, PARAMETER_INDEX, reverse ? surface - 1 : surface, scratch);
     if (reverse && place > 0) { /* the way lies along the axis before a bend */
-        rows.along_behind = system->lens->surfaces[surface + 1].bend != NULL;
+        rows.along_behind = system->lens->surfaces[surface + 1].coordinate_break != NULL;
     }
     if (rows.index_after == rows.index_before) {
         rows.index_after = scratch + RAYS_BLOCK; /* a mirror: the kernel adds nothing there */
@@ -202,7 +202,7 @@ static void add_displacement(const struct sweep *sweep, size_t place, size_t fir
     const struct system *system = sweep->system;
     size_t surface = system_surface(system, place);
     size_t row = row_of(sweep->layout, PARAMETER_DECENTER_X, 0, surface);
-    const struct displacement *moved = system->lens->surfaces[surface].moved;
+    const struct displacement *decentre = system->lens->surfaces[surface].decentre;
     const struct step *step = &system->steps[first];
     struct displace all = {.front = &sweep->tape->blocks[first],
                            .behind = &sweep->tape->blocks[end],
@@ -211,9 +211,9 @@ static void add_displacement(const struct sweep *sweep, size_t place, size_t fir
                            .t = step->t,
                            .axes = {1, 0, 0, 0, 1, 0, 0, 0, 1},
                            .rows = sweep->gradient + row * RAYS_BLOCK};
-    if (moved != NULL) {
-        struct frame frame = frame_of(moved, 0);
-        double ax = moved->tilt[0].value.hi;
+    if (decentre != NULL) {
+        struct frame frame = frame_of(decentre, 0);
+        double ax = decentre->tilt[0].value.hi;
         all.t = step->shift[2];
         all.shift[0] = frame.shift[0];
         all.shift[1] = frame.shift[1];
@@ -243,7 +243,7 @@ static void put_rigid(const struct rigid *motion, const struct ray_block *restri
 }
 
 /* Bends of the axis act in front of one step: of this place, or of the next if light goes back. */
-static void add_bends(const struct sweep *sweep, size_t place)
+static void add_breaks(const struct sweep *sweep, size_t place)
 {
     const struct system *system = sweep->system;
     size_t acting = system->options.reverse ? place - 1 : place, begin = system->begin[place];
@@ -252,7 +252,7 @@ static void add_bends(const struct sweep *sweep, size_t place)
     }
     size_t surface = system_surface(system, acting);
     for (int i = 0; i < 5; i++) {
-        enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BEND_DECENTER_X + i);
+        enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BREAK_DECENTER_X + i);
         size_t row = row_of(sweep->layout, kind, 0, surface);
         struct rigid motion;
         if (row != LENS_NONE && rigid_before(system, kind, surface, begin, &motion)) {
@@ -267,8 +267,8 @@ static void sweep_place(const struct sweep *sweep, size_t place)
     const struct system *system = sweep->system;
     size_t begin = system->begin[place], end = system->begin[place + 1];
     size_t surface = system_surface(system, place), count = system->lens->surface_count;
-    bool moved = surface < count && system->lens->surfaces[surface].moved != NULL;
-    size_t bends = end - begin - (moved ? 3 : 1);
+    bool is_decentred = surface < count && system->lens->surfaces[surface].decentre != NULL;
+    size_t breaks = end - begin - (is_decentred ? 3 : 1);
     struct adjoint_rows rows = rows_of(sweep, place);
     bool displaces = surface < count && (sweep->layout->what & DERIVE_DISPLACEMENT) != 0;
     if (displaces) {
@@ -279,12 +279,12 @@ static void sweep_place(const struct sweep *sweep, size_t place)
             i == begin ? thickness_row(sweep, place) : sweep->tape->scratch + 2 * RAYS_BLOCK;
         sweep->kernel(&system->steps[i], &sweep->tape->blocks[i], &sweep->tape->blocks[i + 1],
                       sweep->adjoint, &rows);
-        if (displaces && i == begin + bends) {
+        if (displaces && i == begin + breaks) {
             add_displacement(sweep, place, i, end);
         }
     }
-    if ((sweep->layout->what & DERIVE_BEND) != 0) {
-        add_bends(sweep, place);
+    if ((sweep->layout->what & DERIVE_BREAK) != 0) {
+        add_breaks(sweep, place);
     }
 }
 

@@ -11,7 +11,7 @@ enum {
     DERIVE_CONIC = 1,
     DERIVE_SERIES = 2,
     DERIVE_DISPLACEMENT = 4,
-    DERIVE_BEND = 8,
+    DERIVE_BREAK = 8,
     DERIVE_ODD = 16 /* and what DERIVE_SERIES says */
 };
 

@@ -64,13 +64,13 @@ void frame_directions(const struct lens *lens, double *direction)
     double axis[3] = {0, 0, 1};
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        if (surface->bend != NULL) {
-            struct frame frame = frame_of(surface->bend, 0);
+        if (surface->coordinate_break != NULL) {
+            struct frame frame = frame_of(surface->coordinate_break, 0);
             turn(frame.turn, axis, axis);
         }
         double normal[3] = {0, 0, 1};
-        if (surface->moved != NULL) {
-            struct frame frame = frame_of(surface->moved, 0);
+        if (surface->decentre != NULL) {
+            struct frame frame = frame_of(surface->decentre, 0);
             turn_back(frame.turn, normal, normal);
         }
         double along = axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2];
@@ -90,10 +90,10 @@ struct frame system_to_first(const struct system *system, size_t surface)
     /* of X in this frame: all.turn^-1 X + all.shift, with turn the rows of its axes */
     for (size_t i = 0; i <= last; i++) {
         double way[3] = {0, 0, i > 0 ? surface_advance(&lens->surfaces[i - 1]).hi : 0}, moved[3];
-        const struct displacement *bend = lens->surfaces[i].bend;
+        const struct displacement *coordinate_break = lens->surfaces[i].coordinate_break;
         struct frame frame;
-        if (bend != NULL) {
-            frame = frame_of(bend, way[2]);
+        if (coordinate_break != NULL) {
+            frame = frame_of(coordinate_break, way[2]);
             way[0] = frame.shift[0];
             way[1] = frame.shift[1];
         }
@@ -101,7 +101,7 @@ struct frame system_to_first(const struct system *system, size_t surface)
         for (int j = 0; j < 3; j++) {
             all.shift[j] += moved[j];
         }
-        for (int column = 0; column < 3 && bend != NULL; column++) {
+        for (int column = 0; column < 3 && coordinate_break != NULL; column++) {
             double v[3] = {all.turn[column], all.turn[3 + column], all.turn[6 + column]};
             turn(frame.turn, v, v);
             for (int row = 0; row < 3; row++) {
@@ -125,10 +125,10 @@ struct frame system_to_first(const struct system *system, size_t surface)
 
 void system_to_own(const struct system *system, size_t surface, double point[3])
 {
-    const struct displacement *moved =
-        surface < system->lens->surface_count ? system->lens->surfaces[surface].moved : NULL;
-    if (moved != NULL) {
-        struct frame frame = frame_of(moved, 0);
+    const struct displacement *decentre =
+        surface < system->lens->surface_count ? system->lens->surfaces[surface].decentre : NULL;
+    if (decentre != NULL) {
+        struct frame frame = frame_of(decentre, 0);
         for (int i = 0; i < 3; i++) {
             point[i] -= frame.shift[i];
         }
@@ -147,8 +147,8 @@ void system_normal(const struct system *system, size_t surface, const double poi
     const struct surface *s = &system->lens->surfaces[surface];
     struct frame frame;
     double at[3] = {point[0], point[1], point[2]};
-    if (s->moved != NULL) {
-        frame = frame_of(s->moved, 0);
+    if (s->decentre != NULL) {
+        frame = frame_of(s->decentre, 0);
         system_to_own(system, surface, at);
     }
     if (surface_has(s, SURFACE_HAS_CURVE)) {
@@ -162,7 +162,7 @@ void system_normal(const struct system *system, size_t surface, const double poi
         normal[1] = ny / length;
         normal[2] = f / length;
     }
-    if (s->moved != NULL) {
+    if (s->decentre != NULL) {
         turn_back(frame.turn, normal, normal);
     }
 }

@@ -69,8 +69,8 @@ INLINE void sphere_find(struct ray_block *block, const struct step *s, bool path
     double C = s->c * square - 2 * ray.z;
     double B = ray.r - s->c * (ray.x * ray.p + ray.y * ray.q + ray.z * ray.r);
     found->square[i] = B * B - s->cn * C;
-    found->above[i] = C;
-    found->below[i] = B;
+    found->numerator[i] = C;
+    found->denominator[i] = B;
 }
 
 /* g = s (E - D), E = n' cos I'. */
@@ -78,7 +78,7 @@ INLINE void sphere_roots(const struct step *s, bool reflects, double direction, 
                          int i)
 {
     double D = sqrt(found->square[i]), E = sqrt(found->square[i] + s->dn);
-    found->below[i] += direction * D;
+    found->denominator[i] += direction * D;
     found->bend[i] = direction * (reflects ? -2 * D : E - D);
 }
 
@@ -207,7 +207,7 @@ static void without_path(const struct step *steps, size_t count, struct ray_bloc
 }
 
 /* NaN for what is lost, but for clipped rays; and nothing that is not finite is on its way. */
-static void settle(struct ray_block *block, double miss)
+static void mark_lost(struct ray_block *block, double miss)
 {
     for (int i = 0; i < RAYS_BLOCK; i++) {
         double sum = (block->x[i] + block->y[i] + block->z[i]) +
@@ -256,7 +256,7 @@ void NAME(kernel_trace, KERNEL)(const struct step *steps, size_t count, bool pat
     } else {
         without_path(steps, count, block);
     }
-    settle(block, steps[count - 1].miss);
+    mark_lost(block, steps[count - 1].miss);
 }
 
 void NAME(kernel_tape, KERNEL)(const struct step *steps, size_t count, bool path,
@@ -271,6 +271,6 @@ void NAME(kernel_tape, KERNEL)(const struct step *steps, size_t count, bool path
         }
     }
     if (count > 0) {
-        settle(&blocks[count], steps[count - 1].miss);
+        mark_lost(&blocks[count], steps[count - 1].miss);
     }
 }

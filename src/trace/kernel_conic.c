@@ -33,14 +33,14 @@ INLINE void conic_find(struct ray_block *block, const struct step *s, struct cur
                         : at.cx * s->n11 + (at.ck - at.cx) * ray.r * ray.r;
     double square = B * B - A * C;
     found->square[i] = (rim & (square < 0)) ? 0 : square;
-    found->above[i] = C;
-    found->below[i] = B;
+    found->numerator[i] = C;
+    found->denominator[i] = B;
 }
 
 INLINE void conic_root(const struct step *s, struct found *found, int i)
 {
     double D = sqrt(found->square[i]);
-    found->below[i] += s->direction * D;
+    found->denominator[i] += s->direction * D;
     found->bend[i] = D;
 }
 
@@ -58,7 +58,7 @@ INLINE void conic_meet(struct ray_block *block, const struct step *s, struct cur
     ray.path += s->n11 * d;
     double f = 1 - at.ck * ray.z, N2 = x * x + y * y + f * f;
     found->square[i] += s->dn * N2;
-    found->below[i] = N2;
+    found->denominator[i] = N2;
     store_point(block, i, &ray, path);
 }
 
@@ -66,7 +66,7 @@ INLINE void conic_meet(struct ray_block *block, const struct step *s, struct cur
 INLINE void normal_root(const struct step *s, bool reflects, struct found *found, int i)
 {
     double D = found->bend[i], E = sqrt(found->square[i]);
-    found->above[i] = s->direction * (reflects ? -2 * D : E - D);
+    found->numerator[i] = s->direction * (reflects ? -2 * D : E - D);
 }
 
 /* g N is added to p, N = (-gx x, -gy y, f). */
@@ -189,8 +189,8 @@ INLINE void newton_aim(const struct ray_block *block, const struct step *s, stru
 {
     struct lane ray = load(block, i, 0);
     struct shape at = shape_of(&ray, s, of);
-    found->above[i] = at.F;
-    found->below[i] = at.f * ray.r - (at.gx * ray.x * ray.p + at.gy * ray.y * ray.q);
+    found->numerator[i] = at.F;
+    found->denominator[i] = at.f * ray.r - (at.gx * ray.x * ray.p + at.gy * ray.y * ray.q);
     found->f[i] = at.f;
 }
 
@@ -219,7 +219,7 @@ INLINE void asphere_look(const struct ray_block *block, const struct step *s, st
     double D = s->direction * (at.f * ray.r - (gx * ray.p + gy * ray.q));
     found->bend[i] = D;
     found->square[i] = D * D + s->dn * N2;
-    found->below[i] = N2;
+    found->denominator[i] = N2;
     found->f[i] = at.f;
     found->G[i] = at.G;
 }
@@ -252,7 +252,7 @@ INLINE bool any_open(const struct found *found)
 /* Is the ray at the front of the surface, on the sheet of the vertex? A NaN is not. */
 INLINE bool is_there(const struct step *s, const struct found *found, int i)
 {
-    return (found->open[i] == 0) & (s->direction * found->below[i] > 0) & (found->f[i] > 0);
+    return (found->open[i] == 0) & (s->direction * found->denominator[i] > 0) & (found->f[i] > 0);
 }
 
 INLINE bool all_there(const struct step *s, const struct found *found)

@@ -132,17 +132,17 @@ enum { LATE = 8 };
 
 /* What the stages hand on, one row each. */
 struct found {
-    double square[RAYS_BLOCK];                   /* a root is to be drawn of it */
-    double above[RAYS_BLOCK], below[RAYS_BLOCK]; /* to be divided .. */
-    double way[RAYS_BLOCK];                      /* .. is this: d, later g */
-    double bend[RAYS_BLOCK];                     /* D; of spheres g */
-    double f[RAYS_BLOCK], G[RAYS_BLOCK];         /* of the normal of an asphere */
-    double open[RAYS_BLOCK];                     /* 1 = Newton's method goes on */
+    double square[RAYS_BLOCK];                             /* a root is to be drawn of it */
+    double numerator[RAYS_BLOCK], denominator[RAYS_BLOCK]; /* to be divided .. */
+    double way[RAYS_BLOCK];                                /* .. is this: d, later g */
+    double bend[RAYS_BLOCK];                               /* D; of spheres g */
+    double f[RAYS_BLOCK], G[RAYS_BLOCK];                   /* of the normal of an asphere */
+    double open[RAYS_BLOCK];                               /* 1 = Newton's method goes on */
 };
 
 INLINE void divide(struct found *found, int i)
 {
-    found->way[i] = found->above[i] / found->below[i];
+    found->way[i] = found->numerator[i] / found->denominator[i];
 }
 #define DIVIDE(i) divide(&found, i)
 

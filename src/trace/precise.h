@@ -246,16 +246,16 @@ static inline void precise_transfer(struct precise_ray *ray, const struct system
     const struct surface *surfaces = system->lens->surfaces;
     if (system->options.reverse) {
         if (i + 1 < system->lens->surface_count) {
-            if (surfaces[i + 1].bend != NULL) {
-                precise_move_back(ray, surfaces[i + 1].bend);
+            if (surfaces[i + 1].coordinate_break != NULL) {
+                precise_move_back(ray, surfaces[i + 1].coordinate_break);
             }
             ray->x[2] += precise_of(surface_advance(&surfaces[i]));
         }
         return;
     }
     REAL z = i > 0 ? precise_of(surface_advance(&surfaces[i - 1])) : 0;
-    if (surfaces[i].bend != NULL) {
-        precise_move(ray, surfaces[i].bend, z);
+    if (surfaces[i].coordinate_break != NULL) {
+        precise_move(ray, surfaces[i].coordinate_break, z);
     } else {
         ray->x[2] -= z;
     }
@@ -269,8 +269,8 @@ static inline bool precise_surface(struct precise_ray *ray, const struct system 
     REAL n1 = precise_of(system->n[reverse ? i + 1 : i]);
     REAL n2 = precise_of(system->n[reverse ? i : i + 1]), N[3];
     precise_transfer(ray, system, i);
-    if (surface->moved != NULL) {
-        precise_move(ray, surface->moved, 0);
+    if (surface->decentre != NULL) {
+        precise_move(ray, surface->decentre, 0);
     }
     REAL direction = (REAL)system->direction[i] * (reverse && !reflects ? -1 : 1);
     bool is_thick = surface_has(surface, SURFACE_HAS_FOCAL);
@@ -290,8 +290,8 @@ static inline bool precise_surface(struct precise_ray *ray, const struct system 
         ray->status = met ? RAY_TOTAL_REFLECTION : RAY_MISS;
         ray->surface = i + 1;
     }
-    if (surface->moved != NULL) {
-        precise_move_back(ray, surface->moved);
+    if (surface->decentre != NULL) {
+        precise_move_back(ray, surface->decentre);
     }
     return good;
 }

@@ -25,7 +25,7 @@ static double excess_at(const struct system *system, size_t surface, const struc
                         size_t lane, double clear)
 {
     double point[3] = {block->x[lane], block->y[lane], block->z[lane]};
-    if (system->lens->surfaces[surface].moved != NULL) {
+    if (system->lens->surfaces[surface].decentre != NULL) {
         system_to_own(system, surface, point);
     }
     double x = point[0] / clear, y = point[1] / clear;

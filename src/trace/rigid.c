@@ -43,18 +43,18 @@ static bool is_own(enum parameter_kind kind)
 static size_t own_step(const struct system *system, size_t surface, size_t *end)
 {
     *end = system->begin[system_place(system, surface) + 1];
-    return *end - (system->lens->surfaces[surface].moved != NULL ? 3 : 1);
+    return *end - (system->lens->surfaces[surface].decentre != NULL ? 3 : 1);
 }
 
 /* Into the frame of the bend, about its origin. */
-static void turn_motion(struct rigid *motion, const struct displacement *bend)
+static void turn_motion(struct rigid *motion, const struct displacement *coordinate_break)
 {
     struct rigid old = *motion;
     motion->at[0] = motion->at[1] = motion->at[2] = 0;
-    if (bend == NULL) {
+    if (coordinate_break == NULL) {
         return;
     }
-    struct frame frame = frame_of(bend, 0);
+    struct frame frame = frame_of(coordinate_break, 0);
     for (int i = 0; i < 3; i++) {
         const double *row = &frame.turn[(ptrdiff_t)3 * i];
         motion->shift[i] = row[0] * old.shift[0] + row[1] * old.shift[1] + row[2] * old.shift[2];
@@ -62,37 +62,39 @@ static void turn_motion(struct rigid *motion, const struct displacement *bend)
     }
 }
 
-static bool bend_before(const struct system *system, int number, size_t surface, size_t step,
-                        struct rigid *motion)
+static bool break_before(const struct system *system, int number, size_t surface, size_t step,
+                         struct rigid *motion)
 {
     const struct surface *surfaces = system->lens->surfaces;
-    const struct displacement *bend = surfaces[surface].bend;
+    const struct displacement *coordinate_break = surfaces[surface].coordinate_break;
     size_t place = system_place(system, surface);
     double t = surface > 0 ? surfaces[surface - 1].thickness.value.hi : 0;
     if (!system->options.reverse) {
-        *motion = motion_of(bend, number, t);
+        *motion = motion_of(coordinate_break, number, t);
         motion->sign = -1;
         return step == system->begin[place];
     }
     /* light leaves the bent part */
-    *motion = motion_of(bend, number, 0);
-    turn_motion(motion, bend);
+    *motion = motion_of(coordinate_break, number, 0);
+    turn_motion(motion, coordinate_break);
     return surface > 0 && step == system->begin[place + 1];
 }
 
 bool rigid_before(const struct system *system, enum parameter_kind kind, size_t surface,
                   size_t step, struct rigid *motion)
 {
-    if (kind >= PARAMETER_BEND_DECENTER_X) {
-        return bend_before(system, (int)(kind - PARAMETER_BEND_DECENTER_X), surface, step, motion);
+    if (kind >= PARAMETER_BREAK_DECENTER_X) {
+        return break_before(system, (int)(kind - PARAMETER_BREAK_DECENTER_X), surface, step,
+                            motion);
     }
     size_t end;
     if (!is_own(kind) || step != own_step(system, surface, &end)) {
         return false;
     }
     const struct step *s = &system->steps[step];
-    *motion = motion_of(system->lens->surfaces[surface].moved, (int)(kind - PARAMETER_DECENTER_X),
-                        s->kind == STEP_MOVE ? s->shift[2] : s->t);
+    *motion =
+        motion_of(system->lens->surfaces[surface].decentre, (int)(kind - PARAMETER_DECENTER_X),
+                  s->kind == STEP_MOVE ? s->shift[2] : s->t);
     motion->sign = -1;
     return true;
 }
@@ -105,6 +107,6 @@ bool rigid_behind(const struct system *system, enum parameter_kind kind, size_t 
         return false;
     }
     *motion =
-        motion_of(system->lens->surfaces[surface].moved, (int)(kind - PARAMETER_DECENTER_X), 0);
+        motion_of(system->lens->surfaces[surface].decentre, (int)(kind - PARAMETER_DECENTER_X), 0);
     return true;
 }

@@ -190,20 +190,21 @@ static double put_transfer(struct writing *writing, size_t place)
     const struct lens *lens = system->lens;
     bool reverse = system->options.reverse;
     if (place == 0) {
-        const struct displacement *bend = reverse ? NULL : lens->surfaces[0].bend;
-        if (bend != NULL) {
-            struct frame frame = frame_of(bend, 0);
+        const struct displacement *coordinate_break =
+            reverse ? NULL : lens->surfaces[0].coordinate_break;
+        if (coordinate_break != NULL) {
+            struct frame frame = frame_of(coordinate_break, 0);
             put_move(writing, &frame, 0);
         }
         return 0;
     }
     size_t left = reverse ? lens->surface_count - 1 - place : place - 1;
     double t = surface_advance(&lens->surfaces[left]).hi;
-    const struct displacement *bend = lens->surfaces[left + 1].bend;
-    if (bend == NULL) {
+    const struct displacement *coordinate_break = lens->surfaces[left + 1].coordinate_break;
+    if (coordinate_break == NULL) {
         return reverse ? -t : t;
     }
-    struct frame frame = frame_of(bend, t);
+    struct frame frame = frame_of(coordinate_break, t);
     if (reverse) {
         frame = frame_inverse(&frame);
     }
@@ -249,8 +250,8 @@ static void put_surface(struct writing *writing, size_t place)
     double t = put_transfer(writing, place);
     size_t before = writing->count;
     struct frame back;
-    if (surface->moved != NULL) {
-        struct frame frame = frame_of(surface->moved, 0);
+    if (surface->decentre != NULL) {
+        struct frame frame = frame_of(surface->decentre, 0);
         back = frame_inverse(&frame);
         frame.shift[2] += t;
         put_move(writing, &frame, place);
@@ -272,7 +273,7 @@ static void put_surface(struct writing *writing, size_t place)
         set_thick(step, system, i);
     }
     step->hop = place == 0 || writing->count - before > 1 || !(fabs(step->c * t) <= 1);
-    if (surface->moved != NULL) {
+    if (surface->decentre != NULL) {
         put_move(writing, &back, place);
     }
 }

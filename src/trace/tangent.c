@@ -52,7 +52,8 @@ static void seed_thickness(const struct system *system, const struct parameter *
         by->surface != (reverse ? count - 1 - place : place - 1)) {
         return;
     }
-    if (reverse && step->kind == STEP_MOVE && system->lens->surfaces[by->surface + 1].bend) {
+    if (reverse && step->kind == STEP_MOVE &&
+        system->lens->surfaces[by->surface + 1].coordinate_break) {
         seed->t_behind = 1; /* the way lies along the axis that is turned to */
     } else {
         seed->t = reverse ? -1 : 1;

@@ -1,8 +1,8 @@
 /* tests/bench/fit.c - a thick lens fitted to 1000 exact rays; what a ray costs by each model. */
 /* SPDX-License-Identifier: MIT */
-#include "design/bundle.h"
+#include "design/ray_data.h"
 #include "design/thick.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "trace/dispatch.h"
 #include "trace/system.h"
 
@@ -30,14 +30,14 @@ static void need(bool good, const struct error *error)
 }
 
 /* ns a ray by a thick lens's map; the thin lens is the same map with H and H' in one plane. */
-static double time_map(const struct bundle *bundle, const struct thick_lens *lens)
+static double time_map(const struct ray_data *ray_data, const struct thick_lens *lens)
 {
     double best = INFINITY, sum = 0;
     for (int turn = 0; turn < TURNS; turn++) {
         double start = now();
-        for (size_t i = 0; i < bundle->rays.count; i++) {
-            const struct slope_ray in = {bundle->rays.x[i], bundle->rays.y[i], bundle->rays.p[i],
-                                         bundle->rays.q[i]};
+        for (size_t i = 0; i < ray_data->rays.count; i++) {
+            const struct slope_ray in = {ray_data->rays.x[i], ray_data->rays.y[i],
+                                         ray_data->rays.p[i], ray_data->rays.q[i]};
             const struct slope_ray out = thick_lens_map(lens, in);
             sum += out.x + out.y + out.p + out.q;
         }
@@ -46,7 +46,7 @@ static double time_map(const struct bundle *bundle, const struct thick_lens *len
     if (!isfinite(sum)) {
         puts("not finite");
     }
-    return 1e9 * best / (double)bundle->rays.count;
+    return 1e9 * best / (double)ray_data->rays.count;
 }
 
 /* ns a ray by exact tracing, with clear apertures. */
@@ -80,8 +80,8 @@ static double time_exact(const struct lens *lens, const struct first_order *firs
 struct subject {
     struct lens lens;
     struct setup setup;
-    struct bundle_request request;
-    struct bundle bundle;
+    struct ray_data_request request;
+    struct ray_data ray_data;
     struct thick_fit fit;
     double trace_time, fit_time; /* s */
 };
@@ -95,7 +95,7 @@ static void open_subject(struct subject *subject, struct arena *arena)
                                                 {{FIELD_ANGLE, {0, 0.24}}, 1}};
     struct error error;
     struct lensdb db = {.arena = arena};
-    need(lens_db_find(&db, text_of("double-gauss"), arena, &subject->lens, &error), &error);
+    need(lens_open(&db, text_of("double-gauss"), arena, &subject->lens, &error), &error);
     const struct setup_question question = {.lens = &subject->lens,
                                             .wavelength = 0.5875618,
                                             .fnumber = NAN,
@@ -103,7 +103,7 @@ static void open_subject(struct subject *subject, struct arena *arena)
                                             .field_count = 5,
                                             .field_policy = FIELDS_SPREAD};
     need(setup_open(&question, arena, &subject->setup, &error), &error);
-    subject->request = (struct bundle_request){
+    subject->request = (struct ray_data_request){
         .setup = &subject->setup, .pattern = PATTERN_SQUARE, .ray_count = 200, .no_clip = true};
     subject->trace_time = subject->fit_time = INFINITY;
 }
@@ -114,13 +114,13 @@ static void run_once(struct subject *subject, struct arena *work)
     const struct first_order *first = &subject->setup.first;
     struct error error;
     double start = now();
-    need(bundle_trace(&subject->request, work, &subject->bundle, &error), &error);
+    need(ray_data_trace(&subject->request, work, &subject->ray_data, &error), &error);
     subject->trace_time = fmin(subject->trace_time, now() - start);
     struct thick_task task = {
-        .rays = subject->bundle.rays,
+        .rays = subject->ray_data.rays,
         .group_count = 1,
-        .index_object = subject->bundle.index_object,
-        .index_image = subject->bundle.index_image,
+        .index_object = subject->ray_data.index_object,
+        .index_image = subject->ray_data.index_image,
         .planes = {first->image, first->exit_pupil},
         .plane_weights = {1, THICK_PUPIL_WEIGHT},
         .focus_weight = THICK_FOCUS_WEIGHT,
@@ -130,7 +130,7 @@ static void run_once(struct subject *subject, struct arena *work)
     start = now();
     need(thick_fit(&task, work, &subject->fit, &error), &error);
     subject->fit_time = fmin(subject->fit_time, now() - start);
-    subject->bundle.rays.count = task.rays.count;
+    subject->ray_data.rays.count = task.rays.count;
 }
 
 int main(void)
@@ -145,10 +145,11 @@ int main(void)
     const struct thick_lens *thick = &subject.fit.lenses[0];
     struct thick_lens thin = *thick;
     thin.front = subject.setup.first.length + thin.rear;
-    printf("rays %zu\niterations %d\n", subject.bundle.rays.count, subject.fit.summary.iterations);
+    printf("rays %zu\niterations %d\n", subject.ray_data.rays.count,
+           subject.fit.summary.iterations);
     printf("fit %.1f\nbundle %.1f\n", 1e6 * subject.fit_time, 1e6 * subject.trace_time);
     printf("exact %.2f\n", time_exact(&subject.lens, &subject.setup.first, &arena));
-    printf("thick %.2f\nthin %.2f\n", time_map(&subject.bundle, thick),
-           time_map(&subject.bundle, &thin));
+    printf("thick %.2f\nthin %.2f\n", time_map(&subject.ray_data, thick),
+           time_map(&subject.ray_data, &thin));
     return 0;
 }

@@ -1,6 +1,6 @@
 /* tests/bench/paraxial.c - time against error of the first-order engine: paraxial LENS... */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "optics/first_order.h"
 #include "optics/portable.h"
 
@@ -125,7 +125,7 @@ static void time_lens(const char *name, struct arena *arena)
     struct lensdb db = {.arena = arena};
     struct lens lens;
     struct error error;
-    if (!lens_db_find(&db, text_of(name), arena, &lens, &error)) {
+    if (!lens_open(&db, text_of(name), arena, &lens, &error)) {
         fprintf(stderr, "bench: %s\n", error.message);
         exit(1);
     }

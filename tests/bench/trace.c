@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
 #include "divider.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "trace/derivative.h"
 #include "trace/dispatch.h"
 #include "trace/tangent.h"
@@ -134,52 +134,53 @@ static double time_plain(const struct lens *lens, struct arena *arena)
     return best;
 }
 
-struct bench {
+struct fixture {
     struct arena arena;
     struct lens lens;
     struct system system;
     struct rays start, rays;
 };
 
-static void set_up(struct bench *bench, const char *text, bool clip, bool path, size_t count)
+static void set_up(struct fixture *fixture, const char *text, bool clip, bool path, size_t count)
 {
     struct error error;
     struct system_options options = system_options_default();
     options.clip = clip;
     options.path = path;
     options.image = 72.2;
-    if (!lens_read("bench", text_of(text), NULL, &bench->arena, &bench->lens, &error) ||
-        !system_compile(&bench->lens, 0.5875618, &options, &bench->arena, &bench->system, &error)) {
+    if (!lens_read("bench", text_of(text), NULL, &fixture->arena, &fixture->lens, &error) ||
+        !system_compile(&fixture->lens, 0.5875618, &options, &fixture->arena, &fixture->system,
+                        &error)) {
         fprintf(stderr, "bench: %s\n", error.message);
         exit(1);
     }
-    bench->start = rays_new(&bench->arena, count);
-    bench->rays = rays_new(&bench->arena, count);
+    fixture->start = rays_new(&fixture->arena, count);
+    fixture->rays = rays_new(&fixture->arena, count);
     for (size_t i = 0; i < count; i++) {
         struct ray ray = ray_of(i);
-        rays_set(&bench->start, i, 1, &ray);
+        rays_set(&fixture->start, i, 1, &ray);
     }
 }
 
 /* Seconds for all rays; rays are set anew each time, as any use of them does. */
-static double time_rays(struct bench *bench, const struct trace_way *way, int repeat)
+static double time_rays(struct fixture *fixture, const struct trace_way *way, int repeat)
 {
     double best = 1e9;
-    size_t bytes = rays_blocks(&bench->start) * sizeof(struct ray_block);
+    size_t bytes = rays_blocks(&fixture->start) * sizeof(struct ray_block);
     for (int turn = 0; turn < TURNS; turn++) {
         double began = now();
         for (int again = 0; again < repeat; again++) {
-            memcpy(bench->rays.blocks, bench->start.blocks, bytes);
-            rays_trace(&bench->system, &bench->rays, way);
+            memcpy(fixture->rays.blocks, fixture->start.blocks, bytes);
+            rays_trace(&fixture->system, &fixture->rays, way);
         }
         best = fmin(best, (now() - began) / repeat);
     }
     return best;
 }
 
-static double million(const struct bench *bench, double seconds)
+static double million(const struct fixture *fixture, double seconds)
 {
-    return (double)bench->rays.count * (double)bench->system.places / seconds / 1e6;
+    return (double)fixture->rays.count * (double)fixture->system.places / seconds / 1e6;
 }
 
 /* The double Gauss with something behind the numbers of every curved surface. */
@@ -197,60 +198,62 @@ static char *gauss_with(struct arena *arena, const char *extra)
 
 static double cost(const char *extra, bool path, double base)
 {
-    struct bench bench = {{0}};
-    char *text = gauss_with(&bench.arena, extra);
-    set_up(&bench, text, true, path, RAYS);
-    double seconds = time_rays(&bench, NULL, 5);
-    arena_free(&bench.arena);
+    struct fixture fixture = {{0}};
+    char *text = gauss_with(&fixture.arena, extra);
+    set_up(&fixture, text, true, path, RAYS);
+    double seconds = time_rays(&fixture, NULL, 5);
+    arena_free(&fixture.arena);
     return seconds / base;
 }
 
 /* A lens of a telephone, with aspheres all over. */
 static double phone(void)
 {
-    struct bench bench = {{0}};
-    struct lensdb db = {.arena = &bench.arena};
+    struct fixture fixture = {{0}};
+    struct lensdb db = {.arena = &fixture.arena};
     struct error error;
     struct system_options options = system_options_default();
     options.clip = true;
-    if (!lens_db_find(&db, text_of("phone-80deg"), &bench.arena, &bench.lens, &error) ||
-        !system_compile(&bench.lens, 0.5875618, &options, &bench.arena, &bench.system, &error)) {
+    if (!lens_open(&db, text_of("phone-80deg"), &fixture.arena, &fixture.lens, &error) ||
+        !system_compile(&fixture.lens, 0.5875618, &options, &fixture.arena, &fixture.system,
+                        &error)) {
         fprintf(stderr, "bench: %s\n", error.message);
         exit(1);
     }
-    bench.start = rays_new(&bench.arena, RAYS);
-    bench.rays = rays_new(&bench.arena, RAYS);
+    fixture.start = rays_new(&fixture.arena, RAYS);
+    fixture.rays = rays_new(&fixture.arena, RAYS);
     for (size_t i = 0; i < RAYS; i++) {
         struct ray ray = ray_of(i);
         ray.point[0] *= 0.05;
         ray.point[1] *= 0.05;
-        rays_set(&bench.start, i, 1, &ray);
+        rays_set(&fixture.start, i, 1, &ray);
     }
-    double figure = million(&bench, time_rays(&bench, NULL, 5));
-    arena_free(&bench.arena);
+    double figure = million(&fixture, time_rays(&fixture, NULL, 5));
+    arena_free(&fixture.arena);
     return figure;
 }
 
 /* All first derivatives of x and y by curvatures, thicknesses, indices and the entrance ray. */
-static double time_derivatives(struct bench *bench)
+static double time_derivatives(struct fixture *fixture)
 {
     struct derivative_layout layout;
-    derivative_layout(&bench->system, 0, &bench->arena, &layout);
-    struct derivative_tape tape = derivative_tape_new(&bench->system, &bench->arena);
-    double *gradient = ARENA_ARRAY(&bench->arena, layout.rows * RAYS_BLOCK, double);
+    derivative_layout(&fixture->system, 0, &fixture->arena, &layout);
+    struct derivative_tape tape = derivative_tape_new(&fixture->system, &fixture->arena);
+    double *gradient = ARENA_ARRAY(&fixture->arena, layout.rows * RAYS_BLOCK, double);
     static struct ray_block adjoint;
     double best = 1e9;
     for (int turn = 0; turn < TURNS; turn++) {
         double began = now();
         for (int again = 0; again < 5; again++) {
-            for (size_t i = 0; i < rays_blocks(&bench->start); i++) {
-                derivative_trace(&bench->system, &bench->start.blocks[i], SET_BEST, &tape);
+            for (size_t i = 0; i < rays_blocks(&fixture->start); i++) {
+                derivative_trace(&fixture->system, &fixture->start.blocks[i], SET_BEST, &tape);
                 for (int output = 0; output < 2; output++) {
                     memset(&adjoint, 0, sizeof adjoint);
                     for (int lane = 0; lane < RAYS_BLOCK; lane++) {
                         (output == 0 ? adjoint.x : adjoint.y)[lane] = 1;
                     }
-                    derivative_sweep(&bench->system, &layout, SET_BEST, &tape, &adjoint, gradient);
+                    derivative_sweep(&fixture->system, &layout, SET_BEST, &tape, &adjoint,
+                                     gradient);
                 }
             }
         }
@@ -260,10 +263,10 @@ static double time_derivatives(struct bench *bench)
 }
 
 /* A trace that is kept and `count` tangents: curvatures of the first surfaces. */
-static double time_tangents(struct bench *bench, size_t count)
+static double time_tangents(struct fixture *fixture, size_t count)
 {
-    struct derivative_tape tape = derivative_tape_new(&bench->system, &bench->arena);
-    struct rays tangents = rays_new(&bench->arena, count * RAYS_BLOCK);
+    struct derivative_tape tape = derivative_tape_new(&fixture->system, &fixture->arena);
+    struct rays tangents = rays_new(&fixture->arena, count * RAYS_BLOCK);
     struct parameter by[TANGENTS_MOST];
     double best = 1e9;
     for (size_t j = 0; j < count; j++) {
@@ -272,10 +275,10 @@ static double time_tangents(struct bench *bench, size_t count)
     for (int turn = 0; turn < TURNS * 4; turn++) {
         double began = now();
         for (int again = 0; again < 5; again++) {
-            for (size_t i = 0; i < rays_blocks(&bench->start); i++) {
-                derivative_trace(&bench->system, &bench->start.blocks[i], SET_BEST, &tape);
+            for (size_t i = 0; i < rays_blocks(&fixture->start); i++) {
+                derivative_trace(&fixture->system, &fixture->start.blocks[i], SET_BEST, &tape);
                 memset(tangents.blocks, 0, count * sizeof *tangents.blocks);
-                tangent_trace(&bench->system, by, count, SET_BEST, &tape, tangents.blocks);
+                tangent_trace(&fixture->system, by, count, SET_BEST, &tape, tangents.blocks);
             }
         }
         best = fmin(best, (now() - began) / 5);
@@ -285,51 +288,51 @@ static double time_tangents(struct bench *bench, size_t count)
 
 static double gain(size_t count)
 {
-    struct bench bench = {{0}};
-    set_up(&bench, gauss, true, false, count);
+    struct fixture fixture = {{0}};
+    set_up(&fixture, gauss, true, false, count);
     const struct trace_way two = {SET_BEST, 2};
     double one = 1e9, both = 1e9;
     for (int i = 0; i < TURNS / 2; i++) {
         double began = now();
-        rays_trace(&bench.system, &bench.start, NULL);
+        rays_trace(&fixture.system, &fixture.start, NULL);
         one = fmin(one, now() - began);
         began = now();
-        rays_trace(&bench.system, &bench.start, &two);
+        rays_trace(&fixture.system, &fixture.start, &two);
         both = fmin(both, now() - began);
     }
-    arena_free(&bench.arena);
+    arena_free(&fixture.arena);
     return one / both;
 }
 
 int main(void)
 {
-    struct bench bench = {{0}};
-    set_up(&bench, gauss, true, false, RAYS);
-    double plain = time_plain(&bench.lens, &bench.arena), base = 0;
-    printf("plain %.0f\n", million(&bench, plain));
+    struct fixture fixture = {{0}};
+    set_up(&fixture, gauss, true, false, RAYS);
+    double plain = time_plain(&fixture.lens, &fixture.arena), base = 0;
+    printf("plain %.0f\n", million(&fixture, plain));
     for (enum instruction_set set = SET_SSE2; set <= SET_AVX512; set++) {
         if (instruction_set_works(set)) {
             const struct trace_way way = {set, 1};
-            double seconds = time_rays(&bench, &way, 5);
-            plain = fmin(plain, time_plain(&bench.lens, &bench.arena));
-            printf("%s %.0f\n%s/plain %.2f\n", instruction_set_name(set), million(&bench, seconds),
-                   instruction_set_name(set), plain / seconds);
+            double seconds = time_rays(&fixture, &way, 5);
+            plain = fmin(plain, time_plain(&fixture.lens, &fixture.arena));
+            printf("%s %.0f\n%s/plain %.2f\n", instruction_set_name(set),
+                   million(&fixture, seconds), instruction_set_name(set), plain / seconds);
             /* 10 spheres are all that needs the divider much; planes count, but cost little */
             printf("%s_limit %.0f\n", instruction_set_name(set), divider_spheres(set) * 12 / 10.8);
             base = seconds;
         }
     }
-    base = fmin(base, time_rays(&bench, NULL, 5));
+    base = fmin(base, time_rays(&fixture, NULL, 5));
     printf("path %.2f\n", cost("", true, base));
     printf("conic %.2f\n", cost(" k=-0.01", false, base));
     printf("asphere %.2f\n", cost(" k=-0.01 A4=1e-8 A6=1e-12 A8=1e-16", false, base));
     printf("phone %.0f\n", phone());
-    printf("derivatives %.2f\n", time_derivatives(&bench) / base);
+    printf("derivatives %.2f\n", time_derivatives(&fixture) / base);
     for (size_t count = 1; count <= TANGENTS_MOST; count *= 2) {
-        printf("tangents_%zu %.2f\n", count, time_tangents(&bench, count) / base);
+        printf("tangents_%zu %.2f\n", count, time_tangents(&fixture, count) / base);
     }
     printf("threads_1e5 %.2f\n", gain(100000));
     printf("threads_1e6 %.2f\n", gain(1000000));
-    arena_free(&bench.arena);
+    arena_free(&fixture.arena);
     return 0;
 }

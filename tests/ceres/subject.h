@@ -4,15 +4,15 @@
 #define LENSCALC_TESTS_CERES_SUBJECT_H
 
 #include "analysis/setup.h"
-#include "design/bundle.h"
+#include "design/ray_data.h"
 #include "design/thick.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 
 struct subject {
     struct lens lens;
     struct setup setup;
     struct first_order first; /* with the aperture of the rays */
-    struct bundle bundle;
+    struct ray_data ray_data;
     struct thick_task task;
 };
 
@@ -36,11 +36,11 @@ static inline bool subject_trace(const struct subject_rays *wanted, struct arena
     }
     subject->setup.fields = fields;
     subject->setup.field_count = wanted->field_count;
-    const struct bundle_request request = {.setup = &subject->setup,
-                                           .pattern = wanted->pattern,
-                                           .ray_count = wanted->rays,
-                                           .no_clip = wanted->no_clip};
-    return bundle_trace(&request, arena, &subject->bundle, error);
+    const struct ray_data_request request = {.setup = &subject->setup,
+                                             .pattern = wanted->pattern,
+                                             .ray_count = wanted->rays,
+                                             .no_clip = wanted->no_clip};
+    return ray_data_trace(&request, arena, &subject->ray_data, error);
 }
 
 /* The lens at its aperture, its rays, and the fit that lenscalc makes of them. */
@@ -49,7 +49,7 @@ static inline bool subject_open(const char *name, const struct subject_rays *wan
 {
     struct lensdb db = {.arena = arena};
     struct first_order *first = &subject->first;
-    if (!lens_db_find(&db, text_of(name), arena, &subject->lens, error)) {
+    if (!lens_open(&db, text_of(name), arena, &subject->lens, error)) {
         return false;
     }
     const double d = 0.5875618;
@@ -67,10 +67,10 @@ static inline bool subject_open(const char *name, const struct subject_rays *wan
     if (!subject_trace(wanted, arena, subject, error)) {
         return false;
     }
-    subject->task = (struct thick_task){.rays = subject->bundle.rays,
+    subject->task = (struct thick_task){.rays = subject->ray_data.rays,
                                         .group_count = subject->setup.wavelength_count,
-                                        .index_object = subject->bundle.index_object,
-                                        .index_image = subject->bundle.index_image,
+                                        .index_object = subject->ray_data.index_object,
+                                        .index_image = subject->ray_data.index_image,
                                         .planes = {first->image, first->exit_pupil},
                                         .plane_weights = {1, THICK_PUPIL_WEIGHT},
                                         .focus_weight = THICK_FOCUS_WEIGHT,

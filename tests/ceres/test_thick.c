@@ -10,7 +10,7 @@ __extension__ typedef __float128 quad; /* 113 bits */
 enum { MOST = 1000 };
 
 /* Rays with room for everything. */
-struct bundle {
+struct made_rays {
     double x[MOST], y[MOST], p[MOST], q[MOST], x_out[MOST], y_out[MOST], p_out[MOST], q_out[MOST];
     double stop_x[MOST], stop_y[MOST];
     size_t group[MOST];
@@ -37,7 +37,7 @@ static double noise(uint64_t *state)
 }
 
 /* Rays of one lens a group, in turn; through a pupil of radius 20 at 30 mm if it has one. */
-static void make_rays(struct bundle *all, const struct thick_lens *lenses, size_t groups,
+static void make_rays(struct made_rays *all, const struct thick_lens *lenses, size_t groups,
                       size_t count, double field, uint64_t seed)
 {
     uint64_t state = seed;
@@ -73,7 +73,7 @@ static void make_rays(struct bundle *all, const struct thick_lens *lenses, size_
 
 static const double ones[THICK_GROUPS] = {1, 1, 1, 1};
 
-static struct thick_task task_of(const struct bundle *all)
+static struct thick_task task_of(const struct made_rays *all)
 {
     return (struct thick_task){.rays = all->rays,
                                .group_count = 1,
@@ -94,7 +94,7 @@ static const struct thick_lens plain_lens = {.focal = 100.7163,
 
 static void test_recovered(void)
 {
-    static struct bundle all;
+    static struct made_rays all;
     struct arena arena = {0};
     struct thick_fit fit;
     struct error error;
@@ -112,7 +112,7 @@ static void test_recovered(void)
 /* In water behind, with distortion, colours of their own, and an object near by. */
 static void test_recovered_more(void)
 {
-    static struct bundle all;
+    static struct made_rays all;
     const double behind[3] = {1.333, 1.343, 1.331};
     struct thick_lens lenses[3];
     for (int g = 0; g < 3; g++) {
@@ -153,7 +153,7 @@ static void test_recovered_more(void)
 /* Every term more makes the residual smaller, for rays no thick lens has. */
 static void test_nested(void)
 {
-    static struct bundle all;
+    static struct made_rays all;
     struct arena arena = {0};
     struct thick_fit fit;
     struct error error;
@@ -175,8 +175,8 @@ static void test_nested(void)
 }
 
 /* thick_lens_map in 113 bits, written anew, with the ray's point in a plane. */
-static quad point(const double *parameter, const quad change[6], const struct bundle *all, size_t i,
-                  double object, double index, double plane, int section)
+static quad point(const double *parameter, const quad change[6], const struct made_rays *all,
+                  size_t i, double object, double index, double plane, int section)
 {
     quad f = parameter[0] + change[0], front = parameter[1] + change[1];
     quad rear = parameter[2] + change[2], in[2] = {all->x[i], all->y[i]};
@@ -196,7 +196,7 @@ static quad point(const double *parameter, const quad change[6], const struct bu
 
 static void test_derivatives(void)
 {
-    static struct bundle all;
+    static struct made_rays all;
     const double objects[2] = {INFINITY, 450}, index[1] = {1.25};
     static double residuals[4 * 50], jacobian[4 * 50 * 6];
     for (int k = 0; k < 2; k++) {
@@ -228,7 +228,7 @@ static void test_derivatives(void)
 static void test_standard_errors(double pupil_weight, double pupil_noise)
 {
     enum { FITS = 400, RAYS = 60 };
-    static struct bundle all;
+    static struct made_rays all;
     double sum[3] = {0}, squares[3] = {0}, stated[3] = {0};
     uint64_t state = 11;
     for (int k = 0; k < FITS; k++) {
@@ -267,7 +267,7 @@ static void test_standard_errors(double pupil_weight, double pupil_noise)
 
 static void test_pupil(void)
 {
-    static struct bundle all;
+    static struct made_rays all;
     struct arena arena = {0};
     struct thick_pupil pupil;
     struct error error;
@@ -275,7 +275,7 @@ static void test_pupil(void)
     CHECK(thick_fit_pupil(&all.rays, false, true, &arena, &pupil, &error));
     CHECK_RELATIVE(pupil.place, 30.0, 1e-11, "entrance pupil");
     CHECK_RELATIVE(pupil.radius, 20.0, 1e-11, "its radius");
-    CHECK_NEAR(pupil.growth, 0, 1e-10, "no growth");
+    CHECK_NEAR(pupil.spherical_aberration, 0, 1e-10, "no growth");
     /* its image by the lens, from H: 1/s' = 1/f + 1/(30 - 58.3) */
     CHECK(thick_fit_pupil(&all.rays, true, false, &arena, &pupil, &error));
     double image = 1 / (1 / 100.7163 + 1 / (30 - 58.3));
@@ -288,7 +288,7 @@ static void test_pupil(void)
         all.y[i] += 20 * all.stop_y[i] * 0.7 * s;
     }
     CHECK(thick_fit_pupil(&all.rays, false, true, &arena, &pupil, &error));
-    CHECK_RELATIVE(pupil.growth, 0.7, 1e-10, "growth");
+    CHECK_RELATIVE(pupil.spherical_aberration, 0.7, 1e-10, "growth");
     double with = pupil.rms;
     CHECK(thick_fit_pupil(&all.rays, false, false, &arena, &pupil, &error));
     CHECK(pupil.rms > with && pupil.radius_error > 0);
@@ -310,7 +310,7 @@ static void check_refused(const struct thick_task *task, const char *word)
 
 static void test_refusals(void)
 {
-    static struct bundle all;
+    static struct made_rays all;
     make_rays(&all, &plain_lens, 1, 50, 0.2, 4);
     const struct thick_task sound = task_of(&all);
     struct thick_task task = sound;

@@ -132,7 +132,7 @@ def relative(a, b):
     return abs(Fraction(a) - Fraction(b)) / max(abs(Fraction(b)), Fraction(1, 10**30))
 
 
-class Bench:
+class Fixture:
     def __init__(self, build, checks, folder):
         self.program = Program(build)
         self.checks = checks
@@ -161,30 +161,30 @@ def sensor_place(H, row_s, row_Ds):
     return H - Fraction(row_s) + Fraction(row_Ds)
 
 
-def check_dof(bench, lens, N, s):
+def check_dof(fixture, lens, N, s):
     """Near, far and subject are where the traced beams are c, c and nothing wide on the sensor."""
     f, H, H2 = lens.focal()
     E, _ = lens.entrance_pupil()
-    row, assumed, result = bench.ask("dof", "--lens", lens.name + ".lens", "-N", N, "-s", s + "mm",
+    row, assumed, result = fixture.ask("dof", "--lens", lens.name + ".lens", "-N", N, "-s", s + "mm",
                                      "-c", "0.03mm")
     name = f"dof {lens.name} f/{N} {s} mm"
-    if not bench.checks.check(row is not None, f"{name}: {result.stderr}"):
+    if not fixture.checks.check(row is not None, f"{name}: {result.stderr}"):
         return
-    bench.checks.check(assumed["lens"] == lens.name, f"{name}: lens is {assumed['lens']!r}")
-    bench.near(f"{name}: focal length", row["focal_mm"], f, Fraction(1, 10**14))
-    bench.near(f"{name}: assumed focal length", assumed["lens_focal_mm"], f, Fraction(1, 10**14))
+    fixture.checks.check(assumed["lens"] == lens.name, f"{name}: lens is {assumed['lens']!r}")
+    fixture.near(f"{name}: focal length", row["focal_mm"], f, Fraction(1, 10**14))
+    fixture.near(f"{name}: assumed focal length", assumed["lens_focal_mm"], f, Fraction(1, 10**14))
     subject, distance = Fraction(s), Fraction(s)
     z = H - distance
     sensor = lens.image(z)
-    bench.near(f"{name}: sensor distance", row["distance_sensor_m"] * 1000, sensor - z,
+    fixture.near(f"{name}: sensor distance", row["distance_sensor_m"] * 1000, sensor - z,
                Fraction(1, 10**13))
-    bench.near(f"{name}: hiatus", row["hiatus_mm"] or 0, H2 - H, Fraction(1, 10**12))
+    fixture.near(f"{name}: hiatus", row["hiatus_mm"] or 0, H2 - H, Fraction(1, 10**12))
     radius = f / Fraction(N) / 2
     for limit, key in ((row["near_m"], "near"), (row["far_m"], "far")):
         if limit is None:
             # infinity is sharp: a parallel beam is not wider than c
             width = abs(2 * lens.to_sensor(E, radius, Fraction(0), sensor))
-            bench.checks.check(width <= C * (1 + Fraction(1, 10**12)),
+            fixture.checks.check(width <= C * (1 + Fraction(1, 10**12)),
                                f"{name}: infinity is {float(width)!r} wide")
             continue
         # from the first vertex, with the sensor's distance for the place: two columns in one test
@@ -192,114 +192,114 @@ def check_dof(bench, lens, N, s):
                            (sensor - Fraction(row[key + "_sensor_m"]) * 1000, "sensor")):
             width = abs(2 * lens.to_sensor(E, radius, radius / (E - place), sensor))
             slack = max(row["magnification"], 1e-3)
-            bench.near(f"{name}: blur at the {key} limit from the {how}", float(width), C,
+            fixture.near(f"{name}: blur at the {key} limit from the {how}", float(width), C,
                        Fraction(2e-11 / slack * float(Fraction(N))))
     y = radius
     marginal = lens.trace(y - E * (radius / (E - z)), radius / (E - z))
-    bench.near(f"{name}: working f-number", row["working_fnumber"], abs(1 / (2 * marginal[1])),
+    fixture.near(f"{name}: working f-number", row["working_fnumber"], abs(1 / (2 * marginal[1])),
                Fraction(1, 10**13))
     # one mm at the subject, by a ray through the pupil's centre
     height = lens.to_sensor(z, Fraction(1), -1 / (E - z), sensor)
-    bench.near(f"{name}: magnification", row["magnification"], abs(height), Fraction(1, 10**13))
+    fixture.near(f"{name}: magnification", row["magnification"], abs(height), Fraction(1, 10**13))
     for place, offset in (("sensor", sensor - H), ("entrance", E - H), ("front", -H)):
-        other, _, result = bench.ask("dof", "--lens", lens.name + ".lens", "-N", N, "-c", "0.03mm",
+        other, _, result = fixture.ask("dof", "--lens", lens.name + ".lens", "-N", N, "-c", "0.03mm",
                                      "--from", place, "-s", repr(float(distance + offset)) + "mm")
-        if not bench.checks.check(other is not None, f"{name} --from {place}: {result.stderr}"):
+        if not fixture.checks.check(other is not None, f"{name} --from {place}: {result.stderr}"):
             continue
         for key in ("near_m", "far_m"):
             if row[key] is None or other[key] is None:
-                bench.checks.check(row[key] == other[key], f"{name} --from {place}: {key}")
+                fixture.checks.check(row[key] == other[key], f"{name} --from {place}: {key}")
                 continue
             # where T(s) is flat, near 1:1, the distance from the sensor tells s badly
             flat = 1e-9 if place == "sensor" and row["magnification"] > 0.3 else 1e-12
-            bench.near(f"{name} --from {place}: {key}", other[key],
+            fixture.near(f"{name} --from {place}: {key}", other[key],
                        Fraction(row[key]) + offset / 1000, Fraction(flat))
-        bench.near(f"{name} --from {place}: m", other["magnification"], row["magnification"],
+        fixture.near(f"{name} --from {place}: m", other["magnification"], row["magnification"],
                    Fraction(flat * 10))
 
 
-def check_hyperfocal(bench, lens, N):
+def check_hyperfocal(fixture, lens, N):
     f, H, _ = lens.focal()
     E, _ = lens.entrance_pupil()
-    row, _, result = bench.ask("hyperfocal", "--lens", lens.name + ".lens", "-N", N, "-c", "0.03mm")
+    row, _, result = fixture.ask("hyperfocal", "--lens", lens.name + ".lens", "-N", N, "-c", "0.03mm")
     name = f"hyperfocal {lens.name} f/{N}"
-    if not bench.checks.check(row is not None, f"{name}: {result.stderr}"):
+    if not fixture.checks.check(row is not None, f"{name}: {result.stderr}"):
         return
     z = H - Fraction(row["hyperfocal_m"]) * 1000
     sensor = lens.image(z)
     radius = f / Fraction(N) / 2
     width = abs(2 * lens.to_sensor(E, radius, Fraction(0), sensor))
-    bench.near(f"{name}: blur of infinity", float(width), C, Fraction(1, 10**12))
-    bench.near(f"{name}: from the sensor", row["hyperfocal_sensor_m"] * 1000, sensor - z,
+    fixture.near(f"{name}: blur of infinity", float(width), C, Fraction(1, 10**12))
+    fixture.near(f"{name}: from the sensor", row["hyperfocal_sensor_m"] * 1000, sensor - z,
                Fraction(1, 10**13))
     place = sensor - Fraction(row["near_sensor_m"]) * 1000
     width = abs(2 * lens.to_sensor(E, radius, radius / (E - place), sensor))
-    bench.near(f"{name}: blur at the near limit", float(width), C, Fraction(1, 10**11))
+    fixture.near(f"{name}: blur at the near limit", float(width), C, Fraction(1, 10**11))
 
 
-def check_fov(bench, lens, s):
+def check_fov(fixture, lens, s):
     """The paraxial chief ray from the edge of the sensor, by tracing two rays forward."""
     _, H, _ = lens.focal()
     E, _ = lens.entrance_pupil()
     far = s == "inf"
-    row, _, result = bench.ask("fov", "--lens", lens.name + ".lens", "-s", s + ("" if far else "mm"),
+    row, _, result = fixture.ask("fov", "--lens", lens.name + ".lens", "-s", s + ("" if far else "mm"),
                                "--sensor", "36x24mm", "--projection", "rectilinear")
     name = f"fov {lens.name} {s}"
-    if not bench.checks.check(row is not None, f"{name}: {result.stderr}"):
+    if not fixture.checks.check(row is not None, f"{name}: {result.stderr}"):
         return
     y, u = lens.trace(Fraction(1), Fraction(0))
     sensor = lens.length - y / u if far else lens.image(H - Fraction(s))
     per_slope = abs(lens.to_sensor(E, Fraction(0), Fraction(1), sensor))
     half = Fraction(math.tan(math.radians(row["horizontal_deg"]) / 2))
-    bench.near(f"{name}: chief ray", float(half), 18 / per_slope, Fraction(1, 10**14) * 4)
+    fixture.near(f"{name}: chief ray", float(half), 18 / per_slope, Fraction(1, 10**14) * 4)
     if not far:
         z = H - Fraction(s)
-        bench.near(f"{name}: from the sensor", row["distance_sensor_m"] * 1000, sensor - z,
+        fixture.near(f"{name}: from the sensor", row["distance_sensor_m"] * 1000, sensor - z,
                    Fraction(1, 10**13))
         width = 36 / abs(lens.to_sensor(z, Fraction(1), -1 / (E - z), sensor))
-        bench.near(f"{name}: field width", row["field_width_m"] * 1000, width, Fraction(1, 10**13))
+        fixture.near(f"{name}: field width", row["field_width_m"] * 1000, width, Fraction(1, 10**13))
 
 
-def check_focus(bench, lens, m):
+def check_focus(fixture, lens, m):
     f, H, H2 = lens.focal()
-    row, _, result = bench.ask("focus", "--lens", lens.name + ".lens", "-m", m)
+    row, _, result = fixture.ask("focus", "--lens", lens.name + ".lens", "-m", m)
     name = f"focus {lens.name} {m}"
-    if not bench.checks.check(row is not None, f"{name}: {result.stderr}"):
+    if not fixture.checks.check(row is not None, f"{name}: {result.stderr}"):
         return
     z = H - Fraction(row["distance_m"]) * 1000
     sensor = lens.image(z)
     height = abs(lens.to_sensor(z, Fraction(1), Fraction(0), sensor))
-    bench.near(f"{name}: magnification", float(height), Fraction(m), Fraction(1, 10**12))
-    bench.near(f"{name}: from the sensor", row["sensor_distance_m"] * 1000, sensor - z,
+    fixture.near(f"{name}: magnification", float(height), Fraction(m), Fraction(1, 10**12))
+    fixture.near(f"{name}: from the sensor", row["sensor_distance_m"] * 1000, sensor - z,
                Fraction(1, 10**13))
-    bench.near(f"{name}: working distance", row["working_distance_m"] * 1000, -z,
+    fixture.near(f"{name}: working distance", row["working_distance_m"] * 1000, -z,
                Fraction(1, 10**12))
-    bench.near(f"{name}: extension", row["extension_mm"], sensor - H2 - f, Fraction(1, 10**11))
+    fixture.near(f"{name}: extension", row["extension_mm"], sensor - H2 - f, Fraction(1, 10**11))
     E, scale = lens.entrance_pupil()
     radius = abs(scale) * lens.diameter / 2
     slope = lens.trace(radius - E * (radius / (E - z)), radius / (E - z))[1]
     own = abs(1 / (2 * slope))
-    bench.near(f"{name}: own f-number", row["fnumber"], f / (2 * radius), Fraction(1, 10**14))
-    bench.near(f"{name}: working f-number", row["working_fnumber"], own, Fraction(1, 10**12))
-    airy, assumed, _ = bench.ask("diffraction", "--lens", lens.name + ".lens", "-m", m)
-    bench.near(f"{name}: diffraction", airy["working_fnumber"], own, Fraction(1, 10**12))
-    bench.near(f"{name}: wavelength", assumed["wavelength_nm"], Fraction("587.5618"),
+    fixture.near(f"{name}: own f-number", row["fnumber"], f / (2 * radius), Fraction(1, 10**14))
+    fixture.near(f"{name}: working f-number", row["working_fnumber"], own, Fraction(1, 10**12))
+    airy, assumed, _ = fixture.ask("diffraction", "--lens", lens.name + ".lens", "-m", m)
+    fixture.near(f"{name}: diffraction", airy["working_fnumber"], own, Fraction(1, 10**12))
+    fixture.near(f"{name}: wavelength", assumed["wavelength_nm"], Fraction("587.5618"),
                Fraction(1, 10**15))
     # 2 x 3.8317059702075123/pi: [BornWolf99] 8.5.2, first zero of J1
-    bench.near(f"{name}: Airy disc", airy["airy_diameter_um"],
+    fixture.near(f"{name}: Airy disc", airy["airy_diameter_um"],
                Fraction(2 * 3.8317059702075123 / math.pi) * Fraction("0.5875618") * own,
                Fraction(1, 10**12))
-    light, _, _ = bench.ask("exposure", "--lens", lens.name + ".lens", "-m", m, "--ev", "12")
+    light, _, _ = fixture.ask("exposure", "--lens", lens.name + ".lens", "-m", m, "--ev", "12")
     infinity = f / (2 * radius)
-    bench.near(f"{name}: light lost", light["loss_stops"], Fraction(2 * math.log2(own / infinity)),
+    fixture.near(f"{name}: light lost", light["loss_stops"], Fraction(2 * math.log2(own / infinity)),
                Fraction(1, 10**11))
-    equal, _, _ = bench.ask("equivalent", "--lens", lens.name + ".lens", "-m", m,
+    equal, _, _ = fixture.ask("equivalent", "--lens", lens.name + ".lens", "-m", m,
                             "--sensor", "36x24mm", "--to", "18x12mm")
-    bench.near(f"{name}: equal working f-number", equal["equal_working_fnumber"], own / 2,
+    fixture.near(f"{name}: equal working f-number", equal["equal_working_fnumber"], own / 2,
                Fraction(1, 10**12))
 
 
-def check_reversed(bench, lens):
+def check_reversed(fixture, lens):
     """The lens turned round: the prescription from its end, 120 mm from the sensor."""
     surfaces = lens.surfaces
     turned = Lens("turned", {"surfaces": [("1", "0", "1")], "stop": 0, "diameter": "1"})
@@ -310,105 +310,105 @@ def check_reversed(bench, lens):
     turned.n0, turned.length = surfaces[-1][2], lens.length
     f, H, H2 = turned.focal()
     v = f * Fraction(5, 2)
-    row, _, result = bench.ask("focus", "--lens", lens.name + ".lens", "--reversed", "--image",
+    row, _, result = fixture.ask("focus", "--lens", lens.name + ".lens", "--reversed", "--image",
                                repr(float(v)) + "mm")
     name = f"focus {lens.name} --reversed"
-    if not bench.checks.check(row is not None, f"{name}: {result.stderr}"):
+    if not fixture.checks.check(row is not None, f"{name}: {result.stderr}"):
         return
     z = -Fraction(row["working_distance_m"]) * 1000
     sensor = turned.image(z)
-    bench.near(f"{name}: image distance", float(sensor - H2), v, Fraction(1, 10**12))
-    bench.near(f"{name}: from the sensor", row["sensor_distance_m"] * 1000, sensor - z,
+    fixture.near(f"{name}: image distance", float(sensor - H2), v, Fraction(1, 10**12))
+    fixture.near(f"{name}: from the sensor", row["sensor_distance_m"] * 1000, sensor - z,
                Fraction(1, 10**13))
 
 
-def check_golden(bench):
+def check_golden(fixture):
     """The rationals of this file against the 50 digits, so that both can be believed."""
     lens = Lens("double-gauss", LENSES["double-gauss"])
     f, H, H2 = lens.focal()
     E, _ = lens.entrance_pupil()
     for key, value in (("f", f), ("H", H), ("H'", H2 - lens.length), ("E", E)):
-        bench.near(f"golden: {key}", float(value), Fraction(GOLDEN[key]), Fraction(1, 10**15))
+        fixture.near(f"golden: {key}", float(value), Fraction(GOLDEN[key]), Fraction(1, 10**15))
     for words, key, expected in (
             (("dof", "-s", "3m"), "pupil_magnification", None),
             (("dof", "-s", "3m"), "lens_focal_mm", Fraction(GOLDEN["f"]))):
-        _, assumed, result = bench.ask(*words, "--lens", "double-gauss")
+        _, assumed, result = fixture.ask(*words, "--lens", "double-gauss")
         if expected is None:
             expected = Fraction("53.877261977554369") / Fraction("50.358166958313647")
-        bench.near(f"lensdb double-gauss: {key}", assumed[key], expected, Fraction(5, 10**16))
+        fixture.near(f"lensdb double-gauss: {key}", assumed[key], expected, Fraction(5, 10**16))
     for command in ("hyperfocal", "fov", "focus", "exposure", "diffraction", "equivalent"):
         more = {"focus": ["-m", "1:3"], "exposure": ["--ev", "10"]}.get(command, [])
-        _, assumed, result = bench.ask(command, "--lens", "double-gauss", *more)
-        if bench.checks.check(assumed is not None, f"{command}: {result.stderr}"):
-            bench.checks.check(assumed["lens"] == "Double Gauss 100 mm f/2", f"{command}: lens")
-            bench.near(f"{command}: lens_focal", assumed["lens_focal_mm"], Fraction(GOLDEN["f"]),
+        _, assumed, result = fixture.ask(command, "--lens", "double-gauss", *more)
+        if fixture.checks.check(assumed is not None, f"{command}: {result.stderr}"):
+            fixture.checks.check(assumed["lens"] == "Double Gauss 100 mm f/2", f"{command}: lens")
+            fixture.near(f"{command}: lens_focal", assumed["lens_focal_mm"], Fraction(GOLDEN["f"]),
                        Fraction(1, 10**15))
 
 
-def check_thin_limit(bench):
+def check_thin_limit(fixture):
     """A lens as thin as 1 nm with its stop on it is the thin lens of -f."""
-    write(bench, "thin.lens", "lens thin\naperture f/4\nstop - 0 air -\n"
+    write(fixture, "thin.lens", "lens thin\naperture f/4\nstop - 0 air -\n"
                               "surface 100 0.000001 1.5 -\nsurface -100 0 air -\n")
     for s in ("0.25m", "1m", "10m", "200m"):
-        real, _, result = bench.ask("dof", "--lens", "thin.lens", "-s", s)
-        thin, _, _ = bench.ask("dof", "-f", "100mm", "-N", "4", "-s", s, "--columns",
+        real, _, result = fixture.ask("dof", "--lens", "thin.lens", "-s", s)
+        thin, _, _ = fixture.ask("dof", "-f", "100mm", "-N", "4", "-s", s, "--columns",
                                "near_m,far_m,front_m,distance_sensor_m,near_sensor_m")
-        if not bench.checks.check(real is not None, f"thin: {result.stderr}"):
+        if not fixture.checks.check(real is not None, f"thin: {result.stderr}"):
             continue
         for key in ("near_m", "far_m", "front_m", "distance_sensor_m", "near_sensor_m"):
             if real[key] is None or thin[key] is None:
-                bench.checks.check(real[key] == thin[key], f"thin {s}: {key}")
+                fixture.checks.check(real[key] == thin[key], f"thin {s}: {key}")
             else:
-                bench.near(f"thin {s}: {key}", real[key], Fraction(thin[key]), Fraction(1, 10**6))
+                fixture.near(f"thin {s}: {key}", real[key], Fraction(thin[key]), Fraction(1, 10**6))
 
 
-def write(bench, name, text):
-    with open(os.path.join(bench.folder, name), "w", encoding="ascii") as file:
+def write(fixture, name, text):
+    with open(os.path.join(fixture.folder, name), "w", encoding="ascii") as file:
         file.write(text)
 
 
-def check_refusals(bench):
+def check_refusals(fixture):
     """What cannot be answered is refused with its reason and the right exit status."""
-    write(bench, "stopless.lens", "lens a\nsurface 50 5 1.5 -\nsurface -50 0 air -\n")
-    write(bench, "negative.lens", "lens b\nstop - 1 air 5\nsurface -50 2 1.5 -\nsurface 50 0 air -\n")
-    write(bench, "afocal.lens", "lens c\nstop - 1 air 5\nsurface - 2 1.5 -\nsurface - 0 air -\n")
-    write(bench, "eye.lens", "lens d\nstop - 1 air 5\nsurface 8 22 1.336 -\n")
-    write(bench, "mirror.lens", "lens e\nstop - 90 air 5\nsurface -200 -99 mirror -\n")
+    write(fixture, "stopless.lens", "lens a\nsurface 50 5 1.5 -\nsurface -50 0 air -\n")
+    write(fixture, "negative.lens", "lens b\nstop - 1 air 5\nsurface -50 2 1.5 -\nsurface 50 0 air -\n")
+    write(fixture, "afocal.lens", "lens c\nstop - 1 air 5\nsurface - 2 1.5 -\nsurface - 0 air -\n")
+    write(fixture, "eye.lens", "lens d\nstop - 1 air 5\nsurface 8 22 1.336 -\n")
+    write(fixture, "mirror.lens", "lens e\nstop - 90 air 5\nsurface -200 -99 mirror -\n")
     for lens, words, status, reason in (
             ("stopless.lens", ["-N", "4"], 2, "no stop"), ("negative.lens", [], 1, "-49"),
             ("afocal.lens", ["-N", "4"], 1, "afocal"), ("eye.lens", [], 1, "1.336"),
             ("mirror.lens", [], 1, "mirror"),
             ("double-gauss", ["-f", "50"], 2, "--focal-length"),
             ("double-gauss", ["--position", "tele"], 2, "tele")):
-        _, _, result = bench.ask("dof", "--lens", lens, "-s", "3m", *words)
-        bench.checks.check(result.returncode == status and reason in result.stderr,
+        _, _, result = fixture.ask("dof", "--lens", lens, "-s", "3m", *words)
+        fixture.checks.check(result.returncode == status and reason in result.stderr,
                            f"{lens}: status {result.returncode}, {result.stderr!r}")
-    row, _, _ = bench.ask("dof", "--lens", "stopless.lens", "-s", "3m", "-N", "4", "-P", "1.25")
-    bench.checks.check(row is not None, "a pupil magnification stands in for a stop")
-    _, assumed, _ = bench.ask("dof", "--lens", "double-gauss", "-s", "3m", "-P", "1.25")
-    bench.checks.check(assumed["pupil_magnification"] == 1.25, "-P overrides the lens")
+    row, _, _ = fixture.ask("dof", "--lens", "stopless.lens", "-s", "3m", "-N", "4", "-P", "1.25")
+    fixture.checks.check(row is not None, "a pupil magnification stands in for a stop")
+    _, assumed, _ = fixture.ask("dof", "--lens", "double-gauss", "-s", "3m", "-P", "1.25")
+    fixture.checks.check(assumed["pupil_magnification"] == 1.25, "-P overrides the lens")
 
 
 def main():
     checks = Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-photo-") as folder:
-        bench = Bench(sys.argv[1], checks, folder)
-        check_golden(bench)
+        fixture = Fixture(sys.argv[1], checks, folder)
+        check_golden(fixture)
         for name, spec in LENSES.items():
             lens = Lens(name, spec)
-            write(bench, name + ".lens", lens.text())
+            write(fixture, name + ".lens", lens.text())
             for N, s in (("4", "2000"), ("8", "10000"), ("2.8", "350"), ("16", "500000")):
-                check_dof(bench, lens, N, s)
-            check_hyperfocal(bench, lens, "8")
+                check_dof(fixture, lens, N, s)
+            check_hyperfocal(fixture, lens, "8")
             for s in ("inf", "3000", "300"):
-                check_fov(bench, lens, s)
+                check_fov(fixture, lens, s)
             for m in ("0.125", "1"):
-                check_focus(bench, lens, m)
-            check_reversed(bench, lens)
-        check_thin_limit(bench)
-        check_refusals(bench)
+                check_focus(fixture, lens, m)
+            check_reversed(fixture, lens)
+        check_thin_limit(fixture)
+        check_refusals(fixture)
     if "-v" in sys.argv:
-        for kind, error in sorted(bench.worst.items()):
+        for kind, error in sorted(fixture.worst.items()):
             print(f"{error:9.2g} {kind}")
     checks.finish()
 

@@ -22,7 +22,7 @@ struct meaning {
 };
 
 /* One program run: the glasses and where everything lives. */
-struct bench {
+struct fixture {
     struct arena arena;
     struct lensdb db;
     struct lens_glasses place;
@@ -32,24 +32,24 @@ struct bench {
     struct error error;
 };
 
-static inline void bench_open(struct bench *bench, const char *source)
+static inline void fixture_open(struct fixture *fixture, const char *source)
 {
-    *bench = (struct bench){.arena = {0}};
-    bench->db = (struct lensdb){.arena = &bench->arena};
-    bench->place = (struct lens_glasses){&bench->db, &bench->arena};
-    bench->glasses = lens_glass_source(&bench->place);
-    bench->job =
-        (struct foreign_job){.source = source, .arena = &bench->arena, .glasses = &bench->glasses};
+    *fixture = (struct fixture){.arena = {0}};
+    fixture->db = (struct lensdb){.arena = &fixture->arena};
+    fixture->place = (struct lens_glasses){&fixture->db, &fixture->arena};
+    fixture->glasses = lens_glass_source(&fixture->place);
+    fixture->job = (struct foreign_job){
+        .source = source, .arena = &fixture->arena, .glasses = &fixture->glasses};
 }
 
 /* The file of a case, and the line and column of its '@', 0 if there is none. */
-static inline struct text case_file(struct bench *bench, const char *good, const char *old,
+static inline struct text case_file(struct fixture *fixture, const char *good, const char *old,
                                     const char *now, long *line, int *column)
 {
     const char *at = strstr(good, old);
     CHECK(at != NULL);
     size_t before = at != NULL ? (size_t)(at - good) : 0;
-    char *text = arena_array(&bench->arena, strlen(good) + strlen(now) + 1, 1);
+    char *text = arena_array(&fixture->arena, strlen(good) + strlen(now) + 1, 1);
     memcpy(text, good, before);
     strcpy(text + before, now);
     char *mark = strchr(text + before, '@');
@@ -77,26 +77,26 @@ static inline bool is_error(const struct error *error, long line, int column, co
 /* With --lossy the same file is read, and its one loss listed at its line. */
 static inline void check_loss(const char *source, const char *good, const struct refusal *one)
 {
-    struct bench bench;
+    struct fixture fixture;
     long line;
     int column;
     char what[600];
-    bench_open(&bench, source);
-    bench.job.lossy = true;
-    struct text file = case_file(&bench, good, one->old, one->now, &line, &column);
+    fixture_open(&fixture, source);
+    fixture.job.lossy = true;
+    struct text file = case_file(&fixture, good, one->old, one->now, &line, &column);
     snprintf(what, sizeof what, "%s%s%s", one->message, one->instead[0] != '\0' ? "; " : "",
              one->instead);
-    bool read = foreign_read(&bench.job, file, &bench.lens, &bench.error);
-    bool listed = bench.job.loss_count == 1 && bench.job.losses[0].line == line &&
-                  strcmp(bench.job.losses[0].what, what) == 0;
+    bool read = foreign_read(&fixture.job, file, &fixture.lens, &fixture.error);
+    bool listed = fixture.job.loss_count == 1 && fixture.job.losses[0].line == line &&
+                  strcmp(fixture.job.losses[0].what, what) == 0;
     if (!read || !listed) {
         printf("%s, lossy: %s; %zu losses, line %ld: %s\n", one->now,
-               read ? "read" : bench.error.message, bench.job.loss_count,
-               bench.job.loss_count > 0 ? bench.job.losses[0].line : 0,
-               bench.job.loss_count > 0 ? bench.job.losses[0].what : "");
+               read ? "read" : fixture.error.message, fixture.job.loss_count,
+               fixture.job.loss_count > 0 ? fixture.job.losses[0].line : 0,
+               fixture.job.loss_count > 0 ? fixture.job.losses[0].what : "");
     }
     CHECK(read && listed);
-    arena_free(&bench.arena);
+    arena_free(&fixture.arena);
 }
 
 static inline void check_refusals(const char *source, const char *good, const struct refusal *cases,
@@ -104,23 +104,23 @@ static inline void check_refusals(const char *source, const char *good, const st
 {
     for (size_t i = 0; i < count; i++) {
         const struct refusal *one = &cases[i];
-        struct bench bench;
+        struct fixture fixture;
         long line;
         int column;
         char message[600];
-        bench_open(&bench, source);
-        struct text file = case_file(&bench, good, one->old, one->now, &line, &column);
+        fixture_open(&fixture, source);
+        struct text file = case_file(&fixture, good, one->old, one->now, &line, &column);
         snprintf(message, sizeof message, "%s%s", one->instead != NULL ? "cannot be kept: " : "",
                  one->message);
-        bool read = foreign_read(&bench.job, file, &bench.lens, &bench.error);
-        bool same = !read && is_error(&bench.error, line, column, message);
+        bool read = foreign_read(&fixture.job, file, &fixture.lens, &fixture.error);
+        bool same = !read && is_error(&fixture.error, line, column, message);
         if (!same) {
             printf("%s\n    wanted %ld:%d: %s\n    found  %ld:%d: %s\n", one->now, line, column,
-                   message, read ? 0 : bench.error.line, read ? 0 : bench.error.column,
-                   read ? "read without a word" : bench.error.message);
+                   message, read ? 0 : fixture.error.line, read ? 0 : fixture.error.column,
+                   read ? "read without a word" : fixture.error.message);
         }
         CHECK(same);
-        arena_free(&bench.arena);
+        arena_free(&fixture.arena);
         if (one->instead != NULL) {
             check_loss(source, good, one);
         }
@@ -128,9 +128,9 @@ static inline void check_refusals(const char *source, const char *good, const st
 }
 
 /* Several blanks as one, none at the end of a line; a line end before it. */
-static inline const char *single_blanks(struct bench *bench, struct text text)
+static inline const char *single_blanks(struct fixture *fixture, struct text text)
 {
-    char *line = arena_array(&bench->arena, text.length + 2, 1), *to = line;
+    char *line = arena_array(&fixture->arena, text.length + 2, 1), *to = line;
     *to++ = '\n';
     for (size_t i = 0; i < text.length; i++) {
         char c = text.start[i];
@@ -152,24 +152,26 @@ static inline bool is_same_turn(const struct displacement *a, const struct displ
 }
 
 /* The digits of a lens say what its numbers are: read from them it has the same numbers. */
-static inline bool is_as_typed(struct bench *bench, struct text typed)
+static inline bool is_as_typed(struct fixture *fixture, struct text typed)
 {
     const struct foreign_format *json = foreign_by_name(text_of("json"));
     struct lens again;
     struct text one = {NULL, 0}, other = {NULL, 0};
-    bool same = lens_read("typed", typed, &bench->glasses, &bench->arena, &again, &bench->error) &&
-                json->write(&bench->job, &bench->lens, &one, &bench->error) &&
-                json->write(&bench->job, &again, &other, &bench->error);
+    bool same =
+        lens_read("typed", typed, &fixture->glasses, &fixture->arena, &again, &fixture->error) &&
+        json->write(&fixture->job, &fixture->lens, &one, &fixture->error) &&
+        json->write(&fixture->job, &again, &other, &fixture->error);
     same = same && one.length == other.length && memcmp(one.start, other.start, one.length) == 0;
     for (size_t i = 0; same && i < again.surface_count; i++) {
-        same = is_same_turn(bench->lens.surfaces[i].moved, again.surfaces[i].moved, 2) &&
-               is_same_turn(bench->lens.surfaces[i].bend, again.surfaces[i].bend, 3);
+        same = is_same_turn(fixture->lens.surfaces[i].decentre, again.surfaces[i].decentre, 2) &&
+               is_same_turn(fixture->lens.surfaces[i].coordinate_break,
+                            again.surfaces[i].coordinate_break, 3);
     }
     for (size_t i = 0; same && i < again.field_count; i++) {
-        same = bench->lens.fields[i].value.hi == again.fields[i].value.hi;
+        same = fixture->lens.fields[i].value.hi == again.fields[i].value.hi;
     }
     if (!same) {
-        printf("typed and meant differ: %s\n%.*s\n%.*s\n", bench->error.message, (int)one.length,
+        printf("typed and meant differ: %s\n%.*s\n%.*s\n", fixture->error.message, (int)one.length,
                one.start, (int)other.length, other.start);
     }
     return same;
@@ -179,27 +181,27 @@ static inline void check_meanings(const char *source, const char *good, const st
                                   size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        struct bench bench;
+        struct fixture fixture;
         long line;
         int column;
         char wanted[600];
-        bench_open(&bench, source);
-        struct text file = case_file(&bench, good, cases[i].old, cases[i].now, &line, &column);
-        bool read = foreign_read(&bench.job, file, &bench.lens, &bench.error);
+        fixture_open(&fixture, source);
+        struct text file = case_file(&fixture, good, cases[i].old, cases[i].now, &line, &column);
+        bool read = foreign_read(&fixture.job, file, &fixture.lens, &fixture.error);
         const char *text = "";
         snprintf(wanted, sizeof wanted, "\n%s\n", cases[i].lines);
         if (read) {
-            struct text typed = lens_write(&bench.lens, &bench.arena);
-            text = single_blanks(&bench, typed);
-            CHECK(is_as_typed(&bench, typed));
+            struct text typed = lens_write(&fixture.lens, &fixture.arena);
+            text = single_blanks(&fixture, typed);
+            CHECK(is_as_typed(&fixture, typed));
         }
         bool found = strstr(text, wanted) != NULL;
         if (!found) {
             printf("%s\n    wanted %s    found  %s\n", cases[i].now, wanted,
-                   read ? text : bench.error.message);
+                   read ? text : fixture.error.message);
         }
         CHECK(found);
-        arena_free(&bench.arena);
+        arena_free(&fixture.arena);
     }
 }
 

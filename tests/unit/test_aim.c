@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "check.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "trace/aim.h"
 #include "trace/dispatch.h"
 
@@ -23,7 +23,7 @@ static bool open_lens(const char *name, size_t position, struct arena *arena, st
     struct lensdb db = {.arena = arena};
     struct error error;
     struct system_options options = system_options_default();
-    if (!lens_db_find(&db, text_of(name), arena, &opened->lens, &error)) {
+    if (!lens_open(&db, text_of(name), arena, &opened->lens, &error)) {
         printf("%s: %s\n", name, error.message);
         return false;
     }
@@ -115,7 +115,7 @@ int main(void)
     struct lensdb db = {.arena = &arena};
     struct error error;
     const char *const *names;
-    CHECK(lens_db_names(&db, LENSDB_EMBEDDED, &arena, &names, &error));
+    CHECK(lens_open_names(&db, LENSDB_EMBEDDED, &arena, &names, &error));
     for (size_t i = 0; names[i] != NULL; i++) {
         check_lens(names[i]);
     }

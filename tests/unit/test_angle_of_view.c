@@ -3,7 +3,7 @@
 #include "analysis/angle_of_view.h"
 #include "base/constants.h"
 #include "check.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "file/lens_file.h"
 
 static const double degree = RADIANS_PER_DEGREE;
@@ -62,7 +62,7 @@ static void test_heights(void)
         struct camera camera;
         struct view view;
         double side = 2 * cases[i].height;
-        CHECK(lens_db_find(&db, text_of(cases[i].lens), &arena, &camera.lens, &error));
+        CHECK(lens_open(&db, text_of(cases[i].lens), &arena, &camera.lens, &error));
         look(&camera, lens_primary_wavelength(&camera.lens), side, side / 2, &arena);
         CHECK(view_of_lens(&camera.question, &arena, &view, &error));
         /* a micrometre in the sixth digit is at most 1e-6/f rad */

@@ -1,34 +1,34 @@
 /* tests/unit/test_exchange.c - CODE V and OSLO files: read, refused, written and read again. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "exchange/lens_db.h"
 #include "exchange/lens_formats.h"
+#include "exchange/lens_open.h"
 #include "file/lens_glass.h"
 #include "optics/first_order.h"
 
 #include <stdlib.h>
 
 /* One program run: the glasses and where everything lives. */
-struct bench {
+struct fixture {
     struct arena arena;
     struct lensdb db;
     struct lens_glasses place;
     struct glass_source glasses;
 };
 
-static void open_bench(struct bench *bench)
+static void open_fixture(struct fixture *fixture)
 {
-    *bench = (struct bench){.arena = {0}};
-    bench->db = (struct lensdb){.arena = &bench->arena};
-    bench->place = (struct lens_glasses){&bench->db, &bench->arena};
-    bench->glasses = lens_glass_source(&bench->place);
+    *fixture = (struct fixture){.arena = {0}};
+    fixture->db = (struct lensdb){.arena = &fixture->arena};
+    fixture->place = (struct lens_glasses){&fixture->db, &fixture->arena};
+    fixture->glasses = lens_glass_source(&fixture->place);
 }
 
-static bool read_text(struct bench *bench, const char *source, struct text text, bool lossy,
+static bool read_text(struct fixture *fixture, const char *source, struct text text, bool lossy,
                       struct lens *lens, size_t *losses, struct error *error)
 {
     struct foreign_job job = {
-        .source = source, .arena = &bench->arena, .glasses = &bench->glasses, .lossy = lossy};
+        .source = source, .arena = &fixture->arena, .glasses = &fixture->glasses, .lossy = lossy};
     bool read = foreign_read(&job, text, lens, error);
     *losses = job.loss_count;
     return read;
@@ -45,8 +45,9 @@ static bool is_same_surface(const struct surface *a, const struct surface *b)
                 a->has_diameter == b->has_diameter && a->curved == b->curved &&
                 is_same_pair(a->conic.value, b->conic.value) &&
                 is_same_pair(a->thickness.value, b->thickness.value) &&
-                a->coefficients == b->coefficients && (a->moved == NULL) == (b->moved == NULL) &&
-                (a->bend == NULL) == (b->bend == NULL);
+                a->coefficients == b->coefficients &&
+                (a->decentre == NULL) == (b->decentre == NULL) &&
+                (a->coordinate_break == NULL) == (b->coordinate_break == NULL);
     same = same && (a->is_plane || is_same_pair(a->radius.value, b->radius.value));
     same = same && (!a->has_diameter || is_same_pair(a->diameter.value, b->diameter.value));
     same = same && (!a->has_curvature || is_same_pair(a->curvature.value, b->curvature.value));
@@ -57,7 +58,7 @@ static bool is_same_surface(const struct surface *a, const struct surface *b)
 }
 
 /* Numbers of both to the last bit, at one wavelength. */
-static bool is_same_lens(struct bench *bench, const struct lens *a, const struct lens *b,
+static bool is_same_lens(struct fixture *fixture, const struct lens *a, const struct lens *b,
                          double wavelength)
 {
     struct error error;
@@ -80,8 +81,8 @@ static bool is_same_lens(struct bench *bench, const struct lens *a, const struct
             printf("surface %zu differs\n", i + 1);
         }
     }
-    return same && first_order_of_lens(a, wavelength, SECTION_Y, &bench->arena, &one, &error) &&
-           first_order_of_lens(b, wavelength, SECTION_Y, &bench->arena, &other, &error) &&
+    return same && first_order_of_lens(a, wavelength, SECTION_Y, &fixture->arena, &one, &error) &&
+           first_order_of_lens(b, wavelength, SECTION_Y, &fixture->arena, &other, &error) &&
            one.power == other.power && one.bfl == other.bfl;
 }
 
@@ -89,21 +90,21 @@ static bool is_same_lens(struct bench *bench, const struct lens *a, const struct
 static void check_round_trip(const char *format_name, bool all_positions,
                              const char *const *reasons)
 {
-    struct bench names;
+    struct fixture names;
     const char *const *list;
     struct error error;
-    open_bench(&names);
-    CHECK(lens_db_names(&names.db, LENSDB_EMBEDDED, &names.arena, &list, &error));
+    open_fixture(&names);
+    CHECK(lens_open_names(&names.db, LENSDB_EMBEDDED, &names.arena, &list, &error));
     const struct foreign_format *format = foreign_by_name(text_of(format_name));
     for (; *list != NULL; list++) {
-        struct bench bench;
+        struct fixture fixture;
         struct lens lens, again;
         struct text text;
         size_t losses = 0;
-        open_bench(&bench);
-        bool read = lens_db_find(&bench.db, text_of(*list), &bench.arena, &lens, &error);
+        open_fixture(&fixture);
+        bool read = lens_open(&fixture.db, text_of(*list), &fixture.arena, &lens, &error);
         struct foreign_job job = {
-            .source = *list, .arena = &bench.arena, .glasses = &bench.glasses};
+            .source = *list, .arena = &fixture.arena, .glasses = &fixture.glasses};
         bool written = read && format->write(&job, &lens, &text, &error);
         CHECK(read);
         if (!written) { /* it says what the format has no words for, and writes it if allowed */
@@ -118,28 +119,28 @@ static void check_round_trip(const char *format_name, bool all_positions,
             CHECK(error.code == ERROR_DATA && error.hint[0] != '\0');
             job.lossy = true;
             CHECK(format->write(&job, &lens, &text, &error) && job.loss_count > 0);
-            CHECK(read_text(&bench, "again", text, true, &again, &losses, &error));
-            arena_free(&bench.arena);
+            CHECK(read_text(&fixture, "again", text, true, &again, &losses, &error));
+            arena_free(&fixture.arena);
             continue;
         }
-        bool back = read_text(&bench, "again", text, false, &again, &losses, &error);
+        bool back = read_text(&fixture, "again", text, false, &again, &losses, &error);
         size_t positions = all_positions && lens.position_count > 0 ? lens.position_count : 1;
         bool same = back;
         for (size_t i = 0; same && i < positions; i++) {
-            const struct lens *one = lens_at_position(&lens, i, &bench.arena);
-            const struct lens *other = lens_at_position(&again, i, &bench.arena);
+            const struct lens *one = lens_at_position(&lens, i, &fixture.arena);
+            const struct lens *other = lens_at_position(&again, i, &fixture.arena);
             struct lens first = *one, second = *other;
             if (!all_positions) {
                 first.position_count = 0;
             }
-            same = is_same_lens(&bench, &first, &second, lens_primary_wavelength(&lens));
+            same = is_same_lens(&fixture, &first, &second, lens_primary_wavelength(&lens));
         }
         if (!same) {
             printf("%s as %s: %s%s\n", *list, format_name,
                    back ? "differs" : "is not read: ", back ? "" : error.message);
         }
         CHECK(same);
-        arena_free(&bench.arena);
+        arena_free(&fixture.arena);
     }
     arena_free(&names.arena);
 }

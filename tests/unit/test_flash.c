@@ -152,34 +152,34 @@ static void test_ratio(void)
 static void test_ambient(void)
 {
     /* f/8 1/64 s is EV 12; GN 32 m at 4 m is right at f/8 */
-    struct flash_ambient scene = {{32000, 8, 4000, 100, 1, 1, NAN}, 1.0 / 64, 1.0 / 250, 12};
+    struct flash_ambient light = {{32000, 8, 4000, 100, 1, 1, NAN}, 1.0 / 64, 1.0 / 250, 12};
     struct flash_balance b;
-    CHECK(flash_against_ambient(&scene, &b, &error));
+    CHECK(flash_against_ambient(&light, &b, &error));
     CHECK_NEAR(b.flash, 0, 1e-14, "flash alone is right");
     CHECK_NEAR(b.ambient, 0, 1e-14, "ambient alone is right");
     CHECK_NEAR(b.total, 1, 1e-14, "twice the light is one stop");
     CHECK_NEAR(b.ratio, 2, 1e-14, "lit by both, by one");
-    scene.ev100 = 10;
-    CHECK(flash_against_ambient(&scene, &b, &error));
+    light.ev100 = 10;
+    CHECK(flash_against_ambient(&light, &b, &error));
     CHECK_NEAR(b.flash_to_ambient, 2, 1e-14, "two stops less ambient");
     CHECK_NEAR(b.total, log2(1.25), 1e-14, "1 + 1/4");
     CHECK_NEAR(b.ratio, 5, 1e-13, "ASC: 2 stops are 5:1");
-    scene.flash.S = 400;
-    scene.flash.power = 0.25;
-    CHECK(flash_against_ambient(&scene, &b, &error));
+    light.flash.S = 400;
+    light.flash.power = 0.25;
+    CHECK(flash_against_ambient(&light, &b, &error));
     CHECK_NEAR(b.flash, 0, 1e-14, "four times the speed, a quarter of the power");
     CHECK_NEAR(b.ambient, 0, 1e-14, "four times the speed");
-    scene.flash.loss = 100;
-    scene.ev100 = -92; /* two stops below the flash, at ISO 400 */
-    CHECK(flash_against_ambient(&scene, &b, &error));
+    light.flash.loss = 100;
+    light.ev100 = -92; /* two stops below the flash, at ISO 400 */
+    CHECK(flash_against_ambient(&light, &b, &error));
     CHECK_NEAR(b.total, -100 + log2(1 + 0.25), 1e-10, "dark, without underflow");
-    scene.t = 1.0 / 500;
-    CHECK(!flash_against_ambient(&scene, &b, &error));
+    light.t = 1.0 / 500;
+    CHECK(!flash_against_ambient(&light, &b, &error));
     CHECK(strstr(error.message, "sync") != NULL && error.code == ERROR_DOMAIN);
-    scene.sync = NAN;
-    CHECK(flash_against_ambient(&scene, &b, &error));
-    scene.flash.power = NAN;
-    CHECK(!flash_against_ambient(&scene, &b, &error) && error.code == ERROR_USAGE);
+    light.sync = NAN;
+    CHECK(flash_against_ambient(&light, &b, &error));
+    light.flash.power = NAN;
+    CHECK(!flash_against_ambient(&light, &b, &error) && error.code == ERROR_USAGE);
 }
 
 int main(void)

@@ -15,18 +15,18 @@ struct loss {
     const char *old, *now, *message, *instead;
 };
 
-static struct text written(struct bench *bench, const char *format, const char *old,
+static struct text written(struct fixture *fixture, const char *format, const char *old,
                            const char *now, bool *done)
 {
     long line;
     int column;
     struct text text = {"", 0};
-    bench_open(bench, "case.lens");
-    struct text file = case_file(bench, good, old, now, &line, &column);
-    CHECK(foreign_read(&bench->job, file, &bench->lens, &bench->error));
-    bench->job.lossy = *done;
-    *done = foreign_write(&bench->job, foreign_by_name(text_of(format)), &bench->lens, &text,
-                          &bench->error);
+    fixture_open(fixture, "case.lens");
+    struct text file = case_file(fixture, good, old, now, &line, &column);
+    CHECK(foreign_read(&fixture->job, file, &fixture->lens, &fixture->error));
+    fixture->job.lossy = *done;
+    *done = foreign_write(&fixture->job, foreign_by_name(text_of(format)), &fixture->lens, &text,
+                          &fixture->error);
     return text;
 }
 
@@ -34,25 +34,25 @@ static struct text written(struct bench *bench, const char *format, const char *
 static void check_written(const char *format, const struct meaning *cases, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        struct bench bench;
+        struct fixture fixture;
         char wanted[600];
         bool done = false;
-        struct text text = written(&bench, format, cases[i].old, cases[i].now, &done);
-        char *plain = arena_string(&bench.arena, text.start, text.length), *to = plain;
+        struct text text = written(&fixture, format, cases[i].old, cases[i].now, &done);
+        char *plain = arena_string(&fixture.arena, text.start, text.length), *to = plain;
         for (const char *from = plain; *from != '\0'; from++) {
             *to = *from;
             to += *from != '\r';
         }
         *to = '\0';
         snprintf(wanted, sizeof wanted, "\n%s\n", cases[i].lines);
-        const char *lines = single_blanks(&bench, text_of(plain));
+        const char *lines = single_blanks(&fixture, text_of(plain));
         bool found = done && strstr(lines, wanted) != NULL;
         if (!found) {
             printf("%s: %s\n    wanted %s    found  %s\n", format, cases[i].now, wanted,
-                   done ? lines : bench.error.message);
+                   done ? lines : fixture.error.message);
         }
         CHECK(found);
-        arena_free(&bench.arena);
+        arena_free(&fixture.arena);
     }
 }
 
@@ -60,7 +60,7 @@ static void check_written(const char *format, const struct meaning *cases, size_
 static void check_losses(const char *format, const struct loss *cases, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        struct bench strict, lossy;
+        struct fixture strict, lossy;
         char refused[600], listed[600];
         bool done = false, lost = true;
         written(&strict, format, cases[i].old, cases[i].now, &done);

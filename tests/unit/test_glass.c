@@ -49,7 +49,7 @@ static void test_temperature(struct lensdb *db)
     for (size_t i = 0; i < 3; i++) {
         struct glass_state cold, warm;
         struct error error;
-        CHECK_NEAR(1e6 * glass_growth(&record.glass, rows[i].um, 30), rows[i].absolute, 0.051,
+        CHECK_NEAR(1e6 * glass_dn_dT(&record.glass, rows[i].um, 30), rows[i].absolute, 0.051,
                    "dn/dT in vacuum");
         const struct air from = {AIR_EDLEN, 20, AIR_STANDARD_PRESSURE};
         const struct air to = {AIR_EDLEN, 40, AIR_STANDARD_PRESSURE};

@@ -176,7 +176,7 @@ static void test_reversed_mirrors(void)
 }
 
 /* A shift (1, 2), then turns by 3, 4, 5 deg: undone as 5, 4, 3 and the shift, seen from behind. */
-static void test_reversed_bends(void)
+static void test_reversed_breaks(void)
 {
     check_reversed("lens b\nwavelength d\nobject inf\naperture stop\n"
                    "surface 50 6 1.5 40 decenter=1,2 tilt=3,4\n"
@@ -265,7 +265,7 @@ int main(void)
     test_positions();
     test_reversed();
     test_reversed_mirrors();
-    test_reversed_bends();
+    test_reversed_breaks();
     test_marks_left_out();
     test_reversed_parts();
     test_refusals();

@@ -114,7 +114,7 @@ static void check_model(void)
     CHECK(read_text(zoom, &arena, &lens, &error));
     CHECK(lens.surface_count == 4 && lens.stop == 2 && lens.position_count == 2);
     CHECK(lens.surfaces[0].thickness.variable == 0 && lens.surfaces[0].vary_count == 2);
-    CHECK(lens.surfaces[1].kind == SURFACE_REFLECT && lens.surfaces[2].bend != NULL);
+    CHECK(lens.surfaces[1].kind == SURFACE_REFLECT && lens.surfaces[2].coordinate_break != NULL);
     CHECK_TEXT(lens.surfaces[0].name, "front one");
     const struct lens *tele =
         lens_at_position(&lens, lens_position_find(&lens, text_of("tele")), &arena);

@@ -47,8 +47,8 @@ static void check_names(void)
         {"glass2", {1, PARAMETER_GLASS, 0}},
         {"decenter_x4", {3, PARAMETER_DECENTER_X, 0}},
         {"tilt_z4", {3, PARAMETER_TILT_Z, 0}},
-        {"bend_decenter_y4", {3, PARAMETER_BEND_DECENTER_Y, 0}},
-        {"bend_tilt_x4", {3, PARAMETER_BEND_TILT_X, 0}},
+        {"bend_decenter_y4", {3, PARAMETER_BREAK_DECENTER_Y, 0}},
+        {"bend_tilt_x4", {3, PARAMETER_BREAK_TILT_X, 0}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const struct parameter *expected = &cases[i].expected, read = named(cases[i].name);
@@ -490,7 +490,7 @@ static void check_units(void)
  * A bend undone, each part on a plane, in the order z, y, x, shift; and with the axes turned what
  * belongs to x or z twice.
  */
-static void check_reversed_bend(void)
+static void check_reversed_break(void)
 {
     static const char *const texts[2] = {
         "surface 50 6 1.5 -\nbend decenter=1,2 tilt=3,4,5\nsurface -80 - air -\n",
@@ -545,7 +545,7 @@ int main(void)
     check_slopes();
     check_scaling();
     check_reversal();
-    check_reversed_bend();
+    check_reversed_break();
     check_reversed_mirror();
     check_reversed_marks();
     check_reversed_mangin();

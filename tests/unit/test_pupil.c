@@ -3,7 +3,7 @@
 #include "analysis/pupil_shape.h"
 #include "base/constants.h"
 #include "check.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "file/lens_file.h"
 #include "trace/aim.h"
 #include "trace/clear.h"
@@ -47,7 +47,7 @@ static void open_named(const char *name, bool clip, struct arena *arena, struct 
 {
     struct lensdb db = {.arena = arena};
     struct error error;
-    CHECK(lens_db_find(&db, text_of(name), arena, &opened->lens, &error));
+    CHECK(lens_open(&db, text_of(name), arena, &opened->lens, &error));
     compile(opened, clip, arena);
 }
 

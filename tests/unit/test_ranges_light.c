@@ -410,34 +410,34 @@ static void test_light_ratios(void)
 static void test_ambient(void)
 {
     const struct flash_ambient good = {{10, 4, 2, 200, 0.25, 2, 1}, 0.5, 0.25, 5};
-    struct flash_ambient scene = good;
+    struct flash_ambient light = good;
     struct flash_balance b;
-    INSIDE(flash_against_ambient(&scene, &b, &error));
+    INSIDE(flash_against_ambient(&light, &b, &error));
     double flash = 2 * log2(1.25) - 1, ambient = 5 + 1 - 5;
     CHECK_NEAR(b.flash, flash, 1e-15, "of the flash");
     CHECK_NEAR(b.ambient, ambient, 1e-15, "EV 5, a stop by ISO 200, f/4 1/2 s is EV 5");
     CHECK_NEAR(b.flash_to_ambient, flash - ambient, 1e-15, "their difference");
     CHECK_RELATIVE(b.ratio, 1 + 0.78125 / 2, 1e-15, "to the ambient alone");
     CHECK_NEAR(b.total, log2(0.78125 + 2), 1e-15, "both");
-    scene.ev100 = 3;
-    INSIDE(flash_against_ambient(&scene, &b, &error));
+    light.ev100 = 3;
+    INSIDE(flash_against_ambient(&light, &b, &error));
     CHECK_NEAR(b.total, log2(0.78125 + 0.5), 1e-15, "the flash leads");
-    scene.t = scene.sync = 0.25;
-    INSIDE(flash_against_ambient(&scene, &b, &error));
-    scene.sync = 0.5;
-    OUTSIDE(flash_against_ambient(&scene, &b, &error),
+    light.t = light.sync = 0.25;
+    INSIDE(flash_against_ambient(&light, &b, &error));
+    light.sync = 0.5;
+    OUTSIDE(flash_against_ambient(&light, &b, &error),
             "--time 0.25 s is shorter than the flash sync time 0.5 s");
-    scene.sync = 0;
-    OUTSIDE(flash_against_ambient(&scene, &b, &error), "--sync 0 s must be above 0 and finite");
-    scene = good;
-    scene.ev100 = 100;
-    INSIDE(flash_against_ambient(&scene, &b, &error));
-    scene.ev100 = -100;
-    INSIDE(flash_against_ambient(&scene, &b, &error));
-    scene.ev100 = 100.5;
-    OUTSIDE(flash_against_ambient(&scene, &b, &error), "--ev 100.5 lies outside -100 to 100");
-    scene.ev100 = -100.5;
-    OUTSIDE(flash_against_ambient(&scene, &b, &error), "--ev -100.5 lies outside -100 to 100");
+    light.sync = 0;
+    OUTSIDE(flash_against_ambient(&light, &b, &error), "--sync 0 s must be above 0 and finite");
+    light = good;
+    light.ev100 = 100;
+    INSIDE(flash_against_ambient(&light, &b, &error));
+    light.ev100 = -100;
+    INSIDE(flash_against_ambient(&light, &b, &error));
+    light.ev100 = 100.5;
+    OUTSIDE(flash_against_ambient(&light, &b, &error), "--ev 100.5 lies outside -100 to 100");
+    light.ev100 = -100.5;
+    OUTSIDE(flash_against_ambient(&light, &b, &error), "--ev -100.5 lies outside -100 to 100");
     static const struct {
         size_t at;
         const char *option;
@@ -450,10 +450,10 @@ static void test_ambient(void)
                    {offsetof(struct flash_ambient, t), "--time"}};
     for (size_t i = 0; i < sizeof members / sizeof *members; i++) {
         char message[80];
-        scene = good;
-        memcpy((char *)&scene + members[i].at, &(double){NAN}, sizeof(double));
+        light = good;
+        memcpy((char *)&light + members[i].at, &(double){NAN}, sizeof(double));
         snprintf(message, sizeof message, "%s is missing", members[i].option);
-        MISUSED(flash_against_ambient(&scene, &b, &error), message);
+        MISUSED(flash_against_ambient(&light, &b, &error), message);
     }
 }
 

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "check.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "trace/beam.h"
 #include "trace/dispatch.h"
 #include "trace/verify.h"
@@ -376,12 +376,12 @@ static void check_lensdb(void)
     struct lensdb db = {0};
     const char *const *names;
     struct error error;
-    CHECK(lens_db_names(&db, LENSDB_EMBEDDED, &all, &names, &error));
+    CHECK(lens_open_names(&db, LENSDB_EMBEDDED, &all, &names, &error));
     for (size_t i = 0; names != NULL && names[i] != NULL; i++) {
         struct arena arena = {0};
         struct lens *lens = ARENA_NEW(&arena, struct lens);
         struct system system;
-        CHECK(lens_db_find(&db, text_of(names[i]), &arena, lens, &error));
+        CHECK(lens_open(&db, text_of(names[i]), &arena, lens, &error));
         const struct lens *first = lens_at_position(lens, 0, &arena);
         for (int path = 0; path < 2; path++) {
             struct system_options options = system_options_default();

@@ -54,7 +54,7 @@ static bool set_up(struct under_test *test, const char *text, bool reverse)
         return false;
     }
     derivative_layout(&test->system,
-                      DERIVE_CONIC | DERIVE_SERIES | DERIVE_DISPLACEMENT | DERIVE_BEND |
+                      DERIVE_CONIC | DERIVE_SERIES | DERIVE_DISPLACEMENT | DERIVE_BREAK |
                           (strstr(text, "A3") != NULL ? DERIVE_ODD : 0),
                       &test->arena, &test->layout);
     test->tape = derivative_tape_new(&test->system, &test->arena);
@@ -188,25 +188,25 @@ static void check_surface(struct under_test *test, size_t i)
         struct pair *n = (struct pair *)test->system.n + i + 1;
         check_parameter(test, n, PARAMETER_INDEX, 0, i, "index");
     }
-    was = (struct displacement *)surface->moved;
+    was = (struct displacement *)surface->decentre;
     moved = was != NULL ? *was : moved;
-    surface->moved = &moved;
+    surface->decentre = &moved;
     static const char *const names[] = {"decenter x", "decenter y", "tilt x", "tilt y", "tilt z"};
     for (int j = 0; j < 5; j++) {
         struct pair *value = j < 2 ? &moved.decenter[j].value : &moved.tilt[j - 2].value;
         check_parameter(test, value, (enum parameter_kind)(PARAMETER_DECENTER_X + j), 0, i,
                         names[j]);
     }
-    surface->moved = was;
-    was = (struct displacement *)surface->bend;
+    surface->decentre = was;
+    was = (struct displacement *)surface->coordinate_break;
     moved = was != NULL ? *was : (struct displacement){0};
-    surface->bend = &moved;
+    surface->coordinate_break = &moved;
     for (int j = 0; j < 5; j++) {
         struct pair *value = j < 2 ? &moved.decenter[j].value : &moved.tilt[j - 2].value;
-        check_parameter(test, value, (enum parameter_kind)(PARAMETER_BEND_DECENTER_X + j), 0, i,
+        check_parameter(test, value, (enum parameter_kind)(PARAMETER_BREAK_DECENTER_X + j), 0, i,
                         names[j]);
     }
-    surface->bend = was;
+    surface->coordinate_break = was;
 }
 
 /* Forwards a few at a time, against the rows of the sweeps back. */

@@ -1,7 +1,7 @@
 /* tests/unit/test_trace_properties.c - what every exact ray obeys, on real and random lenses. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "trace/beam.h"
 #include "trace/dispatch.h"
 #include "trace_one.h"
@@ -255,7 +255,8 @@ static bool has_axis(const struct lens *lens)
 {
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        if (surface->curved != CURVED_BOTH || surface->moved != NULL || surface->bend != NULL) {
+        if (surface->curved != CURVED_BOTH || surface->decentre != NULL ||
+            surface->coordinate_break != NULL) {
             return false;
         }
     }
@@ -268,10 +269,10 @@ static void check_lensdb(void)
     struct lensdb db = {.arena = &all};
     const char *const *names = NULL;
     struct error error;
-    CHECK(lens_db_names(&db, LENSDB_EMBEDDED, &all, &names, &error));
+    CHECK(lens_open_names(&db, LENSDB_EMBEDDED, &all, &names, &error));
     for (size_t i = 0; names != NULL && names[i] != NULL; i++) {
         struct lens *lens = ARENA_NEW(&all, struct lens);
-        CHECK(lens_db_find(&db, text_of(names[i]), &all, lens, &error));
+        CHECK(lens_open(&db, text_of(names[i]), &all, lens, &error));
         check_lens(lens_at_position(lens, 0, &all), names[i], has_axis(lens));
     }
     arena_free(&all);

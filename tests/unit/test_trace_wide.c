@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "check.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "trace/dispatch.h"
 #include "trace/verify.h"
 
@@ -66,7 +66,7 @@ static void check_fisheye(const char *name, double degrees, size_t fans)
     struct system forward, back;
     struct error error;
     struct system_options options = system_options_default();
-    CHECK(lens_db_find(&db, text_of(name), &arena, &lens, &error));
+    CHECK(lens_open(&db, text_of(name), &arena, &lens, &error));
     CHECK(system_compile(&lens, 0.5875618, &options, &arena, &forward, &error));
     options.reverse = true;
     CHECK(system_compile(&lens, 0.5875618, &options, &arena, &back, &error));

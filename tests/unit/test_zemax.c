@@ -184,9 +184,12 @@ static void check_solves(void)
         CHECK_RELATIVE(s[1].thickness.value.hi, bfl, 1e-15, "MAZH");
         CHECK(s[2].thickness.value.hi == 10.25 && s[3].thickness.value.hi == 9.75);
         CHECK(s[4].thickness.value.hi == 10.5);
-        CHECK(reading->lens.surface_count == 7 && s[5].bend != NULL && s[6].bend != NULL);
-        CHECK_NEAR(s[5].bend->tilt[0].value.hi, 0.26179938779914943654, 1e-16, "15 deg");
-        CHECK_NEAR(s[6].bend->tilt[0].value.hi, -0.26179938779914943654, 1e-16, "-15 deg");
+        CHECK(reading->lens.surface_count == 7 && s[5].coordinate_break != NULL &&
+              s[6].coordinate_break != NULL);
+        CHECK_NEAR(s[5].coordinate_break->tilt[0].value.hi, 0.26179938779914943654, 1e-16,
+                   "15 deg");
+        CHECK_NEAR(s[6].coordinate_break->tilt[0].value.hi, -0.26179938779914943654, 1e-16,
+                   "-15 deg");
     }
     forget(reading);
 }
@@ -352,9 +355,9 @@ static void check_same(const struct lens *a, const struct lens *b)
         for (int k = 0; k < LENS_COEFFICIENTS; k++) {
             CHECK(same_figure(&s->coefficient[k], &t->coefficient[k]));
         }
-        CHECK((s->bend == NULL) == (t->bend == NULL));
-        for (int k = 0; s->bend != NULL && t->bend != NULL && k < 3; k++) {
-            CHECK(same_figure(&s->bend->tilt[k], &t->bend->tilt[k]));
+        CHECK((s->coordinate_break == NULL) == (t->coordinate_break == NULL));
+        for (int k = 0; s->coordinate_break != NULL && t->coordinate_break != NULL && k < 3; k++) {
+            CHECK(same_figure(&s->coordinate_break->tilt[k], &t->coordinate_break->tilt[k]));
         }
         CHECK(s->medium.index.hi == t->medium.index.hi && s->medium.kind == t->medium.kind);
     }

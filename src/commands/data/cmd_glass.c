@@ -63,7 +63,7 @@ struct row {
     const char *glass, *catalog, *line, *status, *source, *licence, *formula, *relative_to;
     const char *taken_as, *warning;
     double wavelength, thickness, temperature, pressure;
-    double n, slope, group, growth, transmittance, difference;
+    double n, slope, group, dn_dT, transmittance, difference;
     double nd_wanted, Vd_wanted, nd_difference, Vd_difference, distance;
     struct glass_summary summary;
     double from, to, density, expansion;
@@ -86,7 +86,7 @@ static const struct column columns[] = {
      .help = "slope of the index over the wavelength in um"},
     {NUMBER(group), .name = "group_index", .digits = 7, .label = "group index",
      .help = "n - l dn/dl"},
-    {NUMBER(growth), .name = "dn_dt_vacuum_per_k", .label = "dn/dT in vacuum, 1/K",
+    {NUMBER(dn_dT), .name = "dn_dt_vacuum_per_k", .label = "dn/dT in vacuum, 1/K",
      .help = "growth of the index in vacuum with the temperature"},
     {NUMBER(transmittance), .name = "transmittance", .with = "thickness",
      .label = "internal transmittance", .help = "of --thickness, without reflection"},
@@ -201,7 +201,7 @@ static bool set_index(const struct question *question, const struct glass *glass
     const struct glass_thermal *thermal = &glass->thermal;
     row->n = index.n.hi;
     row->slope = index.slope;
-    row->growth = glass_growth(glass, um, thermal->reference);
+    row->dn_dT = glass_dn_dT(glass, um, thermal->reference);
     row->relative_to = "air at the catalogue's temperature and 1013.25 hPa";
     if (!isnan(input->temperature) || !isnan(input->pressure)) {
         const struct air air = {
@@ -215,7 +215,7 @@ static bool set_index(const struct question *question, const struct glass *glass
         }
         row->n = state.n;
         row->slope = state.slope;
-        row->growth = state.growth;
+        row->dn_dT = state.dn_dT;
         row->temperature = air.temperature;
         row->pressure = air.pressure;
         row->relative_to = air.pressure > 0 ? air_models[input->air].help : "vacuum";
@@ -238,7 +238,7 @@ static bool fill_row(struct question *question, const struct glass_record *recor
                         .n = NAN,
                         .slope = NAN,
                         .group = NAN,
-                        .growth = NAN,
+                        .dn_dT = NAN,
                         .transmittance = NAN,
                         .difference = NAN,
                         .nd_wanted = input->nd.near,
@@ -300,7 +300,7 @@ static bool show_found(const struct glass_match *match, void *context)
     struct row row;
     struct error no_index;
     if (!fill_row(question, &match->record, &match->summary, wavelength, &row, &no_index)) {
-        row.n = row.slope = row.group = row.growth = NAN;
+        row.n = row.slope = row.group = row.dn_dT = NAN;
     }
     *(input->like.record != NULL ? &row.difference : &row.distance) = match->away;
     return run_emit(question->run, &row);

@@ -1,7 +1,7 @@
 /* commands/data/list_lenses.c - lenscalc list lenses. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 #include "optics/first_order.h"
 
 #include <math.h>
@@ -87,14 +87,14 @@ static bool list_place_of(struct list *list, enum lensdb_place place, struct err
 {
     const char *const *names;
     struct arena *arena = list->run->arena;
-    if (!lens_db_names(list->run->db, place, arena, &names, error)) {
+    if (!lens_open_names(list->run->db, place, arena, &names, error)) {
         return false;
     }
     for (; *names != NULL; names++) {
         struct lens lens;
         struct lens_row row = {
             .name = *names, .place = list_place(place), .efl = NAN, .bfl = NAN, .fnumber = NAN};
-        if (!lens_db_find(list->run->db, text_of(*names), arena, &lens, error)) {
+        if (!lens_open(list->run->db, text_of(*names), arena, &lens, error)) {
             return false;
         }
         row.title = lens.title;

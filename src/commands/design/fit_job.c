@@ -23,8 +23,8 @@ static void set_rivals(struct fit_job *job)
     job->thin = ARENA_ARRAY(job->run->arena, count, struct thick_lens);
     for (size_t g = 0; g < count; g++) {
         job->paraxial[g] = thick_of(&job->light.first, job->setup->lens);
-        job->paraxial[g].index_object = job->bundle.index_object[g];
-        job->paraxial[g].index_image = job->bundle.index_image[g];
+        job->paraxial[g].index_object = job->ray_data.index_object[g];
+        job->paraxial[g].index_image = job->ray_data.index_image[g];
         job->thin[g] = job->paraxial[g];
         job->thin[g].front = job->light.first.length + job->thin[g].rear;
     }
@@ -36,12 +36,12 @@ static void set_pupils(struct fit_job *job)
     struct error ignored;
     job->entrance = job->exit = none;
     if (job->setup->lens->stop == LENS_NONE ||
-        !thick_fit_pupil(&job->bundle.rays, false, true, job->run->arena, &job->entrance,
+        !thick_fit_pupil(&job->ray_data.rays, false, true, job->run->arena, &job->entrance,
                          &ignored)) {
         job->entrance = none;
     }
     if (job->setup->lens->stop == LENS_NONE ||
-        !thick_fit_pupil(&job->bundle.rays, true, true, job->run->arena, &job->exit, &ignored)) {
+        !thick_fit_pupil(&job->ray_data.rays, true, true, job->run->arena, &job->exit, &ignored)) {
         job->exit = none;
     }
 }
@@ -51,8 +51,8 @@ const char *fit_missing_fields(const struct fit_job *job)
     const char *list = NULL;
     for (size_t f = 0; f < job->setup->field_count; f++) {
         bool found = false;
-        for (size_t i = 0; i < job->bundle.rays.count && !found; i++) {
-            found = job->bundle.field[i] == f;
+        for (size_t i = 0; i < job->ray_data.rays.count && !found; i++) {
+            found = job->ray_data.field[i] == f;
         }
         double field = fit_field(job, f);
         double shown = job->setup->object.is_infinite ? field * DEGREES_PER_RADIAN : field;
@@ -69,13 +69,13 @@ const char *fit_missing_fields(const struct fit_job *job)
 /* Half as many as there are different fields off the axis whose rays come through, at most 3. */
 static size_t distortion_terms(const struct fit_job *job)
 {
-    const struct bundle *bundle = &job->bundle;
+    const struct ray_data *ray_data = &job->ray_data;
     size_t off_axis = 0;
     if (!isnan(job->input->distortion)) {
         return (size_t)job->input->distortion;
     }
     for (size_t i = 0; i < job->setup->field_count; i++) {
-        bool counts = fabs(fit_field(job, i)) > 0 && bundle->clear[i] > 0;
+        bool counts = fabs(fit_field(job, i)) > 0 && ray_data->clear[i] > 0;
         for (size_t k = 0; k < i && counts; k++) {
             counts = fabs(fabs(fit_field(job, k)) - fabs(fit_field(job, i))) > 0;
         }
@@ -84,16 +84,16 @@ static size_t distortion_terms(const struct fit_job *job)
     return off_axis / 2 < THICK_DISTORTIONS ? off_axis / 2 : THICK_DISTORTIONS;
 }
 
-static bool trace_rays(const struct fit_job *job, size_t rays, struct bundle *bundle,
+static bool trace_rays(const struct fit_job *job, size_t rays, struct ray_data *ray_data,
                        struct error *error)
 {
     const struct fit_input *input = job->input;
-    const struct bundle_request request = {.setup = job->setup,
-                                           .pattern = (enum pattern)input->pattern,
-                                           .ray_count = rays,
-                                           .seed = (uint64_t)input->seed,
-                                           .no_clip = input->no_clip};
-    return bundle_trace(&request, job->run->arena, bundle, error);
+    const struct ray_data_request request = {.setup = job->setup,
+                                             .pattern = (enum pattern)input->pattern,
+                                             .ray_count = rays,
+                                             .seed = (uint64_t)input->seed,
+                                             .no_clip = input->no_clip};
+    return ray_data_trace(&request, job->run->arena, ray_data, error);
 }
 
 static void set_task(struct fit_job *job)
@@ -102,10 +102,10 @@ static void set_task(struct fit_job *job)
     const struct first_order *first = &job->light.first;
     bool image = input->match == FIT_IMAGE;
     job->task = (struct thick_task){
-        .rays = job->bundle.rays,
+        .rays = job->ray_data.rays,
         .group_count = job->setup->wavelength_count,
-        .index_object = job->bundle.index_object,
-        .index_image = job->bundle.index_image,
+        .index_object = job->ray_data.index_object,
+        .index_image = job->ray_data.index_image,
         .separate = input->chromatic,
         .planes = {setup_paraxial_image(job->setup->lens, first).hi,
                    isfinite(first->exit_pupil) ? first->exit_pupil : first->rear_principal},
@@ -121,12 +121,12 @@ static void set_sampling(struct fit_job *job)
 {
     struct arena *arena = job->run->arena;
     struct thick_task task = job->task;
-    struct bundle bundle;
+    struct ray_data ray_data;
     struct thick_fit fit;
     struct error ignored;
     job->sampling = ARENA_ARRAY(arena, job->setup->wavelength_count, struct fit_sampling);
-    bool found = trace_rays(job, 2 * (size_t)job->input->rays, &bundle, &ignored);
-    task.rays = bundle.rays;
+    bool found = trace_rays(job, 2 * (size_t)job->input->rays, &ray_data, &ignored);
+    task.rays = ray_data.rays;
     task.start = job->fit.lenses[0];
     found = found && thick_fit(&task, arena, &fit, &ignored);
     for (size_t g = 0; g < job->setup->wavelength_count; g++) {
@@ -149,7 +149,7 @@ bool fit_job_run(struct fit_job *job, struct error *error)
         return fail(error, ERROR_DOMAIN,
                     "an afocal lens has no principal planes: no thick lens equals it");
     }
-    if (!trace_rays(job, (size_t)job->input->rays, &job->bundle, error)) {
+    if (!trace_rays(job, (size_t)job->input->rays, &job->ray_data, error)) {
         return false;
     }
     set_task(job);

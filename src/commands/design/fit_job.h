@@ -4,7 +4,7 @@
 #define LENSCALC_COMMANDS_DESIGN_FIT_JOB_H
 
 #include "commands/design/fit.h"
-#include "design/bundle.h"
+#include "design/ray_data.h"
 #include "design/thick.h"
 
 enum { MOST_WAVELENGTHS = THICK_GROUPS };
@@ -21,7 +21,7 @@ struct fit_job {
     const struct setup *setup;
     struct setup_light light; /* at its first wavelength */
     const char *warning;
-    struct bundle bundle;
+    struct ray_data ray_data;
     struct thick_task task;
     struct thick_fit fit;
     struct fit_sampling *sampling;      /* one a lens that was fitted */

@@ -82,15 +82,15 @@ static const struct column columns[] = {
      .help = "where the rays put the entrance pupil, from the first vertex; absent without a stop"},
     {LENGTH(entrance_diameter, "mm", 0), .name = "entrance_pupil_diameter", .label = "its diameter",
      .help = "its diameter on the axis"},
-    {NUMBER(entrance.growth, 0), .name = "entrance_pupil_growth", .label = "its growth",
-     .help = "diameter times 1 + growth s, s = tan^2 of the field"},
+    {NUMBER(entrance.spherical_aberration, 0), .name = "entrance_pupil_growth",
+     .label = "its growth", .help = "diameter times 1 + growth s, s = tan^2 of the field"},
     {LENGTH(entrance.rms, "um", 0), .name = "rms_entrance_pupil", .label = "its error",
      .help = "distance of the rays from their place in it, root mean square"},
     {LENGTH(exit.place, "mm", 0), .name = "exit_pupil", .label = "exit pupil",
      .help = "where the rays put the exit pupil, from the last vertex"},
     {LENGTH(exit_diameter, "mm", 0), .name = "exit_pupil_diameter", .label = "its diameter",
      .help = "its diameter on the axis"},
-    {NUMBER(exit.growth, 0), .name = "exit_pupil_growth", .label = "its growth",
+    {NUMBER(exit.spherical_aberration, 0), .name = "exit_pupil_growth", .label = "its growth",
      .help = "diameter times 1 + growth s, s = tan^2 of the ray behind"},
     {LENGTH(exit.rms, "um", 0), .name = "rms_exit_pupil", .label = "its error",
      .help = "distance of the rays from their place in it, root mean square"},
@@ -120,7 +120,7 @@ const struct sheet fit_lens_sheet = {columns, sizeof columns / sizeof columns[0]
 /* Height of the exact image, in the plane where rays are compared, mm. */
 static double image_height(const struct fit_job *job)
 {
-    const struct thick_rays *rays = &job->bundle.rays;
+    const struct thick_rays *rays = &job->ray_data.rays;
     double z = job->task.planes[0], largest = 0;
     for (size_t i = 0; i < rays->count; i++) {
         largest = fmax(largest, hypot(rays->x_out[i] + z * rays->p_out[i],
@@ -134,7 +134,7 @@ static double clear_percent(const struct fit_job *job)
 {
     double sum = 0;
     for (size_t f = 0; f < job->setup->field_count; f++) {
-        sum += job->bundle.clear[f];
+        sum += job->ray_data.clear[f];
     }
     return 100 * sum / (double)job->setup->field_count;
 }
@@ -158,7 +158,7 @@ static void emit_answer(const struct fit_job *job, size_t g)
     const struct solver_summary *summary = &fit->summary;
     size_t base = job->task.separate ? 3 * g : 0;
     double plane = job->task.planes[0];
-    const struct thick_rays *rays = &job->bundle.rays;
+    const struct thick_rays *rays = &job->ray_data.rays;
     bool one = job->task.separate || job->input->question.wavelength.name != NULL;
     struct lens_row row = {
         .position = job->setup->position,
@@ -187,7 +187,7 @@ static void emit_answer(const struct fit_job *job, size_t g)
         .paraxial_front = job->light.first.front_principal,
         .paraxial_rear = job->light.first.rear_principal,
         .rays = (long)rays->count,
-        .lost = (long)(job->bundle.wanted - rays->count),
+        .lost = (long)(job->ray_data.wanted - rays->count),
         .clear_percent = clear_percent(job),
         .terms = (long)job->task.distortions,
         .sampling = job->sampling[g],

@@ -99,13 +99,13 @@ const struct sheet fit_matrix_sheet = {
     matrix_columns, sizeof matrix_columns / sizeof matrix_columns[0], sizeof(struct matrix_row)};
 void fit_show_rays(const struct fit_job *job)
 {
-    const struct thick_rays *rays = &job->bundle.rays;
+    const struct thick_rays *rays = &job->ray_data.rays;
     struct arena *arena = job->run->arena;
     double *dx = ARENA_ARRAY(arena, rays->count, double);
     double *dy = ARENA_ARRAY(arena, rays->count, double);
     thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
     for (size_t i = 0; i < rays->count; i++) {
-        double field = fit_field(job, job->bundle.field[i]);
+        double field = fit_field(job, job->ray_data.field[i]);
         bool angle = job->setup->lens->object_is_infinite;
         const struct ray_row row = {.position = job->setup->position,
                                     .wavelength =
@@ -133,7 +133,7 @@ void fit_show_models(const struct fit_job *job)
     for (size_t i = 0; i < sizeof models / sizeof models[0]; i++) {
         const struct thick_lens *lens = &models[i].lenses[0];
         struct thick_score score =
-            thick_score(&job->bundle.rays, models[i].lenses, job->task.planes);
+            thick_score(&job->ray_data.rays, models[i].lenses, job->task.planes);
         const struct model_row row = {.position = job->setup->position,
                                       .model = models[i].name,
                                       .efl = lens->focal,
@@ -187,20 +187,20 @@ static void label_map(const struct fit_job *job, struct ray_map *map)
 
 static void place_points(const struct fit_job *job, struct ray_map *map)
 {
-    const struct bundle *bundle = &job->bundle;
-    const struct thick_rays *rays = &bundle->rays;
+    const struct ray_data *ray_data = &job->ray_data;
+    const struct thick_rays *rays = &ray_data->rays;
     struct arena *arena = job->run->arena;
-    size_t count = rays->count + bundle->lost_count;
+    size_t count = rays->count + ray_data->lost_count;
     struct ray_map_point *points = ARENA_ARRAY(arena, count, struct ray_map_point);
     double *dx = ARENA_ARRAY(arena, rays->count, double);
     double *dy = ARENA_ARRAY(arena, rays->count, double);
     thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
     for (size_t i = 0; i < rays->count; i++) {
-        points[i] = (struct ray_map_point){bundle->field[i], rays->group[i], rays->stop_x[i],
-                                           rays->stop_y[i],  1000 * dx[i],   1000 * dy[i]};
+        points[i] = (struct ray_map_point){ray_data->field[i], rays->group[i], rays->stop_x[i],
+                                           rays->stop_y[i],    1000 * dx[i],   1000 * dy[i]};
     }
-    for (size_t i = 0; i < bundle->lost_count; i++) {
-        const struct bundle_loss *lost = &bundle->lost[i];
+    for (size_t i = 0; i < ray_data->lost_count; i++) {
+        const struct ray_data_loss *lost = &ray_data->lost[i];
         points[rays->count + i] =
             (struct ray_map_point){lost->field, lost->group, lost->stop_x, lost->stop_y, NAN, NAN};
     }
@@ -252,7 +252,7 @@ bool fit_save_lens(const struct artifact_job *wanted, struct output *sink, struc
                               job->setup->position != NULL ? job->setup->position : ""),
         .note =
             arena_printf(arena, "fitted by lenscalc to %zu exact rays, rms %.4g um in the image",
-                         job->bundle.rays.count, 1000 * job->fit.rms),
+                         job->ray_data.rays.count, 1000 * job->fit.rms),
     };
     const struct lens lens = thick_element_lens(job->setup->lens, &stand_in, arena);
     struct text text = lens_write(&lens, arena);

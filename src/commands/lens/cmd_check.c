@@ -123,18 +123,18 @@ static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                           .fields = FIELDS_EDGE};
 
 /* The lens in one case, ready for comparison. */
-struct bench {
+struct check_job {
     const struct input *input;
     const struct lens_case *one;
     struct check_problem problem;
 };
 
-static bool set_up(const struct input *input, const struct lens_case *one, struct bench *bench,
+static bool set_up(const struct input *input, const struct lens_case *one, struct check_job *check,
                    struct error *error)
 {
     const struct lens *lens = one->setup->lens;
     for (size_t i = 0; i < lens->surface_count; i++) {
-        if (lens->surfaces[i].moved != NULL || lens->surfaces[i].bend != NULL) {
+        if (lens->surfaces[i].decentre != NULL || lens->surfaces[i].coordinate_break != NULL) {
             return fail(error, ERROR_DOMAIN,
                         "surface %zu is decentred, tilted or bent, and paraxial results are those "
                         "of the centred lens: there is nothing to compare",
@@ -149,8 +149,8 @@ static bool set_up(const struct input *input, const struct lens_case *one, struc
     const struct system *forward = setup_system(setup, one->index, SETUP_OPEN, error);
     const struct system *backward =
         forward != NULL ? setup_system(setup, one->index, SETUP_REVERSED, error) : NULL;
-    *bench = (struct bench){.input = input, .one = one};
-    bench->problem = (struct check_problem){
+    *check = (struct check_job){.input = input, .one = one};
+    check->problem = (struct check_problem){
         .forward = forward,
         .backward = backward,
         .first = &one->light.first,
@@ -214,13 +214,13 @@ static const char *extent_words(const struct row *row, enum check_quantity quant
                         row->trusted_fnumber);
 }
 
-static void judge(const struct bench *bench, enum check_quantity quantity, struct arena *arena,
+static void judge(const struct check_job *check, enum check_quantity quantity, struct arena *arena,
                   struct row *row)
 {
-    const struct check_problem *problem = &bench->problem;
+    const struct check_problem *problem = &check->problem;
     const struct check_order order = check_order(problem, quantity, arena);
     struct check_value edge = check_at(problem, quantity, 1, arena);
-    double tolerance = bench->input->tolerance;
+    double tolerance = check->input->tolerance;
     row->order = order.order;
     row->rounding = order.rounding;
     row->tolerance = tolerance;
@@ -247,11 +247,11 @@ static void judge(const struct bench *bench, enum check_quantity quantity, struc
 
 /* -------- rows -------- */
 
-static void fill(const struct bench *bench, enum check_quantity quantity, double fraction,
+static void fill(const struct check_job *check, enum check_quantity quantity, double fraction,
                  struct arena *arena, struct row *row)
 {
-    struct check_value here = check_at(&bench->problem, quantity, fraction, arena);
-    struct check_value half = check_at(&bench->problem, quantity, fraction / 2, arena);
+    struct check_value here = check_at(&check->problem, quantity, fraction, arena);
+    struct check_value half = check_at(&check->problem, quantity, fraction / 2, arena);
     double unit = quantity == CHECK_EXIT_ANGLE ? DEGREES_PER_RADIAN : 1;
     row->fraction = fraction;
     row->fnumber = here.fnumber;
@@ -291,8 +291,8 @@ static bool compare(const struct lens_case *one, void *context, struct error *er
     const struct asked *asked = context;
     const struct input *input = asked->input;
     struct run *run = asked->run;
-    struct bench bench;
-    if (!set_up(input, one, &bench, error)) {
+    struct check_job check;
+    if (!set_up(input, one, &check, error)) {
         return false;
     }
     for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
@@ -304,13 +304,13 @@ static bool compare(const struct lens_case *one, void *context, struct error *er
             .warning = one->warning,
             .wavelength = one->light.wavelength,
         };
-        if (!check_applies(&bench.problem, (enum check_quantity)quantity)) {
+        if (!check_applies(&check.problem, (enum check_quantity)quantity)) {
             continue;
         }
-        judge(&bench, (enum check_quantity)quantity, run->arena, &row);
+        judge(&check, (enum check_quantity)quantity, run->arena, &row);
         for (long step = 0; step < input->steps; step++) {
             double fraction = fraction_of((enum check_quantity)quantity, step, input->steps);
-            fill(&bench, (enum check_quantity)quantity, fraction, run->arena, &row);
+            fill(&check, (enum check_quantity)quantity, fraction, run->arena, &row);
             if (!run_emit(run, &row)) {
                 return true;
             }
@@ -342,12 +342,12 @@ static bool add_curves(const struct lens_case *one, void *context, struct error 
 {
     struct curves *curves = context;
     struct arena *arena = curves->arena;
-    struct bench bench;
-    if (!set_up(curves->input, one, &bench, error)) {
+    struct check_job check;
+    if (!set_up(curves->input, one, &check, error)) {
         return false;
     }
     for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
-        const struct check_problem *problem = &bench.problem;
+        const struct check_problem *problem = &check.problem;
         enum check_quantity what = (enum check_quantity)quantity;
         if (!check_applies(problem, what) || isnan(check_at(problem, what, 0.5, arena).scale)) {
             continue;
@@ -362,7 +362,7 @@ static bool add_curves(const struct lens_case *one, void *context, struct error 
             .label = names[quantity].name, .y = y, .style = curves->plot.series_count};
         curves->plot.series_count++;
     }
-    double largest = atan2(sin(bench.problem.field.value[1]), cos(bench.problem.field.value[1]));
+    double largest = atan2(sin(check.problem.field.value[1]), cos(check.problem.field.value[1]));
     curves->plot.title =
         arena_printf(arena, "Exact rays against paraxial results: %s", one->setup->lens->title);
     curves->plot.subtitle =
@@ -371,7 +371,7 @@ static bool add_curves(const struct lens_case *one, void *context, struct error 
                      one->setup->position != NULL ? one->setup->position : "",
                      isfinite(one->light.first.fnumber) ? one->light.first.fnumber
                                                         : one->light.first.working_fnumber,
-                     bench.problem.field.kind == FIELD_ANGLE
+                     check.problem.field.kind == FIELD_ANGLE
                          ? arena_printf(arena, ", field %.4g deg", largest * DEGREES_PER_RADIAN)
                          : "");
     return true;

@@ -20,7 +20,7 @@ struct asked {
 };
 
 /* What one lens at one wavelength needs for all its points. */
-struct scene {
+struct pupil_job {
     const struct asked *asked;
     const struct lens_case *one;
     const struct system *clipped, *open;
@@ -29,14 +29,13 @@ struct scene {
 };
 
 /* Both systems go the way the light of the points does. */
-static bool open_systems(struct scene *scene, unsigned way, struct error *error)
+static bool open_systems(struct pupil_job *job, unsigned way, struct error *error)
 {
-    const struct lens_case *one = scene->one;
-    scene->open = setup_system(one->setup, one->index, SETUP_OPEN | way, error);
-    scene->clipped = scene->open != NULL
-                         ? setup_system(one->setup, one->index, SETUP_CLIPPED | way, error)
-                         : NULL;
-    return scene->clipped != NULL;
+    const struct lens_case *one = job->one;
+    job->open = setup_system(one->setup, one->index, SETUP_OPEN | way, error);
+    job->clipped =
+        job->open != NULL ? setup_system(one->setup, one->index, SETUP_CLIPPED | way, error) : NULL;
+    return job->clipped != NULL;
 }
 
 static bool check_film(double film, struct error *error)
@@ -49,39 +48,39 @@ static bool check_film(double film, struct error *error)
     return true;
 }
 
-static bool shape_of(const struct scene *scene, const struct beam *beam, struct arena *arena,
+static bool shape_of(const struct pupil_job *job, const struct beam *beam, struct arena *arena,
                      struct pupil_shape *shape, struct error *error)
 {
-    const struct pupil_question question = {.clipped = scene->clipped,
-                                            .open = scene->open,
+    const struct pupil_question question = {.clipped = job->clipped,
+                                            .open = job->open,
                                             .beam = beam,
-                                            .first = &scene->one->light.first,
+                                            .first = &job->one->light.first,
                                             .directions = DIRECTIONS};
     return pupil_shape(&question, arena, shape, error);
 }
 
-static struct beam film_beam(const struct scene *scene, double height)
+static struct beam film_beam(const struct pupil_job *job, double height)
 {
-    return beam_from_film((double[3]){0, height, scene->film}, scene->open->index_first);
+    return beam_from_film((double[3]){0, height, job->film}, job->open->index_first);
 }
 
-static bool show(const struct scene *scene, const struct beam *beam, struct pupil_case *point,
+static bool show(const struct pupil_job *job, const struct beam *beam, struct pupil_case *point,
                  struct error *error)
 {
     struct pupil_shape shape;
-    if (!shape_of(scene, beam, scene->asked->arena, &shape, error)) {
+    if (!shape_of(job, beam, job->asked->arena, &shape, error)) {
         return false;
     }
     point->shape = &shape;
-    point->axis = &scene->axis;
-    point->one = scene->one;
-    return scene->asked->visit(point, scene->asked->context, error);
+    point->axis = &job->axis;
+    point->one = job->one;
+    return job->asked->visit(point, job->asked->context, error);
 }
 
-static bool show_field(const struct scene *scene, const struct field_point *field,
+static bool show_field(const struct pupil_job *job, const struct field_point *field,
                        struct error *error)
 {
-    const struct setup *setup = scene->one->setup;
+    const struct setup *setup = job->one->setup;
     struct beam beam;
     if (!beam_of_field(field, &setup->object, &setup->first, &beam, error)) {
         return false;
@@ -92,14 +91,14 @@ static bool show_field(const struct scene *scene, const struct field_point *fiel
     if (!setup->object.is_infinite) {
         point.object = -beam.axis[1] * beam.distance + 0.0;
     }
-    return show(scene, &beam, &point, error);
+    return show(job, &beam, &point, error);
 }
 
-static bool show_fields(const struct scene *scene, struct error *error)
+static bool show_fields(const struct pupil_job *job, struct error *error)
 {
-    const struct setup *setup = scene->one->setup;
+    const struct setup *setup = job->one->setup;
     for (size_t i = 0; i < setup->field_count; i++) {
-        if (!show_field(scene, &setup->fields[i].point, error)) {
+        if (!show_field(job, &setup->fields[i].point, error)) {
             return false;
         }
     }
@@ -123,15 +122,15 @@ struct pupil_memo {
     struct pupil_shape shapes[AXES]; /* their numbers only: outlines end with their row */
 };
 
-static struct axis_key key_of(const struct scene *scene)
+static struct axis_key key_of(const struct pupil_job *job)
 {
     struct axis_key key;
     memset(&key, 0, sizeof key);
-    key.lens = scene->asked->input->question.lens.lens;
-    key.position = scene->one->setup->position;
-    key.wavelength = scene->one->light.wavelength;
-    key.fnumber = scene->asked->input->question.fnumber;
-    key.film = scene->film;
+    key.lens = job->asked->input->question.lens.lens;
+    key.position = job->one->setup->position;
+    key.wavelength = job->one->light.wavelength;
+    key.fnumber = job->asked->input->question.fnumber;
+    key.film = job->film;
     return key;
 }
 
@@ -140,24 +139,24 @@ struct pupil_memo *pupil_memo_new(struct arena *arena)
     return ARENA_NEW(arena, struct pupil_memo);
 }
 
-static bool find_axis(struct scene *scene, const struct beam *beam, struct error *error)
+static bool find_axis(struct pupil_job *job, const struct beam *beam, struct error *error)
 {
-    struct pupil_memo *memo = scene->asked->memo;
-    const struct axis_key key = key_of(scene);
+    struct pupil_memo *memo = job->asked->memo;
+    const struct axis_key key = key_of(job);
     for (size_t i = 0; memo != NULL && i < memo->count; i++) {
         if (memcmp(&memo->keys[i], &key, sizeof key) == 0) {
-            scene->axis = memo->shapes[i];
+            job->axis = memo->shapes[i];
             return true;
         }
     }
-    if (!shape_of(scene, beam, scene->asked->arena, &scene->axis, error)) {
+    if (!shape_of(job, beam, job->asked->arena, &job->axis, error)) {
         return false;
     }
     if (memo != NULL) {
         size_t at = memo->count < AXES ? memo->count++ : 0;
         struct pupil_shape *kept = &memo->shapes[at];
         memo->keys[at] = key;
-        *kept = scene->axis;
+        *kept = job->axis;
         kept->stop = kept->across = NULL;
         kept->entrance.pupil.outline = kept->entrance.vertex.outline = NULL;
         kept->exit.pupil.outline = kept->exit.vertex.outline = NULL;
@@ -169,33 +168,33 @@ static bool visit_lens(const struct lens_case *one, void *context, struct error 
 {
     const struct asked *asked = context;
     const struct setup *setup = one->setup;
-    struct scene scene = {.asked = asked, .one = one, .film = NAN};
+    struct pupil_job job = {.asked = asked, .one = one, .film = NAN};
     bool from_film = !isnan(asked->input->height);
     const struct field_point centre = {FIELD_NONE, {0, 0}};
     struct beam beam;
-    if (!open_systems(&scene, from_film ? SETUP_REVERSED : 0, error) ||
+    if (!open_systems(&job, from_film ? SETUP_REVERSED : 0, error) ||
         (from_film && !check_film(setup->image, error))) {
         return false;
     }
     if (from_film) {
-        scene.film = setup->image;
-        beam = film_beam(&scene, 0);
+        job.film = setup->image;
+        beam = film_beam(&job, 0);
     } else if (!beam_of_field(&centre, &setup->object, &setup->first, &beam, error)) {
         return false;
     }
-    if (!find_axis(&scene, &beam, error)) {
+    if (!find_axis(&job, &beam, error)) {
         return false;
     }
     if (!from_film) {
-        return show_fields(&scene, error);
+        return show_fields(&job, error);
     }
     struct pupil_case point = {.from_film = true,
                                .angle = NAN,
                                .object = NAN,
                                .height = asked->input->height,
-                               .film = scene.film};
-    beam = film_beam(&scene, point.height);
-    return show(&scene, &beam, &point, error);
+                               .film = job.film};
+    beam = film_beam(&job, point.height);
+    return show(&job, &beam, &point, error);
 }
 
 bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pupil_memo *memo,

@@ -322,12 +322,12 @@ static void find_pupil(const struct system *open, const struct ray *starts, size
 static void find_cross(const struct trace_job *job, const struct beam *beam, const struct aim *aim,
                        struct arena *arena, struct clear_cross *cross)
 {
-    struct clear_guess guess = clear_guess_of(job->rims, beam, &job->one->setup.first);
+    struct clear_guess guess = clear_guess_of(job->clipped, beam, &job->one->setup.first);
     if (aim != NULL && aim->has_chief) {
         guess.centre[0] = aim->chief[0];
         guess.centre[1] = aim->chief[1];
     }
-    clear_across(job->rims, beam, &guess, lens_is_round(job->one->setup.lens), arena, cross);
+    clear_across(job->clipped, beam, &guess, lens_is_round(job->one->setup.lens), arena, cross);
 }
 
 /*
@@ -471,9 +471,9 @@ static bool emit_fields(const struct trace_job *plain, struct run *run, struct e
     const struct trace_job *job = &with;
     /* with the path, so that they give the same bits as the rays themselves */
     with.open = setup_system(setup, 0, SETUP_OPEN | SETUP_PATH, error);
-    with.rims =
+    with.clipped =
         job->one->clip ? job->system : setup_system(setup, 0, SETUP_CLIPPED | SETUP_PATH, error);
-    if (with.open == NULL || with.rims == NULL) {
+    if (with.open == NULL || with.clipped == NULL) {
         return false;
     }
     for (size_t i = 0; i < setup->field_count; i++) {

@@ -68,11 +68,11 @@ void trace_block(const struct block *block, struct run *run);
 struct trace_job {
     const struct trace_input *input;
     const struct ray_case *one;
-    const struct system *system;      /* clipped if the input says so */
-    const struct system *open, *rims; /* for rays of fields: without clip, and with it */
-    double wavelength;                /* um */
-    size_t to;                        /* place before which rays end */
-    struct trace_row blank;           /* what is the same in all rows */
+    const struct system *system;         /* clipped if the input says so */
+    const struct system *open, *clipped; /* for rays of fields: without clip, and with it */
+    double wavelength;                   /* um */
+    size_t to;                           /* place before which rays end */
+    struct trace_row blank;              /* what is the same in all rows */
 };
 
 bool trace_job_open(const struct trace_input *input, const struct ray_case *one,

@@ -197,11 +197,11 @@ static bool fill_background(const struct input *input, struct row *row, struct e
 /* Flash and other light; a filter takes from both, and is in the flash's loss already. */
 static bool fill_balance(const struct input *input, struct row *row, struct error *error)
 {
-    const struct flash_ambient scene = {row->setting, input->time, input->sync,
+    const struct flash_ambient light = {row->setting, input->time, input->sync,
                                         input->ev - input->filter.stops};
     row->time = input->time;
     row->ev = input->ev;
-    return !is_given(input->ev) || flash_against_ambient(&scene, &row->balance, error);
+    return !is_given(input->ev) || flash_against_ambient(&light, &row->balance, error);
 }
 
 static bool fill_ratio(const struct input *input, struct row *row, struct error *error)

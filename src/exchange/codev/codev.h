@@ -11,8 +11,8 @@ extern const struct foreign_format codev_format;
 enum { CODEV_MOST_VALUES = 100 }; /* fields, wavelengths or positions */
 
 /* Begins the comments in which lenscalc keeps what CODE V has no words for. */
-#define CODEV_REMARK "! lenscalc: "
-#define CODEV_NOTE   "note "
+#define CODEV_KEEP_NOTE "! lenscalc: "
+#define CODEV_NOTE      "note "
 /* Beside the EPD of a lens whose stop rules the aperture. */
 #define CODEV_STOP_RULES "the stop's diameter rules, not EPD"
 

@@ -3,7 +3,7 @@
 #include "exchange/codev/codev.h"
 
 #include "exchange/codev/codev_system.h"
-#include "exchange/remarks.h"
+#include "exchange/keep_notes.h"
 
 #include <math.h>
 #include <string.h>
@@ -254,25 +254,25 @@ static bool finish(struct codev *codev, struct error *error)
 }
 
 /* What lenscalc itself has written as comments. */
-static void read_remarks(struct codev *codev, struct text content)
+static void read_keep_notes(struct codev *codev, struct text content)
 {
     struct lens *lens = codev->build.lens;
-    struct remarks remarks = {0};
+    struct keep_notes notes = {0};
     for (struct text rest = content; rest.start != NULL;) {
         const struct text line = text_trim(text_cut(&rest, '\n'));
-        const struct text remark = text_behind(line, CODEV_REMARK);
-        const struct text note = text_behind(remark, CODEV_NOTE);
-        if (text_equal(remark, CODEV_STOP_RULES)) {
+        const struct text kept = text_behind(line, CODEV_KEEP_NOTE);
+        const struct text note = text_behind(kept, CODEV_NOTE);
+        if (text_equal(kept, CODEV_STOP_RULES)) {
             lens->aperture_kind = APERTURE_STOP;
             lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
             lens->apertures = NULL;
         } else if (note.start != NULL) {
             lens_build_note(&codev->build, note);
-        } else if (remark.start != NULL) {
-            remarks_take(&remarks, remark);
+        } else if (kept.start != NULL) {
+            keep_notes_take(&notes, kept);
         }
     }
-    remarks_apply(&remarks, &codev->build);
+    keep_notes_apply(&notes, &codev->build);
 }
 
 static bool codev_read(struct foreign_job *job, struct text content, struct lens *lens,
@@ -294,7 +294,7 @@ static bool codev_read(struct foreign_job *job, struct text content, struct lens
             return false;
         }
     }
-    read_remarks(codev, content);
+    read_keep_notes(codev, content);
     return error->code == ERROR_NONE && finish(codev, error);
 }
 

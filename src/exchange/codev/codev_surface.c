@@ -443,7 +443,7 @@ bool codev_shift(struct codev *codev, int what, struct error *error)
         return codev_lose(codev, error, "a shift or turn of position %zu alone", qualifiers.zoom);
     }
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
-    surface->moved_at = codev->commands.words[0];
+    surface->decentred_at = codev->commands.words[0];
     if (!is_turn) {
         surface->shift[what - 'X'] = figure;
         return true;
@@ -461,6 +461,6 @@ bool codev_move(struct codev *codev, int what, struct error *error)
     }
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
     surface->move = (enum sequence_move)what;
-    surface->moved_at = codev->commands.words[0];
+    surface->decentred_at = codev->commands.words[0];
     return commands_end(&codev->commands, qualifiers.next, error);
 }

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
-#include "exchange/remarks.h"
+#include "exchange/keep_notes.h"
 #include "exchange/writing.h"
 #include "file/decimal.h"
 
@@ -216,7 +216,7 @@ static void put_values(struct output *output, const char *name, const struct fig
 static bool put_pupil(struct output *output, struct error *error)
 {
     struct figure pupil = {.variable = LENS_NONE};
-    put_string(output, CODEV_REMARK CODEV_STOP_RULES "\n");
+    put_string(output, CODEV_KEEP_NOTE CODEV_STOP_RULES "\n");
     if (!writing_pupil(&output->writing, 0, &pupil)) {
         return lose(output, error, "an aperture that is ruled by a stop without a pupil");
     }
@@ -311,9 +311,9 @@ static bool put_header(struct output *output, struct error *error)
     if (lens->title != NULL && !put_text(output, "TITLE", lens->title, error)) {
         return false;
     }
-    remarks_write(&output->writing.text, lens, output->writing.scale, CODEV_REMARK, "\n");
+    keep_notes_write(&output->writing.text, lens, output->writing.scale, CODEV_KEEP_NOTE, "\n");
     for (size_t i = 0; i < lens->note_count; i++) {
-        put_string(output, CODEV_REMARK CODEV_NOTE);
+        put_string(output, CODEV_KEEP_NOTE CODEV_NOTE);
         put_string(output, lens->notes[i]);
         put_string(output, "\n");
     }
@@ -426,9 +426,10 @@ static bool put_details(struct output *output, const struct surface *surface, st
     if (surface->name != NULL && !put_text(output, "  SLB", surface->name, error)) {
         return false;
     }
-    if (surface->moved != NULL || surface->bend != NULL) {
-        put_displacement(output, surface->moved != NULL ? surface->moved : surface->bend,
-                         surface->moved != NULL);
+    if (surface->decentre != NULL || surface->coordinate_break != NULL) {
+        put_displacement(output,
+                         surface->decentre != NULL ? surface->decentre : surface->coordinate_break,
+                         surface->decentre != NULL);
     }
     if (surface->vary_count > 0 &&
         !lose(output, error, "marks for the designer (R~, t~)" LOSS_INSTEAD "left out")) {
@@ -442,13 +443,14 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     const struct surface *surface = &output->lens->surfaces[index];
     struct writing *writing = &output->writing;
     const struct medium *before = index > 0 ? &surface[-1].medium : &output->lens->object_medium;
-    if (surface->moved != NULL && surface->bend != NULL) { /* the bend on a plane of its own */
+    if (surface->decentre != NULL &&
+        surface->coordinate_break != NULL) { /* the bend on a plane of its own */
         put_string(output, "S 0.0 0.0");
         if (!put_medium(output, before, error)) {
             return false;
         }
         put_string(output, "\n");
-        put_displacement(output, surface->bend, false);
+        put_displacement(output, surface->coordinate_break, false);
     }
     bool has_radius = !surface->is_plane && !surface->has_curvature && surface->curved != CURVED_X;
     put_string(output, "S ");
@@ -471,7 +473,7 @@ static size_t number_of(const struct lens *lens, size_t index)
     size_t number = 1;
     for (size_t i = 0; i <= index; i++) {
         number += i < index;
-        number += lens->surfaces[i].moved != NULL && lens->surfaces[i].bend != NULL;
+        number += lens->surfaces[i].decentre != NULL && lens->surfaces[i].coordinate_break != NULL;
     }
     return number;
 }

@@ -16,7 +16,7 @@
 extern const struct foreign_format oslo_format;
 
 /* Begins the comments in which lenscalc keeps what OSLO has no words for. */
-#define OSLO_REMARK "// lenscalc: "
+#define OSLO_KEEP_NOTE "// lenscalc: "
 /* Beside the EBR of a lens whose stop rules the aperture. */
 #define OSLO_STOP_RULES "the stop's diameter rules, not EBR"
 /* The fields as a .lens file has them, which OSLO keeps as fractions of the largest. */

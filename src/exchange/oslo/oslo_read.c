@@ -1,8 +1,8 @@
 /* exchange/oslo/oslo_read.c - read an OSLO lens file. */
 /* SPDX-License-Identifier: MIT */
+#include "exchange/keep_notes.h"
 #include "exchange/oslo/oslo.h"
 #include "exchange/oslo/oslo_words.h"
-#include "exchange/remarks.h"
 #include "exchange/sequence.h"
 
 #include "base/constants.h"
@@ -224,7 +224,7 @@ static bool read_shift(struct oslo *oslo, int what, struct error *error)
                   &figure, error)) {
         return false;
     }
-    surface->moved_at = oslo->commands.words[0];
+    surface->decentred_at = oslo->commands.words[0];
     if (!is_turn) {
         surface->shift[what - 'X'] = figure;
         return true;
@@ -258,7 +258,7 @@ static bool read_move(struct oslo *oslo, int what, struct error *error)
         return false;
     }
     surface->move = (enum sequence_move)what;
-    surface->moved_at = oslo->commands.words[0];
+    surface->decentred_at = oslo->commands.words[0];
     return (to == oslo->surface && what == SEQUENCE_BACK) || what != SEQUENCE_BACK ||
            oslo_lose(oslo, error, "coordinates of another surface");
 }
@@ -487,28 +487,28 @@ static void name_surface(struct oslo *oslo, struct text rest)
 }
 
 /* What lenscalc itself has written as comments. */
-static bool read_remarks(struct oslo *oslo, struct text content, struct error *error)
+static bool read_keep_notes(struct oslo *oslo, struct text content, struct error *error)
 {
     struct lens *lens = oslo->build.lens;
-    struct remarks remarks = {0};
+    struct keep_notes notes = {0};
     for (struct text rest = content; rest.start != NULL;) {
         const struct text line = text_trim(text_cut(&rest, '\n'));
-        const struct text remark = text_behind(line, OSLO_REMARK);
-        const struct text fields = text_behind(remark, OSLO_FIELDS);
-        const struct text name = text_behind(remark, OSLO_NAME);
+        const struct text kept = text_behind(line, OSLO_KEEP_NOTE);
+        const struct text fields = text_behind(kept, OSLO_FIELDS);
+        const struct text name = text_behind(kept, OSLO_NAME);
         if (fields.start != NULL && !oslo_fields(oslo, fields, error)) {
             return false;
         }
-        if (text_equal(remark, OSLO_STOP_RULES)) {
+        if (text_equal(kept, OSLO_STOP_RULES)) {
             lens->aperture_kind = APERTURE_STOP;
             lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
         } else if (name.start != NULL) {
             name_surface(oslo, name);
-        } else if (remark.start != NULL) {
-            remarks_take(&remarks, remark);
+        } else if (kept.start != NULL) {
+            keep_notes_take(&notes, kept);
         }
     }
-    remarks_apply(&remarks, &oslo->build);
+    keep_notes_apply(&notes, &oslo->build);
     return true;
 }
 
@@ -541,7 +541,7 @@ static bool oslo_read(struct foreign_job *job, struct text content, struct lens 
         oslo->sequence.surfaces[1].is_stop = true;
     }
     return oslo_finish_system(oslo, error) && sequence_check_fnumber(&oslo->sequence, error) &&
-           read_remarks(oslo, content, error) && sequence_finish(&oslo->sequence, error);
+           read_keep_notes(oslo, content, error) && sequence_finish(&oslo->sequence, error);
 }
 
 /* Some line begins with LEN NEW. */

@@ -1,7 +1,7 @@
 /* exchange/oslo/oslo_write.c - a lens as an OSLO lens file. */
 /* SPDX-License-Identifier: MIT */
+#include "exchange/keep_notes.h"
 #include "exchange/oslo/oslo.h"
-#include "exchange/remarks.h"
 #include "exchange/writing.h"
 #include "file/decimal.h"
 
@@ -78,7 +78,7 @@ static bool put_aperture(struct output *output, struct error *error)
                     "NA, write 'aperture na'");
     }
     if (lens->aperture_kind == APERTURE_STOP) {
-        put_string(output, OSLO_REMARK OSLO_STOP_RULES "\n");
+        put_string(output, OSLO_KEEP_NOTE OSLO_STOP_RULES "\n");
         figure = (struct figure){.variable = LENS_NONE};
         if (!writing_pupil(&output->writing, 0, &figure)) {
             return lose(output, error, "an aperture that is ruled by a stop without a pupil");
@@ -114,7 +114,7 @@ static void put_field(struct output *output)
         return;
     }
     put_command(output, words[lens->field_kind], field_text(output, edge));
-    put_string(output, OSLO_REMARK OSLO_FIELDS);
+    put_string(output, OSLO_KEEP_NOTE OSLO_FIELDS);
     for (size_t i = 0; i < lens->field_count; i++) {
         put_string(output, i > 0 ? " " : "");
         growing_text(&output->writing.text, field_text(output, &lens->fields[i]));
@@ -147,7 +147,7 @@ static bool put_header(struct output *output, struct error *error)
     static const char *const units[][2] = {
         {"mm", "1.0"}, {"cm", "10.0"}, {"in", "25.4"}, {"m", "1000.0"}};
     put_string(output, "// OSLO 6.6 0 0 0\n");
-    remarks_write(&output->writing.text, lens, output->writing.scale, OSLO_REMARK, "\n");
+    keep_notes_write(&output->writing.text, lens, output->writing.scale, OSLO_KEEP_NOTE, "\n");
     if (!put_text(output, "LEN NEW", lens->title != NULL ? lens->title : "", error)) {
         return false;
     }
@@ -274,9 +274,9 @@ static void put_next(struct output *output)
     output->number++;
 }
 
-static bool is_moved_twice(const struct surface *surface)
+static bool is_displaced_twice(const struct surface *surface)
 {
-    return surface->moved != NULL && surface->bend != NULL;
+    return surface->decentre != NULL && surface->coordinate_break != NULL;
 }
 
 /* What goes before the surface: its name, and a bend that needs a plane of its own. */
@@ -284,12 +284,12 @@ static void put_before(struct output *output, const struct surface *surface,
                        const struct medium *before)
 {
     if (surface->name != NULL) {
-        growing_format(&output->writing.text, OSLO_REMARK OSLO_NAME "%zu %s\n",
-                       output->number + is_moved_twice(surface), surface->name);
+        growing_format(&output->writing.text, OSLO_KEEP_NOTE OSLO_NAME "%zu %s\n",
+                       output->number + is_displaced_twice(surface), surface->name);
     }
-    if (is_moved_twice(surface)) {
+    if (is_displaced_twice(surface)) {
         put_medium(output, before);
-        put_displacement(output, surface->bend, false);
+        put_displacement(output, surface->coordinate_break, false);
         put_next(output);
     }
 }
@@ -320,9 +320,10 @@ static bool put_surface(struct output *output, size_t index, struct error *error
                     decimal_half(length_of(output, &surface->diameter), output->job->arena));
     }
     put_string(output, surface->is_stop ? "AST\n" : "");
-    if (surface->moved != NULL || surface->bend != NULL) {
-        put_displacement(output, surface->moved != NULL ? surface->moved : surface->bend,
-                         surface->moved != NULL);
+    if (surface->decentre != NULL || surface->coordinate_break != NULL) {
+        put_displacement(output,
+                         surface->decentre != NULL ? surface->decentre : surface->coordinate_break,
+                         surface->decentre != NULL);
     }
     return surface->vary_count == 0 ||
            lose(output, error, "marks for the designer (R~, t~)" LOSS_INSTEAD "left out");

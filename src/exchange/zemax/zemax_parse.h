@@ -4,7 +4,7 @@
 #define LENSCALC_EXCHANGE_ZEMAX_ZEMAX_PARSE_H
 
 #include "exchange/foreign.h"
-#include "exchange/remarks.h"
+#include "exchange/keep_notes.h"
 #include "exchange/zemax/zemax.h"
 #include "file/lens_build.h"
 
@@ -48,7 +48,7 @@ struct zemax_setting {
 };
 
 /* Begins the notes in which lenscalc keeps what a .zmx file has no words for. */
-#define ZEMAX_REMARK    "lenscalc "
+#define ZEMAX_KEEP_NOTE "lenscalc "
 #define ZEMAX_POSITIONS "positions " /* their names follow */
 
 struct zemax_file {
@@ -66,9 +66,9 @@ struct zemax_file {
     const struct zemax_line *primary_line;
     size_t configurations;
     struct zemax_setting *settings, *last_setting;
-    struct remarks remarks;
+    struct keep_notes notes;
     struct text position_names;
-    const struct displacement *bend; /* of the next surface */
+    const struct displacement *coordinate_break; /* of the next surface */
 };
 
 /* Read all lines. Errors as foreign_format.read */

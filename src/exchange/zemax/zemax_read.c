@@ -220,7 +220,7 @@ static void set_positions(struct zemax_file *file)
 {
     struct lens *lens = file->build.lens;
     if (file->configurations < 2) {
-        remarks_apply(&file->remarks, &file->build);
+        keep_notes_apply(&file->notes, &file->build);
         return;
     }
     lens->positions = ARENA_ARRAY(file->job->arena, file->configurations, const char *);
@@ -229,7 +229,7 @@ static void set_positions(struct zemax_file *file)
         lens->positions[i] = arena_printf(file->job->arena, "%zu", i + 1);
     }
     name_positions(file);
-    remarks_apply(&file->remarks, &file->build);
+    keep_notes_apply(&file->notes, &file->build);
 }
 
 /* The image is a plane on the axis; what the file says of it beyond that is lost. */

@@ -233,16 +233,17 @@ static bool set_extended_odd(struct zemax_file *file, size_t at, struct surface 
 /* The tangents of a plane z = x tan a + y tan b as turns about its vertex. */
 static bool set_tilted(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
 {
-    struct displacement *moved = ARENA_NEW(file->job->arena, struct displacement);
+    struct displacement *decentre = ARENA_NEW(file->job->arena, struct displacement);
     double a = parameter(file, at, 1).value.hi, b = parameter(file, at, 2).value.hi;
     double turns[3] = {atan(b), atan(-a * cos(atan(b))) + 0., 0}; /* -0 + 0 is 0 */
     (void)error;
     for (int i = 0; i < 3; i++) {
-        moved->tilt[i] = figure_of(turns[i] / RADIANS_PER_DEGREE, file->job->arena);
-        moved->tilt[i].value = pair_multiply(moved->tilt[i].value, pair_of(RADIANS_PER_DEGREE));
-        moved->decenter[i % 2] = figure_of(0, file->job->arena);
+        decentre->tilt[i] = figure_of(turns[i] / RADIANS_PER_DEGREE, file->job->arena);
+        decentre->tilt[i].value =
+            pair_multiply(decentre->tilt[i].value, pair_of(RADIANS_PER_DEGREE));
+        decentre->decenter[i % 2] = figure_of(0, file->job->arena);
     }
-    to->moved = moved;
+    to->decentre = decentre;
     return true;
 }
 
@@ -399,8 +400,8 @@ static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
     const struct zemax_surface *from = &file->surfaces[at];
     const struct medium before = medium_before(file->build.lens);
     struct surface *to = lens_build_surface(&file->build);
-    to->bend = file->bend;
-    file->bend = NULL;
+    to->coordinate_break = file->coordinate_break;
+    file->coordinate_break = NULL;
     if (!zemax_medium(file, from, &before, &to->medium, error)) {
         return false;
     }
@@ -422,22 +423,22 @@ static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
 }
 
 /* A plane that does nothing but carry a bend of the axis. */
-static void flush_bend(struct zemax_file *file)
+static void flush_break(struct zemax_file *file)
 {
-    if (file->bend != NULL) {
+    if (file->coordinate_break != NULL) {
         const struct medium before = medium_before(file->build.lens);
         struct surface *to = lens_build_surface(&file->build);
         to->medium = before;
-        to->bend = file->bend;
-        file->bend = NULL;
+        to->coordinate_break = file->coordinate_break;
+        file->coordinate_break = NULL;
     }
 }
 
 /* A bend waits for its surface. */
-static void add_bend(struct zemax_file *file, const struct displacement *bend)
+static void hold_break(struct zemax_file *file, const struct displacement *coordinate_break)
 {
-    flush_bend(file);
-    file->bend = bend;
+    flush_break(file);
+    file->coordinate_break = coordinate_break;
 }
 
 /* Does the break do nothing but bend, and a surface follow? Then it needs no plane of its own. */
@@ -457,27 +458,29 @@ static void add_break(struct zemax_file *file, size_t at)
     static const int parts[2][4] = {{1, 3, 4, 5}, {5, 4, 3, 1}};
     struct arena *arena = file->job->arena;
     bool reversed = parameter(file, at, 6).value.hi != 0;
-    struct displacement *bend = NULL;
+    struct displacement *coordinate_break = NULL;
     for (int i = 0; i < 4; i++) {
         int part = parts[reversed][i];
         bool shift = part == 1;
         struct figure one = parameter(file, at, (size_t)part), two = parameter(file, at, 2);
-        if (one.value.hi == 0 && !(shift && two.value.hi != 0) && !(i == 3 && bend == NULL)) {
+        if (one.value.hi == 0 && !(shift && two.value.hi != 0) &&
+            !(i == 3 && coordinate_break == NULL)) {
             continue;
         }
-        if (bend == NULL || reversed) {
-            bend = ARENA_NEW(arena, struct displacement);
+        if (coordinate_break == NULL || reversed) {
+            coordinate_break = ARENA_NEW(arena, struct displacement);
             for (int k = 0; k < 3; k++) {
-                bend->tilt[k] = bend->decenter[k % 2] = figure_of(0, arena);
+                coordinate_break->tilt[k] = coordinate_break->decenter[k % 2] = figure_of(0, arena);
             }
-            add_bend(file, bend);
+            hold_break(file, coordinate_break);
         }
         if (shift) {
-            bend->decenter[0] = in_unit(file, one, 1);
-            bend->decenter[1] = in_unit(file, two, 1);
+            coordinate_break->decenter[0] = in_unit(file, one, 1);
+            coordinate_break->decenter[1] = in_unit(file, two, 1);
         } else {
-            bend->tilt[part - 3] = one;
-            bend->tilt[part - 3].value = pair_multiply(one.value, pair_of(RADIANS_PER_DEGREE));
+            coordinate_break->tilt[part - 3] = one;
+            coordinate_break->tilt[part - 3].value =
+                pair_multiply(one.value, pair_of(RADIANS_PER_DEGREE));
         }
     }
 }
@@ -497,7 +500,7 @@ bool zemax_surfaces(struct zemax_file *file, struct error *error)
                 places[i] = LENS_NONE;
                 continue;
             }
-            flush_bend(file);
+            flush_break(file);
             if (lens->surface_count > 0) {
                 set_comment(file, &file->surfaces[i], &lens->surfaces[lens->surface_count - 1]);
             }

@@ -51,13 +51,13 @@ static bool read_note(struct zemax_file *file, struct text keyword, struct error
     if (!text_equal(number, "0") || rest.length == 0) {
         return true;
     }
-    struct text remark = text_behind(rest, ZEMAX_REMARK),
-                names = text_behind(remark, ZEMAX_POSITIONS);
+    struct text note = text_behind(rest, ZEMAX_KEEP_NOTE),
+                names = text_behind(note, ZEMAX_POSITIONS);
     if (names.start != NULL) {
         file->position_names = names;
         return true;
     }
-    if (remark.start != NULL && remarks_take(&file->remarks, remark)) {
+    if (note.start != NULL && keep_notes_take(&file->notes, note)) {
         return true;
     }
     lens_build_note(&file->build, rest);

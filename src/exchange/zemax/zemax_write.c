@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_write.c - a lens as a .zmx file. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/remarks.h"
+#include "exchange/keep_notes.h"
 #include "exchange/zemax/zemax.h"
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_writer.h"
@@ -22,9 +22,9 @@ static void put_notes(struct zemax_writer *writer)
         growing_string(&writer->out, lens->notes[i]);
         growing_string(&writer->out, "\r\n");
     }
-    remarks_write(&writer->out, lens, writer->unit, "NOTE 0 " ZEMAX_REMARK, "\r\n");
+    keep_notes_write(&writer->out, lens, writer->unit, "NOTE 0 " ZEMAX_KEEP_NOTE, "\r\n");
     if (lens->position_count > 0) {
-        growing_string(&writer->out, "NOTE 0 " ZEMAX_REMARK ZEMAX_POSITIONS);
+        growing_string(&writer->out, "NOTE 0 " ZEMAX_KEEP_NOTE ZEMAX_POSITIONS);
         for (size_t i = 0; i < lens->position_count; i++) {
             growing_string(&writer->out, i > 0 ? " " : "");
             growing_string(&writer->out, lens->positions[i]);

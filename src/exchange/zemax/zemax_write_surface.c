@@ -210,13 +210,14 @@ static void put_parameter(struct zemax_writer *writer, int number, const struct 
 }
 
 /* A break of the axis, or its undoing. */
-static void put_break(struct zemax_writer *writer, const struct displacement *moved, bool undo)
+static void put_break(struct zemax_writer *writer, const struct displacement *displacement,
+                      bool undo)
 {
     zemax_put_surf(writer, "COORDBRK");
-    put_parameter(writer, 1, &moved->decenter[0], false, undo);
-    put_parameter(writer, 2, &moved->decenter[1], false, undo);
+    put_parameter(writer, 1, &displacement->decenter[0], false, undo);
+    put_parameter(writer, 2, &displacement->decenter[1], false, undo);
     for (int i = 0; i < 3; i++) {
-        put_parameter(writer, 3 + i, &moved->tilt[i], true, undo);
+        put_parameter(writer, 3 + i, &displacement->tilt[i], true, undo);
     }
     growing_string(&writer->out, undo ? "  PARM 6 1\r\n" : "  PARM 6 0\r\n");
 }
@@ -363,16 +364,16 @@ static bool check_surface(struct zemax_writer *writer, const struct surface *sur
 bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *error)
 {
     const struct surface *surface = &writer->lens->surfaces[index];
-    bool last = index + 1 == writer->lens->surface_count, moved = surface->moved != NULL;
+    bool last = index + 1 == writer->lens->surface_count, is_decentred = surface->decentre != NULL;
     if (!check_surface(writer, surface, index + 1, error)) {
         return false;
     }
-    if (surface->bend != NULL) {
-        put_break(writer, surface->bend, false);
+    if (surface->coordinate_break != NULL) {
+        put_break(writer, surface->coordinate_break, false);
         growing_string(&writer->out, "  DISZ 0\r\n");
     }
-    if (moved) {
-        put_break(writer, surface->moved, false);
+    if (is_decentred) {
+        put_break(writer, surface->decentre, false);
         growing_string(&writer->out, "  DISZ 0\r\n");
     }
     zemax_put_surf(writer, type_of(surface));
@@ -393,12 +394,12 @@ bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *
     } else if (!zemax_put_medium(writer, &surface->medium, error)) {
         return false;
     }
-    if (moved) {
+    if (is_decentred) {
         growing_string(&writer->out, "  DISZ 0\r\n");
-        put_break(writer, surface->moved, true);
+        put_break(writer, surface->decentre, true);
     }
     writer->places[index] = writer->number - 1;
-    writer->own_places[index] = writer->number - (moved ? 2 : 1);
+    writer->own_places[index] = writer->number - (is_decentred ? 2 : 1);
     put_thickness(writer, surface, last);
     return true;
 }

@@ -1,4 +1,4 @@
-/* tests/ceres/test_bundle.c - thick lenses of real ones: their limit, their terms, lost rays. */
+/* tests/ceres/test_ray_data.c - thick lenses of real ones: their limit, their terms, lost rays. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "check.h"
@@ -177,7 +177,7 @@ static void test_counts(void)
                                       .rays = 36};
     CHECK_TRUE(subject_open("double-gauss", &even, &arena, &clipped, &error), "clipped");
     CHECK_TRUE(trace("double-gauss", 2, 0.24, true, &arena, &open, &error), "open");
-    const struct bundle *some = &clipped.bundle, *all = &open.bundle;
+    const struct ray_data *some = &clipped.ray_data, *all = &open.ray_data;
     CHECK_TRUE(some->rays.count + some->clipped + some->unreachable == some->wanted &&
                    some->lost_count == some->clipped + some->unreachable && some->clipped > 0,
                "%zu of %zu", some->rays.count, some->wanted);
@@ -201,10 +201,10 @@ static void test_counts(void)
 /* The spot of the largest field in the paraxial image plane about its centroid, um. */
 static double spot(const struct subject *subject, double *clear)
 {
-    const struct thick_rays *rays = &subject->bundle.rays;
+    const struct thick_rays *rays = &subject->ray_data.rays;
     double z = subject->first.image, sum = 0, mean[2] = {0, 0}, squares = 0;
     for (size_t i = 0; i < rays->count; i++) {
-        double w = subject->bundle.field[i] == FIELDS - 1 ? rays->weight[i] : 0;
+        double w = subject->ray_data.field[i] == FIELDS - 1 ? rays->weight[i] : 0;
         double x = rays->x_out[i] + z * rays->p_out[i], y = rays->y_out[i] + z * rays->q_out[i];
         sum += w;
         mean[0] += w * x;
@@ -245,9 +245,9 @@ static void test_vignetting(void)
         CHECK_TRUE(fabs(found / cases[i].spot - 1) < cases[i].tolerance, "%s %g: %.9g um",
                    cases[i].lens, cases[i].degrees, found);
         CHECK_TRUE(fabs(clear - cases[i].clear) < 2 * cases[i].tolerance &&
-                       fabs(clear - subject.bundle.clear[FIELDS - 1]) < 1e-14,
+                       fabs(clear - subject.ray_data.clear[FIELDS - 1]) < 1e-14,
                    "%s %g: %.10g of the stop", cases[i].lens, cases[i].degrees, clear);
-        CHECK_TRUE(subject.bundle.lost_count == 0, "%zu rays lost", subject.bundle.lost_count);
+        CHECK_TRUE(subject.ray_data.lost_count == 0, "%zu rays lost", subject.ray_data.lost_count);
         arena_free(&arena);
     }
 }
@@ -265,7 +265,7 @@ static void test_colours(void)
     struct error error;
     double sums[3] = {0};
     CHECK_TRUE(subject_open("double-gauss", &white, &arena, &subject, &error), "white");
-    const struct thick_rays *rays = &subject.bundle.rays;
+    const struct thick_rays *rays = &subject.ray_data.rays;
     for (size_t i = 0; i < rays->count; i++) {
         sums[rays->group[i]] += rays->weight[i];
         CHECK_TRUE(hypot(rays->stop_x[i], rays->stop_y[i]) < 1, "a ray beyond the stop");

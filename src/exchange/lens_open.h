@@ -1,7 +1,7 @@
-/* exchange/lens_db.h - lenses by name: the user's folder, the embedded ones, files. */
+/* exchange/lens_open.h - lenses by name: the user's folder, the embedded ones, files. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_EXCHANGE_LENS_DB_H
-#define LENSCALC_EXCHANGE_LENS_DB_H
+#ifndef LENSCALC_EXCHANGE_LENS_OPEN_H
+#define LENSCALC_EXCHANGE_LENS_OPEN_H
 
 #include "data/lensdb.h"
 #include "exchange/lens_formats.h"
@@ -16,18 +16,18 @@
  *           content  receives the text, in the arena or embedded
  * Errors    ERROR_IO: a file that cannot be read; ERROR_USAGE with a suggestion: no such lens
  */
-bool lens_db_content(struct lensdb *db, struct text name, struct arena *arena, const char **source,
-                     struct text *content, struct error *error);
+bool lens_open_text(struct lensdb *db, struct text name, struct arena *arena, const char **source,
+                    struct text *content, struct error *error);
 
 /*
  * Find and read a lens, also one of another program; where db->lossy, what is lost goes to
- * db->losses. Errors as lens_db_content and foreign_read.
+ * db->losses. Errors as lens_open_text and foreign_read.
  */
-bool lens_db_find(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
-                  struct error *error);
+bool lens_open(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
+               struct error *error);
 
 /* The names of all lenses of one place, sorted; an array in the arena that ends with null. */
-bool lens_db_names(struct lensdb *db, enum lensdb_place place, struct arena *arena,
-                   const char *const **names, struct error *error);
+bool lens_open_names(struct lensdb *db, enum lensdb_place place, struct arena *arena,
+                     const char *const **names, struct error *error);
 
 #endif

@@ -1,6 +1,6 @@
-/* exchange/lens_db.c - lenses by name: the user's folder, the embedded ones, files. */
+/* exchange/lens_open.c - lenses by name: the user's folder, the embedded ones, files. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/lens_db.h"
+#include "exchange/lens_open.h"
 
 #include "data/embedded.h"
 #include "data/whole_file.h"
@@ -61,8 +61,8 @@ static bool user_names(const struct lensdb *db, struct arena *arena, const char 
     return true;
 }
 
-bool lens_db_names(struct lensdb *db, enum lensdb_place place, struct arena *arena,
-                   const char *const **names, struct error *error)
+bool lens_open_names(struct lensdb *db, enum lensdb_place place, struct arena *arena,
+                     const char *const **names, struct error *error)
 {
     static const char *const none[] = {NULL};
     const char **all = NULL;
@@ -97,7 +97,7 @@ static bool find_user(struct lensdb *db, struct text name, struct arena *arena, 
 {
     const char *const *names;
     error->code = ERROR_NONE;
-    if (db->directory == NULL || !lens_db_names(db, LENSDB_USER, arena, &names, error)) {
+    if (db->directory == NULL || !lens_open_names(db, LENSDB_USER, arena, &names, error)) {
         return false;
     }
     for (; *names != NULL; names++) {
@@ -129,7 +129,7 @@ static bool fail_unknown(struct lensdb *db, struct text name, struct arena *aren
     for (int place = 0; place < LENSDB_PLACES; place++) {
         const char *const *names;
         struct error ignored;
-        if (lens_db_names(db, (enum lensdb_place)place, arena, &names, &ignored)) {
+        if (lens_open_names(db, (enum lensdb_place)place, arena, &names, &ignored)) {
             for (; *names != NULL; names++) {
                 nearest_offer(&nearest, text_of(*names));
             }
@@ -144,8 +144,8 @@ static bool fail_unknown(struct lensdb *db, struct text name, struct arena *aren
     return error_hint(error, "see 'lenscalc list lenses'");
 }
 
-bool lens_db_content(struct lensdb *db, struct text name, struct arena *arena, const char **source,
-                     struct text *content, struct error *error)
+bool lens_open_text(struct lensdb *db, struct text name, struct arena *arena, const char **source,
+                    struct text *content, struct error *error)
 {
     const char *path = copy(arena, name);
     if (text_equal(name, "-")) {
@@ -195,14 +195,14 @@ static void tell_losses(struct lensdb *db, const struct foreign_job *job)
     foreign_losses(job, &db->losses);
 }
 
-bool lens_db_find(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
-                  struct error *error)
+bool lens_open(struct lensdb *db, struct text name, struct arena *arena, struct lens *lens,
+               struct error *error)
 {
     const char *source;
     struct text content;
     struct lens_glasses place = {db, arena};
     const struct glass_source glasses = lens_glass_source(&place);
-    if (!lens_db_content(db, name, arena, &source, &content, error)) {
+    if (!lens_open_text(db, name, arena, &source, &content, error)) {
         return false;
     }
     struct foreign_job job = {

@@ -1,15 +1,15 @@
-/* exchange/remarks.c - what lenscalc keeps in comments of other programs' files. */
+/* exchange/keep_notes.c - what lenscalc keeps in comments of other programs' files. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/remarks.h"
+#include "exchange/keep_notes.h"
 
 #include <math.h>
 
-static const char *const names[REMARKS] = {
-    [REMARK_SOURCE] = "source ",
-    [REMARK_KIND] = "kind ",
-    [REMARK_STATED + STATED_EFL] = "stated efl ",
-    [REMARK_STATED + STATED_BFL] = "stated bfl ",
-    [REMARK_STATED + STATED_FNUMBER] = "stated fnumber ",
+static const char *const names[KEEP_NOTES] = {
+    [KEEP_NOTE_SOURCE] = "source ",
+    [KEEP_NOTE_KIND] = "kind ",
+    [KEEP_NOTE_STATED + STATED_EFL] = "stated efl ",
+    [KEEP_NOTE_STATED + STATED_BFL] = "stated bfl ",
+    [KEEP_NOTE_STATED + STATED_FNUMBER] = "stated fnumber ",
 };
 
 static struct number_scale scale_of(int stated, struct number_scale unit)
@@ -17,38 +17,38 @@ static struct number_scale scale_of(int stated, struct number_scale unit)
     return stated == STATED_FNUMBER ? NUMBER_UNSCALED : unit;
 }
 
-static void put_line(struct growing *out, const char *begin, enum remark remark, const char *text,
+static void put_line(struct growing *out, const char *begin, enum keep_note note, const char *text,
                      const char *end)
 {
     if (text != NULL) {
         growing_string(out, begin);
-        growing_string(out, names[remark]);
+        growing_string(out, names[note]);
         growing_string(out, text);
         growing_string(out, end);
     }
 }
 
-void remarks_write(struct growing *out, const struct lens *lens, struct number_scale unit,
-                   const char *begin, const char *end)
+void keep_notes_write(struct growing *out, const struct lens *lens, struct number_scale unit,
+                      const char *begin, const char *end)
 {
-    put_line(out, begin, REMARK_SOURCE, lens->source, end);
-    put_line(out, begin, REMARK_KIND, lens->kind, end);
+    put_line(out, begin, KEEP_NOTE_SOURCE, lens->source, end);
+    put_line(out, begin, KEEP_NOTE_KIND, lens->kind, end);
     for (int i = 0; i < STATED_COUNT; i++) {
         for (size_t k = 0; k < lens->stated_count[i]; k++) {
             growing_string(out, k == 0 ? begin : " ");
-            growing_string(out, k == 0 ? names[REMARK_STATED + i] : "");
+            growing_string(out, k == 0 ? names[KEEP_NOTE_STATED + i] : "");
             growing_figure(out, &lens->stated[i][k], scale_of(i, unit));
         }
         growing_string(out, lens->stated_count[i] > 0 ? end : "");
     }
 }
 
-bool remarks_take(struct remarks *remarks, struct text text)
+bool keep_notes_take(struct keep_notes *notes, struct text text)
 {
-    for (int i = 0; i < REMARKS; i++) {
+    for (int i = 0; i < KEEP_NOTES; i++) {
         const struct text rest = text_behind(text, names[i]);
         if (rest.start != NULL) {
-            remarks->texts[i] = rest;
+            notes->texts[i] = rest;
             return true;
         }
     }
@@ -82,11 +82,11 @@ static const char *string_of(struct lens_build *build, struct text text)
     return text.length > 0 ? lens_build_string(build, text) : NULL;
 }
 
-void remarks_apply(const struct remarks *remarks, struct lens_build *build)
+void keep_notes_apply(const struct keep_notes *notes, struct lens_build *build)
 {
-    build->lens->source = string_of(build, remarks->texts[REMARK_SOURCE]);
-    build->lens->kind = string_of(build, remarks->texts[REMARK_KIND]);
+    build->lens->source = string_of(build, notes->texts[KEEP_NOTE_SOURCE]);
+    build->lens->kind = string_of(build, notes->texts[KEEP_NOTE_KIND]);
     for (int i = 0; i < STATED_COUNT; i++) {
-        set_stated(remarks->texts[REMARK_STATED + i], build, i);
+        set_stated(notes->texts[KEEP_NOTE_STATED + i], build, i);
     }
 }

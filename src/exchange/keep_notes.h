@@ -1,7 +1,7 @@
-/* exchange/remarks.h - what lenscalc keeps in comments of other programs' files. */
+/* exchange/keep_notes.h - what lenscalc keeps in comments of other programs' files. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_EXCHANGE_REMARKS_H
-#define LENSCALC_EXCHANGE_REMARKS_H
+#ifndef LENSCALC_EXCHANGE_KEEP_NOTES_H
+#define LENSCALC_EXCHANGE_KEEP_NOTES_H
 
 #include "base/text.h"
 #include "file/lens_build.h"
@@ -11,11 +11,16 @@
 #include <stdbool.h>
 
 /* What other formats have no words for. */
-enum remark { REMARK_SOURCE, REMARK_KIND, REMARK_STATED, REMARKS = REMARK_STATED + STATED_COUNT };
+enum keep_note {
+    KEEP_NOTE_SOURCE,
+    KEEP_NOTE_KIND,
+    KEEP_NOTE_STATED,
+    KEEP_NOTES = KEEP_NOTE_STATED + STATED_COUNT
+};
 
 /* Those of a file being read; a text without a start is absent. */
-struct remarks {
-    struct text texts[REMARKS];
+struct keep_notes {
+    struct text texts[KEEP_NOTES];
 };
 
 /*
@@ -24,17 +29,17 @@ struct remarks {
  * Given     begin, end  of a line: "NOTE 0 lenscalc ", "\r\n"
  *           unit        of the file's lengths
  */
-void remarks_write(struct growing *out, const struct lens *lens, struct number_scale unit,
-                   const char *begin, const char *end);
+void keep_notes_write(struct growing *out, const struct lens *lens, struct number_scale unit,
+                      const char *begin, const char *end);
 
 /* Is the text behind such a beginning a remark? Then it is kept. */
-bool remarks_take(struct remarks *remarks, struct text text);
+bool keep_notes_take(struct keep_notes *notes, struct text text);
 
 /*
  * Give the lens what was taken; its unit and its positions must be known.
  *
  * Limits    what is stated counts if it is one number or one a position
  */
-void remarks_apply(const struct remarks *remarks, struct lens_build *build);
+void keep_notes_apply(const struct keep_notes *notes, struct lens_build *build);
 
 #endif

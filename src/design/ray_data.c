@@ -1,6 +1,6 @@
-/* design/bundle.c - exact rays through a lens: fields, pupil, wavelengths. */
+/* design/ray_data.c - exact rays through a lens: fields, pupil, wavelengths. */
 /* SPDX-License-Identifier: MIT */
-#include "design/bundle.h"
+#include "design/ray_data.h"
 
 #include "analysis/quadrature.h"
 #include "base/constants.h"
@@ -17,7 +17,7 @@ struct ways {
 
 /* Points of the pupil, of the stop where there is one; and whence rays to them start. */
 struct tracing {
-    const struct bundle_request *request;
+    const struct ray_data_request *request;
     struct arena *arena;
     struct sample sample; /* of the whole stop */
     bool has_stop;
@@ -36,32 +36,32 @@ static double field_of(const struct setup *setup, size_t i)
 }
 
 /* The systems of each wavelength, in the light's own order. */
-static bool open_ways(struct tracing *tracing, struct bundle *bundle, struct error *error)
+static bool open_ways(struct tracing *tracing, struct ray_data *ray_data, struct error *error)
 {
     const struct setup *setup = tracing->request->setup;
-    unsigned rims = tracing->request->no_clip ? SETUP_OPEN : SETUP_CLIPPED;
+    unsigned which = tracing->request->no_clip ? SETUP_OPEN : SETUP_CLIPPED;
     tracing->all = ARENA_ARRAY(tracing->arena, setup->wavelength_count, struct ways);
-    bundle->index_object = ARENA_ARRAY(tracing->arena, setup->wavelength_count, double);
-    bundle->index_image = ARENA_ARRAY(tracing->arena, setup->wavelength_count, double);
+    ray_data->index_object = ARENA_ARRAY(tracing->arena, setup->wavelength_count, double);
+    ray_data->index_image = ARENA_ARRAY(tracing->arena, setup->wavelength_count, double);
     for (size_t g = 0; g < setup->wavelength_count; g++) {
         struct ways *ways = &tracing->all[g];
         ways->open = setup_system(setup, g, SETUP_OPEN, error);
-        ways->clipped = ways->open != NULL ? setup_system(setup, g, rims, error) : NULL;
+        ways->clipped = ways->open != NULL ? setup_system(setup, g, which, error) : NULL;
         if (ways->clipped == NULL) {
             return false;
         }
-        bundle->index_object[g] = copysign(ways->open->index_first, setup->first.index_object);
-        bundle->index_image[g] = copysign(ways->open->index_last, setup->first.index_image);
+        ray_data->index_object[g] = copysign(ways->open->index_first, setup->first.index_object);
+        ray_data->index_image[g] = copysign(ways->open->index_last, setup->first.index_image);
     }
     return true;
 }
 
-static bool open_tracing(struct tracing *tracing, struct bundle *bundle, struct error *error)
+static bool open_tracing(struct tracing *tracing, struct ray_data *ray_data, struct error *error)
 {
-    const struct bundle_request *request = tracing->request;
+    const struct ray_data_request *request = tracing->request;
     const struct setup *setup = request->setup;
     const struct first_order *first = &setup->first;
-    if (!open_ways(tracing, bundle, error) ||
+    if (!open_ways(tracing, ray_data, error) ||
         !sample_make(request->pattern, request->ray_count, request->seed, tracing->arena,
                      &tracing->sample, error)) {
         return false;
@@ -124,33 +124,33 @@ static void start_rays(const struct tracing *tracing, const struct rays *rays)
     }
 }
 
-static void open_bundle(const struct bundle_request *request, size_t sample, struct arena *arena,
-                        struct bundle *bundle)
+static void open_ray_data(const struct ray_data_request *request, size_t sample,
+                          struct arena *arena, struct ray_data *ray_data)
 {
     size_t most = request->setup->field_count * request->setup->wavelength_count * sample;
-    bundle->clear = ARENA_ARRAY(arena, request->setup->field_count, double);
+    ray_data->clear = ARENA_ARRAY(arena, request->setup->field_count, double);
     for (size_t i = 0; i < 11; i++) {
-        bundle->columns[i] = ARENA_ARRAY(arena, most, double);
+        ray_data->columns[i] = ARENA_ARRAY(arena, most, double);
     }
-    bundle->groups = ARENA_ARRAY(arena, most, size_t);
-    bundle->field = ARENA_ARRAY(arena, most, size_t);
-    bundle->lost = ARENA_ARRAY(arena, most, struct bundle_loss);
-    bundle->wanted = 0;
-    double *const *all = bundle->columns;
-    bundle->rays = (struct thick_rays){.x = all[0],
-                                       .y = all[1],
-                                       .p = all[2],
-                                       .q = all[3],
-                                       .x_out = all[4],
-                                       .y_out = all[5],
-                                       .p_out = all[6],
-                                       .q_out = all[7],
-                                       .weight = all[8],
-                                       .stop_x = all[9],
-                                       .stop_y = all[10],
-                                       .group = bundle->groups,
-                                       .field = bundle->field,
-                                       .field_count = request->setup->field_count};
+    ray_data->groups = ARENA_ARRAY(arena, most, size_t);
+    ray_data->field = ARENA_ARRAY(arena, most, size_t);
+    ray_data->lost = ARENA_ARRAY(arena, most, struct ray_data_loss);
+    ray_data->wanted = 0;
+    double *const *all = ray_data->columns;
+    ray_data->rays = (struct thick_rays){.x = all[0],
+                                         .y = all[1],
+                                         .p = all[2],
+                                         .q = all[3],
+                                         .x_out = all[4],
+                                         .y_out = all[5],
+                                         .p_out = all[6],
+                                         .q_out = all[7],
+                                         .weight = all[8],
+                                         .stop_x = all[9],
+                                         .stop_y = all[10],
+                                         .group = ray_data->groups,
+                                         .field = ray_data->field,
+                                         .field_count = request->setup->field_count};
 }
 
 /* A ray that came through, from the plane it is in to the plane of the vertex. */
@@ -214,15 +214,15 @@ static struct quadrature choose_rays(struct tracing *tracing)
 
 /* All rays of one field at one wavelength. */
 static void trace_pupil(struct tracing *tracing, const struct quadrature *all, size_t field,
-                        size_t group, struct bundle *bundle)
+                        size_t group, struct ray_data *ray_data)
 {
     const struct system *system = tracing->ways->clipped;
     const struct sample *sample = &all->sample;
     struct rays rays = rays_new(tracing->arena, sample->count);
-    double *const *to = bundle->columns;
+    double *const *to = ray_data->columns;
     const struct setup *setup = tracing->request->setup;
     double weight = setup->fields[field].weight * setup->wavelengths[group].weight;
-    bundle->wanted += sample->count;
+    ray_data->wanted += sample->count;
     for (size_t k = 0; k < sample->count; k++) {
         struct ray ray = rays_get(&all->rays, k, system->index_first);
         ray.status = RAY_OK;
@@ -237,36 +237,36 @@ static void trace_pupil(struct tracing *tracing, const struct quadrature *all, s
         struct ray ray = rays_get(&rays, k, system->index_last);
         bool reached = start.status == RAY_OK;
         if (!reached || ray.status != RAY_OK || !(fabs(ray.cosine[2]) > 1e-6)) {
-            bundle->unreachable += !reached;
-            bundle->clipped += reached;
-            bundle->lost[bundle->lost_count++] =
-                (struct bundle_loss){sample->points[k].x, sample->points[k].y, field, group};
+            ray_data->unreachable += !reached;
+            ray_data->clipped += reached;
+            ray_data->lost[ray_data->lost_count++] =
+                (struct ray_data_loss){sample->points[k].x, sample->points[k].y, field, group};
             continue;
         }
-        size_t i = bundle->rays.count++;
+        size_t i = ray_data->rays.count++;
         ray.point[2] -= behind;
         store(to, i, &start);
         store(to + 4, i, &ray);
         to[8][i] = weight * sample->points[k].weight;
         to[9][i] = sample->points[k].x;
         to[10][i] = sample->points[k].y;
-        bundle->groups[i] = group;
-        bundle->field[i] = field;
-        bundle->clear[field] += sample->points[k].weight / (double)setup->wavelength_count;
+        ray_data->groups[i] = group;
+        ray_data->field[i] = field;
+        ray_data->clear[field] += sample->points[k].weight / (double)setup->wavelength_count;
     }
 }
 
 /* All rays of one field. */
-static void trace_field(struct tracing *tracing, size_t field, struct bundle *bundle)
+static void trace_field(struct tracing *tracing, size_t field, struct ray_data *ray_data)
 {
     for (size_t g = 0; g < tracing->request->setup->wavelength_count; g++) {
         struct arena_mark mark = arena_mark(tracing->arena);
         if (open_field(tracing, field, g, &tracing->last)) {
             const struct quadrature all = choose_rays(tracing);
-            trace_pupil(tracing, &all, field, g, bundle);
+            trace_pupil(tracing, &all, field, g, ray_data);
         } else {
-            bundle->wanted += tracing->sample.count;
-            bundle->unreachable += tracing->sample.count;
+            ray_data->wanted += tracing->sample.count;
+            ray_data->unreachable += tracing->sample.count;
         }
         arena_reset(tracing->arena, mark);
     }
@@ -279,36 +279,36 @@ static size_t most_points(const struct tracing *tracing)
     return tracing->request->pattern == PATTERN_GAUSS ? count + 2 * 8 * rings : count;
 }
 
-static bool check_left(const struct tracing *tracing, const struct bundle *bundle,
+static bool check_left(const struct tracing *tracing, const struct ray_data *ray_data,
                        struct error *error)
 {
-    if (bundle->rays.count > 0) {
+    if (ray_data->rays.count > 0) {
         return true;
     }
-    if (bundle->clipped == 0 && tracing->last.code != ERROR_NONE) {
+    if (ray_data->clipped == 0 && tracing->last.code != ERROR_NONE) {
         *error = tracing->last;
-        return error_prefix(error, "none of %zu rays came through: ", bundle->wanted);
+        return error_prefix(error, "none of %zu rays came through: ", ray_data->wanted);
     }
     return fail(error, ERROR_DOMAIN,
                 "none of %zu rays came through: %zu were stopped by rims, %zu points of the stop "
                 "cannot be reached",
-                bundle->wanted, bundle->clipped, bundle->unreachable);
+                ray_data->wanted, ray_data->clipped, ray_data->unreachable);
 }
 
-bool bundle_trace(const struct bundle_request *request, struct arena *arena, struct bundle *bundle,
-                  struct error *error)
+bool ray_data_trace(const struct ray_data_request *request, struct arena *arena,
+                    struct ray_data *ray_data, struct error *error)
 {
     struct tracing tracing = {.request = request, .arena = arena};
-    *bundle = (struct bundle){0};
+    *ray_data = (struct ray_data){0};
     if (request->setup->field_count == 0) {
         return fail(error, ERROR_DOMAIN, "there is no field: give --field");
     }
-    if (!open_tracing(&tracing, bundle, error)) {
+    if (!open_tracing(&tracing, ray_data, error)) {
         return false;
     }
-    open_bundle(request, most_points(&tracing), arena, bundle);
+    open_ray_data(request, most_points(&tracing), arena, ray_data);
     for (size_t f = 0; f < request->setup->field_count; f++) {
-        trace_field(&tracing, f, bundle);
+        trace_field(&tracing, f, ray_data);
     }
-    return check_left(&tracing, bundle, error);
+    return check_left(&tracing, ray_data, error);
 }

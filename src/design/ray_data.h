@@ -1,7 +1,7 @@
-/* design/bundle.h - exact rays through a lens: fields, pupil, wavelengths. */
+/* design/ray_data.h - exact rays through a lens: fields, pupil, wavelengths. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_DESIGN_BUNDLE_H
-#define LENSCALC_DESIGN_BUNDLE_H
+#ifndef LENSCALC_DESIGN_RAY_DATA_H
+#define LENSCALC_DESIGN_RAY_DATA_H
 
 #include "analysis/setup.h"
 #include "base/arena.h"
@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 /* Which rays are wanted. */
-struct bundle_request {
+struct ray_data_request {
     const struct setup *setup; /* fields: angles of a far object, heights of a near one */
     enum pattern pattern;      /* of the pupil, with about so many rays */
     size_t ray_count;
@@ -23,18 +23,18 @@ struct bundle_request {
 };
 
 /* A ray that did not come through: its place in the stop. */
-struct bundle_loss {
+struct ray_data_loss {
     double stop_x, stop_y;
     size_t field, group;
 };
 
 /* The rays that came through, and what became of the others. */
-struct bundle {
+struct ray_data {
     struct thick_rays rays;
     size_t *field;       /* of each ray */
     double *columns[11]; /* what `rays` points to: x y p q, the same behind, weight, stop x y */
     size_t *groups;
-    struct bundle_loss *lost; /* those of them whose field has a chief ray */
+    struct ray_data_loss *lost; /* those of them whose field has a chief ray */
     size_t lost_count;
     size_t wanted, unreachable, clipped; /* no ray to that point of the stop; stopped by a rim */
     double *clear; /* of each field: the weights of its rays, which is what of the stop is clear */
@@ -54,7 +54,7 @@ struct bundle {
  * Errors    ERROR_DOMAIN: no beam (neither stop nor aperture), a field at 90 degrees or beyond,
  *           no ray left, with the reason; as system_compile
  */
-bool bundle_trace(const struct bundle_request *request, struct arena *arena, struct bundle *bundle,
-                  struct error *error);
+bool ray_data_trace(const struct ray_data_request *request, struct arena *arena,
+                    struct ray_data *ray_data, struct error *error);
 
 #endif
