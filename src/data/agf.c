@@ -4,6 +4,7 @@
 
 #include "base/number.h"
 #include "data/agf_formula.h"
+#include "data/agf_words.h"
 #include "data/encoding.h"
 
 #include <math.h>
@@ -11,21 +12,23 @@
 #include <string.h>
 
 /* What a real file stays far below: a bad one must not take long. */
-enum { MOST_WARNINGS = 4, MOST_POINTS = 1000 };
+enum { MOST_WARNINGS = 4, MOST_POINTS = 1000, MOST_DAMAGED = 1000 };
 
 /* A file while it is read, and the glass whose lines are being read. */
 struct reader {
-    const char *source;
-    struct text rest, line, at; /* lines to come, the present one, what is left of that */
-    long number;                /* of the line, 1-based */
+    struct agf_words words;
     struct arena *arena;
     struct text catalog;
     struct glass_record *glasses;
     size_t count;
     struct glass_point *points; /* room for those of all glasses */
-    struct glass_record *glass; /* null before the first NM */
+    struct glass_record *glass; /* null before the first NM, and behind damage up to the next */
+    struct agf_damage *damaged;
+    size_t damaged_count, damaged_room;
     int formula;
-    struct pair coefficients[AGF_COEFFICIENTS];
+    struct pair coefficients[AGF_COEFFICIENTS + 1];
+    size_t cut; /* this coefficient and the next may be one, cut by the end of a line; 0 = none */
+    struct pair joined;
     bool has_coefficients;
     double nd_unit, Vd_unit; /* half a unit of their last stated digit */
     struct glass_point *transmittance;
@@ -34,65 +37,18 @@ struct reader {
     size_t warnings; /* of the glass */
 };
 
-/* The next line; false at the end. */
-static bool next_line(struct reader *reader)
-{
-    if (reader->rest.start == NULL || reader->rest.length == 0) {
-        return false;
-    }
-    reader->line = text_cut(&reader->rest, '\n');
-    reader->at = reader->line;
-    reader->number++;
-    return true;
-}
-
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
-/* The next word of the line; empty at its end. */
-static struct text next_word(struct reader *reader)
-{
-    const char *at = reader->at.start, *end = reader->line.start + reader->line.length;
-    while (at < end && is_blank(*at)) {
-        at++;
-    }
-    const char *start = at;
-    while (at < end && !is_blank(*at)) {
-        at++;
-    }
-    reader->at = text_between(at, end);
-    return text_between(start, at);
-}
-
-static bool fail_word(const struct reader *reader, struct text word, struct error *error,
-                      const char *what)
-{
-    size_t column = (size_t)(word.start - reader->line.start) + 1;
-    fail_at(error, ERROR_DATA, reader->line, column, "'%.*s' %s",
-            (int)(word.length < 60 ? word.length : 60), word.start, what);
-    return error_locate(error, reader->source, reader->number, column);
-}
-
-static bool fail_line(const struct reader *reader, struct error *error, const char *what)
-{
-    fail_at(error, ERROR_DATA, reader->line, 1, "%s", what);
-    return error_locate(error, reader->source, reader->number, 1);
-}
-
 static bool read_pair(const struct reader *reader, struct text word, struct pair *value,
                       struct error *error)
 {
     const char *end = word.start + word.length;
     return (pair_read(word.start, end, NUMBER_UNSCALED, value) == end && isfinite(value->hi)) ||
-           fail_word(reader, word, error, "is no number");
+           agf_words_fail(&reader->words, word, error, "is no number");
 }
 
 /* The next number; NaN at the end of the line. */
 static bool read_number(struct reader *reader, double *value, struct error *error)
 {
-    struct text word = next_word(reader);
+    struct text word = agf_words_next(&reader->words);
     struct pair read = {NAN, 0};
     if (word.length > 0 && !read_pair(reader, word, &read, error)) {
         return false;
@@ -147,7 +103,7 @@ static void warn(struct reader *reader, const char *text)
 /* Where in the file, for a warning. */
 static const char *place(const struct reader *reader, long line)
 {
-    return arena_printf(reader->arena, "%s:%ld", reader->source, line);
+    return arena_printf(reader->arena, "%s:%ld", reader->words.source, line);
 }
 
 static void check_stated(struct reader *reader)
@@ -171,6 +127,37 @@ static void check_stated(struct reader *reader)
     }
 }
 
+/* The coefficients with the number that the end of a line has cut as one. */
+static void join(struct reader *reader)
+{
+    struct pair *c = reader->coefficients;
+    size_t at = reader->cut - 1;
+    c[at] = reader->joined;
+    memmove(c + at + 1, c + at + 2, (AGF_COEFFICIENTS - at - 1) * sizeof c[0]);
+    c[AGF_COEFFICIENTS] = pair_of(0);
+}
+
+/* Does the formula, with the coefficients as they are, have the stated nd? */
+static bool has_stated(struct reader *reader)
+{
+    struct glass_record *glass = reader->glass;
+    agf_formula_set(reader->formula, reader->coefficients, &glass->glass);
+    return fabs(glass_summary(&glass->glass).nd - glass->nd) <= fmax(3e-5, reader->nd_unit);
+}
+
+/* A number that may have been cut in two is one where only that has the stated nd. */
+static void decide_cut(struct reader *reader)
+{
+    struct pair as_two[AGF_COEFFICIENTS + 1];
+    bool is_full = fabs(reader->coefficients[AGF_COEFFICIENTS].hi) > 0;
+    bool two = has_stated(reader);
+    memcpy(as_two, reader->coefficients, sizeof as_two);
+    join(reader);
+    if (!is_full && (two || !has_stated(reader))) {
+        memcpy(reader->coefficients, as_two, sizeof as_two);
+    }
+}
+
 /* The glass whose lines have been read is complete. */
 static bool finish_glass(struct reader *reader, struct error *error)
 {
@@ -182,7 +169,10 @@ static bool finish_glass(struct reader *reader, struct error *error)
         fail(error, ERROR_DATA, "glass '%.*s' has no line CD with its coefficients",
              (int)(glass->glass.name.length < 60 ? glass->glass.name.length : 60),
              glass->glass.name.start);
-        return error_locate(error, reader->source, glass->line, 0);
+        return error_locate(error, reader->words.source, glass->line, 0);
+    }
+    if (reader->cut > 0) {
+        decide_cut(reader);
     }
     agf_formula_set(reader->formula, reader->coefficients, &glass->glass);
     for (size_t i = agf_formula_count(reader->formula); i < AGF_COEFFICIENTS; i++) {
@@ -207,11 +197,9 @@ static struct text status_of(double status)
 /* NM name formula glass-code nd Vd exclude status melts */
 static bool read_name(struct reader *reader, struct error *error)
 {
-    double formula, code, exclude, status;
-    if (!finish_glass(reader, error)) {
-        return false;
-    }
-    struct text name = next_word(reader), number = next_word(reader);
+    double formula, exclude, status;
+    const long line = reader->words.number;
+    struct text name = agf_words_next(&reader->words), number = agf_words_next(&reader->words);
     struct glass_record *glass = &reader->glasses[reader->count++];
     struct pair read;
     *glass = (struct glass_record){.glass = {.catalog = reader->catalog,
@@ -220,36 +208,35 @@ static bool read_name(struct reader *reader, struct error *error)
                                              .longest = NAN,
                                              .thermal = {NAN, NAN, NAN, NAN, NAN, NAN, NAN},
                                              .transmittance = reader->points},
-                                   .source = text_of(reader->source),
+                                   .source = text_of(reader->words.source),
                                    .licence = {"", 0},
                                    .density = NAN,
                                    .expansion = NAN,
                                    .expansion_hot = NAN,
                                    .place = LENSDB_USER,
-                                   .line = reader->number};
+                                   .line = line};
     reader->glass = glass;
     reader->transmittance = reader->points;
     reader->thicknesses = reader->all_thicknesses;
     reader->has_coefficients = false;
     reader->warnings = 0;
     if (name.length == 0) {
-        return fail_line(reader, error, "a glass without a name");
+        return agf_words_fail_line(&reader->words, error, "a glass without a name");
     }
     if (!read_pair(reader, number, &read, error)) {
         return false;
     }
     formula = read.hi;
     if (!(formula >= 1 && formula <= AGF_FORMULAS) || formula > floor(formula)) {
-        return fail_word(reader, number, error, "is no formula: they have the numbers 1 to 13");
+        return agf_words_fail(&reader->words, number, error,
+                              "is no formula: they have the numbers 1 to 13");
     }
     reader->formula = (int)formula;
-    if (!read_number(reader, &code, error)) {
-        return false;
-    }
-    struct text before_nd = reader->at;
-    reader->nd_unit = half_unit(next_word(reader));
-    reader->Vd_unit = half_unit(next_word(reader));
-    reader->at = before_nd;
+    agf_words_next(&reader->words); /* the glass code */
+    const struct agf_words before_nd = reader->words;
+    reader->nd_unit = half_unit(agf_words_next(&reader->words));
+    reader->Vd_unit = half_unit(agf_words_next(&reader->words));
+    reader->words = before_nd;
     double *const values[] = {&glass->nd, &glass->Vd, &exclude, &status};
     if (!read_numbers(reader, values, sizeof values / sizeof values[0], error)) {
         return false;
@@ -260,19 +247,56 @@ static bool read_name(struct reader *reader, struct error *error)
     return true;
 }
 
+static bool is_number(struct text word, struct pair *value)
+{
+    const char *end = word.start + word.length;
+    return word.length > 0 && pair_read(word.start, end, NUMBER_UNSCALED, value) == end &&
+           isfinite(value->hi);
+}
+
+/*
+ * A coefficient. What is no number but with the word that the next line begins with is one that the
+ * end of the line has cut; `joined` receives it where both parts are numbers too.
+ */
+static bool read_coefficient(struct reader *reader, struct text word, struct pair *value,
+                             struct pair *joined, struct error *error)
+{
+    struct agf_words ahead = reader->words;
+    struct pair behind, whole;
+    const struct text rest = agf_words_next(&ahead);
+    bool is_cut = ahead.touches && word.length + rest.length < NUMBER_LENGTH &&
+                  is_number(text_of(arena_printf(reader->arena, "%.*s%.*s", (int)word.length,
+                                                 word.start, (int)rest.length, rest.start)),
+                            &whole);
+    *joined = pair_of(NAN);
+    if (is_cut && !(is_number(word, value) && is_number(rest, &behind))) {
+        *value = whole;
+        reader->words = ahead;
+        return true;
+    }
+    *joined = is_cut ? whole : *joined;
+    return read_pair(reader, word, value, error);
+}
+
 static bool read_coefficients(struct reader *reader, struct error *error)
 {
-    struct text word = next_word(reader);
+    struct text word = agf_words_next(&reader->words);
     memset(reader->coefficients, 0, sizeof reader->coefficients);
-    for (size_t i = 0; word.length > 0; i++, word = next_word(reader)) {
-        struct pair value;
-        if (!read_pair(reader, word, &value, error)) {
+    reader->cut = 0;
+    for (size_t i = 0; word.length > 0; i++, word = agf_words_next(&reader->words)) {
+        struct pair value, joined;
+        if (!read_coefficient(reader, word, &value, &joined, error)) {
             return false;
         }
-        if (i < AGF_COEFFICIENTS) {
+        if (i < AGF_COEFFICIENTS && reader->cut == 0 && !isnan(joined.hi)) {
+            reader->cut = i + 1;
+            reader->joined = joined;
+        }
+        if (i < AGF_COEFFICIENTS + (reader->cut > 0)) {
             reader->coefficients[i] = value;
         } else if (fabs(value.hi) > 0) {
-            return fail_word(reader, word, error, "is an eleventh coefficient: no formula has it");
+            return agf_words_fail(&reader->words, word, error,
+                                  "is an eleventh coefficient: no formula has it");
         }
     }
     reader->has_coefficients = true;
@@ -324,7 +348,8 @@ static bool read_range(struct reader *reader, struct error *error)
         return true;
     }
     return (glass->shortest > 0 && glass->longest >= glass->shortest) ||
-           fail_line(reader, error, "the range of wavelengths, in um, ends before it begins");
+           agf_words_fail_line(&reader->words, error,
+                               "the range of wavelengths, in um, ends before it begins");
 }
 
 /* Keep a point, by rising wavelength; of two at one wavelength the one of nearly 10 mm. */
@@ -363,11 +388,12 @@ static bool read_transmittance(struct reader *reader, struct error *error)
         warn(reader, arena_printf(reader->arena,
                                   "%s: no wavelength, transmittance from 0 to 1 and thickness: "
                                   "not used",
-                                  place(reader, reader->number)));
+                                  place(reader, reader->words.number)));
         return true;
     }
     if (reader->glass->glass.transmittance_count == MOST_POINTS) {
-        return fail_line(reader, error, "more than 1000 transmittances of one glass");
+        return agf_words_fail_line(&reader->words, error,
+                                   "more than 1000 transmittances of one glass");
     }
     double at_10 = fabs(thickness - 10) > 0 ? pow(tau, 10 / thickness) : tau;
     const struct glass_point point = {pair_of(wavelength), pair_of(at_10)};
@@ -391,22 +417,46 @@ static const struct {
     {"IT", read_transmittance}, {"OD", pass_over},    {"GC", pass_over},       {"CC", pass_over},
 };
 
+/* Go on behind a damaged glass. */
+static bool leave_out(struct reader *reader, const struct error *error)
+{
+    if (reader->damaged_count == MOST_DAMAGED) {
+        return false;
+    }
+    reader->damaged = arena_grow(reader->arena, reader->damaged, reader->damaged_count,
+                                 &reader->damaged_room, sizeof reader->damaged[0]);
+    reader->damaged[reader->damaged_count++] =
+        (struct agf_damage){reader->glass->glass.name, *error};
+    reader->glass = NULL;
+    reader->count--;
+    return true;
+}
+
+/* What a line has beyond its numbers, in the lines too that go on with it. */
+static bool pass_rest(struct reader *reader)
+{
+    while (agf_words_next(&reader->words).length > 0) {
+    }
+    return true;
+}
+
 static bool read_line(struct reader *reader, struct error *error)
 {
-    struct text keyword = next_word(reader);
+    struct text keyword = agf_words_next(&reader->words);
     if (text_equal(keyword, "NM")) {
-        return read_name(reader, error);
+        return (finish_glass(reader, error) || leave_out(reader, error)) &&
+               read_name(reader, error);
     }
     if (keyword.length == 0 || reader->glass == NULL) { /* any text may stand above */
         return true;
     }
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
         if (text_equal(keyword, keywords[i].keyword)) {
-            return keywords[i].read(reader, error);
+            return keywords[i].read(reader, error) && pass_rest(reader);
         }
     }
     warn(reader, arena_printf(reader->arena, "%s: '%.*s' is not known and not used",
-                              place(reader, reader->number),
+                              place(reader, reader->words.number),
                               (int)(keyword.length < 20 ? keyword.length : 20), keyword.start));
     return true;
 }
@@ -415,7 +465,7 @@ static bool read_line(struct reader *reader, struct error *error)
 static void make_room(struct reader *reader)
 {
     size_t glasses = 0, points = 0;
-    for (struct text rest = reader->rest; rest.start != NULL && rest.length > 0;) {
+    for (struct text rest = reader->words.rest; rest.start != NULL && rest.length > 0;) {
         struct text line = text_trim(text_cut(&rest, '\n'));
         glasses += line.length >= 2 && memcmp(line.start, "NM", 2) == 0;
         points += line.length >= 2 && memcmp(line.start, "IT", 2) == 0;
@@ -485,17 +535,21 @@ bool agf_read(const char *source, struct text content, struct arena *arena,
               struct agf_catalog *catalog, struct error *error)
 {
     struct reader reader = {
-        .source = source, .arena = arena, .catalog = catalog_name(source, arena)};
-    if (!encoding_to_utf8(source, content, arena, &reader.rest, error)) {
+        .words.source = source, .arena = arena, .catalog = catalog_name(source, arena)};
+    if (!encoding_to_utf8(source, content, arena, &reader.words.rest, error)) {
         return false;
     }
     make_room(&reader);
-    while (next_line(&reader)) {
-        if (!read_line(&reader, error)) {
+    while (agf_words_line(&reader.words)) {
+        if (!read_line(&reader, error) && !leave_out(&reader, error)) {
             return false;
         }
     }
-    if (!finish_glass(&reader, error)) {
+    if (!finish_glass(&reader, error) && !leave_out(&reader, error)) {
+        return false;
+    }
+    if (reader.count == 0 && reader.damaged_count > 0) {
+        *error = reader.damaged[0].error;
         return false;
     }
     if (reader.count == 0) {
@@ -503,6 +557,11 @@ bool agf_read(const char *source, struct text content, struct arena *arena,
         return error_locate(error, source, 0, 0);
     }
     mark_duplicates(&reader);
-    *catalog = (struct agf_catalog){source, reader.catalog, reader.glasses, reader.count, NULL};
+    *catalog = (struct agf_catalog){.source = source,
+                                    .name = reader.catalog,
+                                    .glasses = reader.glasses,
+                                    .count = reader.count,
+                                    .damaged = reader.damaged,
+                                    .damaged_count = reader.damaged_count};
     return true;
 }

@@ -5,12 +5,20 @@
 
 #include "data/glass_catalog.h"
 
+/* A glass that is left out, and what is wrong with it. */
+struct agf_damage {
+    struct text name; /* may be empty */
+    struct error error;
+};
+
 /* A catalogue that has been read. */
 struct agf_catalog {
     const char *source; /* the file, for messages */
     struct text name;   /* of the catalogue: "SCHOTT" */
     const struct glass_record *glasses;
     size_t count;
+    const struct agf_damage *damaged;
+    size_t damaged_count;
     const struct agf_catalog *next; /* of the user's catalogues */
 };
 
@@ -39,8 +47,12 @@ struct agf_catalog {
  *           13 Extended 3  n^2 = c0 + c1 l^2 + c2 l^4 + c3 l^-2 + c4 l^-4 + .. + c8 l^-12
  *           internal transmittance at 10 mm: tau^(10 mm/thickness)
  * Source    [OpticStudio25] "The Glass Dispersion Formulas"
- * Errors    ERROR_DATA with line, column and caret: no glass, a formula that is none of 1 to 13, no
- *           CD line, what is no number, a range that ends before it begins
+ *           A line that begins with a number goes on with the one before it. Where the end of a
+ *           line may have cut a number in two, so that both parts are numbers, it is one only where
+ *           that alone has the stated nd
+ * Errors    of one glass, which is left out with ERROR_DATA, line, column and caret: a formula that
+ *           is none of 1 to 13, no CD line, what is no number, a range that ends before it begins.
+ *           Of the file: no glass, or more than 1000 that are damaged
  * Limits    an nd of 1 or 0, a Vd, density or expansion of 0, and D0 .. E1 that are all 0, mean
  *           that it is not known
  */

@@ -13,6 +13,24 @@ struct list {
     struct agf_catalog *last;
 };
 
+/* Say which glasses are left out. */
+static void tell_damaged(struct lensdb *db, const struct agf_catalog *catalog)
+{
+    const size_t most = 20;
+    db->losses.arena = db->arena;
+    for (size_t i = 0; i < catalog->damaged_count && i < most; i++) {
+        const struct error *one = &catalog->damaged[i].error;
+        struct error line; /* printable */
+        fail(&line, one->code, "%s:%ld: %s; the glass '%.*s' is left out", one->source, one->line,
+             one->message, text_shown(catalog->damaged[i].name), catalog->damaged[i].name.start);
+        growing_format(&db->losses, "%s\n", line.message);
+    }
+    if (catalog->damaged_count > most) {
+        growing_format(&db->losses, "%s: %zu more glasses are left out\n", catalog->source,
+                       catalog->damaged_count - most);
+    }
+}
+
 static bool add(struct lensdb *db, const char *path, struct list *list, struct error *error)
 {
     struct text content;
@@ -31,6 +49,7 @@ static bool add(struct lensdb *db, const char *path, struct list *list, struct e
             return error_hint(error, "a catalogue has the name of its file");
         }
     }
+    tell_damaged(db, catalog);
     if (list->last != NULL) {
         list->last->next = catalog;
     } else {

@@ -146,6 +146,22 @@ static void search_agf(struct search *search, const struct agf_catalog *catalog)
     }
 }
 
+/* A glass of the user's that is damaged hides those of its name in the program. */
+static bool is_damaged(const struct search *search, const struct agf_catalog *catalog,
+                       struct error *error)
+{
+    for (; catalog != NULL; catalog = catalog->next) {
+        bool meant = search->catalog.length == 0 || text_same_name(search->catalog, catalog->name);
+        for (size_t i = 0; meant && i < catalog->damaged_count; i++) {
+            if (text_same_name(search->name, catalog->damaged[i].name)) {
+                *error = catalog->damaged[i].error;
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 static bool search_user(struct search *search, struct error *error)
 {
     struct glass_catalogs catalogs;
@@ -165,7 +181,7 @@ static bool search_user(struct search *search, struct error *error)
             return false;
         }
     }
-    return error->code == ERROR_NONE;
+    return error->code == ERROR_NONE && (search->count > 0 || !is_damaged(search, agf, error));
 }
 
 /* The name as the index has it; false if it is too long for any. */

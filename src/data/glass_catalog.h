@@ -72,7 +72,8 @@ enum glass_naming {
  * Result    record->taken_as says which glass it is where naming decided
  * Errors    ERROR_USAGE with a suggestion: there is none; or several catalogues have the name with
  *           different data (the message names them). GLASS_CURRENT takes the only one of status
- *           "current"; where none is, the only one that is not "obsolete"
+ *           "current"; where none is, the only one that is not "obsolete". ERROR_DATA with its
+ *           place: a user's AGF file has the name, but the glass is damaged
  */
 bool glass_find(struct lensdb *db, struct text name, enum glass_naming naming, struct arena *arena,
                 struct glass_record *record, struct error *error);

@@ -24,7 +24,7 @@ struct lensdb {
     struct lensdb_series *series; /* stop series read so far */
     bool agf_is_read;
     bool lossy;            /* --lossy: files of other programs are read without what is lost */
-    struct growing losses; /* what that was, a line each, each file once */
+    struct growing losses; /* what that was, and damaged glasses: a line each, each file once */
     struct lensdb_told *told_of;            /* those files */
     const struct agf_catalog *agf_catalogs; /* the user's, once they are read */
 };

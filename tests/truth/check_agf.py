@@ -192,6 +192,61 @@ def check_bad(checks, program):
     checks.check(rows and rows[0]["catalog"] == "B", f"B:A: {rows}")
 
 
+def wrapped(text, at, cut):
+    """Every line CD, LD, TD and IT wrapped before its word `at`, or inside of that of CD."""
+    lines = []
+    for line in text.splitlines():
+        words = line.split(" ")
+        if words[0] not in ("CD", "LD", "TD", "IT") or len(words) <= at:
+            lines.append(line)
+        elif not cut:
+            lines += [" ".join(words[:at]), " ".join(words[at:])]
+        elif words[0] == "CD":
+            middle = len(words[at]) // 2
+            head, tail = words[at][:middle], words[at][middle:]
+            lines += [" ".join([*words[:at], head]), " ".join([tail, *words[at + 1:]])]
+        else:
+            lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+def check_wrapped(checks, program, text, glasses):
+    """A number that the end of a line has carried off, or cut in two, is read where it belongs."""
+    for at in range(2, 9):
+        path = program.write(f"w{at}.agf", wrapped(text, at, False).encode())
+        check_indices(checks, program, path, glasses, f"wrapped before word {at}")
+    stated = {name: glass for name, glass in glasses.items() if abs(glass[2] - 1) > 0 and glass[2]}
+    checks.check(len(stated) >= 2, "glasses with a stated nd")
+    for at in range(1, 7):
+        path = program.write(f"c{at}.agf", wrapped(text, at, True).encode())
+        check_indices(checks, program, path, stated, f"cut in word {at}")
+
+
+def check_damaged(checks, program):
+    """A glass that cannot be read is left out and named with its line; the others are read."""
+    good = "NM {} 1 0 1.5 0\n{}CD 2.25\n"
+    damage = {"E": "ED 7.8 - 5.2\n", "L": "LD 0.7 0.4\n", "T": "TD 1 x\n", "I": "IT a 1 10\n"}
+    content = "".join(good.format(name, line) + good.format("N" + name, "")
+                      for name, line in damage.items())
+    content += "NM C 1 0 1.5 0\nNM NC 1 0 1.5 0\nCD 2.25\nNM F 99\nCD 2.25\n"
+    path = program.write("d.agf", content.encode())
+    lines = content.split("\n")
+    result = program.run(["list", "glasses", "--agf", path, "--kind", "d", "--csv"])
+    names = [row["glass"] for row in csv.DictReader(io.StringIO(result.stdout.decode()))]
+    checks.check(result.returncode == 0 and names == ["NE", "NL", "NT", "NI", "NC"], f"read: {names}")
+    said = re.findall(r"^(\S+):(\d+): .*the glass '(\w+)' is left out$", result.stderr.decode(), re.M)
+    at = [(name, lines.index(line.strip()) + 1) for name, line in damage.items()]
+    at += [("C", lines.index("NM C 1 0 1.5 0") + 1), ("F", lines.index("NM F 99") + 1)]
+    checks.check(said == [(path, str(line), name) for name, line in at], f"left out: {said}")
+    for name, line in at:
+        result = program.run(["glass", name, "--agf", path])
+        checks.check(result.returncode == 4 and f"{path}:{line}:" in result.stderr.decode(),
+                     f"glass {name}: {result.stderr.decode()}")
+    # a damaged one hides the glass of its name in the program
+    path = program.write("schott.agf", b"NM N-BK7 2 0 1.5168 64.17\nCD x\nNM A 1\nCD 2.25\n")
+    checks.check(program.run(["glass", "N-BK7", "--agf", path]).returncode == 4, "N-BK7 is damaged")
+
+
 def check_lenses(checks, program):
     """A plano-convex lens of n = 1.5, R = 50 mm has f = 100 mm exactly; glasses of a folder."""
     lens = program.write("l.lens", b"surface 50 5 MINE -\nsurface - - air -\n")
@@ -214,6 +269,8 @@ def main():
     check_encodings(checks, program, text)
     check_facts(checks, program)
     check_bad(checks, program)
+    check_wrapped(checks, program, text, glasses)
+    check_damaged(checks, program)
     check_lenses(checks, program)
     if os.path.exists(REAL):
         with open(REAL, encoding="cp1252") as file:
