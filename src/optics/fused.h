@@ -4,6 +4,7 @@
 #define LENSCALC_OPTICS_FUSED_H
 
 #include "base/pair.h"
+#include "base/processor.h"
 
 #include <stdbool.h>
 
@@ -19,7 +20,7 @@
 #define FUSED     __attribute__((target("avx2,fma")))
 static inline bool fused_here(void)
 {
-    return __builtin_cpu_supports("fma") && __builtin_cpu_supports("avx2");
+    return processor_has_fma() && processor_has_avx2();
 }
 #endif
 

@@ -3,24 +3,15 @@
 #include "trace/dispatch.h"
 
 #include "base/parallel.h"
+#include "base/processor.h"
 #include "trace/adjoint.h"
 #include "trace/tangent.h"
 
 bool instruction_set_works(enum instruction_set set)
 {
-#ifdef __x86_64__
-    switch (set) {
-    case SET_AVX2:
-        return __builtin_cpu_supports("avx2");
-    case SET_AVX512:
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-               __builtin_cpu_supports("avx512dq");
-    default:
-        return true;
-    }
-#else
-    return set == SET_BEST || set == SET_SSE2;
-#endif
+    return set == SET_AVX2     ? processor_has_avx2()
+           : set == SET_AVX512 ? processor_has_avx512()
+                               : true;
 }
 
 const char *instruction_set_name(enum instruction_set set)
