@@ -14,8 +14,9 @@ static void list_options(struct arguments *arguments, struct arena *arena)
         arguments->all[i].is_input = i < command->option_count;
     }
     arguments->count = own;
-    for (size_t i = 0; command_common_option(command, i) != NULL; i++) {
-        arguments->all[arguments->count].option = command_common_option(command, i);
+    const struct option *common = NULL;
+    while ((common = command_next_common(command, common)) != NULL) {
+        arguments->all[arguments->count].option = common;
         arguments->all[arguments->count++].is_common = true;
     }
 }

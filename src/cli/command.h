@@ -112,8 +112,14 @@ struct common {
 /* Option i of a command: its own, then those of its artifacts; null behind the last. */
 const struct option *command_option(const struct command *command, size_t i);
 
-/* Common option i that it has a use for and none of its own by that name; null behind the last. */
-const struct option *command_common_option(const struct command *command, size_t i);
+/*
+ * The common options that it has a use for and none of its own by their names, one after the other.
+ *
+ * Given     before  the one before; null: the first
+ * Result    null behind the last
+ */
+const struct option *command_next_common(const struct command *command,
+                                         const struct option *before);
 
 /* "prints no rows": why a common option would do nothing; null: it does something. */
 const char *command_has_no_use(const struct command *command, const struct option *common);

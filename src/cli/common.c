@@ -234,16 +234,15 @@ const char *command_has_no_use(const struct command *command, const struct optio
     return why;
 }
 
-const struct option *command_common_option(const struct command *command, size_t i)
+const struct option *command_next_common(const struct command *command, const struct option *before)
 {
-    for (size_t at = 0; at < common_option_count; at++) {
-        const struct option *option = &common_options[at];
-        if (!overrides(command, option) && command_has_no_use(command, option) == NULL &&
-            i-- == 0) {
-            return option;
-        }
+    const struct option *end = common_options + common_option_count;
+    const struct option *option = before == NULL ? common_options : before + 1;
+    while (option < end &&
+           (overrides(command, option) || command_has_no_use(command, option) != NULL)) {
+        option++;
     }
-    return NULL;
+    return option < end ? option : NULL;
 }
 
 const struct command *command_find(struct text name)

@@ -69,8 +69,9 @@ void help_write(const struct command *command, struct output *output, struct are
         write_option(command_option(command, i), output, arena);
     }
     output_string(output, "\nCommon options:\n");
-    for (size_t i = 0; command_common_option(command, i) != NULL; i++) {
-        write_option(command_common_option(command, i), output, arena);
+    const struct option *common = NULL;
+    while ((common = command_next_common(command, common)) != NULL) {
+        write_option(common, output, arena);
     }
     output_printf(output,
                   "\nUnits may always be written (50mm 10ft 5ft6in 1/125s); a list 1.4,2,2.8 "

@@ -31,8 +31,9 @@ static void each_option(const struct command *command, option_writer *write, str
     for (size_t i = 0; command_option(command, i) != NULL; i++) {
         write(command, command_option(command, i), output);
     }
-    for (size_t i = 0; command_common_option(command, i) != NULL; i++) {
-        write(command, command_common_option(command, i), output);
+    const struct option *common = NULL;
+    while ((common = command_next_common(command, common)) != NULL) {
+        write(command, common, output);
     }
 }
 
