@@ -160,19 +160,14 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
     return true;
 }
 
-static bool read_choice(const struct reader *reader, const struct option *option, struct text text,
-                        void *member, struct error *error)
+/* None of the words of a choice: all of them, and the one that may have been meant. */
+static bool refuse_choice(const struct option *option, struct text text, struct error *error)
 {
-    (void)reader;
     struct nearest nearest = {.typed = text_trim(text)};
     char all[256] = "";
     size_t used = 0;
     for (size_t i = 0; option_word(option, i) != NULL; i++) {
         const char *word = option_word(option, i)->word;
-        if (text_same(text_trim(text), word)) {
-            *(int *)member = (int)i;
-            return true;
-        }
         nearest_offer(&nearest, text_of(word));
         int length = snprintf(all + used, sizeof all - used, "%s%s", i > 0 ? ", " : "", word);
         used += length > 0 && (size_t)length < sizeof all - used ? (size_t)length : 0;
@@ -183,6 +178,20 @@ static bool read_choice(const struct reader *reader, const struct option *option
         error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
     }
     return false;
+}
+
+static bool read_choice(const struct reader *reader, const struct option *option, struct text text,
+                        void *member, struct error *error)
+{
+    (void)reader;
+    const struct text typed = text_trim(text);
+    for (size_t i = 0; option_word(option, i) != NULL; i++) {
+        if (text_same(typed, option_word(option, i)->word)) {
+            *(int *)member = (int)i;
+            return true;
+        }
+    }
+    return refuse_choice(option, text, error);
 }
 
 static bool read_flag(const struct reader *reader, const struct option *option, struct text text,

@@ -492,33 +492,39 @@ static const struct {
     {"bend", 0, read_coordinate_break},
 };
 
-static bool read_line(struct parser *parser, struct error *error)
+/* Not the beginning of a line: one of the table may have been meant. */
+static bool refuse_keyword(struct parser *parser, struct text word, struct error *error)
 {
-    struct text word = lens_words_next(&parser->words);
     struct nearest nearest = {.typed = word};
-    struct lens *lens = parser->lens;
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
-        if (!text_equal(word, keywords[i].word)) {
-            nearest_offer(&nearest, text_of(keywords[i].word));
-            continue;
-        }
-        bool twice = (keywords[i].once & parser->given) != 0 && keywords[i].once != 16;
-        twice = twice || (keywords[i].read == read_title && lens->title != NULL) ||
-                (keywords[i].read == read_wavelengths && lens->wavelength_count > 0) ||
-                (keywords[i].read == read_positions && lens->position_count > 0);
-        if (twice) {
-            return lens_words_fail(&parser->words, word, error, "'%s' stands here twice",
-                                   keywords[i].word);
-        }
-        parser->given |= keywords[i].once;
-        return keywords[i].read(parser, error);
+        nearest_offer(&nearest, text_of(keywords[i].word));
     }
     lens_words_fail(&parser->words, word, error, "unknown word '%.*s'",
                     (int)(word.length < 40 ? word.length : 40), word.start);
-    if (nearest.best.start != NULL) {
-        error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+    return nearest.best.start != NULL &&
+           error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
+}
+
+static bool read_line(struct parser *parser, struct error *error)
+{
+    const struct text word = lens_words_next(&parser->words);
+    size_t i = 0, count = sizeof keywords / sizeof keywords[0];
+    while (i < count && !text_equal(word, keywords[i].word)) {
+        i++;
     }
-    return false;
+    if (i == count) {
+        return refuse_keyword(parser, word, error);
+    }
+    bool twice = (keywords[i].once & parser->given) != 0 && keywords[i].once != 16;
+    twice = twice || (keywords[i].read == read_title && parser->lens->title != NULL) ||
+            (keywords[i].read == read_wavelengths && parser->lens->wavelength_count > 0) ||
+            (keywords[i].read == read_positions && parser->lens->position_count > 0);
+    if (twice) {
+        return lens_words_fail(&parser->words, word, error, "'%s' stands here twice",
+                               keywords[i].word);
+    }
+    parser->given |= keywords[i].once;
+    return keywords[i].read(parser, error);
 }
 
 /* What only the whole file shows. */
