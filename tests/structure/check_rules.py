@@ -83,6 +83,9 @@ BROKEN = {
         change("base/number.c", ("    return", '    puts("");\n    return'),
                ('number.h"\n', 'number.h"\n#include <stdio.h>\n')),
         "src/base/number.c:7: 'puts' in a numeric folder"),
+    "a question that costs every start": (
+        change("base/number.c", ("a + 1", 'a + __builtin_cpu_supports("avx2")')),
+        "src/base/number.c:6: '__builtin_cpu_supports' in a numeric folder"),
     "writable data": (
         change("base/number.c", ("int number", "static int last;\nint number"),
                ("return a + 1", "return last += a")),
