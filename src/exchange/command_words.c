@@ -6,11 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
-void commands_open(struct commands *commands, const char *source, struct text content,
-                   const struct command_grammar *grammar, struct arena *arena)
+void commands_open(struct commands *commands, struct foreign_job *job, struct text content,
+                   const struct command_grammar *grammar)
 {
-    *commands = (struct commands){
-        .source = source, .grammar = grammar, .arena = arena, .rest = content, .scale = {1, 0}};
+    *commands = (struct commands){.job = job, .grammar = grammar, .rest = content, .scale = {1, 0}};
 }
 
 static bool is_blank(char c)
@@ -64,8 +63,8 @@ static bool next_line(struct commands *commands)
 static bool add_word(struct commands *commands, struct text text, bool is_quoted,
                      struct error *error)
 {
-    commands->words = arena_grow(commands->arena, commands->words, commands->count, &commands->room,
-                                 sizeof commands->words[0]);
+    commands->words = arena_grow(commands->job->arena, commands->words, commands->count,
+                                 &commands->room, sizeof commands->words[0]);
     struct command_word *word = &commands->words[commands->count];
     *word = (struct command_word){text, commands->line, commands->number, is_quoted};
     if (commands->count == COMMAND_MOST_WORDS) {
@@ -175,12 +174,12 @@ struct command_word commands_word(const struct commands *commands, size_t word)
 
 struct lens_words commands_place(const struct commands *commands, const struct command_word *word)
 {
-    return (struct lens_words){.source = commands->source,
+    return (struct lens_words){.source = commands->job->source,
                                .line = word->line,
                                .number = word->number,
                                .at = word->line.start,
                                .scale = commands->scale,
-                               .arena = commands->arena};
+                               .arena = commands->job->arena};
 }
 
 bool commands_fail(const struct commands *commands, const struct command_word *word,
@@ -193,6 +192,21 @@ bool commands_fail(const struct commands *commands, const struct command_word *w
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     return lens_words_fail(&place, word->text, error, "%s", message);
+}
+
+bool commands_lose(const struct commands *commands, struct error *error, const char *format, ...)
+{
+    enum { MOST_SHOWN = 20 };
+    char message[sizeof error->message];
+    const struct command_word *word = &commands->words[0];
+    const struct lens_words place = commands_place(commands, word);
+    const size_t length = word->text.length;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    return foreign_loss(commands->job, &place, word->text, error, "%.*s: %s",
+                        length < MOST_SHOWN ? (int)length : MOST_SHOWN, word->text.start, message);
 }
 
 bool commands_figure(const struct commands *commands, size_t word, struct number_scale scale,

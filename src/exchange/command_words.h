@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "exchange/foreign.h"
 #include "file/lens_words.h"
 #include "optics/lens.h"
 
@@ -33,9 +34,8 @@ enum { COMMAND_MOST_WORDS = 4096 };
 
 /* A file being read, command by command. Texts point into the content. */
 struct commands {
-    const char *source; /* for messages */
+    struct foreign_job *job;
     const struct command_grammar *grammar;
-    struct arena *arena;
     struct text rest; /* what is still to read */
     struct text line; /* the present line, without its comment */
     const char *at;   /* where its next word begins */
@@ -45,8 +45,8 @@ struct commands {
     size_t count, room;
 };
 
-void commands_open(struct commands *commands, const char *source, struct text content,
-                   const struct command_grammar *grammar, struct arena *arena);
+void commands_open(struct commands *commands, struct foreign_job *job, struct text content,
+                   const struct command_grammar *grammar);
 
 /*
  * Go to the next command.
@@ -67,6 +67,10 @@ struct lens_words commands_place(const struct commands *commands, const struct c
 bool commands_fail(const struct commands *commands, const struct command_word *word,
                    struct error *error, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
+
+/* Leave out the present command, as a loss: "NAME: ..."; see foreign_loss. */
+bool commands_lose(const struct commands *commands, struct error *error, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* A number that stands in a word of the command, as lens_words_figure reads it. */
 bool commands_figure(const struct commands *commands, size_t word, struct number_scale scale,

@@ -430,7 +430,7 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
     const struct commands *commands = sequence->commands;
     if (sequence->count < 3) {
         fail(error, ERROR_DATA, "the file has no surface between object and image");
-        return error_locate(error, commands->source, 0, 0);
+        return error_locate(error, commands->job->source, 0, 0);
     }
     for (size_t i = 0; i < sequence->pickup_count; i++) {
         if (!apply_pickup(sequence, &sequence->pickups[i], error)) {

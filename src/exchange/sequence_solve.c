@@ -171,5 +171,5 @@ bool sequence_solve_all(const struct sequence *sequence, const size_t *indices, 
         }
     }
     return settled || fail(error, ERROR_DATA, "%s: the solves of the file do not settle",
-                           sequence->commands->source);
+                           sequence->commands->job->source);
 }

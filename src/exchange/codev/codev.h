@@ -57,10 +57,6 @@ struct codev_qualifiers {
 bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers,
                       struct error *error);
 
-/* Leave out the present command, as a loss. */
-bool codev_lose(struct codev *codev, struct error *error, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
 /* Are all numbers from word `first` on 0? */
 bool codev_is_zero(const struct codev *codev, size_t first);
 

@@ -24,7 +24,7 @@ bool codev_catalog(struct codev *codev, int what, struct error *error)
         return commands_end(commands, 1, error);
     }
     size_t count = commands->count - 1;
-    codev->catalog_waves = ARENA_ARRAY(commands->arena, count + 1, struct command_word);
+    codev->catalog_waves = ARENA_ARRAY(commands->job->arena, count + 1, struct command_word);
     codev->catalog_wave_count = count;
     for (size_t i = 0; i < count; i++) {
         struct figure wave;
@@ -57,9 +57,9 @@ static const char *table_of(struct codev *codev, size_t count)
     }
     if (same) {
         const struct text first = commands->words[1].text;
-        return arena_string(commands->arena, first.start, first.length);
+        return arena_string(commands->job->arena, first.start, first.length);
     }
-    char *table = arena_array(commands->arena, room, 1), *at = table;
+    char *table = arena_array(commands->job->arena, room, 1), *at = table;
     append(&at, "{", 1);
     for (size_t i = 0; i < count; i++) {
         const struct text wave = codev->catalog_waves[i].text;
@@ -78,7 +78,7 @@ bool codev_private_glass(struct codev *codev, struct error *error)
     size_t count = commands->count - 1;
     if (codev->private_count == codev->private_room) {
         size_t room = 2 * codev->private_room + 8;
-        struct codev_private *more = ARENA_ARRAY(commands->arena, room, struct codev_private);
+        struct codev_private *more = ARENA_ARRAY(commands->job->arena, room, struct codev_private);
         if (codev->private_count > 0) {
             memcpy(more, codev->privates, codev->private_count * sizeof *more);
         }

@@ -41,7 +41,8 @@ static bool lose_unless_zero(struct codev *codev, int what, struct error *error)
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
-    return codev_is_zero(codev, qualifiers.next) || codev_lose(codev, error, "%s", reasons[what]);
+    return codev_is_zero(codev, qualifiers.next) ||
+           commands_lose(&codev->commands, error, "%s", reasons[what]);
 }
 
 static bool lose(struct codev *codev, int what, struct error *error)
@@ -53,7 +54,7 @@ static bool lose(struct codev *codev, int what, struct error *error)
         "a shift or turn that is undone or related to another surface",
         "a thermal environment",
         "an index that is changed"};
-    return codev_lose(codev, error, "%s", reasons[what]);
+    return commands_lose(&codev->commands, error, "%s", reasons[what]);
 }
 
 /* Commands and what tells relatives apart; the first three letters count. */
@@ -193,13 +194,14 @@ static bool run_command(struct codev *codev, struct error *error)
     if (is_macro || codev_is_in(macros, sizeof macros / sizeof macros[0], key.letters)) {
         return refuse_macro(codev, 0, error);
     }
-    return codev_is_harmless(word->text) || codev_lose(codev, error, "an unknown command");
+    return codev_is_harmless(word->text) ||
+           commands_lose(&codev->commands, error, "an unknown command");
 }
 
 /* The unit may stand behind the lengths that it is of. */
 static bool read_unit(struct codev *codev, struct text content, struct error *error)
 {
-    commands_open(&codev->commands, codev->job->source, content, &grammar, codev->job->arena);
+    commands_open(&codev->commands, codev->job, content, &grammar);
     while (commands_next(&codev->commands, error)) {
         const struct codev_key key = codev_key(codev->commands.words[0].text);
         if (strcmp(key.letters, "DIM") == 0 && !codev->commands.words[0].is_quoted &&
@@ -285,7 +287,7 @@ static bool codev_read(struct foreign_job *job, struct text content, struct lens
         return false;
     }
     const struct number_scale scale = codev->commands.scale;
-    commands_open(&codev->commands, job->source, content, &grammar, job->arena);
+    commands_open(&codev->commands, job, content, &grammar);
     codev->commands.scale = scale;
     codev->sequence =
         (struct sequence){.job = job, .commands = &codev->commands, .build = &codev->build};

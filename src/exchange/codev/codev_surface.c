@@ -133,8 +133,8 @@ static bool read_solve(struct codev *codev, const struct codev_qualifiers *quali
                                &solve->target, error) &&
                commands_end(commands, qualifiers->next + 2, error);
     }
-    return codev_lose(codev, error,
-                      "a solve that is not known" LOSS_INSTEAD "the number of the file stands");
+    return commands_lose(&codev->commands, error,
+                         "a solve that is not known" LOSS_INSTEAD "the number of the file stands");
 }
 
 /* A curvature in x: that of a cylinder, the other way. */
@@ -142,13 +142,14 @@ static bool set_curve_x(struct codev *codev, struct sequence_surface *surface, s
                         bool is_radius, struct error *error)
 {
     if (surface->curved == CURVED_BOTH) {
-        return codev_lose(codev, error, "a curvature in x of a surface that is no cylinder");
+        return commands_lose(&codev->commands, error,
+                             "a curvature in x of a surface that is no cylinder");
     }
     if (figure.value.hi == 0) {
         return true;
     }
     if (surface->curved == CURVED_Y && sequence_is_some(&surface->curve)) {
-        return codev_lose(codev, error, "a surface that is curved in x and in y");
+        return commands_lose(&codev->commands, error, "a surface that is curved in x and in y");
     }
     surface->curved = CURVED_X;
     set_curve(codev, surface, figure, is_radius);
@@ -176,7 +177,8 @@ bool codev_curve(struct codev *codev, int what, struct error *error)
     }
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
     if (qualifiers.zoom > 1) {
-        return codev_lose(codev, error, "a curvature of position %zu alone", qualifiers.zoom);
+        return commands_lose(&codev->commands, error, "a curvature of position %zu alone",
+                             qualifiers.zoom);
     }
     if (is_x) {
         return set_curve_x(codev, surface, figure, is_radius, error);
@@ -218,7 +220,8 @@ bool codev_glass(struct codev *codev, int what, struct error *error)
         return commands_fail(&codev->commands, &word, error, "the glass is missing");
     }
     if (qualifiers.zoom > 1) {
-        return codev_lose(codev, error, "a glass of position %zu alone", qualifiers.zoom);
+        return commands_lose(&codev->commands, error, "a glass of position %zu alone",
+                             qualifiers.zoom);
     }
     set_glass(codev, surface_of(codev, &qualifiers), qualifiers.next);
     return commands_end(&codev->commands, qualifiers.next + 1, error);
@@ -260,7 +263,8 @@ bool codev_constant(struct codev *codev, int what, struct error *error)
     }
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
     if (qualifiers.zoom > 1) {
-        return codev_lose(codev, error, "a constant of position %zu alone", qualifiers.zoom);
+        return commands_lose(&codev->commands, error, "a constant of position %zu alone",
+                             qualifiers.zoom);
     }
     set_constant(codev, surface, what, figure);
     return true;
@@ -279,14 +283,14 @@ bool codev_special(struct codev *codev, int what, struct error *error)
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
     surface->is_special = text_same(kind.text, "ODD");
     if (!surface->is_special) {
-        return codev_lose(codev, error, "a surface of a shape that lenscalc has not");
+        return commands_lose(&codev->commands, error, "a surface of a shape that lenscalc has not");
     }
     if (qualifiers.next + 1 < codev->commands.count &&
         !commands_figure(&codev->commands, qualifiers.next + 1, plain, "radius", &radius, error)) {
         return false;
     }
     return radius.value.hi == 0 || radius.value.hi == 1 ||
-           codev_lose(codev, error, "a radius that r is divided by");
+           commands_lose(&codev->commands, error, "a radius that r is divided by");
 }
 
 /* The order that ARn, or C(n + 1), of SPS ODD is of; 0 is the conic, -1 is neither. */
@@ -326,8 +330,8 @@ bool codev_special_constant(struct codev *codev, int what, struct error *error)
     }
     bool is_known = surface->is_special && (order == 0 || surface_term(order) >= 0);
     if (!is_known || qualifiers.zoom > 1) {
-        return figure.value.hi == 0 ||
-               codev_lose(codev, error, "a constant of a shape that lenscalc has not");
+        return figure.value.hi == 0 || commands_lose(&codev->commands, error,
+                                                     "a constant of a shape that lenscalc has not");
     }
     set_constant(codev, surface, order, figure);
     return true;
@@ -401,7 +405,7 @@ bool codev_aperture(struct codev *codev, int what, struct error *error)
     for (; at < commands->count; at++) {
         enum aperture_word kind = aperture_word(commands->words[at].text);
         if (kind == APERTURE_HOLE) {
-            return codev_lose(codev, error, "an obscuration or hole");
+            return commands_lose(&codev->commands, error, "an obscuration or hole");
         }
         if (kind == APERTURE_RADIUS) {
             break;
@@ -440,7 +444,8 @@ bool codev_shift(struct codev *codev, int what, struct error *error)
         return false;
     }
     if (qualifiers.zoom > 1) {
-        return codev_lose(codev, error, "a shift or turn of position %zu alone", qualifiers.zoom);
+        return commands_lose(&codev->commands, error, "a shift or turn of position %zu alone",
+                             qualifiers.zoom);
     }
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
     surface->decentred_at = codev->commands.words[0];

@@ -90,7 +90,7 @@ bool codev_waves(struct codev *codev, int what, struct error *error)
         return false;
     }
     size_t count = commands->count - qualifiers.next;
-    struct command_word *words = ARENA_ARRAY(commands->arena, count + 1, struct command_word);
+    struct command_word *words = ARENA_ARRAY(commands->job->arena, count + 1, struct command_word);
     for (size_t i = 0; i < count; i++) {
         struct figure figure;
         words[i] = commands->words[qualifiers.next + i];
@@ -191,8 +191,8 @@ bool codev_aperture_of_lens(struct codev *codev, int what, struct error *error)
         return false;
     }
     if (qualifiers.zoom > 1) {
-        return codev_lose(codev, error, "an aperture of position %zu alone: write ZOO EPD",
-                          qualifiers.zoom);
+        return commands_lose(&codev->commands, error,
+                             "an aperture of position %zu alone: write ZOO EPD", qualifiers.zoom);
     }
     lens->aperture = figure;
     lens->aperture_kind = APERTURE_FNUMBER;
@@ -214,7 +214,7 @@ bool codev_fields(struct codev *codev, int what, struct error *error)
         return false;
     }
     size_t count = commands->count - qualifiers.next;
-    struct figure *fields = ARENA_ARRAY(commands->arena, count + 1, struct figure);
+    struct figure *fields = ARENA_ARRAY(commands->job->arena, count + 1, struct figure);
     for (size_t i = 0; i < count; i++) {
         if (!commands_figure(commands, qualifiers.next + i, kind == 'a' ? plain : commands->scale,
                              "field", &fields[i], error)) {
@@ -229,14 +229,16 @@ bool codev_fields(struct codev *codev, int what, struct error *error)
         }
     }
     if (qualifiers.zoom > 1 || qualifiers.field > 0) {
-        return codev_lose(codev, error, "a field of one position or of one number alone");
+        return commands_lose(&codev->commands, error,
+                             "a field of one position or of one number alone");
     }
     lens->field_kind = kind == 'a' ? FIELD_ANGLE : kind == 'o' ? FIELD_HEIGHT : FIELD_IMAGE;
     codev->fields[axis] = fields;
     codev->field_count[axis] = count;
     codev->fields_at[axis] = commands->words[0];
     return kind != 'r' || codev_is_zero(codev, qualifiers.next) ||
-           codev_lose(codev, error, "real image heights" LOSS_INSTEAD "taken for paraxial ones");
+           commands_lose(&codev->commands, error,
+                         "real image heights" LOSS_INSTEAD "taken for paraxial ones");
 }
 
 static bool finish_fields(struct codev *codev, struct error *error)
@@ -357,10 +359,10 @@ static bool zoom_surface(struct codev *codev, char kind, struct error *error)
     }
     const struct text word = commands_word(commands, 1).text;
     return (is_list && codev_is_zero(codev, qualifiers.next)) ||
-           codev_lose(codev, error,
-                      "'%.*s' in positions: only thicknesses, diameters and "
-                      "apertures change with them",
-                      (int)(word.length < 20 ? word.length : 20), word.start);
+           commands_lose(&codev->commands, error,
+                         "'%.*s' in positions: only thicknesses, diameters and "
+                         "apertures change with them",
+                         (int)(word.length < 20 ? word.length : 20), word.start);
 }
 
 bool codev_zoom(struct codev *codev, int what, struct error *error)
@@ -432,9 +434,9 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
     const struct pickup_name *name = pickup_named(commands_word(commands, 1).text);
     struct codev_qualifiers to, from;
     if (name == NULL) {
-        return codev_lose(codev, error,
-                          "a pick-up that is not known" LOSS_INSTEAD
-                          "the number of the file stands");
+        return commands_lose(&codev->commands, error,
+                             "a pick-up that is not known" LOSS_INSTEAD
+                             "the number of the file stands");
     }
     if (!codev_qualifiers(codev, 2, &to, error) ||
         !codev_qualifiers(codev, to.next + 1, &from, error)) {
@@ -442,7 +444,8 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
     }
     if (!text_same(commands_word(commands, to.next).text, name->name) || to.zoom > 1 ||
         from.zoom > 1) {
-        return codev_lose(codev, error, "a pick-up between unlike numbers or positions");
+        return commands_lose(&codev->commands, error,
+                             "a pick-up between unlike numbers or positions");
     }
     struct sequence_pickup pickup = {
         .what = name->what, .target = to.surface, .source = from.surface, .at = commands->words[0]};

@@ -1,9 +1,7 @@
-/* exchange/codev/codev_words.c - words of a CODE V line: qualifiers, zeros, losses. */
+/* exchange/codev/codev_words.c - words of a CODE V line: qualifiers, zeros. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 /* Displays, tolerances, variables of the optimiser, bookkeeping. */
@@ -33,20 +31,6 @@ bool codev_is_in(const char (*list)[4], size_t count, const char *key)
         }
     }
     return false;
-}
-
-bool codev_lose(struct codev *codev, struct error *error, const char *format, ...)
-{
-    char message[sizeof error->message];
-    const struct command_word *word = &codev->commands.words[0];
-    const struct lens_words place = commands_place(&codev->commands, word);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    return foreign_loss(codev->job, &place, word->text, error, "%.*s: %s",
-                        (int)(word->text.length < 20 ? word->text.length : 20), word->text.start,
-                        message);
 }
 
 bool codev_is_zero(const struct codev *codev, size_t first)

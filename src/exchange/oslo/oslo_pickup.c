@@ -1,6 +1,6 @@
 /* exchange/oslo/oslo_pickup.c - numbers of an OSLO file that follow those of another surface. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/oslo/oslo_words.h"
+#include "exchange/oslo/oslo_reading.h"
 
 static const struct number_scale plain = {1, 0};
 
@@ -46,9 +46,9 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error)
         found++;
     }
     if (found == sizeof pickups / sizeof pickups[0]) {
-        return oslo_lose(oslo, error,
-                         "a pick-up that is not known" LOSS_INSTEAD
-                         "the number of the file stands");
+        return commands_lose(&oslo->commands, error,
+                             "a pick-up that is not known" LOSS_INSTEAD
+                             "the number of the file stands");
     }
     if (!read_reference(oslo, 2, &pickup.source, error)) {
         return false;

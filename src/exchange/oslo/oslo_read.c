@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/keep_notes.h"
 #include "exchange/oslo/oslo.h"
-#include "exchange/oslo/oslo_words.h"
+#include "exchange/oslo/oslo_reading.h"
 #include "exchange/sequence.h"
 
 #include "base/constants.h"
@@ -186,7 +186,7 @@ static bool read_general(struct oslo *oslo, int what, struct error *error)
     const struct command_word word = commands_word(&oslo->commands, 1);
     oslo->asphere_step = text_same(word.text, "ASR") ? 2 : text_same(word.text, "ARA") ? 1 : 0;
     return oslo->asphere_step > 0 || text_same(word.text, "ADO") ||
-           oslo_lose(oslo, error, "an asphere that is no polynomial of r");
+           commands_lose(&oslo->commands, error, "an asphere that is no polynomial of r");
 }
 
 /* AS1 is the coefficient of r^2, AS2 of r^4 .. of ASP ASR; of r, r^2 .. of ASP ARA. */
@@ -207,9 +207,9 @@ static bool read_general_coefficient(struct oslo *oslo, struct error *error)
     }
     int order = index <= LENS_COEFFICIENTS ? oslo->asphere_step * (int)index : 0;
     if (surface_term(order) < 0) {
-        return oslo_lose(oslo, error,
-                         "a coefficient of another asphere than ASP ASR and ASP ARA, of order 1 "
-                         "to 20");
+        return commands_lose(&oslo->commands, error,
+                             "a coefficient of another asphere than ASP ASR and ASP ARA, of order "
+                             "1 to 20");
     }
     return put_coefficient(oslo, order, error);
 }
@@ -260,7 +260,7 @@ static bool read_move(struct oslo *oslo, int what, struct error *error)
     surface->move = (enum sequence_move)what;
     surface->decentred_at = oslo->commands.words[0];
     return (to == oslo->surface && what == SEQUENCE_BACK) || what != SEQUENCE_BACK ||
-           oslo_lose(oslo, error, "coordinates of another surface");
+           commands_lose(&oslo->commands, error, "coordinates of another surface");
 }
 
 static const struct {
@@ -318,7 +318,7 @@ static bool lose(struct oslo *oslo, int what, struct error *error)
                                           "rays that leave the object in parallel",
                                           "an index that changes inside of the glass",
                                           "a solve that is not known"};
-    return oslo_lose(oslo, error, "%s", reasons[what]);
+    return commands_lose(&oslo->commands, error, "%s", reasons[what]);
 }
 
 /* What is lost only where it is another number than the usual one. */
@@ -438,7 +438,8 @@ static bool run_command(struct oslo *oslo, struct error *error)
         text_same(word->text, "RST") ||
         (oslo->in_points && (text_same(word->text, "F") || text_same(word->text, "END")));
     if (oslo->has_ended && !of_points) {
-        return oslo_lose(oslo, error, "a command behind END: further data of the lens");
+        return commands_lose(&oslo->commands, error,
+                             "a command behind END: further data of the lens");
     }
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
         if (!word->is_quoted && text_same(word->text, keywords[i].name)) {
@@ -456,13 +457,13 @@ static bool run_command(struct oslo *oslo, struct error *error)
             return true;
         }
     }
-    return oslo_lose(oslo, error, "an unknown command");
+    return commands_lose(&oslo->commands, error, "an unknown command");
 }
 
 /* The unit may stand behind lengths. */
 static bool read_unit(struct oslo *oslo, struct text content, struct error *error)
 {
-    commands_open(&oslo->commands, oslo->job->source, content, &grammar, oslo->job->arena);
+    commands_open(&oslo->commands, oslo->job, content, &grammar);
     while (commands_next(&oslo->commands, error)) {
         if (text_same(oslo->commands.words[0].text, "UNI") && !oslo_unit(oslo, error)) {
             return false;
@@ -522,7 +523,7 @@ static bool oslo_read(struct foreign_job *job, struct text content, struct lens 
         return false;
     }
     const struct number_scale scale = oslo->commands.scale;
-    commands_open(&oslo->commands, job->source, content, &grammar, job->arena);
+    commands_open(&oslo->commands, job, content, &grammar);
     oslo->commands.scale = scale;
     oslo->sequence =
         (struct sequence){.job = job, .commands = &oslo->commands, .build = &oslo->build};

@@ -1,6 +1,6 @@
 /* exchange/oslo/oslo_system.c - what an OSLO file says of the whole lens, and its glasses. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/oslo/oslo_words.h"
+#include "exchange/oslo/oslo_reading.h"
 #include "file/decimal.h"
 
 #include "base/constants.h"
@@ -262,8 +262,8 @@ bool oslo_point(struct oslo *oslo, int what, struct error *error)
             return false;
         }
         if (figure.value.hi != usual[i - 2]) {
-            return oslo_lose(oslo, error,
-                             "a point beside the y axis, or one with a pupil of its own");
+            return commands_lose(&oslo->commands, error,
+                                 "a point beside the y axis, or one with a pupil of its own");
         }
     }
     return true;

@@ -1,7 +1,7 @@
-/* exchange/oslo/oslo_words.h - an OSLO lens file while it is read. */
+/* exchange/oslo/oslo_reading.h - an OSLO lens file while it is read. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_EXCHANGE_OSLO_OSLO_WORDS_H
-#define LENSCALC_EXCHANGE_OSLO_OSLO_WORDS_H
+#ifndef LENSCALC_EXCHANGE_OSLO_OSLO_READING_H
+#define LENSCALC_EXCHANGE_OSLO_OSLO_READING_H
 
 #include "exchange/sequence.h"
 
@@ -27,10 +27,6 @@ struct oslo {
     struct text waves[OSLO_MOST_WAVES], weights[OSLO_MOST_WAVES]; /* um */
     size_t wave_count, weight_count;
 };
-
-/* Leave out the present command, as a loss. */
-bool oslo_lose(struct oslo *oslo, struct error *error, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
 
 /* GLA NAME, GLA MOD NAME n n n, GLA 1.5, GLA MOD 1.5 60 */
 bool oslo_glass(struct oslo *oslo, int what, struct error *error);
