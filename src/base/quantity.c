@@ -263,7 +263,7 @@ static bool read_inches(struct reading *reading, double *value)
         !read_unit(reading, &unit) || (unit != inch && unit != NULL)) {
         return wrong(reading, from, "this does not belong to the quantity");
     }
-    if (!(inches >= 0) || !(inches < 304.8) || !(*value >= 0)) {
+    if (!(inches >= 0) || !(inches < unit_to_own(feet, 1)) || !(*value >= 0)) {
         return wrong(reading, from, "inches behind feet must be 0 to less than 12");
     }
     *value += inches;

@@ -13,31 +13,25 @@ static const struct unit number_units[] = {
     {"", "", {1, 0}, 1, NULL, "plain number"},
 };
 
+/* Units of length, where the program's own one is 10^-p mm. */
+#define NM(p) "nm", "nm", {1, (p)-6}, 1, NULL, "nanometre"
+#define UM(p) "um", "um", {1, (p)-3}, 1, "\xc2\xb5m \xce\xbcm", "micrometre"
+#define MM(p) "mm", "mm", {1, p}, 1, NULL, "millimetre"
+#define CM(p) "cm", "cm", {1, (p) + 1}, 1, NULL, "centimetre"
+#define M(p)  "m", "m", {1, (p) + 3}, 1, NULL, "metre"
+#define KM(p) "km", "km", {1, (p) + 6}, 1, NULL, "kilometre"
+#define IN(p) "in", "in", {254, (p)-1}, 1, "\" \xe2\x80\xb3 inch", "inch, 25.4 mm"
+#define FT(p) "ft", "ft", {3048, (p)-1}, 1, "' \xe2\x80\xb2 feet foot", "foot, 304.8 mm"
+#define YD(p) "yd", "yd", {9144, (p)-1}, 1, NULL, "yard, 914.4 mm"
+#define MI(p) "mi", "mi", {1609344, p}, 1, "mile miles", "mile, 1609.344 m"
+
 static const struct unit length_units[] = {
-    {"mm", "mm", {1, 0}, 1, NULL, "millimetre"},
-    {"nm", "nm", {1, -6}, 1, NULL, "nanometre"},
-    {"um", "um", {1, -3}, 1, "\xc2\xb5m \xce\xbcm", "micrometre"},
-    {"cm", "cm", {1, 1}, 1, NULL, "centimetre"},
-    {"m", "m", {1, 3}, 1, NULL, "metre"},
-    {"km", "km", {1, 6}, 1, NULL, "kilometre"},
-    {"in", "in", {254, -1}, 1, "\" \xe2\x80\xb3 inch", "inch, 25.4 mm"},
-    {"ft", "ft", {3048, -1}, 1, "' \xe2\x80\xb2 feet foot", "foot, 304.8 mm"},
-    {"yd", "yd", {9144, -1}, 1, NULL, "yard, 914.4 mm"},
-    {"mi", "mi", {1609344, 0}, 1, "mile miles", "mile, 1609.344 m"},
+    {MM(0)}, {NM(0)}, {UM(0)}, {CM(0)}, {M(0)}, {KM(0)}, {IN(0)}, {FT(0)}, {YD(0)}, {MI(0)},
 };
 
-/* The same, for wavelengths that the program keeps in um. */
+/* For wavelengths that the program keeps in um. */
 static const struct unit wavelength_units[] = {
-    {"um", "um", {1, 0}, 1, "\xc2\xb5m \xce\xbcm", "micrometre"},
-    {"nm", "nm", {1, -3}, 1, NULL, "nanometre"},
-    {"mm", "mm", {1, 3}, 1, NULL, "millimetre"},
-    {"cm", "cm", {1, 4}, 1, NULL, "centimetre"},
-    {"m", "m", {1, 6}, 1, NULL, "metre"},
-    {"km", "km", {1, 9}, 1, NULL, "kilometre"},
-    {"in", "in", {254, 2}, 1, "\" \xe2\x80\xb3 inch", "inch, 25.4 mm"},
-    {"ft", "ft", {3048, 2}, 1, "' \xe2\x80\xb2 feet foot", "foot, 304.8 mm"},
-    {"yd", "yd", {9144, 2}, 1, NULL, "yard, 914.4 mm"},
-    {"mi", "mi", {1609344, 3}, 1, "mile miles", "mile, 1609.344 m"},
+    {UM(3)}, {NM(3)}, {MM(3)}, {CM(3)}, {M(3)}, {KM(3)}, {IN(3)}, {FT(3)}, {YD(3)}, {MI(3)},
 };
 
 static const struct unit angle_units[] = {

@@ -7,6 +7,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/number.h"
+#include "base/units.h"
 #include "draw/svg.h"
 #include "draw/ticks.h"
 
@@ -19,7 +20,6 @@ static const double AXIS = 296;
 static const char *const BLACK = "#1d1d1d", *const CHROME = "#e6e6e4", *const IVORY = "#f4f1e8";
 static const char *const AMBER = "#f0a830", *const RED = "#d0370a", *const BLUE = "#0060a0";
 
-static const double METRES_IN_FOOT = 0.3048;
 static const double LABEL_GAP = 9, WIDE_GAP = 22; /* px, least distance between numbers */
 static const double TICK_GAP = 5, PAIR_GAP = 3;   /* px, and between ticks */
 
@@ -174,6 +174,11 @@ struct engraving {
     double edge, inward; /* px, where ticks begin, and which way they go: 1 = down, -1 = up */
 };
 
+static double metres_in_foot(void)
+{
+    return unit_to_own(unit_find(&dimension_length, text_of("ft")), 1) / 1000;
+}
+
 static void engrave(struct svg *svg, const struct engraving *row, double x, const char *text,
                     double size)
 {
@@ -237,7 +242,7 @@ static void draw_focus_ring(struct svg *svg, const struct scale *scale, double n
 {
     static const char *const names[] = {"ft", "m"};
     const struct engraving rows[] = {
-        {METRES_IN_FOOT, names[0], AMBER, RING_TOP + 34, RING_TOP, 1},
+        {metres_in_foot(), names[0], AMBER, RING_TOP + 34, RING_TOP, 1},
         {1, names[1], IVORY, RING_BOTTOM - 24, RING_BOTTOM, -1},
     };
     for (size_t i = 0; i < 2; i++) {
@@ -410,7 +415,7 @@ static const char *distance_text(struct arena *arena, double diopter)
         return "∞";
     }
     return arena_printf(arena, "%s m (%s ft)", number_text(arena, 1 / diopter),
-                        number_text(arena, 1 / diopter / METRES_IN_FOOT));
+                        number_text(arena, 1 / diopter / metres_in_foot()));
 }
 
 static void draw_legend(struct svg *svg, const struct barrel *barrel)

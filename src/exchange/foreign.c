@@ -16,6 +16,22 @@ static void add_loss(struct foreign_job *job, long line, const char *what)
     job->losses[job->loss_count++] = (struct foreign_loss){line, what};
 }
 
+const char *foreign_unit_named(const struct foreign_unit *units, struct text word)
+{
+    while (units->word != NULL && !text_same(word, units->word)) {
+        units++;
+    }
+    return units->unit;
+}
+
+const char *foreign_unit_word(const struct foreign_unit *units, const char *unit)
+{
+    while (units->word != NULL && strcmp(units->unit, unit) != 0) {
+        units++;
+    }
+    return units->word;
+}
+
 bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struct text word,
                   struct error *error, const char *format, ...)
 {

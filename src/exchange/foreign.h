@@ -31,6 +31,17 @@ struct foreign_job {
     size_t loss_count, loss_room;
 };
 
+/* What a program calls a unit of length: of several words for one, it writes the first. */
+struct foreign_unit {
+    const char *word, *unit; /* "METER", "m"; the last of a table is null */
+};
+
+/* The unit of a word, as lens.unit has it, without regard to case; null: there is no such word. */
+const char *foreign_unit_named(const struct foreign_unit *units, struct text word);
+
+/* The word for a unit; null: the program has none. */
+const char *foreign_unit_word(const struct foreign_unit *units, const char *unit);
+
 /* A kind of file. `read` or `write` is null where it does not exist. */
 struct foreign_format {
     struct file_type type; /* "zmx", "Zemax OpticStudio", ".zmx" */

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/keep_notes.h"
 
+#include "file/lens_unit.h"
+
 #include <math.h>
 
 static const char *const names[KEEP_NOTES] = {

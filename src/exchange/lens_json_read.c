@@ -4,6 +4,7 @@
 #include "exchange/lens_json_reading.h"
 
 #include "base/constants.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 
@@ -277,9 +278,13 @@ static bool read_positions(struct json_reading *reading, const struct json_value
 static bool read_unit(struct json_reading *reading, const struct json_value *value,
                       struct error *error)
 {
-    static const char *const units[] = {"mm", "cm", "m", "in"};
+    const char *units[LENS_UNITS];
     int choice = 0;
-    if (!json_is_null(value) && !json_read_choice(reading, value, units, 4, &choice, error)) {
+    for (size_t i = 0; i < LENS_UNITS; i++) {
+        units[i] = lens_units[i].word;
+    }
+    if (!json_is_null(value) &&
+        !json_read_choice(reading, value, units, LENS_UNITS, &choice, error)) {
         return false;
     }
     reading->build.lens->unit = units[choice];

@@ -3,6 +3,7 @@
 #include "exchange/lens_json_reading.h"
 
 #include "base/constants.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -6,6 +6,7 @@
 #include "file/decimal.h"
 #include "file/lens_build.h"
 #include "file/lens_glass.h"
+#include "file/lens_unit.h"
 #include "optics/first_order.h"
 
 #include <math.h>
@@ -17,7 +18,8 @@ void writing_begin(struct writing *writing, const struct lens *lens, bool has_me
     bool is_metre = strcmp(lens->unit, "m") == 0 && !has_metres;
     *writing = (struct writing){
         .arena = arena, .lens = lens, .text = {.arena = arena}, .shift = is_metre ? 3 : 0};
-    writing->scale = is_metre ? (struct number_scale){1, 0} : lens_unit_scale(lens->unit);
+    writing->unit = is_metre ? "mm" : lens->unit;
+    writing->scale = lens_unit_scale(writing->unit);
 }
 
 /* The figure in the first position, where a variable stands for it. */

@@ -16,7 +16,8 @@
 struct writing {
     struct arena *arena;
     const struct lens *lens;
-    struct number_scale scale; /* of the file's unit of length, in mm */
+    const char *unit;          /* of the file's lengths, as lens.unit has it */
+    struct number_scale scale; /* of that unit, in mm */
     int shift; /* power of ten that takes a length from the lens's unit to the file's */
     struct growing text;
 };

@@ -3,6 +3,7 @@
 #include "file/lens_build.h"
 
 #include "data/lines.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,7 +21,7 @@ struct figure figure_zero(void)
 void lens_build_begin(struct lens_build *build, struct lens *lens, struct arena *arena)
 {
     *build = (struct lens_build){.lens = lens, .arena = arena};
-    *lens = (struct lens){.unit = "mm",
+    *lens = (struct lens){.unit = lens_units[0].word,
                           .object_is_infinite = true,
                           .object = {{INFINITY, 0}, {NULL, 0}, LENS_NONE},
                           .object_medium = medium_air,
@@ -171,20 +172,6 @@ struct figure figure_of(double value, struct arena *arena)
 {
     char text[NUMBER_LENGTH];
     return figure_typed(text, number_write_shortest(text, value), NUMBER_UNSCALED, arena);
-}
-
-struct number_scale lens_unit_scale(const char *unit)
-{
-    static const struct {
-        const char *name;
-        struct number_scale scale;
-    } units[] = {{"cm", {1, 1}}, {"m", {1, 3}}, {"in", {254, -1}}};
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (strcmp(units[i].name, unit) == 0) {
-            return units[i].scale;
-        }
-    }
-    return NUMBER_UNSCALED;
 }
 
 struct figure figure_per_length(struct figure figure, const char *unit, int power)

@@ -70,9 +70,6 @@ struct figure figure_of(double value, struct arena *arena);
 /* The same digits as a number of another dimension: the unit ("mm", "in" ..) to a power. */
 struct figure figure_per_length(struct figure figure, const char *unit, int power);
 
-/* A number of a lens's unit in its unit ("mm", "cm", "m", "in"). */
-struct number_scale lens_unit_scale(const char *unit);
-
 /*
  * The radius whose reciprocal a curvature is.
  *

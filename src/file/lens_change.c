@@ -3,6 +3,7 @@
 #include "file/lens_change.h"
 
 #include "file/lens_build.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,6 +4,7 @@
 
 #include "base/constants.h"
 #include "file/lens_surface.h"
+#include "file/lens_unit.h"
 #include "file/lens_words.h"
 
 #include <math.h>
@@ -73,23 +74,18 @@ static bool end_of_line(struct parser *parser, struct error *error)
 
 static bool read_unit(struct parser *parser, struct error *error)
 {
-    static const struct {
-        const char *name;
-        struct number_scale scale;
-    } units[] = {{"mm", {1, 0}}, {"cm", {1, 1}}, {"m", {1, 3}}, {"in", {254, -1}}};
     struct text word = lens_words_next(&parser->words);
+    const char *unit = lens_unit_named(word);
     if (parser->lens->surface_count > 0 || parser->given > 1) {
         return lens_words_fail(&parser->words, word, error,
                                "the unit must stand before all lengths");
     }
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (text_equal(word, units[i].name)) {
-            parser->words.scale = units[i].scale;
-            parser->lens->unit = units[i].name;
-            return end_of_line(parser, error);
-        }
+    if (unit == NULL) {
+        return lens_words_fail(&parser->words, word, error, "the unit is one of mm, cm, m, in");
     }
-    return lens_words_fail(&parser->words, word, error, "the unit is one of mm, cm, m, in");
+    parser->words.scale = lens_unit_scale(unit);
+    parser->lens->unit = unit;
+    return end_of_line(parser, error);
 }
 
 static bool read_wavelengths(struct parser *parser, struct error *error)
@@ -581,7 +577,7 @@ bool lens_read(const char *source, struct text content, const struct glass_sourc
                struct arena *arena, struct lens *lens, struct error *error)
 {
     struct parser parser = {.lens = lens, .glasses = glasses};
-    *lens = (struct lens){.unit = "mm",
+    *lens = (struct lens){.unit = lens_units[0].word,
                           .object_is_infinite = true,
                           .object = {{INFINITY, 0}, {NULL, 0}, LENS_NONE},
                           .object_medium = medium_air,

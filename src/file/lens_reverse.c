@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_build.h"
 #include "file/lens_change.h"
+#include "file/lens_unit.h"
 #include "optics/first_order.h"
 
 #include <math.h>

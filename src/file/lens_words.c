@@ -3,6 +3,7 @@
 #include "file/lens_words.h"
 
 #include "base/quantity.h"
+#include "base/units.h"
 #include "data/lines.h"
 #include "optics/wavelength.h"
 
@@ -175,10 +176,7 @@ bool lens_words_figures(struct lens_words *words, struct number_scale scale, con
 bool lens_words_wavelength(const struct lens_words *words, struct text text, double *wavelength,
                            struct error *error)
 {
-    static const struct {
-        const char *name;
-        struct number_scale scale; /* to um */
-    } units[] = {{"nm", {1, -3}}, {"um", {1, 0}}};
+    static const char *const units[] = {"nm", "um"};
     if (lines_standard(text, wavelength)) {
         return true;
     }
@@ -194,8 +192,9 @@ bool lens_words_wavelength(const struct lens_words *words, struct text text, dou
     }
     struct text unit = text_between(behind, end);
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (text_equal(unit, units[i].name)) {
-            number_read(text.start, end, units[i].scale, wavelength);
+        if (text_equal(unit, units[i])) {
+            number_read(text.start, end, unit_find(&dimension_wavelength_um, unit)->scale,
+                        wavelength);
             if (*wavelength >= WAVELENGTH_SHORTEST && *wavelength <= WAVELENGTH_LONGEST) {
                 return true;
             }

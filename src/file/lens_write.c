@@ -4,6 +4,7 @@
 #include "optics/growing.h"
 
 #include "base/constants.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>
@@ -275,24 +276,10 @@ static void put_positions(struct writer *writer)
     }
 }
 
-static double unit_of(const char *name)
-{
-    static const struct {
-        const char *name;
-        double mm;
-    } units[] = {{"cm", 10}, {"m", 1000}, {"in", 25.4}};
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (strcmp(units[i].name, name) == 0) {
-            return units[i].mm;
-        }
-    }
-    return 1;
-}
-
 struct text lens_write(const struct lens *lens, struct arena *arena)
 {
     struct writer writer = {
-        .arena = arena, .lens = lens, .text = {.arena = arena}, .unit = unit_of(lens->unit)};
+        .arena = arena, .lens = lens, .text = {.arena = arena}, .unit = lens_unit_mm(lens->unit)};
     put_header(&writer);
     put_positions(&writer);
     put_string(&writer, "#           radius        thickness   medium              diameter\n");

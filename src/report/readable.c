@@ -54,7 +54,7 @@ static const struct unit *metric_length(const struct unit *usual, double typical
 /* Feet stand for feet and inches, or inches alone where all is short. */
 static const struct unit *imperial_length(double typical)
 {
-    if (typical < 304.8) {
+    if (typical < unit_to_own(length_unit("ft"), 1)) {
         return length_unit("in");
     }
     return length_unit(typical < 1e7 || isinf(typical) || isnan(typical) ? "ft" : "mi");
@@ -81,7 +81,7 @@ static void write_significant(char *to, double value, int digits, bool pad)
 /* 9' 4.3": inches with the decimals that `digits` significant digits leave. */
 static void write_feet(char *to, size_t room, double millimetres, int digits)
 {
-    double feet = fabs(millimetres) / 304.8;
+    double feet = unit_from_own(length_unit("ft"), fabs(millimetres));
     const char *sign = millimetres < 0 ? "-" : "";
     int before = feet < 10 ? 1 : feet < 100 ? 2 : feet < 1000 ? 3 : 4;
     int decimals = digits - before - 2;
@@ -92,7 +92,7 @@ static void write_feet(char *to, size_t room, double millimetres, int digits)
         return;
     }
     double step = decimals < 0 ? 1 : pow(10, -decimals);
-    double inches = round(fabs(millimetres) / 25.4 / step) * step;
+    double inches = round(unit_from_own(length_unit("in"), fabs(millimetres)) / step) * step;
     double whole = floor(inches / 12 + 1e-9);
     double rest = inches - 12 * whole;
     snprintf(to, room, "%s%.0f' %.*f\"", sign, whole, decimals < 0 ? 0 : decimals,

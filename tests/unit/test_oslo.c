@@ -176,7 +176,7 @@ static const struct refusal errors[] = {
     {"EBR 5", "EBR @0", "the aperture must be above 0", NULL},
     {"EBR 5", "EBR@", "the aperture is missing", NULL},
     {"EBR 5", "EBR 5 @6", "'6' does not belong here", NULL},
-    {"EBR 5", "UNI @7", "a unit of 7 mm: it is one of 1, 10, 25.4, 1000", NULL},
+    {"EBR 5", "UNI @7", "a unit of 7 mm: it is one of 1, 10, 1000, 25.4", NULL},
     {"EBR 5", "UNI @mm", "the unit in mm 'mm' is no number", NULL},
     {"ANG 10", "ANG @x", "the field 'x' is no number", NULL},
     {"ANG 10", "ANG @-181", "a field angle is not beyond 180 degrees", NULL},

@@ -4,6 +4,7 @@
 #include "exchange/lens_formats.h"
 #include "file/lens_change.h"
 #include "file/lens_glass.h"
+#include "file/lens_unit.h"
 #include "optics/growing.h"
 
 #include <math.h>
@@ -26,14 +27,12 @@ static const struct word *format_word_at(size_t i)
     return i == 0 ? &automatic : type != NULL ? &type->word : NULL;
 }
 
-static const struct word units[] = {
-    {"keep", "that of the lens"},
-    {"mm", "millimetre"},
-    {"cm", "centimetre"},
-    {"m", "metre"},
-    {"in", "inch"},
-    {NULL, NULL},
-};
+/* "keep", then what a lens may be typed in. */
+static const struct word *unit_word_at(size_t i)
+{
+    static const struct word keep = {"keep", "that of the lens"};
+    return i == 0 ? &keep : lens_units[i - 1].word != NULL ? &lens_units[i - 1] : NULL;
+}
 
 static const struct option options[] = {
     {OPTION(struct input, lens), .name = "lens", .letter = 'l', .value = "LENS",
@@ -51,7 +50,7 @@ static const struct option options[] = {
      .dimension = &dimension_length, .unit = "mm", .lowest = 0, .highest = 1e9,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
      .help = "scale to this focal length at the primary wavelength, in the first position"},
-    {OPTION(struct input, unit), .name = "unit", .words = units, .fallback = "keep",
+    {OPTION(struct input, unit), .name = "unit", .word_at = unit_word_at, .fallback = "keep",
      .value = "UNIT", .help = "unit of the lengths in the file"},
 };
 
@@ -139,7 +138,7 @@ static bool change(struct conversion *conversion, struct error *error)
     }
     if (input->unit > 0) {
         conversion->lens =
-            lens_in_unit(conversion->lens, units[input->unit].word, conversion->arena);
+            lens_in_unit(conversion->lens, lens_units[input->unit - 1].word, conversion->arena);
     }
     return true;
 }

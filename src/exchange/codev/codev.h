@@ -100,6 +100,9 @@ bool codev_values(struct codev *codev, const struct codev_qualifiers *qualifiers
                   const struct figure *usual, const struct figure **values, bool double_them,
                   struct error *error);
 
+/* The words of DIM: millimetres, centimetres, inches. */
+extern const struct foreign_unit codev_units[];
+
 /* Write a lens. */
 bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                  struct error *error);

@@ -6,6 +6,7 @@
 #include "file/decimal.h"
 
 #include "base/constants.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>
@@ -63,22 +64,21 @@ bool codev_radius_mode(struct codev *codev, int what, struct error *error)
     return commands_end(&codev->commands, 2, error);
 }
 
+/* Only the first letter of a word counts. */
+const struct foreign_unit codev_units[] = {{"M", "mm"}, {"C", "cm"}, {"I", "in"}, {NULL, NULL}};
+
 bool codev_unit(struct codev *codev, int what, struct error *error)
 {
     (void)what;
-    static const struct {
-        char letter;
-        const char *unit;
-    } units[] = {{'m', "mm"}, {'c', "cm"}, {'i', "in"}};
     const struct command_word word = commands_word(&codev->commands, 1);
-    for (size_t i = 0; i < sizeof units / sizeof units[0] && word.text.length > 0; i++) {
-        if ((word.text.start[0] | 32) == units[i].letter) {
-            codev->build.lens->unit = units[i].unit;
-            codev->commands.scale = lens_unit_scale(units[i].unit);
-            return commands_end(&codev->commands, 2, error);
-        }
+    const struct text letter = {word.text.start, word.text.length > 0 ? 1 : 0};
+    const char *unit = foreign_unit_named(codev_units, letter);
+    if (unit == NULL) {
+        return commands_fail(&codev->commands, &word, error, "the unit is one of M, C, I");
     }
-    return commands_fail(&codev->commands, &word, error, "the unit is one of M, C, I");
+    codev->build.lens->unit = unit;
+    codev->commands.scale = lens_unit_scale(unit);
+    return commands_end(&codev->commands, 2, error);
 }
 
 /* WL, WTW: kept until REF is known. */

@@ -304,9 +304,6 @@ static void put_fields(struct output *output)
 static bool put_header(struct output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
-    const char unit = strcmp(lens->unit, "cm") == 0   ? 'C'
-                      : strcmp(lens->unit, "in") == 0 ? 'I'
-                                                      : 'M';
     put_string(output, "RDM;LEN\n");
     if (lens->title != NULL && !put_text(output, "TITLE", lens->title, error)) {
         return false;
@@ -320,7 +317,8 @@ static bool put_header(struct output *output, struct error *error)
     if (!put_aperture(output, error)) {
         return false;
     }
-    growing_format(&output->writing.text, "DIM %c\n", unit);
+    growing_format(&output->writing.text, "DIM %s\n",
+                   foreign_unit_word(codev_units, output->writing.unit));
     put_waves(output);
     put_fields(output);
     put_catalog(output);

@@ -4,6 +4,7 @@
 #include "file/decimal.h"
 
 #include "base/constants.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>
@@ -12,23 +13,23 @@ static const struct number_scale plain = {1, 0};
 
 bool oslo_unit(struct oslo *oslo, struct error *error)
 {
-    static const struct {
-        double mm;
-        const char *unit;
-    } units[] = {{1, "mm"}, {10, "cm"}, {25.4, "in"}, {1000, "m"}};
     struct figure figure;
     if (!commands_figure(&oslo->commands, 1, plain, "unit in mm", &figure, error)) {
         return false;
     }
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (figure.value.hi == units[i].mm) {
-            oslo->build.lens->unit = units[i].unit;
-            oslo->commands.scale = lens_unit_scale(units[i].unit);
+    const char *legal = "";
+    for (size_t i = 0; i < LENS_UNITS; i++) {
+        const char *unit = lens_units[i].word;
+        if (figure.value.hi == lens_unit_mm(unit)) {
+            oslo->build.lens->unit = unit;
+            oslo->commands.scale = lens_unit_scale(unit);
             return true;
         }
+        legal =
+            arena_printf(oslo->job->arena, "%s%s%g", legal, i > 0 ? ", " : "", lens_unit_mm(unit));
     }
     return commands_fail(&oslo->commands, &oslo->commands.words[1], error,
-                         "a unit of %g mm: it is one of 1, 10, 25.4, 1000", figure.value.hi);
+                         "a unit of %g mm: it is one of %s", figure.value.hi, legal);
 }
 
 static bool check_wave(struct oslo *oslo, size_t word, bool is_weight, struct error *error)

@@ -4,6 +4,7 @@
 #include "exchange/oslo/oslo.h"
 #include "exchange/writing.h"
 #include "file/decimal.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>
@@ -144,8 +145,6 @@ static void put_points(struct output *output)
 static bool put_header(struct output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
-    static const char *const units[][2] = {
-        {"mm", "1.0"}, {"cm", "10.0"}, {"in", "25.4"}, {"m", "1000.0"}};
     put_string(output, "// OSLO 6.6 0 0 0\n");
     keep_notes_write(&output->writing.text, lens, output->writing.scale, OSLO_KEEP_NOTE, "\n");
     if (!put_text(output, "LEN NEW", lens->title != NULL ? lens->title : "", error)) {
@@ -157,11 +156,7 @@ static bool put_header(struct output *output, struct error *error)
     }
     put_field(output);
     put_string(output, "DES \"\"\n");
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (strcmp(units[i][0], lens->unit) == 0) {
-            put_command(output, "UNI", text_of(units[i][1]));
-        }
-    }
+    growing_format(&output->writing.text, "UNI %.1f\n", lens_unit_mm(output->writing.unit));
     for (size_t i = 0; i < lens->note_count && i < 10; i++) {
         const char *name = arena_printf(output->job->arena, "SNO%zu", i + 1);
         if (!put_text(output, name, lens->notes[i], error)) {

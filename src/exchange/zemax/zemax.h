@@ -17,6 +17,9 @@ enum { ZEMAX_TERMS = 8 }; /* of an asphere, among its parameters */
  */
 extern const struct foreign_format zemax_format;
 
+/* The words of UNIT. */
+extern const struct foreign_unit zemax_units[];
+
 bool zemax_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                  struct error *error);
 

@@ -1,6 +1,7 @@
 /* exchange/zemax/zemax_positions.c - gaps and apertures of all configurations. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_solve.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>

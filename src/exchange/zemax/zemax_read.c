@@ -5,6 +5,7 @@
 #include "exchange/zemax/zemax_surface.h"
 
 #include "base/constants.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,6 +4,7 @@
 
 #include "base/constants.h"
 #include "exchange/zemax/zemax_solve.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,24 +1,25 @@
 /* exchange/zemax/zemax_system.c - the system of a .zmx file: units, aperture, light. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_keyword.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 
+const struct foreign_unit zemax_units[] = {
+    {"MM", "mm"}, {"CM", "cm"}, {"IN", "in"}, {"METER", "m"}, {"M", "m"}, {NULL, NULL},
+};
+
 static bool read_unit(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    static const struct {
-        const char *word, *unit;
-    } units[] = {{"MM", "mm"}, {"CM", "cm"}, {"IN", "in"}, {"METER", "m"}, {"M", "m"}};
     struct text word = lens_words_next(&file->words);
+    const char *unit = foreign_unit_named(zemax_units, word);
     (void)keyword;
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (text_same(word, units[i].word)) {
-            file->build.lens->unit = units[i].unit;
-            file->words.scale = lens_unit_scale(units[i].unit);
-            return true;
-        }
+    if (unit == NULL) {
+        return lens_words_fail(&file->words, word, error, "the unit is one of MM, CM, IN, METER");
     }
-    return lens_words_fail(&file->words, word, error, "the unit is one of MM, CM, IN, METER");
+    file->build.lens->unit = unit;
+    file->words.scale = lens_unit_scale(unit);
+    return true;
 }
 
 static bool read_mode(struct zemax_file *file, struct text keyword, struct error *error)

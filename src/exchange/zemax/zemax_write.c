@@ -8,6 +8,7 @@
 #include "optics/wavelength.h"
 
 #include "base/constants.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>
@@ -108,9 +109,6 @@ static bool put_waves(struct zemax_writer *writer, struct error *error)
 
 static bool put_header(struct zemax_writer *writer, struct error *error)
 {
-    static const struct {
-        const char *unit, *word;
-    } units[] = {{"mm", "MM"}, {"cm", "CM"}, {"m", "METER"}, {"in", "IN"}};
     const struct lens *lens = writer->lens;
     growing_string(&writer->out, "MODE SEQ\r\n");
     if (lens->title != NULL) {
@@ -119,11 +117,8 @@ static bool put_header(struct zemax_writer *writer, struct error *error)
         growing_string(&writer->out, "\r\n");
     }
     put_notes(writer);
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (strcmp(units[i].unit, lens->unit) == 0) {
-            growing_format(&writer->out, "UNIT %s X W X CM MR CPMM\r\n", units[i].word);
-        }
-    }
+    growing_format(&writer->out, "UNIT %s X W X CM MR CPMM\r\n",
+                   foreign_unit_word(zemax_units, lens->unit));
     put_aperture(writer);
     if (writer->catalog_count > 0) {
         growing_string(&writer->out, "GCAT");
