@@ -14,7 +14,7 @@ static const double GOLDEN_ANGLE = 2.399963229728653;
 /* A lens asked from its film side. */
 struct outlook {
     const struct view_question *question;
-    const struct system *system; /* reversed, with its rims */
+    const struct system *system; /* reversed, with its clear apertures */
     struct rays work;            /* one block */
     double close; /* a ray that passes the stop's centre this near goes through it, mm */
 };
@@ -35,7 +35,7 @@ static void start(const struct outlook *outlook, size_t lane, const double film[
     rays_set(&outlook->work, lane, outlook->system->index_first, &ray);
 }
 
-/* Where the rays cross the stop, in its own frame; beyond rims too; NaN for lost ones. */
+/* Where the rays cross the stop, in its own frame, beyond clear apertures too; NaN if lost. */
 static void to_stop(const struct outlook *outlook, size_t count, double (*points)[2])
 {
     const struct system *system = outlook->system;
@@ -117,7 +117,7 @@ struct end {
     double point[3];  /* from the first vertex, mm */
 };
 
-/* How far out a dimension is followed: as long as the chief ray passes all rims, or any light. */
+/* How far out a dimension is followed: while the chief ray is not clipped, or any light passes. */
 enum reach { REACH_CHIEF, REACH_LIGHT };
 
 /* Does one of a block of rays about the chief ray arrive? First lines, then parts of a disc. */
@@ -331,7 +331,7 @@ static bool open_outlook(const struct view_question *question, struct arena *are
     return true;
 }
 
-/* Where on the diagonal chief rays begin to be stopped by rims; the end itself if nowhere. */
+/* Where on the diagonal clear apertures begin to stop chief rays; the end itself if nowhere. */
 static bool find_dark(const struct outlook *outlook, double x, double y, struct view *view,
                       struct error *error)
 {

@@ -29,7 +29,7 @@ struct view_span {
 struct view {
     struct view_span horizontal, vertical, diagonal;
     double circle; /* diameter of the image circle, mm; NaN: it covers the sensor */
-    double clear;  /* of the circle within it whose chief rays pass all rims; NaN: all do */
+    double clear;  /* of the circle within it whose chief rays are not clipped; NaN: none is */
 };
 
 /*
@@ -40,11 +40,11 @@ struct view {
  *           for on the object's side, so 90 degrees are nothing special. Newton's method in the
  *           plane of the last vertex, continued from the sensor's centre outwards in steps; the
  *           full angle is that of both ends of the dimension, 2 t for a round lens
- * Result    a point whose chief ray is stopped by a rim still has its angle, as far as the lens
- *           states its field or any of 1280 other rays comes through; from there on the sensor is
- *           dark, and angle and size are those at the edge of the image circle. So too where the
- *           chief ray misses a surface or is totally reflected. A squeeze q turns tan t, along x,
- *           into q tan t
+ * Result    a point whose chief ray is stopped by a clear aperture still has its angle, as far as
+ *           the lens states its field or any of 1280 other rays comes through; from there on the
+ *           sensor is dark, and angle and size are those at the edge of the image circle. So too
+ *           where the chief ray misses a surface or is totally reflected. A squeeze q turns tan t,
+ *           along x, into q tan t
  * Source    derived here; test_angle_of_view.c has the field angles of the thick lenses in
  *           truth/fisheye.json and closed forms, tests/truth/check_fov.py traces the lenses anew
  * Errors    ERROR_DOMAIN: no stop; a sensor not behind the last vertex; no chief ray on the axis;

@@ -73,7 +73,7 @@ static void add_image(struct layout *layout)
                 "image");
 }
 
-/* From vertex to vertex where the axis bends, and a little farther at both ends. */
+/* From vertex to vertex where the axis is folded, and a little farther at both ends. */
 static void add_folded_axis(struct layout *layout)
 {
     const struct lens *lens = layout->setup->lens;

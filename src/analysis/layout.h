@@ -59,7 +59,7 @@ struct layout {
     /* one a surface */
     double *vertex, *semi;                 /* along the axis, as if it went on straight */
     struct layout_frame *frames, *axis;    /* of the surface itself; of the axis there */
-    bool is_centred;                       /* nothing is decentred, tilted or bent */
+    bool is_centred;                       /* no decentre, tilt or coordinate break */
     bool *is_drawn;                        /* false: a plane in air that bends no ray */
     double *direction;                     /* in which light arrives: 1 or -1 */
     double size;                           /* the largest semi-diameter drawn */
@@ -78,18 +78,18 @@ struct layout_request {
     bool no_rays;
 };
 
-/* Is nothing of the lens decentred, tilted or bent? */
+/* Has the lens neither decentres, tilts nor coordinate breaks? */
 bool layout_is_centred(const struct lens *lens);
 
 /*
  * The image plane that a section shows: that of the lens; where its axis is not straight, the
- * table's, which lies on the bent axis as the paraxial one does not.
+ * table's, which lies on the folded axis as the paraxial one does not.
  */
 enum plane_kind layout_plane(const struct lens *lens);
 
 /*
  * Lay out a lens: glass, mirrors, stop, axis and image plane, the beam of the axis and the bundle
- * of the field's edge as its rims let them pass.
+ * of the field's edge as its clear apertures let them pass.
  *
  * Given     setup       with its image plane (setup_place_image by layout_plane)
  *           request     planes and construction are for centred lenses
@@ -128,8 +128,8 @@ static inline double layout_rear(const struct layout *layout)
 /*
  * Places, diameters, elements, mirrors, stop and image plane.
  *
- * Limits    decentred, tilted and bent parts stand where they are in the plane of the drawing; what
- *           goes out of it is left out, with a note.
+ * Limits    parts decentred, tilted and behind coordinate breaks stand where they are in the plane
+ *           of the drawing; what goes out of it is left out, with a note.
  *           a surface without a diameter gets the height of marginal plus chief ray, less where
  *           its glass would end or the sag does
  * Errors    ERROR_DOMAIN: a surface without a diameter that no ray gives one
@@ -140,7 +140,7 @@ bool layout_lens(struct layout *layout, struct error *error);
 
 /*
  * The beam of the point on the axis and the bundle from the edge of the field, both exact: their
- * outermost rays that all rims let pass, and the chief ray.
+ * outermost rays that all clear apertures let pass, and the chief ray.
  *
  * Errors    as system_compile
  */

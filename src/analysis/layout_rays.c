@@ -1,4 +1,4 @@
-/* analysis/layout_rays.c - exact rays through the drawn lens, as its rims let them pass. */
+/* analysis/layout_rays.c - exact rays through the drawn lens, clipped. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/layout.h"
 #include "trace/aim.h"
@@ -11,10 +11,10 @@
 
 enum { LEAST_FIELDS = 60 };
 
-/* What the rays need: the lens with a rim at every surface that is drawn. */
+/* What the rays need: the lens with a clear aperture at every surface that is drawn. */
 struct beams {
     struct layout *layout;
-    const struct system *open; /* without rims */
+    const struct system *open; /* without clear apertures */
     struct system clipped;     /* and with those of the drawing */
     bool has_stop;             /* of a size */
 };
@@ -131,7 +131,7 @@ static void add_ray(const struct beams *beams, enum layout_kind kind, const stru
     part->count = used;
 }
 
-/* One bundle: the edges that the rims leave of it in the plane of the drawing. */
+/* One bundle: the edges that the clear apertures leave of it in the plane of the drawing. */
 struct bundle {
     struct beam beam;
     struct clear_cross clear;
@@ -170,7 +170,7 @@ static void add_edges(const struct beams *beams, enum layout_kind kind, const st
     }
 }
 
-/* The surface whose stated rim cuts the bundle before the stop does; LENS_NONE if none does. */
+/* The surface whose clear aperture cuts the bundle before the stop does; LENS_NONE: none. */
 static size_t cutting(const struct beams *beams, const struct bundle *bundle)
 {
     const struct lens *lens = beams->layout->setup->lens;
@@ -191,15 +191,17 @@ static void add_axial(struct beams *beams)
     const struct field_point axis = {.kind = FIELD_NONE};
     struct bundle bundle;
     if (!find_bundle(beams, &axis, &bundle)) {
-        layout_note(layout, "no ray of the point on the axis passes the rims");
+        layout_note(layout, "no ray of the point on the axis passes the clear apertures");
         return;
     }
     size_t cut = cutting(beams, &bundle);
     if (cut != LENS_NONE && beams->has_stop) {
-        layout_note(layout,
-                    arena_printf(layout->arena,
-                                 "the axial beam is cut by the rim of surface %zu, not by the stop",
-                                 cut + 1));
+        layout_note(
+            layout,
+            arena_printf(
+                layout->arena,
+                "the axial beam is cut by the clear aperture of surface %zu, not by the stop",
+                cut + 1));
     }
     add_edges(beams, LAYOUT_AXIAL, &bundle);
 }
@@ -246,7 +248,7 @@ static void note_share(struct layout *layout, double share)
     layout_note(layout,
                 arena_printf(layout->arena,
                              "the oblique bundle is drawn at %.3g%s, not %.3g%s: no ray from "
-                             "there passes the rims",
+                             "there passes the clear apertures",
                              share * field * (angle ? DEGREES_PER_RADIAN : 1), angle ? "°" : " mm",
                              field * (angle ? DEGREES_PER_RADIAN : 1), angle ? "°" : " mm"));
 }
@@ -267,13 +269,13 @@ static void add_oblique(struct beams *beams)
     struct bundle bundle;
     double share = find_edge(beams, &bundle);
     if (!(share > 0)) {
-        layout_note(layout, "no ray from the edge of the field passes the rims");
+        layout_note(layout, "no ray from the edge of the field passes the clear apertures");
         return;
     }
     if (share < 1) {
         note_share(layout, share);
     } else if (cutting(beams, &bundle) != LENS_NONE) {
-        layout_note(layout, "the oblique bundle is cut by the rims of the elements");
+        layout_note(layout, "the oblique bundle is cut by the clear apertures of the elements");
     }
     add_edges(beams, LAYOUT_OBLIQUE, &bundle);
     /* of mirrors about the axis a secondary one would be in its way */

@@ -210,7 +210,7 @@ static bool find_centre(const struct probe *probe, double centre[2])
     return limit == NOTHING || search_grid(probe, centre);
 }
 
-/* Narrow all brackets that hold a corner, each where the rim it begins with ends. */
+/* Narrow all brackets that hold a corner, each where the clear aperture it begins with ends. */
 static void narrow(const struct probe *probe, const double centre[2], const size_t *begins,
                    size_t count, double *low, double *high)
 {

@@ -17,7 +17,7 @@
  * axes[2]) + v (axes[1], axes[3]) in the beam, which go through about (u, v) of a stop of radius 1.
  */
 struct stop_beam {
-    const struct system *system; /* with its rims, or without; forward */
+    const struct system *system; /* with its clear apertures, or without; forward */
     const struct beam *beam;
     double origin[2], axes[4];
     double radius; /* of the stop, mm; NaN: no stop, but the unit disc of u and v */
@@ -38,18 +38,18 @@ struct quadrature {
  * Formula   the clear part is a star about a ray: the chief ray if it passes, else the middle of
  *           what does of a grid. Its edge is bracketed in steps of 0.14 and bisected, in u and v,
  *           where no ray has to be aimed.
- *           Of 32 directions two neighbours that end at different rims hold a corner, searched for
- *           to 6e-5 rad: an integral does not feel the rest, for the edge is continuous there.
- *           In each direction Gauss's points in r^2 out to the edge, k of them for at least
- *           k (2 k + 1) rays. Directions: without corners 2 k + 1 equal arms; else Gauss's points
- *           in the angle from corner to corner, where integrands are smooth. Weights are those of
- *           the stop: du dv times d(x, y)/d(u, v) by differences (6e-11)
+ *           Of 32 directions two neighbours that end at different clear apertures hold a corner,
+ *           searched for to 6e-5 rad: an integral does not feel the rest, for the edge is
+ *           continuous there. In each direction Gauss's points in r^2 out to the edge, k of them
+ *           for at least k (2 k + 1) rays. Directions: without corners 2 k + 1 equal arms; else
+ *           Gauss's points in the angle from corner to corner, where integrands are smooth. Weights
+ *           are those of the stop: du dv times d(x, y)/d(u, v) by differences (6e-11)
  * Source    [Forbes88]; tested against an independent program: the vignetted spot of the double
  *           Gauss at 14 degrees to 1e-5 with 96 rays, where dropping the rays of PATTERN_GAUSS that
  *           are lost is 5 % off
- * Limits    a rim that limits less than 11 degrees may be missed, and more than 8 corners are
- *           none: integrals then converge slowly, as a doubled sample shows. What lies behind a
- *           gap, seen from the centre, is not found
+ * Limits    a clear aperture that limits less than 11 degrees may be missed, and more than 8
+ *           corners are none: integrals then converge slowly, as a doubled sample shows. What lies
+ *           behind a gap, seen from the centre, is not found
  */
 struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena);
 

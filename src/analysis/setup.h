@@ -95,7 +95,7 @@ bool setup_light(const struct setup *setup, size_t wavelength, struct setup_ligh
 
 /* The systems a setup has for exact rays, at each wavelength. */
 enum setup_which {
-    SETUP_OPEN = 0,    /* rims lose no rays, no path, forward, ending behind the last surface */
+    SETUP_OPEN = 0,    /* nothing is clipped, no path, forward, ending behind the last surface */
     SETUP_CLIPPED = 1, /* clear apertures and the stop lose rays */
     SETUP_REVERSED = 2,
     SETUP_PATH = 4,
@@ -115,7 +115,7 @@ const struct system *setup_system(const struct setup *setup, size_t wavelength, 
                                   struct error *error);
 
 /*
- * The same with rims that somebody else found for surfaces without a diameter, not kept.
+ * The same with clear apertures that somebody else found for surfaces without a diameter, not kept.
  *
  * Given     lens  the setup's, but for diameters
  */

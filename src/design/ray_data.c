@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-/* The lens at one wavelength: with its rims, if they count, and without for aiming. */
+/* The lens at one wavelength: with its clear apertures, if they count, and without for aiming. */
 struct ways {
     const struct system *clipped, *open;
 };
@@ -290,7 +290,8 @@ static bool check_left(const struct tracing *tracing, const struct ray_data *ray
         return error_prefix(error, "none of %zu rays came through: ", ray_data->wanted);
     }
     return fail(error, ERROR_DOMAIN,
-                "none of %zu rays came through: %zu were stopped by rims, %zu points of the stop "
+                "none of %zu rays came through: %zu were stopped by clear apertures, %zu points of "
+                "the stop "
                 "cannot be reached",
                 ray_data->wanted, ray_data->clipped, ray_data->unreachable);
 }

@@ -19,7 +19,7 @@ struct ray_data_request {
     enum pattern pattern;      /* of the pupil, with about so many rays */
     size_t ray_count;
     uint64_t seed;
-    bool no_clip; /* rays pass beyond rims */
+    bool no_clip; /* rays pass beyond clear apertures */
 };
 
 /* A ray that did not come through: its place in the stop. */
@@ -36,13 +36,13 @@ struct ray_data {
     size_t *groups;
     struct ray_data_loss *lost; /* those of them whose field has a chief ray */
     size_t lost_count;
-    size_t wanted, unreachable, clipped; /* no ray to that point of the stop; stopped by a rim */
+    size_t wanted, unreachable, clipped; /* no ray to that point of the stop; clipped */
     double *clear; /* of each field: the weights of its rays, which is what of the stop is clear */
     double *index_object, *index_image; /* one a wavelength; negative where light runs to -z */
 };
 
 /*
- * Trace a bundle.
+ * Trace rays of all fields, through the pupil, at all wavelengths.
  *
  * Result    rays with place and slopes at the first and the last vertex; each weighted by its part
  *           of the pupil, by its field and its wavelength

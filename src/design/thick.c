@@ -1,4 +1,4 @@
-/* design/thick.c - the thick lens that equals a bundle of rays best. */
+/* design/thick.c - the thick lens that equals a set of rays best. */
 /* SPDX-License-Identifier: MIT */
 #include "design/thick.h"
 

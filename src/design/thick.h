@@ -1,4 +1,4 @@
-/* design/thick.h - the thick lens that equals a bundle of rays best. */
+/* design/thick.h - the thick lens that equals a set of rays best. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_DESIGN_THICK_H
 #define LENSCALC_DESIGN_THICK_H
@@ -123,7 +123,7 @@ struct thick_score thick_score(const struct thick_rays *rays, const struct thick
 /* A pupil: the picture of the stop from one side. */
 struct thick_pupil {
     double place, radius; /* from the reference plane on that side; signed as the stop's picture */
-    double spherical_aberration; /* radius times 1 + growth s, s the squared slope of the ray */
+    double spherical_aberration; /* a of radius (1 + a s), s the squared slope of the ray */
     double place_error, radius_error,
         spherical_aberration_error; /* standard errors, of independent rays */
     double rms;                     /* distance of the rays from where they should cross, mm */
@@ -133,9 +133,9 @@ struct thick_pupil {
  * Fit a pupil to rays whose place in the stop is known.
  *
  * Given     exit    behind the lens; else before it
- *           growth  whether the radius may grow with the field; else growth is 0
- * Formula   x + place p = radius stop_x (1 + growth s), the same for y: linear in place, radius and
- *           radius times growth
+ *           spherical_aberration  whether the pupil may have it; else a is 0
+ * Formula   x + place p = radius stop_x (1 + a s), the same for y: linear in place, radius and
+ *           radius times a
  * Errors    ERROR_DOMAIN: rays that leave place or radius open
  */
 bool thick_fit_pupil(const struct thick_rays *rays, bool exit, bool spherical_aberration,

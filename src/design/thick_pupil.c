@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* One equation of a pupil: -p place + s_x radius + s_x s (radius growth) = x. */
+/* One equation of a pupil: -p place + s_x radius + s_x s (radius a) = x. */
 static void pupil_row(double x, double p, double stop, double s, double weight,
                       bool spherical_aberration, double *row, double *right)
 {

@@ -32,7 +32,7 @@ struct keep_notes {
 void keep_notes_write(struct growing *out, const struct lens *lens, struct number_scale unit,
                       const char *begin, const char *end);
 
-/* Is the text behind such a beginning a remark? Then it is kept. */
+/* Is the text behind such a beginning a note of these? Then it is kept. */
 bool keep_notes_take(struct keep_notes *notes, struct text text);
 
 /*

@@ -33,8 +33,8 @@ const struct lens *lens_one_position(const struct lens *lens, size_t position, s
  *           of thicknesses and glasses go to the surface that they lie behind now; those behind
  *           the last are left out: lens_marks_left_out names them
  * Formula   an even number of mirrors: R -> -R, A -> -A, t as it is; an odd one: R and A as they
- *           are, t -> -t; the signs are in optics/parameter. A bend of the axis is undone in the
- *           order z, y, x, shift, each on a plane of its own
+ *           are, t -> -t; the signs are in optics/parameter. A coordinate break is undone in
+ *           the order z, y, x, shift, each on a plane of its own
  * Source    derived here: the property tests turn lenses twice
  * Errors    ERROR_DOMAIN: an aperture that is not at the stop and no stop; distances of the object
  *           or apertures that change between positions; variable distances beside an odd number of

@@ -403,7 +403,7 @@ static bool read_stated(struct parser *parser, struct error *error)
     return lens_words_fail(words, word, error, "what is stated is efl, bfl or fnumber");
 }
 
-/* One surface more, with the bend before it. */
+/* One surface more, with the coordinate break before it. */
 static bool add_surface(struct parser *parser, enum surface_kind kind, struct error *error)
 {
     struct lens *lens = parser->lens;
@@ -457,7 +457,7 @@ static bool read_coordinate_break(struct parser *parser, struct error *error)
 {
     if (parser->coordinate_break != NULL) {
         return lens_words_fail(&parser->words, parser->words.line, error,
-                               "two bends before one surface");
+                               "two coordinate breaks before one surface");
     }
     return lens_coordinate_break_read(&parser->words, &parser->coordinate_break, error);
 }

@@ -57,7 +57,7 @@ static void set_thickness(const struct turn *turn, struct surface *to, const str
     to->thickness = turned(turn, PARAMETER_THICKNESS, from->thickness);
 }
 
-/* The plane behind a surface on which one part of a bend is undone. */
+/* The plane behind a surface on which one part of a coordinate break is undone. */
 static struct displacement *add_plane(struct turn *turn)
 {
     const struct lens *lens = turn->build.lens;
@@ -72,7 +72,7 @@ static struct displacement *add_plane(struct turn *turn)
     return coordinate_break;
 }
 
-/* Undo a bend: z, y, x, shift. */
+/* Undo a coordinate break: z, y, x, shift. */
 static void add_breaks(struct turn *turn, const struct displacement *coordinate_break)
 {
     for (int i = 2; i >= 0; i--) {

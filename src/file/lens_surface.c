@@ -397,7 +397,8 @@ bool lens_coordinate_break_read(struct lens_words *words,
         struct text value = word, key = text_cut(&value, '=');
         bool decenter = text_equal(key, "decenter"), tilt = text_equal(key, "tilt");
         if (value.start == NULL || (!decenter && !tilt)) {
-            return lens_words_fail(words, word, error, "a bend has decenter=x,y and tilt=ax,ay,az");
+            return lens_words_fail(words, word, error,
+                                   "a coordinate break has decenter=x,y and tilt=ax,ay,az");
         }
         bool *seen = decenter ? &has_decenter : &has_tilt;
         if (*seen) {

@@ -20,7 +20,7 @@ struct lens_surface_line {
 bool lens_surface_read(struct lens_words *words, const struct lens_surface_line *line,
                        struct surface *surface, struct error *error);
 
-/* Read what follows `bend`. */
+/* Read what follows `bend`, a coordinate break. */
 bool lens_coordinate_break_read(struct lens_words *words,
                                 const struct displacement **coordinate_break, struct error *error);
 

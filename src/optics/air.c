@@ -59,7 +59,7 @@ double glass_dn_dT(const struct glass *glass, double wavelength, double temperat
             (t->e0 + 2 * t->e1 * dT) / resonance_gap(t, wavelength));
 }
 
-/* Growth from the reference temperature on: the integral of glass_dn_dT. */
+/* Change of the index from the reference temperature on: the integral of glass_dn_dT. */
 static double change_over(const struct glass_thermal *t, double n, double l, double dT)
 {
     double bracket = t->d0 + dT * (t->d1 + dT * t->d2) + (t->e0 + dT * t->e1) / resonance_gap(t, l);
@@ -94,7 +94,7 @@ bool glass_in_air(const struct glass *glass, double wavelength, const struct air
     /* n (1 + before)/(1 + after), by the difference: no digit is lost where they agree */
     double ratio = (before - after) / (1 + after);
     state->n = index.n.hi + (index.n.lo + index.n.hi * ratio + change / (1 + after));
-    /* the dispersion of air and of the growth are below 1e-5 of the glass's own */
+    /* the dispersion of air and of that change are below 1e-5 of the glass's own */
     state->slope = index.slope * (1 + ratio);
     state->dn_dT = glass_dn_dT(glass, wavelength, air->temperature);
     return true;

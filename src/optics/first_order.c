@@ -322,7 +322,7 @@ const char *first_order_warning(const struct lens *lens, struct arena *arena)
             arena,
             "surface %zu is %s: first-order data are those of the "
             "centred lens",
-            i + 1, surface->decentre != NULL ? "decentred or tilted" : "behind a bend of the axis");
+            i + 1, surface->decentre != NULL ? "decentred or tilted" : "behind a coordinate break");
         return warning == NULL ? text : arena_printf(arena, "%s; %s", text, warning);
     }
     return warning;

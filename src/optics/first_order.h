@@ -112,9 +112,9 @@ const char *lens_stated_warning(const struct lens *lens, size_t position,
 /*
  * What of a lens its first-order data leave out.
  *
- * Result    text in the arena or a constant, null if they leave out nothing: decentred, tilted or
- *           bent parts count as centred, and the best focus, which is that of exact rays, as the
- *           paraxial one
+ * Result    text in the arena or a constant, null if they leave out nothing: parts
+ *           decentred, tilted or behind a coordinate break count as centred, and the best focus,
+ *           which is that of exact rays, as the paraxial one
  */
 const char *first_order_warning(const struct lens *lens, struct arena *arena);
 

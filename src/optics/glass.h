@@ -34,7 +34,7 @@ struct glass_point {
     struct pair value;
 };
 
-/* Growth of the index with temperature; NaN where it is not known. */
+/* dn/dT, as the index changes with temperature; NaN where it is not known. */
 struct glass_thermal {
     double reference;  /* C, where the formula holds; NaN if not stated */
     double d0, d1, d2; /* 1/K, 1/K^2, 1/K^3 */

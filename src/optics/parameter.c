@@ -214,15 +214,15 @@ static const struct row {
     ONE(TILT_Y, DECENTRE(tilt[1]), "tilt_y", "tilt about y", 0, ANGLE, TURN_KEEPS),
     ONE(TILT_Z, DECENTRE(tilt[2]), "tilt_z", "tilt about z", 0, ANGLE, TURN_WITH_AXES),
     ONE(BREAK_DECENTER_X, BREAK(decenter[0]),
-        "bend_decenter_x", "bend's decentre in x", 1, 0, TURN_WITH_AXES),
+        "bend_decenter_x", "coordinate break's decentre in x", 1, 0, TURN_WITH_AXES),
     ONE(BREAK_DECENTER_Y, BREAK(decenter[1]),
-        "bend_decenter_y", "bend's decentre in y", 1, 0, TURN_KEEPS),
+        "bend_decenter_y", "coordinate break's decentre in y", 1, 0, TURN_KEEPS),
     ONE(BREAK_TILT_X, BREAK(tilt[0]),
-        "bend_tilt_x", "bend's tilt about x", 0, ANGLE, TURN_WITH_AXES),
+        "bend_tilt_x", "coordinate break's tilt about x", 0, ANGLE, TURN_WITH_AXES),
     ONE(BREAK_TILT_Y, BREAK(tilt[1]),
-        "bend_tilt_y", "bend's tilt about y", 0, ANGLE, TURN_KEEPS),
+        "bend_tilt_y", "coordinate break's tilt about y", 0, ANGLE, TURN_KEEPS),
     ONE(BREAK_TILT_Z, BREAK(tilt[2]),
-        "bend_tilt_z", "bend's tilt about z", 0, ANGLE, TURN_WITH_AXES),
+        "bend_tilt_z", "coordinate break's tilt about z", 0, ANGLE, TURN_WITH_AXES),
 };
 /* clang-format on */
 

@@ -18,7 +18,7 @@ struct surface;
  * A kind of number (or the glass) that a designer, a fit or a tolerance may change. Its row in
  * parameter.c says what the rest of the program asks of it: a new one is an enumerator and a row.
  * Those of displacements stand last, in the order of a file: of the surface by itself, then of the
- * bend of the axis before it.
+ * coordinate break before it.
  */
 enum parameter_kind {
     PARAMETER_RADIUS,      /* of the conic, without A2, mm; that of a plane is infinite */

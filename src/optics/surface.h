@@ -80,9 +80,10 @@ struct surface {
     unsigned coefficients;           /* bit i: coefficient[i] was given */
     /* A2, A4 ... A20, then A1, A3 ... A19, mm^(1 - order): surface_order */
     struct figure coefficient[LENS_COEFFICIENTS];
-    struct medium medium;                        /* after the surface */
-    const struct displacement *decentre;         /* this surface only; null = centred */
-    const struct displacement *coordinate_break; /* of the axis before it; null = none */
+    struct medium medium;                /* after the surface */
+    const struct displacement *decentre; /* this surface only; null = centred */
+    const struct displacement
+        *coordinate_break; /* `bend` of files: the axis before it; null = none */
     const struct vary *varies;
     size_t vary_count;
     const char *name; /* null = none */

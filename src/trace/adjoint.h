@@ -29,12 +29,12 @@ typedef void kernel_adjoint(const struct step *step, const struct ray_block *bef
                             const struct adjoint_rows *rows);
 kernel_adjoint kernel_adjoint_sse2, kernel_adjoint_avx2, kernel_adjoint_avx512;
 
-/* A surface that moves by itself: rows for decenter x, y and tilt about x, y, z. */
+/* A surface that moves by itself: rows for decentre x, y and tilt about x, y, z. */
 struct displace {
     const struct ray_block *front, *behind;           /* rays, in the frame of the axis */
     const struct ray_block *adjoint, *adjoint_behind; /* there */
     double t;                                         /* the way along z that front lacks */
-    double shift[2], axes[9]; /* its decenter; the axes of its tilts, one a row */
+    double shift[2], axes[9]; /* its decentre; the axes of its tilts, one a row */
     double *rows;
 };
 typedef void kernel_displace(const struct displace *displace);

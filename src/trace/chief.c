@@ -76,7 +76,7 @@ static void include(struct region *region, const struct beam *beam, const double
     }
 }
 
-/* The first surface with a rim bounds the beam; without one the paraxial pupil has to do. */
+/* The first stated clear aperture bounds the beam; without one the paraxial pupil has to do. */
 static void include_surface(struct region *region, const struct aim *aim)
 {
     const struct lens *lens = aim->system->lens;
@@ -157,7 +157,7 @@ static double excess(const struct aim *aim, double b)
     return worst;
 }
 
-/* Is this bracket better than the one there is? Rim first, then nearness to the paraxial ray. */
+/* Is this bracket better than the last? Apertures first, then nearness to the paraxial ray. */
 static void offer(const struct aim *aim, const struct region *region, double low, double high,
                   bool compares_apertures, struct bracket *bracket)
 {

@@ -1,4 +1,4 @@
-/* trace/clear.h - what the rims let through of a beam: pupils with their vignetting. */
+/* trace/clear.h - what the clear apertures let through of a beam: pupils with their vignetting. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_TRACE_CLEAR_H
 #define LENSCALC_TRACE_CLEAR_H
@@ -57,8 +57,8 @@ struct clear_guess clear_guess_of(const struct system *system, const struct beam
 /*
  * The shape of a beam that passes all clear apertures and the stop.
  *
- * Given     system      compiled with clip on, forward or reversed; rays are lost by rims, by
- *                       total reflection or by missing a surface
+ * Given     system      compiled with clip on, forward or reversed; rays are lost by clear
+ *                       apertures, by total reflection or by missing a surface
  *           directions  how many edges: a multiple of 4, 4 to 4096
  *           guess       from clear_guess_of
  * Formula   a point inside is searched for (trace/probe.h); from it every edge is bracketed and

@@ -188,7 +188,7 @@ static struct adjoint_rows rows_of(const struct sweep *sweep, size_t place)
     rows.odd = odd != LENS_NONE ? sweep->gradient + odd * RAYS_BLOCK : NULL;
     rows.index_before = row_or(sweep, PARAMETER_INDEX, reverse ? surface : surface - 1, scratch);
     rows.index_after = row_or(sweep, PARAMETER_INDEX, reverse ? surface - 1 : surface, scratch);
-    if (reverse && place > 0) { /* the way lies along the axis before a bend */
+    if (reverse && place > 0) { /* the way lies along the axis before a coordinate break */
         rows.along_behind = system->lens->surfaces[surface + 1].coordinate_break != NULL;
     }
     if (rows.index_after == rows.index_before) {
@@ -242,7 +242,7 @@ static void put_rigid(const struct rigid *motion, const struct ray_block *restri
     }
 }
 
-/* Bends of the axis act in front of one step: of this place, or of the next if light goes back. */
+/* Coordinate breaks act in front of one step: of this place, or the next if light goes back. */
 static void add_breaks(const struct sweep *sweep, size_t place)
 {
     const struct system *system = sweep->system;

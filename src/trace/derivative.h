@@ -27,7 +27,7 @@ struct derivative_layout {
  * Number the parameters that derivatives are taken by.
  *
  * Given     what  DERIVE_ bits: also k of every surface; also A2 .. A20 of every surface; also
- *                 decenter and tilt of every surface by itself; also of the axis in front of
+ *                 decentre and tilt of every surface by itself; also of the axis in front of
  *                 every surface, with all behind it; also A1 .. A19. Of conics and aspheres k, and
  *                 of aspheres the coefficients, are derived in any case
  */

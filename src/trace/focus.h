@@ -28,7 +28,7 @@ double rays_best_focus(const struct rays *rays, const double *weights);
  * Given     system  without clipping, forward, without an image plane
  *           object  where the object is; first: of the lens
  * Result    distance of the plane behind the last vertex, mm: of 72 rays that fill the stop, at
- *           Gauss's points. The rims of other surfaces do not count
+ *           Gauss's points. The clear apertures of other surfaces do not count
  * Errors    ERROR_DOMAIN: as aim_open; every ray is lost; the rays leave the lens parallel
  */
 bool lens_best_focus(const struct system *system, const struct conjugate_object *object,

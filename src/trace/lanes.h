@@ -57,9 +57,9 @@ INLINE struct codes codes_of(const struct step *s)
 }
 
 /*
- * On one surface a miss comes before the rim, and the rim before total reflection. Codes fall from
- * surface to surface, so that the largest is the first loss of a ray. A point that is not there has
- * NaN everywhere: not met.
+ * On one surface a miss comes before the clear aperture, and the clear aperture before total
+ * reflection. Codes fall from surface to surface, so that the largest is the first loss of a ray. A
+ * point that is not there has NaN everywhere: not met.
  */
 INLINE void note(struct ray_block *block, int i, struct codes codes, bool met, bool inside,
                  bool leaves)

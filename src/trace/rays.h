@@ -16,9 +16,9 @@ enum ray_status { RAY_OK, RAY_MISS, RAY_TOTAL_REFLECTION, RAY_CLIPPED, RAY_NOT_C
  * Points and directions, in the frame of the surface last met (before the first: of the first
  * vertex). Every lane is traced, also those that nobody uses: rays_new fills them with the axis.
  *
- * What a lost ray holds after a trace: a clipped one goes on as if there were no rim, and has
- * numbers if it arrives; every other one has NaN in all coordinates. A ray that is RAY_OK never
- * has a NaN or an infinity.
+ * What a lost ray holds after a trace: a clipped one goes on as if there were no clear aperture,
+ * and has numbers if it arrives; every other one has NaN in all coordinates. A ray that is RAY_OK
+ * never has a NaN or an infinity.
  */
 struct ray_block {
     double x[RAYS_BLOCK]; /* mm */

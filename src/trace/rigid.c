@@ -46,7 +46,7 @@ static size_t own_step(const struct system *system, size_t surface, size_t *end)
     return *end - (system->lens->surfaces[surface].decentre != NULL ? 3 : 1);
 }
 
-/* Into the frame of the bend, about its origin. */
+/* Into the frame of the coordinate break, about its origin. */
 static void turn_motion(struct rigid *motion, const struct displacement *coordinate_break)
 {
     struct rigid old = *motion;
@@ -74,7 +74,7 @@ static bool break_before(const struct system *system, int number, size_t surface
         motion->sign = -1;
         return step == system->begin[place];
     }
-    /* light leaves the bent part */
+    /* light leaves what stands behind the break */
     *motion = motion_of(coordinate_break, number, 0);
     turn_motion(motion, coordinate_break);
     return surface > 0 && step == system->begin[place + 1];

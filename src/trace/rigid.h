@@ -11,13 +11,13 @@ struct rigid {
 };
 
 /*
- * What decenter or tilt of a surface, or a bend of the axis before it, does to the rays in front of
+ * What decentre or tilt of a surface, or a coordinate break before it, does to the rays in front of
  * a step, and behind it.
  *
  * Given     step  counted in system.steps
  * Result    false: nothing there
  * Formula   rays see the contrary of what the surface does in front of it, and the same behind it;
- *           a bend of the axis turns the frame, so that rays see the contrary, once
+ *           a coordinate break turns the frame, so that rays see the contrary, once
  */
 bool rigid_before(const struct system *system, enum parameter_kind kind, size_t surface,
                   size_t step, struct rigid *motion);

@@ -33,8 +33,9 @@
  * A system is read-only and may be shared by threads. Rays start anywhere in the frame of the
  * first vertex (z from it); the first surface is found from far away too, to the last digit.
  * After the trace they are in the frame of the surface met last: origin in its vertex, axes along
- * the optical axis there (turned by every `bend` so far; a surface's own decenter and tilt do not
- * turn the frame). `system_to_first` leads from there back to the frame of the first vertex.
+ * the optical axis there (turned by every coordinate break so far; a surface's own decentre and
+ * tilt do not turn the frame). `system_to_first` leads from there back to the frame of the first
+ * vertex.
  *
  * Surfaces count from 0 in the order of the lens, the stop counted; the image plane, if there is
  * one, is surface `lens->surface_count`. With `reverse` light enters at the last surface, towards
@@ -133,7 +134,7 @@ void system_to_own(const struct system *system, size_t surface, double point[3])
 /*
  * The unit normal of a surface at a point of it.
  *
- * Given     point   in the frame of the surface (own decenter and tilt are looked after)
+ * Given     point   in the frame of the surface (own decentre and tilt are looked after)
  *           normal  receives it; its z is positive at the vertex of an untilted surface
  */
 void system_normal(const struct system *system, size_t surface, const double point[3],

@@ -147,7 +147,7 @@ int main(void)
     thin.front = subject.setup.first.length + thin.rear;
     printf("rays %zu\niterations %d\n", subject.ray_data.rays.count,
            subject.fit.summary.iterations);
-    printf("fit %.1f\nbundle %.1f\n", 1e6 * subject.fit_time, 1e6 * subject.trace_time);
+    printf("fit %.1f\nrays %.1f\n", 1e6 * subject.fit_time, 1e6 * subject.trace_time);
     printf("exact %.2f\n", time_exact(&subject.lens, &subject.setup.first, &arena));
     printf("thick %.2f\nthin %.2f\n", time_map(&subject.ray_data, thick),
            time_map(&subject.ray_data, &thin));

@@ -10,7 +10,7 @@ FIT = {
     "rays": ("fit: rays", ""),
     "iterations": ("fit: iterations", ""),
     "fit": ("fit: a thick lens to them", "us"),
-    "bundle": ("fit: aiming and tracing them", "us"),
+    "rays": ("fit: aiming and tracing them", "us"),
     "exact": ("a ray, exact", "ns"),
     "thick": ("a ray, thick lens", "ns"),
     "thin": ("a ray, thin lens", "ns"),

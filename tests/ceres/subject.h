@@ -1,4 +1,4 @@
-/* tests/ceres/subject.h - a lens of lensdb with its bundle of rays, ready to be fitted. */
+/* tests/ceres/subject.h - a lens of lensdb with rays of its fields, ready to be fitted. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_TESTS_CERES_SUBJECT_H
 #define LENSCALC_TESTS_CERES_SUBJECT_H

@@ -137,7 +137,7 @@ static void test_axis(const char *name)
     arena_free(&arena);
 }
 
-/* Terms of distortion and growth of the pupils never raise what they are to lower. */
+/* Terms of distortion and spherical aberration of the pupils never raise what they are to lower. */
 static void test_terms(const char *name, double fnumber, double field)
 {
     struct arena arena = {0};
@@ -164,7 +164,7 @@ static void test_terms(const char *name, double fnumber, double field)
     arena_free(&arena);
 }
 
-/* Every ray wanted is there or counted as lost; without rims none is lost in a tame lens. */
+/* Every ray wanted is there or counted as lost; unclipped none is lost in a tame lens. */
 static void test_counts(void)
 {
     struct arena arena = {0};
@@ -191,7 +191,7 @@ static void test_counts(void)
     }
     /* 36 rays integrate the aberrations of the pupil to 3e-6 */
     CHECK_TRUE(fabs(sum / FIELDS - 1) < 3e-6 && off < 1e-14, "weights %.17g, slopes %g", sum, off);
-    /* beyond every rim: the reason is named */
+    /* beyond every clear aperture: the reason is named */
     CHECK_TRUE(!trace("double-gauss", 2, 1.7, false, &arena, &none, &error) &&
                    strstr(error.message, "below 90") != NULL,
                "1.7 rad");
@@ -216,9 +216,9 @@ static double spot(const struct subject *subject, double *clear)
 }
 
 /*
- * Vignetted spots of stops at their full diameters, by an independent program: rims by bisection,
+ * Vignetted spots of stops at their full diameters, by an independent program: edges by bisection,
  * corners by bisection, Gauss's rule between them, 1152 and 3240 rays. The double Gauss has two
- * corners at 10 and 14 degrees, the wide angle six at 38, by four rims.
+ * corners at 10 and 14 degrees, the wide angle six at 38, by four clear apertures.
  */
 static void test_vignetting(void)
 {

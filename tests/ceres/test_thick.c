@@ -275,7 +275,7 @@ static void test_pupil(void)
     CHECK(thick_fit_pupil(&all.rays, false, true, &arena, &pupil, &error));
     CHECK_RELATIVE(pupil.place, 30.0, 1e-11, "entrance pupil");
     CHECK_RELATIVE(pupil.radius, 20.0, 1e-11, "its radius");
-    CHECK_NEAR(pupil.spherical_aberration, 0, 1e-10, "no growth");
+    CHECK_NEAR(pupil.spherical_aberration, 0, 1e-10, "no spherical aberration");
     /* its image by the lens, from H: 1/s' = 1/f + 1/(30 - 58.3) */
     CHECK(thick_fit_pupil(&all.rays, true, false, &arena, &pupil, &error));
     double image = 1 / (1 / 100.7163 + 1 / (30 - 58.3));
@@ -288,7 +288,7 @@ static void test_pupil(void)
         all.y[i] += 20 * all.stop_y[i] * 0.7 * s;
     }
     CHECK(thick_fit_pupil(&all.rays, false, true, &arena, &pupil, &error));
-    CHECK_RELATIVE(pupil.spherical_aberration, 0.7, 1e-10, "growth");
+    CHECK_RELATIVE(pupil.spherical_aberration, 0.7, 1e-10, "spherical aberration");
     double with = pupil.rms;
     CHECK(thick_fit_pupil(&all.rays, false, false, &arena, &pupil, &error));
     CHECK(pupil.rms > with && pupil.radius_error > 0);

@@ -13,7 +13,7 @@
  *     aim   field, point of the stop / radius = start (on the first vertex plane, or the object)
  *           and cosines of the ray that crosses the stop there
  *     lost  field, point of the stop: no ray does
- *     edge  field = lowest and highest meridional ray that passes all rims, and the chief ray
+ *     edge  field = lowest and highest meridional ray that is not clipped, and the chief ray
  */
 static const double degree = RADIANS_PER_DEGREE;
 

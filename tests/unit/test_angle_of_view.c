@@ -127,7 +127,7 @@ static void test_thin(void)
     arena_free(&arena);
 }
 
-/* A tube before the lens: the rim, and nothing else, ends the field. */
+/* A tube before the lens: its clear aperture, and nothing else, ends the field. */
 static void test_circle(void)
 {
     struct arena arena = {0};
@@ -144,7 +144,7 @@ static void test_circle(void)
     CHECK_NEAR(view.horizontal.angle, 2 * atan(0.22), 1e-3, "the angle ends there");
     CHECK_NEAR(view.diagonal.angle, view.vertical.angle, 1e-3, "in all directions");
     CHECK(view.horizontal.part < 1 && view.vertical.part < 1);
-    /* what the lens states of its field counts, beside its rims */
+    /* what the lens states of its field counts, beside its clear apertures */
     open_text(
         &camera,
         "object inf\nfield angle 0 20\nsurface - 50 air 20\nstop - 0 air 2\nthick 50 0 air -\n",

@@ -87,7 +87,7 @@ static const struct column columns[] = {
     {NUMBER(group), .name = "group_index", .digits = 7, .label = "group index",
      .help = "n - l dn/dl"},
     {NUMBER(dn_dT), .name = "dn_dt_vacuum_per_k", .label = "dn/dT in vacuum, 1/K",
-     .help = "growth of the index in vacuum with the temperature"},
+     .help = "change of the index in vacuum with the temperature"},
     {NUMBER(transmittance), .name = "transmittance", .with = "thickness",
      .label = "internal transmittance", .help = "of --thickness, without reflection"},
     {NUMBER(difference), .name = "difference", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "like",

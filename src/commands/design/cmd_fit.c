@@ -55,7 +55,7 @@ static const struct option options[] = {
      .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},
     {OPTION(struct fit_input, clip), .name = "clip",
      .help = "clear apertures and the stop lose rays (so they do anyway)"},
-    {OPTION(struct fit_input, no_clip), .name = "no-clip", .help = "rays pass beyond all rims"},
+    {OPTION(struct fit_input, no_clip), .name = "no-clip", .help = "clear apertures lose no rays"},
     {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS", .excludes = OF_RAYS,
      .help = "change the lens until it has what was measured: efl=50.2,bfl@F=38.1:0.02, ffl, "
              "length, height@10deg=8.8; the standard deviation stands behind a colon, otherwise "

@@ -1,4 +1,4 @@
-/* commands/design/fit_job.c - trace the bundle that was asked for, and fit a thick lens to it. */
+/* commands/design/fit_job.c - trace the rays that were asked for, and fit a thick lens to it. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit_job.h"
 
@@ -61,9 +61,10 @@ const char *fit_missing_fields(const struct fit_job *job)
                                 list != NULL ? ", " : "", shown);
         }
     }
-    return list == NULL ? NULL
-                        : arena_printf(arena, "no ray of the field %s %s came through the rims",
-                                       list, job->setup->lens->object_is_infinite ? "deg" : "mm");
+    return list == NULL
+               ? NULL
+               : arena_printf(arena, "no ray of the field %s %s came through the clear apertures",
+                              list, job->setup->lens->object_is_infinite ? "deg" : "mm");
 }
 
 /* Half as many as there are different fields off the axis whose rays come through, at most 3. */

@@ -1,4 +1,4 @@
-/* commands/design/fit_job.h - a lens whose bundle is traced and fitted, for every view of it. */
+/* commands/design/fit_job.h - a lens whose rays are traced and fitted, for every view of it. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_COMMANDS_DESIGN_FIT_JOB_H
 #define LENSCALC_COMMANDS_DESIGN_FIT_JOB_H

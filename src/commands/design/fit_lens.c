@@ -1,4 +1,4 @@
-/* commands/design/fit_lens.c - the thick lens that equals a lens over a bundle of exact rays. */
+/* commands/design/fit_lens.c - the thick lens that equals a lens over exact rays of many fields. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit_job.h"
 
@@ -32,7 +32,7 @@ static const struct column columns[] = {
      .label = "wavelength",
      .help = "wavelength, with --chromatic or --wavelength; absent where all are fitted together"},
     {NUMBER(fnumber, COLUMN_ECHO), .name = "fnumber", .with = "aperture", .label = "f-number",
-     .help = "f-number of the bundle"},
+     .help = "f-number of the rays"},
     {LENGTH(object, "mm", COLUMN_ECHO | COLUMN_INFINITE), .name = "object", .with = "object",
      .label = "object", .help = "distance of the object from the first vertex"},
     {LENGTH(efl, "mm", COLUMN_BRIEF), .name = "efl", .symbol = "f", .digits = 7,
@@ -83,23 +83,26 @@ static const struct column columns[] = {
     {LENGTH(entrance_diameter, "mm", 0), .name = "entrance_pupil_diameter", .label = "its diameter",
      .help = "its diameter on the axis"},
     {NUMBER(entrance.spherical_aberration, 0), .name = "entrance_pupil_growth",
-     .label = "its growth", .help = "diameter times 1 + growth s, s = tan^2 of the field"},
+     .label = "its spherical aberration",
+     .help = "pupil spherical aberration a: diameter times 1 + a s, s = tan^2 of the field"},
     {LENGTH(entrance.rms, "um", 0), .name = "rms_entrance_pupil", .label = "its error",
      .help = "distance of the rays from their place in it, root mean square"},
     {LENGTH(exit.place, "mm", 0), .name = "exit_pupil", .label = "exit pupil",
      .help = "where the rays put the exit pupil, from the last vertex"},
     {LENGTH(exit_diameter, "mm", 0), .name = "exit_pupil_diameter", .label = "its diameter",
      .help = "its diameter on the axis"},
-    {NUMBER(exit.spherical_aberration, 0), .name = "exit_pupil_growth", .label = "its growth",
-     .help = "diameter times 1 + growth s, s = tan^2 of the ray behind"},
+    {NUMBER(exit.spherical_aberration, 0), .name = "exit_pupil_growth",
+     .label = "its spherical aberration",
+     .help = "pupil spherical aberration a: diameter times 1 + a s, s = tan^2 of the ray behind"},
     {LENGTH(exit.rms, "um", 0), .name = "rms_exit_pupil", .label = "its error",
      .help = "distance of the rays from their place in it, root mean square"},
     {NUMBER(rays, 0), .name = "rays", .label = "rays", .help = "rays that came through"},
     {NUMBER(lost, 0), .name = "lost", .label = "rays lost",
-     .help = "rays stopped by rims, and points of the stop that no ray reaches; the rays of gauss "
+     .help = "rays stopped by clear apertures, and points of the stop that no ray reaches; the "
+             "rays of gauss "
              "lie where the stop is clear"},
     {NUMBER(clear_percent, 0), .name = "clear_percent", .label = "of the stop clear, %",
-     .help = "what rims leave of the stop's area, mean of the fields"},
+     .help = "what clear apertures leave of the stop's area, mean of the fields"},
     {NUMBER(iterations, 0), .name = "iterations", .label = "iterations", .help = "of the solver"},
     {NUMBER(status, 0), .name = "status", .label = "status",
      .help = "converged, or why the fit ended otherwise"},
@@ -109,7 +112,7 @@ static const struct column columns[] = {
      .depends = "lens field distortion", .label = "terms of distortion",
      .help = "how many terms of distortion were fitted"},
     {NUMBER(fields, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "fields", .depends = "lens field",
-     .label = "fields", .help = "fields of the bundle"},
+     .label = "fields", .help = "fields of the rays"},
     {NUMBER(warning, COLUMN_NOTE), .name = "warning", .label = "warning",
      .help = "what is doubtful; absent if nothing is"},
 };
@@ -129,7 +132,7 @@ static double image_height(const struct fit_job *job)
     return largest;
 }
 
-/* What rims leave of the stop, percent, over all fields. */
+/* What clear apertures leave of the stop, percent, over all fields. */
 static double clear_percent(const struct fit_job *job)
 {
     double sum = 0;

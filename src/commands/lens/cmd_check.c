@@ -90,7 +90,8 @@ static const struct column columns[] = {
      .name = "tolerance", .flags = COLUMN_ECHO | COLUMN_HIDDEN, .with = "tolerance",
      .label = "tolerance", .help = "of the verdict"},
     {PLAIN(status, COLUMN_HIDDEN), .name = "status", .label = "status",
-     .help = "of the exact ray: ok miss total_reflection not_converged; rims are not looked at"},
+     .help = "of the exact ray: ok miss total_reflection not_converged; clear apertures are not "
+             "looked at"},
     {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "lost at",
      .help = "where the exact ray is lost"},
     {PLAIN(verdict, COLUMN_NOTE), .name = "verdict", .label = "verdict",
@@ -135,10 +136,11 @@ static bool set_up(const struct input *input, const struct lens_case *one, struc
     const struct lens *lens = one->setup->lens;
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (lens->surfaces[i].decentre != NULL || lens->surfaces[i].coordinate_break != NULL) {
-            return fail(error, ERROR_DOMAIN,
-                        "surface %zu is decentred, tilted or bent, and paraxial results are those "
-                        "of the centred lens: there is nothing to compare",
-                        i + 1);
+            return fail(
+                error, ERROR_DOMAIN,
+                "surface %zu is decentred, tilted or behind a coordinate break, and paraxial "
+                "results are those of the centred lens: there is nothing to compare",
+                i + 1);
         }
     }
     if (isnan(one->light.first.entrance_diameter) || isnan(one->light.first.marginal_y)) {
@@ -413,7 +415,7 @@ static const struct explanation explanations[] = {
     {"exact",
      "by the exact ray: efl = -h/(n' sin U'); places where rays cross the axis; principal surfaces "
      "where entering and leaving ray meet; f-number 1/(2 n' sin U')",
-     "[Welford86]", "rims do not stop these rays"},
+     "[Welford86]", "clear apertures do not stop these rays"},
     {"relative", "{relative} = (exact - paraxial)/paraxial, for places over the focal length",
      "of the image height: distortion", NULL},
     {"order", "slope of log {d} against log h over the four smallest sound h = 2^-k",

@@ -60,7 +60,7 @@ static bool draw_case(const struct lens_case *one, void *context, struct error *
     if ((input->construction || input->planes) && !layout_is_centred(one->setup->lens)) {
         return fail(error, ERROR_DOMAIN,
                     "--%s is for centred lenses, and parts of this one are decentred, tilted or "
-                    "bent",
+                    "behind a coordinate break",
                     input->construction ? "construction" : "planes");
     }
     if (!layout_make(one->setup, &request, arena, &layout, error)) {

@@ -36,7 +36,7 @@ struct ray_case {
     {OPTION(S, member.clip), .name = "clip",                                                       \
      .help = "clear apertures and the stop lose rays (so they do anyway)"},                        \
     {                                                                                              \
-        OPTION(S, member.no_clip), .name = "no-clip", .help = "rays pass beyond all rims"          \
+        OPTION(S, member.no_clip), .name = "no-clip", .help = "clear apertures lose no rays"       \
     }
 
 /* What of the lens. */

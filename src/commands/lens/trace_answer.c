@@ -376,8 +376,8 @@ static bool emit_sample(struct bundle *bundle, const struct beam *beam, const st
 }
 
 /*
- * The few rays of a beam that passes all rims: its chief ray and its edges. A lens without a stop
- * has no chief ray: the middle of the beam stands for it.
+ * The few rays of a beam that passes all clear apertures: its chief ray and its edges. A lens
+ * without a stop has no chief ray: the middle of the beam stands for it.
  */
 static bool emit_edges(struct bundle *bundle, const struct beam *beam,
                        const struct clear_cross *cross, const struct aim *aim, struct run *run,

@@ -204,10 +204,11 @@ static void take_view(const struct view *view, double diagonal, struct row *row,
     }
     if (!isnan(view->clear)) {
         doubt(row,
-              arena_printf(arena,
-                           "the chief rays are stopped by rims outside a circle of %.4g mm: "
-                           "the corners are strongly vignetted",
-                           view->clear),
+              arena_printf(
+                  arena,
+                  "the chief rays are stopped by clear apertures outside a circle of %.4g mm: "
+                  "the corners are strongly vignetted",
+                  view->clear),
               arena);
     }
 }

@@ -442,7 +442,7 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     struct writing *writing = &output->writing;
     const struct medium *before = index > 0 ? &surface[-1].medium : &output->lens->object_medium;
     if (surface->decentre != NULL &&
-        surface->coordinate_break != NULL) { /* the bend on a plane of its own */
+        surface->coordinate_break != NULL) { /* the break on a plane of its own */
         put_string(output, "S 0.0 0.0");
         if (!put_medium(output, before, error)) {
             return false;
@@ -465,7 +465,7 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     return put_details(output, surface, error);
 }
 
-/* CODE V counts the planes that were put in for bends. */
+/* CODE V counts the planes that were put in for coordinate breaks. */
 static size_t number_of(const struct lens *lens, size_t index)
 {
     size_t number = 1;

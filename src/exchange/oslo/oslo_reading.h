@@ -43,7 +43,7 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error);
 /* F n y x ..: a point of the field */
 bool oslo_point(struct oslo *oslo, int what, struct error *error);
 
-/* The fields of a remark that lenscalc wrote. */
+/* The fields of a kept note that lenscalc wrote. */
 bool oslo_fields(struct oslo *oslo, struct text line, struct error *error);
 
 /* The unit of all lengths, wherever it stands. */

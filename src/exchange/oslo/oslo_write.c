@@ -274,7 +274,7 @@ static bool is_displaced_twice(const struct surface *surface)
     return surface->decentre != NULL && surface->coordinate_break != NULL;
 }
 
-/* What goes before the surface: its name, and a bend that needs a plane of its own. */
+/* What goes before the surface: its name, and a coordinate break that needs a plane of its own. */
 static void put_before(struct output *output, const struct surface *surface,
                        const struct medium *before)
 {

@@ -138,7 +138,7 @@ static bool compensate(struct solving *solving, size_t at, const struct zemax_li
     return true;
 }
 
-/* EDGE thickness height: 0 is the height of the surface's own rim */
+/* EDGE thickness height: 0 is the height of the surface's own clear aperture */
 static bool edge(struct solving *solving, size_t at, const struct zemax_line *line,
                  struct figure *figure, struct error *error)
 {
@@ -151,7 +151,7 @@ static bool edge(struct solving *solving, size_t at, const struct zemax_line *li
     bool last = place + 1 >= solving->lens.surface_count;
     double sags = surface_sag(surface, height) - (last ? 0 : surface_sag(surface + 1, height));
     if (!(height > 0) || !isfinite(sags)) {
-        return keep(solving, at, line, "has no rim", error);
+        return keep(solving, at, line, "has no clear aperture", error);
     }
     *figure = rounded(solving, pair_add(length_of(solving, line, 0), pair_of(sags)));
     return true;

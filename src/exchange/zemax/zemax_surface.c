@@ -423,7 +423,7 @@ static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
     return true;
 }
 
-/* A plane that does nothing but carry a bend of the axis. */
+/* A plane that does nothing but carry a coordinate break. */
 static void flush_break(struct zemax_file *file)
 {
     if (file->coordinate_break != NULL) {
@@ -435,14 +435,14 @@ static void flush_break(struct zemax_file *file)
     }
 }
 
-/* A bend waits for its surface. */
+/* A coordinate break waits for its surface. */
 static void hold_break(struct zemax_file *file, const struct displacement *coordinate_break)
 {
     flush_break(file);
     file->coordinate_break = coordinate_break;
 }
 
-/* Does the break do nothing but bend, and a surface follow? Then it needs no plane of its own. */
+/* Does the break do nothing else, and a surface follow? Then it needs no plane of its own. */
 static bool is_bare(const struct zemax_file *file, size_t at)
 {
     const struct zemax_surface *surface = &file->surfaces[at];
