@@ -15,6 +15,68 @@ static void make_printable(char *string)
     }
 }
 
+/* What stands for the braces while the arguments, which may hold braces too, are put in. */
+enum { OPENS = 0x0e, CLOSES = 0x0f, LONGEST_FORMAT = 1024 };
+
+/* May this letter stand in a format's braces? A conversion for the name may. */
+static bool is_of_name(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           c == ' ' || c == '-' || c == '%';
+}
+
+/* The format with marks in place of the braces around names. */
+static void mark_names(char marked[LONGEST_FORMAT], const char *format)
+{
+    char *open = NULL;
+    size_t i = 0;
+    for (; format[i] != '\0' && i + 1 < LONGEST_FORMAT; i++) {
+        marked[i] = format[i];
+        if (format[i] == '{') {
+            open = &marked[i];
+        } else if (format[i] == '}' && open != NULL && &marked[i] > open + 1) {
+            *open = OPENS;
+            marked[i] = CLOSES;
+            open = NULL;
+        } else if (!is_of_name(format[i])) {
+            open = NULL;
+        }
+    }
+    marked[i] = '\0';
+}
+
+/* Take the marks out of the text, noting what stood between them. */
+static void collect(char *text, struct mentions *mentions)
+{
+    char *to = text, *open = NULL;
+    mentions->count = 0;
+    for (const char *from = text; *from != '\0'; from++) {
+        if (*from == OPENS) {
+            open = to;
+        } else if (*from == CLOSES) {
+            if (open != NULL && mentions->count < ERROR_MENTIONS) {
+                mentions->all[mentions->count++] =
+                    (struct mention){(short)(open - text), (short)(to - open)};
+            }
+            open = NULL;
+        } else {
+            *to++ = *from;
+        }
+    }
+    *to = '\0';
+}
+
+/* One printed text of an error, and the quantities in it. */
+static void compose(char *text, size_t size, struct mentions *mentions, const char *format,
+                    va_list arguments)
+{
+    char marked[LONGEST_FORMAT];
+    mark_names(marked, format);
+    vsnprintf(text, size, marked, arguments);
+    collect(text, mentions);
+    make_printable(text);
+}
+
 static void start(struct error *error, enum error_code code, const char *format, va_list arguments)
 {
     error->code = code;
@@ -24,8 +86,8 @@ static void start(struct error *error, enum error_code code, const char *format,
     error->source[0] = '\0';
     error->text[0] = '\0';
     error->hint[0] = '\0';
-    vsnprintf(error->message, sizeof error->message, format, arguments);
-    make_printable(error->message);
+    error->in_hint.count = 0;
+    compose(error->message, sizeof error->message, &error->in_message, format, arguments);
 }
 
 bool fail(struct error *error, enum error_code code, const char *format, ...)
@@ -79,9 +141,8 @@ bool error_hint(struct error *error, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(error->hint, sizeof error->hint, format, arguments);
+    compose(error->hint, sizeof error->hint, &error->in_hint, format, arguments);
     va_end(arguments);
-    make_printable(error->hint);
     return false;
 }
 
@@ -89,14 +150,56 @@ bool error_prefix(struct error *error, const char *format, ...)
 {
     char before[sizeof error->message];
     char after[sizeof error->message];
+    const struct mentions behind = error->in_message;
+    struct mentions *all = &error->in_message;
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(before, sizeof before, format, arguments);
+    compose(before, sizeof before, all, format, arguments);
     va_end(arguments);
-    make_printable(before);
     snprintf(after, sizeof after, "%s", error->message);
     size_t used = strlen(before);
     snprintf(error->message, sizeof error->message, "%s", before);
     snprintf(error->message + used, sizeof error->message - used, "%s", after);
+    for (int i = 0; i < behind.count && all->count < ERROR_MENTIONS; i++) {
+        all->all[all->count] = behind.all[i];
+        all->all[all->count++].at += (short)used;
+    }
     return false;
+}
+
+/* The name without the article that a sentence may want before it. */
+static struct text without_article(struct text name)
+{
+    bool has_article = name.length > 4 && memcmp(name.start, "the ", 4) == 0;
+    return has_article ? (struct text){name.start + 4, name.length - 4} : name;
+}
+
+static void rename_in(char *text, size_t size, struct mentions *mentions, bool asked,
+                      const char *(*name_of)(void *, struct text, bool), void *context)
+{
+    char rest[sizeof ((struct error *)0)->message];
+    /* from the last to the first, so that the places of the others stay */
+    while (mentions->count > 0) {
+        struct mention name = mentions->all[--mentions->count];
+        size_t behind = (size_t)name.at + (size_t)name.length;
+        if (behind > strlen(text)) {
+            continue; /* cut off */
+        }
+        struct text words = {text + name.at, (size_t)name.length};
+        const char *instead = name_of(context, without_article(words), asked);
+        if (instead != NULL) {
+            snprintf(rest, sizeof rest, "%s", text + behind);
+            snprintf(text + name.at, size - (size_t)name.at, "%s%s", instead, rest);
+        }
+    }
+    make_printable(text);
+}
+
+void error_name(struct error *error,
+                const char *(*name_of)(void *context, struct text quantity, bool asked),
+                void *context)
+{
+    rename_in(error->message, sizeof error->message, &error->in_message,
+              error->code == ERROR_USAGE, name_of, context);
+    rename_in(error->hint, sizeof error->hint, &error->in_hint, true, name_of, context);
 }

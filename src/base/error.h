@@ -18,6 +18,24 @@ enum error_code {
     ERROR_IO = 5      /* reading or writing failed */
 };
 
+/*
+ * Where a message names a quantity that may have been given. The formulas know quantities, not
+ * options and columns: a format says "{distance} %g mm lies within {the focal length} %g mm", the
+ * message is "distance 40 mm lies within the focal length 50 mm", and who read the two can put
+ * "--distance" or "column 's'" in their places with error_name.
+ */
+struct mention {
+    short at, length; /* of the words between the braces, in the text */
+};
+
+enum { ERROR_MENTIONS = 8 };
+
+/* A text with the quantities it names, in their order. */
+struct mentions {
+    int count;
+    struct mention all[ERROR_MENTIONS];
+};
+
 struct error {
     enum error_code code;
     long line;         /* in `source`, 1-based; 0 = none */
@@ -27,6 +45,7 @@ struct error {
     char message[512]; /* lower case, one line, no full stop */
     char text[128];    /* the offending text, shown above the caret */
     char hint[160];    /* "did you mean '50mm'?" */
+    struct mentions in_message, in_hint;
 };
 
 /*
@@ -34,7 +53,8 @@ struct error {
  *
  * Given     error   where to record; every field is overwritten
  *           code    what kind it is
- *           format  printf format of the message
+ *           format  printf format of the message, quantities in braces: "{focal length}", or
+ *                   "{%s}" for one that an argument names
  */
 bool fail(struct error *error, enum error_code code, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -58,5 +78,17 @@ bool error_hint(struct error *error, const char *format, ...) __attribute__((for
 /* Put words before the message, to say whose text was wrong. Returns false. */
 bool error_prefix(struct error *error, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/*
+ * Say by what its quantities were given.
+ *
+ * Given     name_of  what to call a quantity ("focal length", without an article), or null to leave
+ *                    the words as they are. `asked`: the message says what to give, so that it may
+ *                    be something that was not given
+ *           context  its first argument
+ */
+void error_name(struct error *error,
+                const char *(*name_of)(void *context, struct text quantity, bool asked),
+                void *context);
 
 #endif

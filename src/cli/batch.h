@@ -97,6 +97,9 @@ void batch_close(struct batch *batch);
 /* Does a column of the file set this option? */
 bool batch_has(const struct batch *batch, const char *option);
 
+/* How the column that sets this option of the command is called; null: there is none. */
+const char *batch_called(const struct batch *batch, const struct option *option);
+
 /* Internal to batch.c, batch_header.c and batch_json.c. */
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error);
 bool batch_settle_columns(struct batch *batch, struct error *error);

@@ -38,6 +38,20 @@ bool batch_has(const struct batch *batch, const char *option)
     return false;
 }
 
+const char *batch_called(const struct batch *batch, const struct option *option)
+{
+    const char *called = NULL;
+    for (size_t i = 0; i < batch->column_count; i++) {
+        const struct batch_column *column = &batch->columns[i];
+        /* a companion only says that the other column is infinite */
+        if (column->option == option && !column->is_ignored &&
+            (called == NULL || !column->is_infinite)) {
+            called = column->as_read.called;
+        }
+    }
+    return called;
+}
+
 enum { MOST_COLUMNS = 4096 };
 
 /* The option that a name without unit stands for: "f", "focal_length" or "focal". */
@@ -172,8 +186,11 @@ static bool find_column(const struct batch *batch, struct text name, struct batc
     const char *unit = NULL;
     struct text typed;
     *column = (struct batch_column){.name = name};
+    const char *called = arena_printf(batch->reader->arena, "column '%.*s'", text_shown(name),
+                                      name.start);
     if (find_companion(batch, name, column)) {
         column->as_read = *column->option;
+        column->as_read.called = called;
         return true;
     }
     column->option = option_of(batch, name);
@@ -192,6 +209,7 @@ static bool find_column(const struct batch *batch, struct text name, struct batc
     if (column->option != NULL) {
         column->as_read = *column->option;
         column->as_read.unit = unit != NULL ? unit : column->option->unit;
+        column->as_read.called = called;
         set_scale(column, batch->reader);
     }
     return true;

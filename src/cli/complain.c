@@ -32,6 +32,39 @@ void error_print(const struct error *error, const char *command)
     }
 }
 
+struct naming {
+    const struct arguments *arguments;
+    const struct batch *batch;
+    struct called room;
+};
+
+/* By what a quantity was given; where a message asks for one, by what it may be. */
+static const char *given_by(void *context, struct text quantity, bool asked)
+{
+    struct naming *naming = context;
+    const struct option *possible = NULL;
+    for (size_t i = 0; i < naming->arguments->count; i++) {
+        const struct argument *argument = &naming->arguments->all[i];
+        if (!option_is_quantity(argument->option, quantity)) {
+            continue;
+        }
+        const char *column = batch_called(naming->batch, argument->option);
+        if (column != NULL) {
+            return column;
+        }
+        if (argument->is_given || (asked && possible == NULL)) {
+            possible = argument->option;
+        }
+    }
+    return possible != NULL ? option_called(possible, &naming->room) : NULL;
+}
+
+void complain(struct error *error, const struct arguments *arguments, const struct batch *batch)
+{
+    error_name(error, given_by, &(struct naming){.arguments = arguments, .batch = batch});
+    error_print(error, arguments->command->name);
+}
+
 void print_beside(const struct report *report, bool is_table)
 {
     struct doubts *doubts = report->doubts;

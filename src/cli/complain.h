@@ -4,6 +4,8 @@
 #define LENSCALC_CLI_COMPLAIN_H
 
 #include "base/error.h"
+#include "cli/arguments.h"
+#include "cli/batch.h"
 #include "report/report.h"
 
 #include <stdbool.h>
@@ -11,6 +13,14 @@
 
 /* Print an error as people expect it: place, message, text with caret, hint. */
 void error_print(const struct error *error, const char *command);
+
+/*
+ * Print an error of a command, its quantities named by the options or columns that they were given
+ * by. The error is left with these names.
+ *
+ * Given     batch  without columns where there is none
+ */
+void complain(struct error *error, const struct arguments *arguments, const struct batch *batch);
 
 /* Formulas and doubts of a report for which its format, or a cross-table, has no place. */
 void print_beside(const struct report *report, bool is_table);

@@ -201,10 +201,10 @@ static bool emit(struct run *run, const void *row)
 }
 
 /* A row that failed keeps its place. */
-static void emit_failure(struct driver *driver, const struct error *failure)
+static void emit_failure(struct driver *driver, struct error *failure)
 {
     driver->failed++;
-    error_print(failure, driver->command->name);
+    complain(failure, &driver->arguments, &driver->batch);
     if (driver->common.table == NULL) {
         if (!driver->begun) {
             begin(driver);
@@ -224,7 +224,7 @@ static bool run_one(struct driver *driver, struct error *error)
     bool done = driver->command->run(driver->input, &driver->run, error);
     bool is_short = done && shortfall->code != ERROR_NONE;
     if (is_short) {
-        error_print(shortfall, driver->command->name);
+        complain(shortfall, &driver->arguments, &driver->batch);
     }
     driver->failed += is_short;
     driver->good += done && !is_short;
@@ -542,7 +542,7 @@ static int answer_without_rows(struct driver *driver)
         order_artifacts(driver, &error) && artifacts_make(&driver->artifacts, &error);
     driver->answered = done;
     if (!close_artifacts(driver, done, &error)) {
-        error_print(&error, driver->command->name);
+        complain(&error, &driver->arguments, &driver->batch);
         return (int)error.code;
     }
     return 0;
@@ -565,7 +565,7 @@ static int compute(struct driver *driver)
         done = false;
     }
     if (!close_artifacts(driver, done, &error)) {
-        error_print(&error, driver->command->name);
+        complain(&error, &driver->arguments, &driver->batch);
         return (int)error.code;
     }
     print_beside(&driver->report, driver->common.table != NULL);
@@ -580,7 +580,7 @@ int command_execute(const struct command *command, int argc, char **argv, const 
     if (!prepare(&driver, argc - 2, argv + 2, &error) ||
         (command->needs_ceres && !driver.common.help &&
          !relay_to_ceres(argv, &driver.arena, &error))) {
-        error_print(&error, command->name);
+        complain(&error, &driver.arguments, &driver.batch);
         status = (int)error.code;
     } else if (driver.common.help) {
         status = help_command(command, &driver.arena);

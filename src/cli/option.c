@@ -17,6 +17,28 @@ const struct word *option_word(const struct option *option, size_t i)
     return option->words[i].word != NULL ? &option->words[i] : NULL;
 }
 
+const char *option_called(const struct option *option, struct called *room)
+{
+    if (option->called != NULL) {
+        return option->called;
+    }
+    snprintf(room->text, sizeof room->text, "--%s", option->name);
+    return room->text;
+}
+
+bool option_is_quantity(const struct option *option, struct text quantity)
+{
+    const char *own = option->quantity != NULL ? option->quantity : option->name;
+    size_t i = 0;
+    for (; i < quantity.length && own[i] != '\0'; i++) {
+        char c = own[i] == '-' && option->quantity == NULL ? ' ' : own[i];
+        if (c != quantity.start[i]) {
+            return false;
+        }
+    }
+    return i == quantity.length && own[i] == '\0';
+}
+
 static bool has_range(const struct option *option)
 {
     return option->lowest != 0 || option->highest != 0;
@@ -52,7 +74,7 @@ static bool out_of_range(const struct option *option, double value, struct error
     const struct unit *unit = option_unit(option);
     struct arena arena = {0};
     *quantity_write(number, value, unit) = '\0';
-    fail(error, ERROR_DOMAIN, "--%s %s%s%s is out of range: it must be %s", option->name, number,
+    fail(error, ERROR_DOMAIN, "%s %s%s%s is out of range: it must be %s", CALLED(option), number,
          unit != NULL && unit->label[0] != '\0' ? " " : "", unit != NULL ? unit->label : "",
          option_range(option, &arena));
     arena_free(&arena);
@@ -62,7 +84,7 @@ static bool out_of_range(const struct option *option, double value, struct error
 bool option_check_range(const struct option *option, double value, struct error *error)
 {
     if (isinf(value) && (option->flags & OPTION_NO_INFINITY) != 0) {
-        return fail(error, ERROR_DOMAIN, "--%s cannot be infinite", option->name);
+        return fail(error, ERROR_DOMAIN, "%s cannot be infinite", CALLED(option));
     }
     if (!has_range(option)) {
         return true;
@@ -83,10 +105,10 @@ static bool blame(const struct option *option, struct text text, struct error *e
     }
     int shown = text_shown(text);
     if (error->caret > 0) {
-        return error_prefix(error, "bad %s in --%s '%.*s' at character %d: ", what, option->name,
+        return error_prefix(error, "bad %s in %s '%.*s' at character %d: ", what, CALLED(option),
                             shown, text.start, error->caret);
     }
-    return error_prefix(error, "bad %s in --%s '%.*s': ", what, option->name, shown, text.start);
+    return error_prefix(error, "bad %s in %s '%.*s': ", what, CALLED(option), shown, text.start);
 }
 
 bool option_read(const struct reader *reader, const struct option *option, struct text text,
@@ -107,7 +129,7 @@ void option_doubt(const struct reader *reader, const struct option *option, doub
 {
     const struct unit *unit = option_unit(option);
     if (option->unusual != NULL && !(value >= option->usual[0] && value <= option->usual[1])) {
-        doubts_add(reader->doubts, "--%s %.6g%s%s: %s", option->name,
+        doubts_add(reader->doubts, "%s %.6g%s%s: %s", CALLED(option),
                    unit != NULL ? unit_from_own(unit, value) : value,
                    unit != NULL && unit->label[0] != '\0' ? " " : "",
                    unit != NULL ? unit->label : "", option->unusual);
@@ -122,8 +144,8 @@ static void doubt_t_stop(const struct reader *reader, const struct option *optio
     if (option->dimension == &dimension_fnumber && (option->flags & OPTION_T_STOP) == 0 &&
         trimmed.length > 0 && (trimmed.start[0] == 'T' || trimmed.start[0] == 't')) {
         doubts_add(reader->doubts,
-                   "--%s %.*s is a T-stop, taken as f/%.6g: as if the lens lost no light",
-                   option->name, text_shown(trimmed), trimmed.start, value);
+                   "%s %.*s is a T-stop, taken as f/%.6g: as if the lens lost no light",
+                   CALLED(option), text_shown(trimmed), trimmed.start, value);
     }
 }
 
@@ -172,7 +194,7 @@ static bool refuse_choice(const struct option *option, struct text text, struct 
         int length = snprintf(all + used, sizeof all - used, "%s%s", i > 0 ? ", " : "", word);
         used += length > 0 && (size_t)length < sizeof all - used ? (size_t)length : 0;
     }
-    fail(error, ERROR_USAGE, "--%s '%.*s' is none of %s", option->name, text_shown(text),
+    fail(error, ERROR_USAGE, "%s '%.*s' is none of %s", CALLED(option), text_shown(text),
          text.start, all);
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
@@ -201,7 +223,7 @@ static bool read_flag(const struct reader *reader, const struct option *option, 
     bool yes = text_same(text, "yes") || text_same(text, "true") || text_equal(text, "1");
     bool no = text_same(text, "no") || text_same(text, "false") || text_equal(text, "0");
     if (!yes && !no) {
-        return fail(error, ERROR_USAGE, "--%s is 'yes' or 'no', not '%.*s'", option->name,
+        return fail(error, ERROR_USAGE, "%s is 'yes' or 'no', not '%.*s'", CALLED(option),
                     text_shown(text), text.start);
     }
     *(bool *)member = yes;
@@ -212,7 +234,7 @@ static bool read_text(const struct reader *reader, const struct option *option, 
                       void *member, struct error *error)
 {
     if (text.length == 0) {
-        return fail(error, ERROR_USAGE, "--%s is empty", option->name);
+        return fail(error, ERROR_USAGE, "%s is empty", CALLED(option));
     }
     *(const char **)member = arena_string(reader->arena, text.start, text.length);
     return true;
@@ -227,7 +249,7 @@ static bool read_count(const struct reader *reader, const struct option *option,
         return blame(option, text, error);
     }
     if (!(fabs(value) <= 1e9) || value != floor(value)) {
-        return fail(error, ERROR_USAGE, "--%s '%.*s' is no whole number", option->name,
+        return fail(error, ERROR_USAGE, "%s '%.*s' is no whole number", CALLED(option),
                     text_shown(text), text.start);
     }
     if (!option_check_range(option, value, error)) {
@@ -320,7 +342,7 @@ static bool read_sensor(const struct reader *reader, const struct option *option
         *error = size_error;
         return blame(option, text, error);
     }
-    return error_prefix(error, "--%s: ", option->name);
+    return error_prefix(error, "%s: ", CALLED(option));
 }
 
 static bool ends_with(struct text text, const char *end)
@@ -360,9 +382,9 @@ static bool read_coc(const struct reader *reader, const struct option *option, s
     }
     if (!(length ? coc.value >= 0 : coc.value > 0) || isinf(coc.value)) {
         return fail(error, ERROR_DOMAIN,
-                    "--%s '%.*s' is out of range: it must be a length of 0 mm or more, d/K or Kpx "
+                    "%s '%.*s' is out of range: it must be a length of 0 mm or more, d/K or Kpx "
                     "with K above 0, airy, or print",
-                    option->name, text_shown(text), text.start);
+                    CALLED(option), text_shown(text), text.start);
     }
     *(struct coc_value *)member = (struct coc_value){
         coc, length ? COC_GIVEN : arena_string(reader->arena, trimmed.start, trimmed.length),

@@ -124,7 +124,10 @@ struct option {
     char letter;      /* 'f', or 0 */
     const struct option_kind *kind;
     size_t offset;
-    const char *column;                /* the output column that repeats it: "focal"; or null */
+    /* What the formulas call it in their messages; null = its name, "-" as blank: "focal length". */
+    const char *quantity;
+    const char *called; /* how it was given, where not by its name: "column 's_m'"; else null */
+    const char *column; /* the output column that repeats it: "focal"; or null */
     const struct dimension *dimension; /* of a quantity */
     const char *unit;                  /* of a bare number; null = the dimension's own */
     double lowest, highest;            /* in the program's own unit; both 0 = any value */
@@ -144,6 +147,18 @@ struct option {
     const char *value; /* how help names the value: "LENGTH"; null = nothing to name */
     const char *help;  /* one line */
 };
+
+/* How it was given, in the words of a message: "--focal-length", "column 's_m'". */
+struct called {
+    char text[80];
+};
+
+const char *option_called(const struct option *option, struct called *room);
+
+#define CALLED(option) option_called((option), &(struct called){{0}})
+
+/* Is it what the formulas call by this name? */
+bool option_is_quantity(const struct option *option, struct text quantity);
 
 /* What stands between the values of an OPTION_MANY: no comma, since names of files may have one. */
 #define OPTION_MANY_SEPARATOR '\n'

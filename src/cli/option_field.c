@@ -58,19 +58,19 @@ static bool read_fields(const struct reader *reader, const struct option *option
     size_t count = 0;
     while (rest.start != NULL) {
         if (count == MOST_FIELDS) {
-            return fail(error, ERROR_USAGE, "--%s has more than %d fields", option->name,
+            return fail(error, ERROR_USAGE, "%s has more than %d fields", CALLED(option),
                         MOST_FIELDS);
         }
         if (!read_field(text_cut(&rest, ','), &items[count], &weight, error)) {
-            return error_prefix(error, "bad --%s: ", option->name);
+            return error_prefix(error, "bad %s: ", CALLED(option));
         }
         if (items[count].weight < 0) {
-            return fail(error, ERROR_USAGE, "--%s has the weight %.*s: weights are 0 or more",
-                        option->name, text_shown(weight), weight.start);
+            return fail(error, ERROR_USAGE, "%s has the weight %.*s: weights are 0 or more",
+                        CALLED(option), text_shown(weight), weight.start);
         }
         if (!is_finite(&items[count++])) {
-            return fail(error, ERROR_USAGE, "--%s has a field or weight that is not finite",
-                        option->name);
+            return fail(error, ERROR_USAGE, "%s has a field or weight that is not finite",
+                        CALLED(option));
         }
     }
     *(struct fields_value *)member =

@@ -38,7 +38,7 @@ static bool takes_one(const struct option *option)
 static bool bad_interval(const struct option *option, struct text text, struct error *error)
 {
     bool one = takes_one(option);
-    fail(error, ERROR_USAGE, "--%s '%.*s' is no %srange", option->name, text_shown(text),
+    fail(error, ERROR_USAGE, "%s '%.*s' is no %srange", CALLED(option), text_shown(text),
          text.start, one ? "value or " : "");
     return error_hint(error, "say %sLOW..HIGH, LOW.. or ..HIGH", one ? "a number, " : "");
 }
@@ -54,7 +54,7 @@ static bool read_near(const struct option *option, struct text text,
     }
     *interval = (struct interval_value){NAN, NAN, NAN};
     return (quantity_read(text, dimension, option_unit(option), &interval->near, NULL, error) ||
-            error_prefix(error, "bad value in --%s: ", option->name)) &&
+            error_prefix(error, "bad value in %s: ", CALLED(option))) &&
            option_check_range(option, interval->near, error);
 }
 
@@ -69,7 +69,7 @@ static bool read_end(const struct option *option, struct text text, double *end,
     const struct dimension *dimension =
         option->dimension != NULL ? option->dimension : &dimension_number;
     return quantity_read(text, dimension, option_unit(option), end, NULL, error) ||
-           error_prefix(error, "bad range in --%s: ", option->name);
+           error_prefix(error, "bad range in %s: ", CALLED(option));
 }
 
 static bool read_interval(const struct reader *reader, const struct option *option,

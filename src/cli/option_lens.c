@@ -142,12 +142,12 @@ static bool read_wavelength(const struct reader *reader, const struct option *op
     }
     if (!is_line && !quantity_read(text, option->dimension, option_unit(option), &value.wavelength,
                                    NULL, error)) {
-        error_prefix(error, "bad wavelength in --%s: ", option->name);
+        error_prefix(error, "bad wavelength in %s: ", CALLED(option));
         return error_hint(error, "a wavelength is 550, 550nm, 0.55um, or a line: d F C e g ...");
     }
     if (!(value.wavelength >= WAVELENGTH_SHORTEST && value.wavelength <= WAVELENGTH_LONGEST)) {
-        return fail(error, ERROR_DOMAIN, "--%s %s is out of range: it must be 1 nm to 1 mm",
-                    option->name, value.name);
+        return fail(error, ERROR_DOMAIN, "%s %s is out of range: it must be 1 nm to 1 mm",
+                    CALLED(option), value.name);
     }
     *(struct wavelength_value *)member = value;
     return true;

@@ -27,7 +27,7 @@ static const char *join(const struct reader *reader, struct text status, struct 
 /* What was looked for is not there: say by which option. */
 static bool blame(const struct option *option, struct error *error)
 {
-    return error->code == ERROR_USAGE && error_prefix(error, "--%s: ", option->name);
+    return error->code == ERROR_USAGE && error_prefix(error, "%s: ", CALLED(option));
 }
 
 static bool is_digit(char c)
@@ -38,7 +38,7 @@ static bool is_digit(char c)
 static bool bad_filter(const struct option *option, struct text piece, const char *what,
                        struct error *error)
 {
-    return fail(error, ERROR_DOMAIN, "--%s '%.*s': %s", option->name, text_shown(piece),
+    return fail(error, ERROR_DOMAIN, "%s '%.*s': %s", CALLED(option), text_shown(piece),
                 piece.start, what);
 }
 
@@ -46,7 +46,7 @@ static bool read_number(const struct option *option, struct text piece, struct t
                         const struct dimension *dimension, double *value, struct error *error)
 {
     return quantity_read(number, dimension, NULL, value, NULL, error) ||
-           error_prefix(error, "bad value in --%s '%.*s': ", option->name, text_shown(piece),
+           error_prefix(error, "bad value in %s '%.*s': ", CALLED(option), text_shown(piece),
                         piece.start);
 }
 
@@ -85,12 +85,12 @@ static bool read_stops(const struct option *option, struct text piece, double *s
 {
     const struct unit *typed;
     if (!quantity_read(piece, &dimension_stops, NULL, stops, &typed, error)) {
-        return error_prefix(error, "bad value in --%s '%.*s': ", option->name, text_shown(piece),
+        return error_prefix(error, "bad value in %s '%.*s': ", CALLED(option), text_shown(piece),
                             piece.start);
     }
     /* a column of a batch may say the unit for all its cells */
     if (typed == NULL && option->unit == NULL) {
-        fail(error, ERROR_USAGE, "--%s '%.*s' may be stops, a factor or a density", option->name,
+        fail(error, ERROR_USAGE, "%s '%.*s' may be stops, a factor or a density", CALLED(option),
              text_shown(piece), piece.start);
         return error_hint(error,
                           "write %.*sstops, %.*sx or ND%.*s (ND0.9 is a density, ND8 a "
@@ -117,7 +117,7 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
                             struct text piece, double *stops, struct error *error)
 {
     if (piece.length == 0) {
-        return fail(error, ERROR_USAGE, "--%s has an empty item", option->name);
+        return fail(error, ERROR_USAGE, "%s has an empty item", CALLED(option));
     }
     bool neutral = piece.length > 2 && text_same((struct text){piece.start, 2}, "nd");
     if (neutral && (is_digit(piece.start[2]) || piece.start[2] == ' ')) {
@@ -159,7 +159,7 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
         joined += rest.start[i] == '+';
     }
     if (joined >= MOST_FILTERS) {
-        return fail(error, ERROR_DOMAIN, "--%s '%.*s...' joins more than %d filters", option->name,
+        return fail(error, ERROR_DOMAIN, "%s '%.*s...' joins more than %d filters", CALLED(option),
                     text_shown(text), text.start, (int)MOST_FILTERS);
     }
     while (more) {
@@ -260,7 +260,7 @@ static bool read_series(const struct reader *reader, const struct option *option
         }
     }
     if (series.per_stop == 0) {
-        return fail(error, ERROR_USAGE, "--%s '%.*s' is none of full, half, third", option->name,
+        return fail(error, ERROR_USAGE, "%s '%.*s' is none of full, half, third", CALLED(option),
                     text_shown(text), text.start);
     }
     const char *name = names[series.per_stop - 1];

@@ -9,7 +9,7 @@
 /* Say which option was wrong, before what was wrong. */
 static bool blame(const struct option *option, struct text text, struct error *error)
 {
-    return error_prefix(error, "bad value in --%s '%.*s': ", option->name, text_shown(text),
+    return error_prefix(error, "bad value in %s '%.*s': ", CALLED(option), text_shown(text),
                         text.start);
 }
 
@@ -24,7 +24,7 @@ static bool read_numbers(const struct option *option, struct text text, double *
         parts[found] = text_trim(text_cut(&rest, ':'));
     }
     if (found < count || rest.start != NULL) {
-        fail(error, ERROR_USAGE, "--%s '%.*s' is not %s", option->name, text_shown(text),
+        fail(error, ERROR_USAGE, "%s '%.*s' is not %s", CALLED(option), text_shown(text),
              text.start, option->value);
         return error_hint(error, "%d numbers with ':' between them: %s", count,
                           count == 3 ? "0:10:-20" : "0:0.7");
@@ -36,7 +36,7 @@ static bool read_numbers(const struct option *option, struct text text, double *
         }
         unit = typed != NULL ? typed : unit;
         if (isinf(at[i])) {
-            return fail(error, ERROR_DOMAIN, "--%s cannot be infinite", option->name);
+            return fail(error, ERROR_DOMAIN, "%s cannot be infinite", CALLED(option));
         }
     }
     return true;
@@ -83,7 +83,7 @@ static bool read_plane(const struct reader *reader, const struct option *option,
         return error_hint(error, "paraxial, table, best, or a distance from the last vertex");
     }
     return !isinf(plane->distance) ||
-           fail(error, ERROR_DOMAIN, "--%s cannot be infinite", option->name);
+           fail(error, ERROR_DOMAIN, "%s cannot be infinite", CALLED(option));
 }
 
 static bool read_target(const struct reader *reader, const struct option *option, struct text text,
@@ -99,8 +99,8 @@ static bool read_target(const struct reader *reader, const struct option *option
     }
     if (!quantity_read(text, &dimension_number, NULL, &number, NULL, error) ||
         number != floor(number) || !(number >= 1 && number <= 1e6)) {
-        fail(error, ERROR_USAGE, "--%s '%.*s' is neither image, last nor the number of a surface",
-             option->name, text_shown(text), text.start);
+        fail(error, ERROR_USAGE, "%s '%.*s' is neither image, last nor the number of a surface",
+             CALLED(option), text_shown(text), text.start);
         return error_hint(error, "surfaces count from 1, the stop counted");
     }
     *target = (struct target_value){TARGET_SURFACE, (long)number};
