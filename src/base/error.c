@@ -21,8 +21,8 @@ enum { OPENS = 0x0e, CLOSES = 0x0f, LONGEST_FORMAT = 1024 };
 /* May this letter stand in a format's braces? A conversion for the name may. */
 static bool is_of_name(char c)
 {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           c == ' ' || c == '-' || c == '%';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' ||
+           c == '-' || c == '%';
 }
 
 /* The format with marks in place of the braces around names. */
@@ -174,10 +174,19 @@ static struct text without_article(struct text name)
     return has_article ? (struct text){name.start + 4, name.length - 4} : name;
 }
 
-static void rename_in(char *text, size_t size, struct mentions *mentions, bool asked,
+/* Does the text begin with a blank and a value? */
+static bool is_value(const char *text)
+{
+    const char *value = text + (*text == ' ');
+    value += *value == '-';
+    return (*value >= '0' && *value <= '9') || strncmp(value, "inf", 3) == 0 ||
+           strncmp(value, "nan", 3) == 0;
+}
+
+static void rename_in(char *text, size_t size, struct mentions *mentions,
                       const char *(*name_of)(void *, struct text, bool), void *context)
 {
-    char rest[sizeof ((struct error *)0)->message];
+    char rest[sizeof((struct error *)0)->message];
     /* from the last to the first, so that the places of the others stay */
     while (mentions->count > 0) {
         struct mention name = mentions->all[--mentions->count];
@@ -186,7 +195,7 @@ static void rename_in(char *text, size_t size, struct mentions *mentions, bool a
             continue; /* cut off */
         }
         struct text words = {text + name.at, (size_t)name.length};
-        const char *instead = name_of(context, without_article(words), asked);
+        const char *instead = name_of(context, without_article(words), !is_value(text + behind));
         if (instead != NULL) {
             snprintf(rest, sizeof rest, "%s", text + behind);
             snprintf(text + name.at, size - (size_t)name.at, "%s%s", instead, rest);
@@ -199,7 +208,6 @@ void error_name(struct error *error,
                 const char *(*name_of)(void *context, struct text quantity, bool asked),
                 void *context)
 {
-    rename_in(error->message, sizeof error->message, &error->in_message,
-              error->code == ERROR_USAGE, name_of, context);
-    rename_in(error->hint, sizeof error->hint, &error->in_hint, true, name_of, context);
+    rename_in(error->message, sizeof error->message, &error->in_message, name_of, context);
+    rename_in(error->hint, sizeof error->hint, &error->in_hint, name_of, context);
 }

@@ -28,7 +28,7 @@ struct mention {
     short at, length; /* of the words between the braces, in the text */
 };
 
-enum { ERROR_MENTIONS = 8 };
+enum { ERROR_MENTIONS = 12 };
 
 /* A text with the quantities it names, in their order. */
 struct mentions {
@@ -83,8 +83,8 @@ bool error_prefix(struct error *error, const char *format, ...)
  * Say by what its quantities were given.
  *
  * Given     name_of  what to call a quantity ("focal length", without an article), or null to leave
- *                    the words as they are. `asked`: the message says what to give, so that it may
- *                    be something that was not given
+ *                    the words as they are. `asked`: no value stands behind it, so that the
+ *                    message may ask for what was not given
  *           context  its first argument
  */
 void error_name(struct error *error,

@@ -186,8 +186,8 @@ static bool find_column(const struct batch *batch, struct text name, struct batc
     const char *unit = NULL;
     struct text typed;
     *column = (struct batch_column){.name = name};
-    const char *called = arena_printf(batch->reader->arena, "column '%.*s'", text_shown(name),
-                                      name.start);
+    const char *called =
+        arena_printf(batch->reader->arena, "column '%.*s'", text_shown(name), name.start);
     if (find_companion(batch, name, column)) {
         column->as_read = *column->option;
         column->as_read.called = called;

@@ -9,7 +9,7 @@
 static bool add_tube(struct attach_lens *lens, const struct attach_step *step, struct error *error)
 {
     double e = step->value;
-    if (!check_not_negative("--tube", " mm", e, error)) {
+    if (!check_not_negative("tube", " mm", e, error)) {
         return false;
     }
     lens->m_far += e / lens->f;
@@ -22,7 +22,7 @@ static bool add_tube(struct attach_lens *lens, const struct attach_step *step, s
 /* Put a thin lens of focal length F `gap` before the front. */
 static bool put_before(struct attach_lens *lens, double F, double gap, struct error *error)
 {
-    if (!check_not_negative("--gap", " mm", gap, error)) {
+    if (!check_not_negative("gap", " mm", gap, error)) {
         return false;
     }
     double d = gap + lens->front;
@@ -30,7 +30,7 @@ static bool put_before(struct attach_lens *lens, double F, double gap, struct er
     double pupil = 1 - (d - lens->f * (1 - 1 / lens->P)) / F;
     if (!(pupil > 0)) { /* then f/f' is positive too: above f/(P F) */
         return fail(error, ERROR_DOMAIN,
-                    "--gap %g mm brings the focus of the front lens (%g mm) before the pupil: no "
+                    "{gap} %g mm brings the focus of the front lens (%g mm) before the pupil: no "
                     "image (less than %g mm)",
                     gap, F, F - lens->front + lens->f * (1 - 1 / lens->P));
     }
@@ -48,7 +48,7 @@ static bool put_before(struct attach_lens *lens, double F, double gap, struct er
 static bool add_close_up(struct attach_lens *lens, const struct attach_step *step,
                          struct error *error)
 {
-    return check_positive("--close-up", " dioptres", step->value, error) &&
+    return check_positive("close-up lens", " dioptres", step->value, error) &&
            put_before(lens, 1000 / step->value, step->gap, error);
 }
 
@@ -56,8 +56,8 @@ static bool add_converter(struct attach_lens *lens, const struct attach_step *st
                           struct error *error)
 {
     double k = step->value;
-    if (!check_positive("--converter", "", k, error) ||
-        !check_not_negative("--converter-length", " mm", step->gap, error)) {
+    if (!check_positive("converter factor", "", k, error) ||
+        !check_not_negative("length of the converter", " mm", step->gap, error)) {
         return false;
     }
     lens->front += (k - 1) * lens->f;
@@ -77,8 +77,8 @@ static bool add_reversed(struct attach_lens *lens, const struct attach_step *ste
     double v = step->value;
     if (!(v >= lens->f && isfinite(v))) {
         return fail(error, ERROR_DOMAIN,
-                    "--reversed %g mm puts the sensor within the focal length: no real image (%g "
-                    "mm or more)",
+                    "a sensor %g mm behind the reversed lens lies within its focal length: no real "
+                    "image (%g mm or more)",
                     v, lens->f);
     }
     lens->N /= lens->P;
@@ -93,8 +93,8 @@ static bool add_stacked(struct attach_lens *lens, const struct attach_step *step
                         struct error *error)
 {
     double F = step->value;
-    if (!check_positive("--stacked", " mm", F, error) ||
-        !check_not_negative("--stacked-aperture", "", step->extra, error)) {
+    if (!check_positive("stacked lens", " mm", F, error) ||
+        !check_not_negative("f-number of the stacked lens", "", step->extra, error)) {
         return false;
     }
     lens->N = fmax(lens->N, lens->f * step->extra / F); /* the narrower beam */
@@ -107,15 +107,16 @@ static bool (*const adders[])(struct attach_lens *, const struct attach_step *, 
 
 bool attach_bare(const struct attach_bare *bare, struct attach_lens *lens, struct error *error)
 {
-    if (!check_positive("--focal-length", " mm", bare->f, error) ||
-        !check_positive("--aperture", "", bare->N, error) ||
-        !check_positive("--pupil", "", bare->P, error) ||
-        !check_not_negative("--magnification", "", bare->m_near, error)) {
+    if (!check_positive("focal length", " mm", bare->f, error) ||
+        !check_positive("f-number", "", bare->N, error) ||
+        !check_positive("pupil magnification", "", bare->P, error) ||
+        !check_not_negative("magnification", "", bare->m_near, error)) {
         return false;
     }
     if (!(isfinite(bare->front) && isfinite(bare->hiatus))) {
-        return fail(error, ERROR_DOMAIN, "--front %g mm and --hiatus %g mm must be finite",
-                    bare->front, bare->hiatus);
+        return fail(error, ERROR_DOMAIN,
+                    "{front principal plane} %g mm and {hiatus} %g mm must be finite", bare->front,
+                    bare->hiatus);
     }
     double length = bare->front + bare->hiatus + bare->f;
     *lens = (struct attach_lens){.f = bare->f,
@@ -134,7 +135,7 @@ bool attach_apply(struct attach_lens *lens, const struct attach_step *steps, siz
     for (size_t i = 0; i < count; i++) {
         if (steps[i].kind == ATTACH_REVERSED && i > 0) {
             return fail(error, ERROR_USAGE,
-                        "--reversed must come first: reverse the lens, then attach to it");
+                        "reversing must come first: reverse the lens, then attach to it");
         }
         if (!adders[steps[i].kind](lens, &steps[i], error)) {
             return false;
@@ -166,13 +167,13 @@ bool attach_focused(const struct attach_lens *lens, bool near, struct attach_foc
 
 static bool check_more(double f, double m0, double m, struct error *error)
 {
-    if (!check_positive("--focal-length", " mm", f, error) ||
-        !check_not_negative("--magnification without attachment", "", m0, error)) {
+    if (!check_positive("focal length", " mm", f, error) ||
+        !check_not_negative("magnification without attachment", "", m0, error)) {
         return false;
     }
     if (!(m >= m0 && isfinite(m))) {
         return fail(error, ERROR_DOMAIN,
-                    "--magnification %g is below what the lens does alone (%g or more)", m, m0);
+                    "{magnification} %g is below what the lens does alone (%g or more)", m, m0);
     }
     return true;
 }

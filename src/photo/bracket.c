@@ -12,7 +12,7 @@ static bool check_shots(double shots, struct error *error)
         return fail(error, ERROR_DOMAIN, "%.10g shots lie outside 1 to %d", shots, BRACKET_SHOTS);
     }
     if (shots < round(shots) || shots > round(shots)) {
-        return fail(error, ERROR_DOMAIN, "--shots %.10g must be a whole number", shots);
+        return fail(error, ERROR_DOMAIN, "{number of shots} %.10g must be a whole number", shots);
     }
     return true;
 }
@@ -60,12 +60,14 @@ static bool plan_between(const struct bracket_given *given, struct bracket *plan
 
 bool bracket_plan(const struct bracket_given *given, struct bracket *plan, struct error *error)
 {
-    const struct given numbers[] = {{"--from", " s", given->from},
-                                    {"--to", " s", given->to},
-                                    {"--step", " stops", given->step},
-                                    {"--shots", "", given->shots}};
+    const struct given numbers[] = {{"time at one end", " s", given->from},
+                                    {"time at the other end", " s", given->to},
+                                    {"step", " stops", given->step},
+                                    {"number of shots", "", given->shots}};
     if (given_missing(numbers, 4) != 1) {
-        return fail(error, ERROR_USAGE, "give exactly three of --from, --to, --step and --shots");
+        return fail(error, ERROR_USAGE,
+                    "give exactly three of {time at one end}, {time at the other end}, {step} and "
+                    "{number of shots}");
     }
     if (!given_positive(numbers, 4, error) ||
         (is_given(given->shots) && !check_shots(given->shots, error))) {
@@ -85,8 +87,8 @@ bool bracket_plan(const struct bracket_given *given, struct bracket *plan, struc
 bool bracket_around(double metered, double step, double shots, struct bracket *plan,
                     struct error *error)
 {
-    if (!require_positive("--time", " s", metered, error) ||
-        !require_positive("--step", " stops", step, error) || !check_shots(shots, error)) {
+    if (!require_positive("exposure time", " s", metered, error) ||
+        !require_positive("step", " stops", step, error) || !check_shots(shots, error)) {
         return false;
     }
     plan->shots = (int)shots;
@@ -109,7 +111,7 @@ double bracket_offset(const struct bracket *plan, int i, double base)
 bool bracket_covers(const struct bracket *plan, double single, struct bracket_range *range,
                     struct error *error)
 {
-    if (!require_positive("--range", " stops", single, error)) {
+    if (!require_positive("range of a shot", " stops", single, error)) {
         return false;
     }
     range->covered = single + plan->span;
@@ -119,14 +121,14 @@ bool bracket_covers(const struct bracket *plan, double single, struct bracket_ra
 
 bool bracket_shots_needed(double scene, double single, double step, int *shots, struct error *error)
 {
-    if (!require_positive("--scene-range", " stops", scene, error) ||
-        !require_positive("--range", " stops", single, error) ||
-        !require_positive("--step", " stops", step, error)) {
+    if (!require_positive("scene range", " stops", scene, error) ||
+        !require_positive("range of a shot", " stops", single, error) ||
+        !require_positive("step", " stops", step, error)) {
         return false;
     }
     if (!(step <= single)) {
         return fail(error, ERROR_DOMAIN,
-                    "--step %.10g stops leaves gaps between shots of %.10g stops each", step,
+                    "{step} %.10g stops leaves gaps between shots of %.10g stops each", step,
                     single);
     }
     /* 1e-9: 12 stops in steps of 0.1 need no extra shot for a rounding */

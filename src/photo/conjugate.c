@@ -15,7 +15,7 @@ static bool from_f_s(const struct conjugates_given *g, struct conjugates *r, str
 {
     if (!(g->s > g->f)) {
         return fail(error, ERROR_DOMAIN,
-                    "--distance %g mm lies within the focal length %g mm: no real image, a "
+                    "{distance} %g mm lies within {the focal length} %g mm: no real image, a "
                     "magnifier and not a photograph (more than %g mm)",
                     g->s, g->f, g->f);
     }
@@ -26,10 +26,11 @@ static bool from_f_s(const struct conjugates_given *g, struct conjugates *r, str
 static bool from_f_v(const struct conjugates_given *g, struct conjugates *r, struct error *error)
 {
     if (!(g->v >= g->f)) {
-        return fail(error, ERROR_DOMAIN,
-                    "--image %g mm lies within the focal length %g mm: focused beyond infinity "
-                    "(%g mm or more)",
-                    g->v, g->f, g->f);
+        return fail(
+            error, ERROR_DOMAIN,
+            "{image distance} %g mm lies within {the focal length} %g mm: focused beyond infinity "
+            "(%g mm or more)",
+            g->v, g->f, g->f);
     }
     r->m = (g->v - g->f) / g->f;
     return true;
@@ -47,16 +48,17 @@ static bool from_f_T(const struct conjugates_given *g, struct conjugates *r, str
 {
     double x = (g->T - g->hiatus - 4 * g->f) / g->f;
     if (!(x >= -one_to_one_slack)) {
-        return fail(error, ERROR_DOMAIN,
-                    "--sensor-distance %g mm is too short for --focal-length %g mm: no real image "
-                    "(4 f + hiatus = %g mm or more)",
-                    g->T, g->f, 4 * g->f + g->hiatus);
+        return fail(
+            error, ERROR_DOMAIN,
+            "{sensor distance} %g mm is too short for {the focal length} %g mm: no real image "
+            "(4 f + hiatus = %g mm or more)",
+            g->T, g->f, 4 * g->f + g->hiatus);
     }
     x = fmax(x, 0);
     double large = isinf(x) ? x : (2 + x + sqrt(x * (x + 4))) / 2;
     if (g->choice == CONJUGATES_ENLARGED && isinf(large)) {
         return fail(error, ERROR_DOMAIN,
-                    "--sensor-distance inf has no enlarged image (a finite distance)");
+                    "{sensor distance} inf has no enlarged image (a finite distance)");
     }
     r->m = g->choice == CONJUGATES_ENLARGED ? large : 1 / large;
     return true;
@@ -74,7 +76,7 @@ static bool from_s_m(const struct conjugates_given *g, struct conjugates *r, str
 {
     if (!(isfinite(g->s) && g->m > 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "--distance %g mm with --magnification %g leaves the focal length open (a "
+                    "{distance} %g mm with {magnification} %g leaves the focal length open (a "
                     "finite distance and a magnification above 0)",
                     g->s, g->m);
     }
@@ -86,10 +88,11 @@ static bool from_s_T(const struct conjugates_given *g, struct conjugates *r, str
 {
     double v = g->T - g->hiatus - g->s;
     if (!(v > 0 && isfinite(v))) {
-        return fail(error, ERROR_DOMAIN,
-                    "--sensor-distance %g mm leaves no room for an image behind --distance %g mm "
-                    "(finite and more than %g mm)",
-                    g->T, g->s, g->s + g->hiatus);
+        return fail(
+            error, ERROR_DOMAIN,
+            "{sensor distance} %g mm leaves no room for an image behind {the distance} %g mm "
+            "(finite and more than %g mm)",
+            g->T, g->s, g->s + g->hiatus);
     }
     r->v = v;
     r->m = v / g->s;
@@ -109,7 +112,8 @@ static bool from_v_T(const struct conjugates_given *g, struct conjugates *r, str
     double s = g->T - g->hiatus - g->v;
     if (!(s > 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "--sensor-distance %g mm leaves no room for a subject before --image %g mm "
+                    "{sensor distance} %g mm leaves no room for a subject before {the image "
+                    "distance} %g mm "
                     "(more than %g mm)",
                     g->T, g->v, g->v + g->hiatus);
     }
@@ -124,7 +128,7 @@ static bool from_m_T(const struct conjugates_given *g, struct conjugates *r, str
     double D = g->T - g->hiatus;
     if (!(isfinite(D) && D > 0 && g->m > 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "--sensor-distance %g mm with --magnification %g leaves the focal length open "
+                    "{sensor distance} %g mm with {magnification} %g leaves the focal length open "
                     "(finite and more than the hiatus %g mm, a magnification above 0)",
                     g->T, g->m, g->hiatus);
     }
@@ -146,14 +150,14 @@ static const struct solver {
 /* The five quantities with their legal ranges, one bit each. */
 static const struct quantity {
     size_t offset;
-    const char *option, *unit, *range;
+    const char *name, *unit, *range;
     bool zero, infinite; /* are these legal */
 } quantities[] = {
-    {offsetof(struct conjugates_given, f), "--focal-length", " mm", "above 0 mm, finite", 0, 0},
-    {offsetof(struct conjugates_given, s), "--distance", " mm", "above 0 mm, may be inf", 0, 1},
-    {offsetof(struct conjugates_given, v), "--image", " mm", "above 0 mm, finite", 0, 0},
-    {offsetof(struct conjugates_given, m), "--magnification", "", "0 or more, finite", 1, 0},
-    {offsetof(struct conjugates_given, T), "--sensor-distance", " mm", "above 0 mm, may be inf", 0,
+    {offsetof(struct conjugates_given, f), "focal length", " mm", "above 0 mm, finite", 0, 0},
+    {offsetof(struct conjugates_given, s), "distance", " mm", "above 0 mm, may be inf", 0, 1},
+    {offsetof(struct conjugates_given, v), "image distance", " mm", "above 0 mm, finite", 0, 0},
+    {offsetof(struct conjugates_given, m), "magnification", "", "0 or more, finite", 1, 0},
+    {offsetof(struct conjugates_given, T), "sensor distance", " mm", "above 0 mm, may be inf", 0,
      1},
 };
 
@@ -173,13 +177,13 @@ static bool given_bits(const struct conjugates_given *given, unsigned *has, stru
             continue;
         }
         if (!(x > 0 || (q->zero && x >= 0)) || (isinf(x) && !q->infinite)) {
-            return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (%s)", q->option, x, q->unit,
+            return fail(error, ERROR_DOMAIN, "{%s} %g%s is out of range (%s)", q->name, x, q->unit,
                         q->range);
         }
         *has |= 1U << i;
     }
     if (!isfinite(given->hiatus)) {
-        return fail(error, ERROR_DOMAIN, "--hiatus %g mm is out of range (finite)", given->hiatus);
+        return fail(error, ERROR_DOMAIN, "{hiatus} %g mm is out of range (finite)", given->hiatus);
     }
     return true;
 }
@@ -218,35 +222,37 @@ bool conjugates_solve(const struct conjugates_given *given, struct conjugates *r
             return true;
         }
     }
-    return fail(error, ERROR_USAGE,
-                "give exactly two of --focal-length, --distance, --image, --magnification and "
-                "--sensor-distance");
+    return fail(
+        error, ERROR_USAGE,
+        "give exactly two of {focal length}, {distance}, {image distance}, {magnification} and "
+        "{sensor distance}");
 }
 
 bool conjugates_exposure(double N, double m, double P, struct conjugates_exposure *result,
                          struct error *error)
 {
     if (!(N > 0 && isfinite(N))) {
-        return fail(error, ERROR_DOMAIN, "--aperture %g is out of range (above 0, finite)", N);
+        return fail(error, ERROR_DOMAIN, "{f-number} %g is out of range (above 0, finite)", N);
     }
     if (!(m >= 0 && isfinite(m))) {
-        return fail(error, ERROR_DOMAIN, "--magnification %g is out of range (0 or more, finite)",
+        return fail(error, ERROR_DOMAIN, "{magnification} %g is out of range (0 or more, finite)",
                     m);
     }
     if (!(P > 0 && isfinite(P))) {
-        return fail(error, ERROR_DOMAIN, "--pupil %g is out of range (above 0, finite)", P);
+        return fail(error, ERROR_DOMAIN,
+                    "{pupil magnification} %g is out of range (above 0, finite)", P);
     }
     double ratio = 1 + m / P;
     if (!(ratio <= 1e150)) {
         return fail(error, ERROR_DOMAIN,
-                    "the magnification %g is out of range: at most 1e150 times the pupil "
-                    "magnification, %g",
+                    "{the magnification} %g is out of range: at most 1e150 times "
+                    "{the pupil magnification} %g",
                     m, P);
     }
     if (!(N * ratio < 1e300)) {
         return fail(error, ERROR_DOMAIN,
-                    "--aperture %g is out of range: with the magnification %g below %g", N, m,
-                    1e300 / ratio);
+                    "{f-number} %g is out of range: with {magnification} %g it must be below %g", N,
+                    m, 1e300 / ratio);
     }
     *result = (struct conjugates_exposure){
         .working_fnumber = N * ratio, .factor = ratio * ratio, .stops = 2 * log1p(m / P) / log(2)};

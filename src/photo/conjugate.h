@@ -15,11 +15,11 @@ enum conjugates_choice {
 
 /* What is known: exactly two of f, s, v, m and T; NaN = not given. */
 struct conjugates_given {
-    double f;      /* --focal-length, mm, > 0 */
-    double s;      /* --distance, subject from the front principal plane, mm, > 0, may be inf */
-    double v;      /* --image, sensor from the rear principal plane, mm, > 0 */
-    double m;      /* --magnification, positive number, 0 at infinity */
-    double T;      /* --sensor-distance, subject to sensor, mm, may be inf */
+    double f;      /* focal length, mm, > 0 */
+    double s;      /* distance, subject from the front principal plane, mm, > 0, may be inf */
+    double v;      /* image distance, sensor from the rear principal plane, mm, > 0 */
+    double m;      /* magnification, positive number, 0 at infinity */
+    double T;      /* sensor distance, subject to sensor, mm, may be inf */
     double hiatus; /* from H to H', mm, may be negative; 0 = thin lens */
     enum conjugates_choice choice; /* used where f and T are given, else ignored */
 };

@@ -18,11 +18,11 @@ static double mm_from_um(double um)
     return um / 1000;
 }
 
-static bool check_range(double x, bool zero, const char *option, const char *unit,
+static bool check_range(double x, bool zero, const char *name, const char *unit,
                         struct error *error)
 {
     if (!((x > 0 || (zero && x >= 0)) && isfinite(x))) {
-        return fail(error, ERROR_DOMAIN, "%s %g%s is out of range (%s, finite)", option, x, unit,
+        return fail(error, ERROR_DOMAIN, "{%s} %g%s is out of range (%s, finite)", name, x, unit,
                     zero ? "0 or more" : "above 0");
     }
     return true;
@@ -30,17 +30,17 @@ static bool check_range(double x, bool zero, const char *option, const char *uni
 
 static bool check_light(double wavelength, double m, double P, struct error *error)
 {
-    return check_range(wavelength, false, "--wavelength", " um", error) &&
-           check_range(m, true, "--magnification", "", error) &&
-           check_range(P, false, "--pupil", "", error);
+    return check_range(wavelength, false, "wavelength", " um", error) &&
+           check_range(m, true, "magnification", "", error) &&
+           check_range(P, false, "pupil magnification", "", error);
 }
 
 static bool check_setting(const struct diffraction_setting *s, struct error *error)
 {
-    return check_range(s->N, false, "--aperture", "", error) &&
+    return check_range(s->N, false, "f-number", "", error) &&
            check_light(s->wavelength, s->m, s->P, error) &&
-           check_range(s->blur, true, "--defocus", " mm", error) &&
-           check_range(s->pitch, true, "--pixel", " mm", error);
+           check_range(s->blur, true, "blur by defocus", " mm", error) &&
+           check_range(s->pitch, true, "pixel pitch", " mm", error);
 }
 
 /* Wavelength times working f-number, mm: the unit of everything here. */
@@ -110,7 +110,8 @@ static struct diffraction_mtf mtf_factors(const struct diffraction_setting *s, d
 bool diffraction_mtf_at(const struct diffraction_setting *setting, double nu,
                         struct diffraction_mtf *mtf, struct error *error)
 {
-    if (!check_setting(setting, error) || !check_range(nu, true, "--frequency", " per mm", error)) {
+    if (!check_setting(setting, error) ||
+        !check_range(nu, true, "spatial frequency", " per mm", error)) {
         return false;
     }
     *mtf = mtf_factors(setting, nu);
@@ -124,7 +125,7 @@ bool diffraction_frequency(const struct diffraction_setting *setting, double lev
         return false;
     }
     if (!(level > 0 && level < 1)) {
-        return fail(error, ERROR_DOMAIN, "--contrast %g is out of range (above 0, below 1)", level);
+        return fail(error, ERROR_DOMAIN, "{contrast} %g is out of range (above 0, below 1)", level);
     }
     double low = 0;
     double high =
@@ -156,7 +157,7 @@ bool diffraction_fnumber(double diameter, double wavelength, double m, double P,
 bool diffraction_optimum(double spread, double wavelength, double m, double P,
                          struct diffraction_optimum *result, struct error *error)
 {
-    if (!check_range(spread, false, "--focus-spread", " mm", error) ||
+    if (!check_range(spread, false, "focus spread", " mm", error) ||
         !check_light(wavelength, m, P, error)) {
         return false;
     }
@@ -174,17 +175,19 @@ bool diffraction_optimum(double spread, double wavelength, double m, double P,
 bool diffraction_focus_spread(double f, double near, double far, double *spread,
                               struct error *error)
 {
-    if (!check_range(f, false, "--focal-length", " mm", error)) {
+    if (!check_range(f, false, "focal length", " mm", error)) {
         return false;
     }
     if (!(near > f && isfinite(near))) {
         return fail(error, ERROR_DOMAIN,
-                    "--near %g mm lies within the focal length %g mm: no real image (more than %g "
+                    "{nearest point} %g mm lies within {the focal length} %g mm: no real image "
+                    "(more than %g "
                     "mm, finite)",
                     near, f, f);
     }
     if (!(far >= near)) {
-        return fail(error, ERROR_DOMAIN, "--far %g mm lies before --near %g mm (%g mm or more)",
+        return fail(error, ERROR_DOMAIN,
+                    "{farthest point} %g mm lies before {the nearest point} %g mm (%g mm or more)",
                     far, near, near);
     }
     double behind = isinf(far) ? 1 : (far - near) / (far - f);
@@ -196,7 +199,7 @@ bool diffraction_resolve(double diameter, double wavelength, struct diffraction_
                          struct error *error)
 {
     if (!check_range(diameter, false, "entrance pupil", " mm", error) ||
-        !check_range(wavelength, false, "--wavelength", " um", error)) {
+        !check_range(wavelength, false, "wavelength", " um", error)) {
         return false;
     }
     double unit = mm_from_um(wavelength) / diameter;

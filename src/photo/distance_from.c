@@ -8,7 +8,7 @@ const struct word distances_from[DISTANCES_FROM + 1] = {
     [FROM_PRINCIPAL] = {"principal", "the front principal plane, as the formulas have it"},
     [FROM_SENSOR] = {"sensor", "the sensor, as distance scales on lenses have it"},
     [FROM_ENTRANCE] = {"entrance", "the entrance pupil, the centre of perspective"},
-    [FROM_FRONT] = {"front", "the front of the lens, its first vertex; with --lens"},
+    [FROM_FRONT] = {"front", "the front of the lens, its first vertex; of a real lens only"},
 };
 
 double distance_image(double f, double s)
@@ -33,7 +33,8 @@ double distance_offset(const struct dof_setting *a, const struct measuring *meas
 static bool needs_front(const struct measuring *measuring, struct error *error)
 {
     if (measuring->from == FROM_FRONT && isnan(measuring->front)) {
-        return fail(error, ERROR_USAGE, "--from front wants --lens: a thin lens has no front");
+        return fail(error, ERROR_USAGE,
+                    "{distance origin} front wants {lens}: a thin lens has no front");
     }
     return true;
 }
@@ -43,15 +44,16 @@ static bool from_sensor(double f, double distance, double hiatus, double *s, str
     double D = distance - hiatus;
     if (!(D >= 4 * f) && hiatus == 0) {
         return fail(error, ERROR_DOMAIN,
-                    "distance %.15g mm from the sensor is less than 4 x focal length = %.15g mm: "
-                    "no real image",
-                    distance, 4 * f);
+                    "{distance} %.15g mm from the sensor is less than 4 times {the focal length} "
+                    "%.15g mm: no real image (%.15g mm or more)",
+                    distance, f, 4 * f);
     }
     if (!(D >= 4 * f)) {
         return fail(error, ERROR_DOMAIN,
-                    "distance %.15g mm from the sensor is less than 4 x focal length and what lies "
-                    "between the principal planes, %.15g mm: no real image",
-                    distance, 4 * f + hiatus);
+                    "{distance} %.15g mm from the sensor is less than 4 times {the focal length} "
+                    "%.15g mm and what lies between the principal planes: no real image (%.15g mm "
+                    "or more)",
+                    distance, f, 4 * f + hiatus);
     }
     *s = (D + sqrt(D) * sqrt(D - 4 * f)) / 2;
     return true;
@@ -136,7 +138,8 @@ bool distance_solve(struct dof_setting *setting, const struct dof_targets *targe
     }
     if (!has_f) {
         return fail(error, ERROR_USAGE,
-                    "with --from %s a distance needs --focal-length: give it, or measure from the "
+                    "with {distance origin} %s a distance needs {focal length}: give it, or "
+                    "measure from the "
                     "principal plane",
                     distances_from[from].word);
     }

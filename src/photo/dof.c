@@ -16,26 +16,26 @@ const struct word dof_models[DOF_MODELS + 1] = {
 static bool refuse(const struct dof_setting *a, struct error *error)
 {
     if (!(a->f > 0 && a->f < INFINITY)) {
-        return fail(error, ERROR_DOMAIN, "focal length %.15g mm must be above 0 mm and finite",
+        return fail(error, ERROR_DOMAIN, "{focal length} %.15g mm must be above 0 mm and finite",
                     a->f);
     }
     if (!(a->N > 0 && a->N < INFINITY)) {
-        return fail(error, ERROR_DOMAIN, "f-number %.15g must be above 0 and finite", a->N);
+        return fail(error, ERROR_DOMAIN, "{f-number} %.15g must be above 0 and finite", a->N);
     }
     if (!(a->c >= 0 && a->c < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
-                    "circle of confusion %.15g mm must be 0 mm or more and finite", a->c);
+                    "{circle of confusion} %.15g mm must be 0 mm or more and finite", a->c);
     }
     if (!(a->P > 0 && a->P < INFINITY)) {
-        return fail(error, ERROR_DOMAIN, "pupil magnification %.15g must be above 0 and finite",
+        return fail(error, ERROR_DOMAIN, "{pupil magnification} %.15g must be above 0 and finite",
                     a->P);
     }
     if (isnan(a->s)) {
-        return fail(error, ERROR_DOMAIN, "distance is not a number; it must be above %.15g mm",
+        return fail(error, ERROR_DOMAIN, "{distance} is not a number; it must be above %.15g mm",
                     a->f);
     }
     return fail(error, ERROR_DOMAIN,
-                "distance %.15g mm lies within the focal length %.15g mm: no real image", a->s,
+                "{distance} %.15g mm lies within {the focal length} %.15g mm: no real image", a->s,
                 a->f);
 }
 
@@ -48,8 +48,9 @@ static bool legal(const struct dof_setting *a)
 static bool refuse_range(const struct dof_setting *a, struct error *error)
 {
     return fail(error, ERROR_DOMAIN,
-                "focal length %.15g mm, f-number %.15g, circle of confusion %.15g mm, distance "
-                "%.15g mm, pupil magnification %.15g: the result is outside the range of numbers "
+                "{focal length} %.15g mm, {f-number} %.15g, {circle of confusion} %.15g mm, "
+                "{distance} %.15g mm, {pupil magnification} %.15g: the result is outside the range "
+                "of numbers "
                 "(1e-308 to 1e308)",
                 a->f, a->N, a->c, a->s, a->P);
 }

@@ -19,26 +19,26 @@ static bool check_range(const struct dof_setting *a, double near, double far, do
     }
     if (!(near > a->f)) {
         return fail(error, ERROR_DOMAIN,
-                    "near limit %.15g mm lies within the focal length %.15g mm: no real image",
+                    "{near limit} %.15g mm lies within {the focal length} %.15g mm: no real image",
                     near, a->f);
     }
     if (!(near < far)) {
         return fail(error, ERROR_DOMAIN,
-                    "near limit %.15g mm must lie before the far limit %.15g mm", near, far);
+                    "{near limit} %.15g mm must lie before {the far limit} %.15g mm", near, far);
     }
     if (!(overlap >= 0 && overlap <= 0.95)) {
-        return fail(error, ERROR_DOMAIN, "overlap %.15g must be 0 to 0.95", overlap);
+        return fail(error, ERROR_DOMAIN, "{overlap} %.15g must be 0 to 0.95", overlap);
     }
     double h = a->N * a->c / a->f / a->P;
     if (!(h > 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "circle of confusion %.15g mm must be above 0 mm: without blur no number of "
+                    "{circle of confusion} %.15g mm must be above 0 mm: without blur no number of "
                     "shots is enough",
                     a->c);
     }
     if (!(h < 1)) {
         return fail(error, ERROR_DOMAIN,
-                    "circle of confusion %.15g mm must be below the pupil's %.15g mm: any focus "
+                    "{circle of confusion} %.15g mm must be below the pupil's %.15g mm: any focus "
                     "covers everything",
                     a->c, a->f * a->P / a->N);
     }

@@ -48,16 +48,18 @@ static double focal_from_hyperfocal(double H, double Nc)
 static bool join_limits(struct problem *p, struct error *error)
 {
     if (problem_has(p, NEAR | FAR | TOTAL)) {
-        return fail(error, ERROR_USAGE, "--near, --far, --dof: give two of them, not three");
+        return fail(error, ERROR_USAGE,
+                    "{near limit}, {far limit}, {depth of field}: give two of them, not three");
     }
     if (problem_has(p, NEAR | TOTAL)) {
         p->t.far = p->t.near + p->t.total;
     } else if (problem_has(p, FAR | TOTAL)) {
         p->t.near = p->t.far - p->t.total;
         if (!(p->t.near > 0)) {
-            return fail(error, ERROR_DOMAIN,
-                        "depth of field %.15g mm must be below the far limit %.15g mm, both finite",
-                        p->t.total, p->t.far);
+            return fail(
+                error, ERROR_DOMAIN,
+                "{depth of field} %.15g mm must be below {the far limit} %.15g mm, both finite",
+                p->t.total, p->t.far);
         }
     } else {
         return true;
@@ -116,7 +118,8 @@ static bool solve_pair(struct problem *p, struct error *error)
     struct pair x = pair_of(p->a.f, p->a.P, p->t.near, p->t.far);
     if (!(x.m < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
-                    "limits %.15g mm and %.15g mm are too near for the focal length %.15g mm: no "
+                    "{near limit} %.15g mm and {far limit} %.15g mm are too near for {the focal "
+                    "length} %.15g mm: no "
                     "real image between them",
                     p->t.near, p->t.far, p->a.f);
     }
@@ -146,14 +149,15 @@ static bool solve_distance(struct problem *p, struct error *error)
 {
     double m = magnification_for(p), f = p->a.f;
     if (!(m >= 0 && m < INFINITY)) {
-        return fail(error, ERROR_DOMAIN,
-                    "near limit %.15g mm must lie between the focal length %.15g mm and %.15g mm, "
-                    "where it lies with the lens at infinity",
-                    p->t.near, f, f - f / p->a.P + f / (p->a.N * p->a.c / f));
+        return fail(
+            error, ERROR_DOMAIN,
+            "{near limit} %.15g mm must lie between {the focal length} %.15g mm and %.15g mm, "
+            "where it lies with the lens at infinity",
+            p->t.near, f, f - f / p->a.P + f / (p->a.N * p->a.c / f));
     }
     if (!(m > 0) && !problem_has(p, NEAR)) {
         return fail(error, ERROR_DOMAIN,
-                    "circle of confusion %.15g mm must be above 0 mm: it gives no depth of field",
+                    "{circle of confusion} %.15g mm must be above 0 mm: it gives no depth of field",
                     p->a.c);
     }
     set_magnification(p, m);
@@ -177,9 +181,10 @@ static double blur_for(const struct problem *p)
 static bool solve_blur(struct problem *p, struct error *error)
 {
     if (!(p->a.s < INFINITY) && !problem_has(p, NEAR)) {
-        return fail(error, ERROR_DOMAIN,
-                    "distance inf has no far limit and no finite depth: it must be finite, or give "
-                    "--near");
+        return fail(
+            error, ERROR_DOMAIN,
+            "{distance} inf has no far limit and no finite depth: it must be finite, or give "
+            "{near limit}");
     }
     set_product(p, blur_for(p) * p->a.f);
     settle(p, 0, NEAR | FAR | TOTAL);
@@ -439,7 +444,7 @@ static bool verify(const struct problem *p, struct error *error)
     }
     return fail(error, ERROR_DOMAIN,
                 "no setting meets all of these: the nearest, %.15g mm f/%.15g at %.15g mm with "
-                "circle of confusion %.15g mm, is sharp from %.15g mm to %.15g mm",
+                "{circle of confusion} %.15g mm, is sharp from %.15g mm to %.15g mm",
                 p->a.f, p->a.N, p->a.s, p->a.c, d.near, d.far);
 }
 

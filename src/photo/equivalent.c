@@ -52,19 +52,20 @@ bool equivalent_ratio(const struct equivalent_format *from, const struct equival
 
 static bool check_setting(const struct equivalent_setting *s, double k, struct error *error)
 {
-    if (!check_positive("--focal-length", " mm", s->f, error) ||
-        !check_positive("--aperture", "", s->N, error) ||
-        !check_positive("--pupil", "", s->P, error) ||
-        !check_positive("--iso", "", s->iso, error) ||
+    if (!check_positive("focal length", " mm", s->f, error) ||
+        !check_positive("f-number", "", s->N, error) ||
+        !check_positive("pupil magnification", "", s->P, error) ||
+        !check_positive("ISO speed", "", s->iso, error) ||
         !check_positive("size ratio of the formats", "", k, error)) {
         return false;
     }
     if (!(s->m >= 0 && isfinite(s->m))) {
-        return fail(error, ERROR_DOMAIN, "--magnification %g is out of range (0 or more, finite)",
+        return fail(error, ERROR_DOMAIN, "{magnification} %g is out of range (0 or more, finite)",
                     s->m);
     }
     if (!(s->c >= 0 && isfinite(s->c))) {
-        return fail(error, ERROR_DOMAIN, "--coc %g mm is out of range (0 or more, finite)", s->c);
+        return fail(error, ERROR_DOMAIN,
+                    "{circle of confusion} %g mm is out of range (0 or more, finite)", s->c);
     }
     return true;
 }

@@ -13,6 +13,10 @@ static const double log2_of_3_125 = 1.6438561897747246957; /* ISO 3.125 is Sv 0 
 /* Twice what any light on Earth spans; beyond it exp2 soon leaves the doubles. */
 static const double ev_limit = 100;
 
+/* What the light may be given as, in a message. */
+#define ANY_LIGHT                                                                                  \
+    "{exposure value at ISO 100}, {exposure value at the ISO speed}, {luminance} or {illuminance}"
+
 static double or_else(double value, double otherwise)
 {
     return is_given(value) ? value : otherwise;
@@ -28,15 +32,18 @@ static void fill_defaults(struct exposure_given *g)
 
 static bool check_ranges(const struct exposure_given *g, struct error *error)
 {
-    const struct given positive[] = {
-        {"--aperture", "", g->N},         {"--time", " s", g->t},         {"--iso", "", g->S},
-        {"--luminance", " cd/m^2", g->L}, {"--illuminance", " lx", g->E}, {"--meter-k", "", g->K},
-        {"--meter-c", "", g->C}};
+    const struct given positive[] = {{"f-number", "", g->N},        {"exposure time", " s", g->t},
+                                     {"ISO speed", "", g->S},       {"luminance", " cd/m^2", g->L},
+                                     {"illuminance", " lx", g->E},  {"meter constant K", "", g->K},
+                                     {"meter constant C", "", g->C}};
     return given_positive(positive, sizeof positive / sizeof *positive, error) &&
-           require_within("--ev", "", or_else(g->ev100, 0), -ev_limit, ev_limit, error) &&
-           require_within("--ev-at-iso", "", or_else(g->ev, 0), -ev_limit, ev_limit, error) &&
-           require_within("--loss", " stops", g->loss, 0, 200, error) &&
-           require_within("--compensation", " stops", g->compensation, -ev_limit, ev_limit, error);
+           require_within("exposure value at ISO 100", "", or_else(g->ev100, 0), -ev_limit,
+                          ev_limit, error) &&
+           require_within("exposure value at the ISO speed", "", or_else(g->ev, 0), -ev_limit,
+                          ev_limit, error) &&
+           require_within("loss of light", " stops", g->loss, 0, 200, error) &&
+           require_within("exposure compensation", " stops", g->compensation, -ev_limit, ev_limit,
+                          error);
 }
 
 static bool count_lights(const struct exposure_given *g, int *lights, struct error *error)
@@ -44,7 +51,8 @@ static bool count_lights(const struct exposure_given *g, int *lights, struct err
     *lights = is_given(g->ev100) + is_given(g->ev) + is_given(g->L) + is_given(g->E);
     if (*lights > 1) {
         return fail(error, ERROR_USAGE,
-                    "give only one of --ev, --ev-at-iso, --luminance and --illuminance");
+                    "give only one of {exposure value at ISO 100}, {exposure value at the ISO "
+                    "speed}, {luminance} and {illuminance}");
     }
     return true;
 }
@@ -85,17 +93,15 @@ static double light_ratio(const struct exposure_given *g)
 
 static bool fail_count(int missing, struct error *error)
 {
-    const char *light = "a light (--ev, --ev-at-iso, --luminance or --illuminance)";
     if (missing == 0) {
         return fail(error, ERROR_USAGE,
-                    "nothing is left to solve for: leave out one of --aperture, --time, --iso and "
-                    "%s",
-                    light);
+                    "nothing is left to solve for: leave out one of {f-number}, {exposure time}, "
+                    "{ISO speed} and "
+                    "a light (" ANY_LIGHT ")");
     }
     return fail(error, ERROR_USAGE,
-                "too little is given: of --aperture, --time and %s two are needed (--iso is 100 "
-                "unless given)",
-                light);
+                "too little is given: of {f-number}, {exposure time} and a light (" ANY_LIGHT
+                ") two are needed ({ISO speed} is 100 unless given)");
 }
 
 /* Find the one unknown; a missing speed is either that or assumed. */
@@ -112,7 +118,8 @@ static bool find_unknown(struct exposure_given *g, struct exposure *x, struct er
     }
     if (missing == 0 && is_given(g->ev)) {
         return fail(error, ERROR_USAGE,
-                    "--ev-at-iso with --aperture and --time leaves --iso open: give --ev (the "
+                    "{exposure value at the ISO speed} with {f-number} and {exposure time} leaves "
+                    "{ISO speed} open: give {exposure value at ISO 100} (the "
                     "light at ISO 100) to solve for the speed");
     }
     x->unknown = missing == 0      ? EXPOSURE_S
@@ -182,13 +189,12 @@ bool exposure_deviation(const struct exposure_given *given, double *stops, struc
     fill_defaults(&g);
     g.S = or_else(g.S, 100);
     if (!check_ranges(&g, error) || !count_lights(&g, &lights, error) ||
-        !require_positive("--aperture", "", g.N, error) ||
-        !require_positive("--time", " s", g.t, error)) {
+        !require_positive("f-number", "", g.N, error) ||
+        !require_positive("exposure time", " s", g.t, error)) {
         return false;
     }
     if (lights == 0) {
-        return fail(error, ERROR_USAGE,
-                    "give the light: --ev, --ev-at-iso, --luminance or --illuminance");
+        return fail(error, ERROR_USAGE, "give the light: " ANY_LIGHT);
     }
     double ev = light_ev100(&g) + (log2(g.S) - log2_of_100);
     *stops = ev - g.loss - g.compensation - log2(g.N * g.N / g.t);
@@ -197,9 +203,9 @@ bool exposure_deviation(const struct exposure_given *given, double *stops, struc
 
 static bool check_setting(const struct camera_setting *setting, struct error *error)
 {
-    return require_positive("--aperture", "", setting->N, error) &&
-           require_positive("--time", " s", setting->t, error) &&
-           require_positive("--iso", "", setting->S, error);
+    return require_positive("f-number", "", setting->N, error) &&
+           require_positive("exposure time", " s", setting->t, error) &&
+           require_positive("ISO speed", "", setting->S, error);
 }
 
 bool exposure_stops(const struct camera_setting *from, const struct camera_setting *to,
@@ -215,9 +221,9 @@ bool exposure_stops(const struct camera_setting *from, const struct camera_setti
 bool exposure_equivalent(double ev_set, double N, int per_stop, struct equivalent_exposure *line,
                          struct error *error)
 {
-    if (!require_within("--ev", "", ev_set, -ev_limit, ev_limit, error) ||
-        !require_positive("--aperture", "", N, error) ||
-        !require_within("--stops", " steps a stop", per_stop, 1, 12, error)) {
+    if (!require_within("exposure value at ISO 100", "", ev_set, -ev_limit, ev_limit, error) ||
+        !require_positive("f-number", "", N, error) ||
+        !require_within("steps of the series", " steps a stop", per_stop, 1, 12, error)) {
         return false;
     }
     double Tv = ev_set - 2 * log2(N);
@@ -232,7 +238,7 @@ bool exposure_equivalent(double ev_set, double N, int per_stop, struct equivalen
 
 bool exposure_rule_ev100(double N, double *ev100, struct error *error)
 {
-    if (!require_positive("--aperture", "", N, error)) {
+    if (!require_positive("f-number", "", N, error)) {
         return false;
     }
     *ev100 = log2_of_100 + 2 * log2(N);

@@ -9,16 +9,17 @@
 static bool check_setting(const struct flash_setting *s, struct error *error)
 {
     const struct given numbers[] = {
-        {"--guide-number", " mm", s->GN}, {"--aperture", "", s->N},
-        {"--distance", " mm", s->d},      {"--iso", "", s->S},
-        {"--power", "", s->power},        {"--flashes", "", s->flashes}};
+        {"guide number", " mm", s->GN}, {"f-number", "", s->N},
+        {"distance", " mm", s->d},      {"ISO speed", "", s->S},
+        {"flash power", "", s->power},  {"number of flashes", "", s->flashes}};
     if (!given_positive(numbers, 6, error)) {
         return false;
     }
     if (s->power > 1) {
-        return fail(error, ERROR_DOMAIN, "--power %.10g must lie above 0 and up to 1", s->power);
+        return fail(error, ERROR_DOMAIN, "{flash power} %.10g must lie above 0 and up to 1",
+                    s->power);
     }
-    return require_within("--loss", " stops", s->loss, 0, 100, error);
+    return require_within("loss of light", " stops", s->loss, 0, 100, error);
 }
 
 static void assume(double *value, double usual)
@@ -34,7 +35,7 @@ static bool find_unknown(struct flash_setting *s, enum flash_unknown *unknown, s
     int missing = !is_given(s->GN) + !is_given(s->N) + !is_given(s->d);
     if (missing > 1) {
         return fail(error, ERROR_USAGE,
-                    "too little is given: of --guide-number, --aperture and --distance two are "
+                    "too little is given: of {guide number}, {f-number} and {distance} two are "
                     "needed");
     }
     if (missing == 1) {
@@ -48,8 +49,8 @@ static bool find_unknown(struct flash_setting *s, enum flash_unknown *unknown, s
         *unknown = FLASH_FLASHES;
     } else {
         return fail(error, ERROR_USAGE,
-                    "nothing is left to solve for: leave out one of --guide-number, --aperture, "
-                    "--distance, --power, --iso and --flashes");
+                    "nothing is left to solve for: leave out one of {guide number}, {f-number}, "
+                    "{distance}, {flash power}, {ISO speed} and {number of flashes}");
     }
     if (*unknown != FLASH_S) {
         assume(&s->S, 100);
@@ -111,10 +112,10 @@ bool flash_sum(const double *GN, int count, double *sum, struct error *error)
 {
     double squares = 0;
     if (count < 1) {
-        return fail(error, ERROR_USAGE, "--guide-number is missing");
+        return fail(error, ERROR_USAGE, "{guide number} is missing");
     }
     for (int i = 0; i < count; i++) {
-        if (!require_positive("--guide-number", " mm", GN[i], error)) {
+        if (!require_positive("guide number", " mm", GN[i], error)) {
             return false;
         }
         squares += GN[i] * GN[i];
@@ -127,11 +128,11 @@ bool flash_bounce(double along, double flash_gap, double subject_gap, double *d,
                   struct error *error)
 {
     if (!(along >= 0 && isfinite(along))) {
-        return fail(error, ERROR_DOMAIN, "--distance %.10g mm must be 0 or above and finite",
+        return fail(error, ERROR_DOMAIN, "{distance} %.10g mm must be 0 or above and finite",
                     along);
     }
-    if (!require_positive("--ceiling", " mm", flash_gap, error) ||
-        !require_positive("--ceiling-subject", " mm", subject_gap, error)) {
+    if (!require_positive("ceiling over the flash", " mm", flash_gap, error) ||
+        !require_positive("ceiling over the subject", " mm", subject_gap, error)) {
         return false;
     }
     *d = hypot(along, flash_gap + subject_gap);
@@ -140,8 +141,8 @@ bool flash_bounce(double along, double flash_gap, double subject_gap, double *d,
 
 bool flash_falloff(double near, double far, double *stops, struct error *error)
 {
-    if (!require_positive("--near", " mm", near, error) ||
-        !require_positive("--far", " mm", far, error)) {
+    if (!require_positive("nearest point", " mm", near, error) ||
+        !require_positive("farthest point", " mm", far, error)) {
         return false;
     }
     *stops = 2 * log2(far / near);
@@ -150,7 +151,7 @@ bool flash_falloff(double near, double far, double *stops, struct error *error)
 
 bool lighting_ratio(double stops, double *ratio, struct error *error)
 {
-    if (!require_within("--key-to-fill", " stops", stops, -100, 100, error)) {
+    if (!require_within("key to fill", " stops", stops, -100, 100, error)) {
         return false;
     }
     *ratio = exp2(stops) + 1;
@@ -160,7 +161,8 @@ bool lighting_ratio(double stops, double *ratio, struct error *error)
 bool lighting_stops(double ratio, double *stops, struct error *error)
 {
     if (!(ratio > 1 && isfinite(ratio))) {
-        return fail(error, ERROR_DOMAIN, "--ratio %.10g must be above 1 and finite", ratio);
+        return fail(error, ERROR_DOMAIN, "{lighting ratio} %.10g must be above 1 and finite",
+                    ratio);
     }
     *stops = log2(ratio - 1);
     return true;
@@ -170,14 +172,14 @@ bool lighting_stops(double ratio, double *stops, struct error *error)
 static bool check_ambient(const struct flash_ambient *light, struct error *error)
 {
     const struct flash_setting *s = &light->flash;
-    return check_setting(s, error) && require_positive("--guide-number", " mm", s->GN, error) &&
-           require_positive("--aperture", "", s->N, error) &&
-           require_positive("--distance", " mm", s->d, error) &&
-           require_positive("--iso", "", s->S, error) &&
-           require_positive("--power", "", s->power, error) &&
-           require_positive("--flashes", "", s->flashes, error) &&
-           require_positive("--time", " s", light->t, error) &&
-           require_within("--ev", "", light->ev100, -100, 100, error);
+    return check_setting(s, error) && require_positive("guide number", " mm", s->GN, error) &&
+           require_positive("f-number", "", s->N, error) &&
+           require_positive("distance", " mm", s->d, error) &&
+           require_positive("ISO speed", "", s->S, error) &&
+           require_positive("flash power", "", s->power, error) &&
+           require_positive("number of flashes", "", s->flashes, error) &&
+           require_positive("exposure time", " s", light->t, error) &&
+           require_within("exposure value at ISO 100", "", light->ev100, -100, 100, error);
 }
 
 static bool check_sync(double t, double sync, struct error *error)
@@ -185,12 +187,12 @@ static bool check_sync(double t, double sync, struct error *error)
     if (!is_given(sync)) {
         return true;
     }
-    if (!require_positive("--sync", " s", sync, error)) {
+    if (!require_positive("flash sync time", " s", sync, error)) {
         return false;
     }
     if (!(t >= sync)) {
-        return fail(error, ERROR_DOMAIN, "--time %.6g s is shorter than the flash sync time %.6g s",
-                    t, sync);
+        return fail(error, ERROR_DOMAIN,
+                    "{exposure time} %.6g s is shorter than {the flash sync time} %.6g s", t, sync);
     }
     return true;
 }

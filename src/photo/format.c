@@ -35,7 +35,7 @@ static bool coc_length(const struct coc *coc, const struct sensor *sensor, doubl
     *c = coc->value;
     if (!(coc->value >= 0 && coc->value < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
-                    "circle of confusion %.15g mm must be 0 mm or more and finite", coc->value);
+                    "{circle of confusion} %.15g mm must be 0 mm or more and finite", coc->value);
     }
     return true;
 }
@@ -53,8 +53,8 @@ static bool coc_pixels(const struct coc *coc, const struct sensor *sensor, doubl
     *c = coc->value * sensor->pitch;
     if (isnan(sensor->pitch)) {
         return fail(error, ERROR_DOMAIN,
-                    "a circle of confusion in pixels needs the pixel pitch: give --pitch, or a "
-                    "camera with a known one as --sensor");
+                    "a circle of confusion in pixels needs the pixel pitch: give {pixel pitch}, or "
+                    "a camera with a known one as {sensor}");
     }
     return check_positive("circle of confusion", " pixels", coc->value, error);
 }

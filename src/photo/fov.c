@@ -109,8 +109,8 @@ static bool check_setting(const struct fov_setting *a, struct error *error)
     }
     if (!(a->s > a->f)) {
         return fail(error, ERROR_DOMAIN,
-                    "distance %.15g mm lies within the focal length %.15g mm: no real image", a->s,
-                    a->f);
+                    "{distance} %.15g mm lies within {the focal length} %.15g mm: no real image",
+                    a->s, a->f);
     }
     return true;
 }
@@ -163,7 +163,7 @@ bool fov_focal_length(const struct fov_setting *setting, double dimension, doubl
         return false;
     }
     if (!(s > 0)) {
-        return fail(error, ERROR_DOMAIN, "distance %.15g mm must be above 0 mm", s);
+        return fail(error, ERROR_DOMAIN, "{distance} %.15g mm must be above 0 mm", s);
     }
     double scale = dimension / 2 / rules[setting->projection].height(angle / 2);
     if (s < INFINITY) {
@@ -201,8 +201,7 @@ static bool solve_goal(const struct fov_setting *a, const struct goal *goal, dou
     }
     if (a->projection != RECTILINEAR || !(a->s < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
-                    "a wanted field needs a rectilinear lens and a finite "
-                    "--distance");
+                    "a wanted field needs a rectilinear lens and a finite {distance}");
     }
     return fov_focal_length_for_field(goal->dimension, goal->wanted, a->s, f, error);
 }
@@ -231,8 +230,9 @@ bool fov_solve(const struct fov_setting *setting, const struct sensor *sensor,
     }
     if (count + !isnan(setting->f) != 1) {
         return fail(error, ERROR_USAGE,
-                    "give exactly one of --focal-length, --horizontal, --vertical, --diagonal, "
-                    "--field-width, --field-height, --field-diagonal");
+                    "give exactly one of {focal length}, {horizontal angle of view}, {vertical "
+                    "angle of view}, {diagonal angle of view}, "
+                    "{width of the field}, {height of the field}, {diagonal of the field}");
     }
     *f = setting->f;
     return found == NULL || solve_goal(setting, found, f, error);

@@ -23,16 +23,16 @@ static bool is_positive(double value)
     return value > 0 && isfinite(value);
 }
 
-bool check_positive(const char *option, const char *unit, double value, struct error *error)
+bool check_positive(const char *name, const char *unit, double value, struct error *error)
 {
     return is_positive(value) ||
-           fail(error, ERROR_DOMAIN, "%s %.10g%s must be above 0 and finite", option, value, unit);
+           fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be above 0 and finite", name, value, unit);
 }
 
-bool check_not_negative(const char *option, const char *unit, double value, struct error *error)
+bool check_not_negative(const char *name, const char *unit, double value, struct error *error)
 {
     return (value >= 0 && isfinite(value)) ||
-           fail(error, ERROR_DOMAIN, "%s %.10g%s must be 0 or more and finite", option, value,
+           fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be 0 or more and finite", name, value,
                 unit);
 }
 
@@ -41,29 +41,29 @@ bool given_positive(const struct given *numbers, int count, struct error *error)
     for (int i = 0; i < count; i++) {
         const struct given *number = &numbers[i];
         if (is_given(number->value) &&
-            !check_positive(number->option, number->unit, number->value, error)) {
+            !check_positive(number->name, number->unit, number->value, error)) {
             return false;
         }
     }
     return true;
 }
 
-bool require_positive(const char *option, const char *unit, double value, struct error *error)
+bool require_positive(const char *name, const char *unit, double value, struct error *error)
 {
     if (!is_given(value)) {
-        return fail(error, ERROR_USAGE, "%s is missing", option);
+        return fail(error, ERROR_USAGE, "{%s} is missing", name);
     }
-    return check_positive(option, unit, value, error);
+    return check_positive(name, unit, value, error);
 }
 
-bool require_within(const char *option, const char *unit, double value, double low, double high,
+bool require_within(const char *name, const char *unit, double value, double low, double high,
                     struct error *error)
 {
     if (!is_given(value)) {
-        return fail(error, ERROR_USAGE, "%s is missing", option);
+        return fail(error, ERROR_USAGE, "{%s} is missing", name);
     }
     if (!(value >= low && value <= high)) {
-        return fail(error, ERROR_DOMAIN, "%s %.10g%s lies outside %.10g to %.10g%s", option, value,
+        return fail(error, ERROR_DOMAIN, "{%s} %.10g%s lies outside %.10g to %.10g%s", name, value,
                     unit, low, high, unit);
     }
     return true;

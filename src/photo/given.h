@@ -5,11 +5,11 @@
 
 #include "base/error.h"
 
-/* A number with the option it came from and the unit a message shows it in. */
+/* A number with the name of the quantity and the unit a message shows it in. */
 struct given {
-    const char *option; /* "--time" */
-    const char *unit;   /* " s", with its blank; "" for a pure number */
-    double value;       /* NaN: not given */
+    const char *name; /* "exposure time" */
+    const char *unit; /* " s", with its blank; "" for a pure number */
+    double value;     /* NaN: not given */
 };
 
 /* Was it given? */
@@ -22,15 +22,15 @@ int given_missing(const struct given *numbers, int count);
 bool given_positive(const struct given *numbers, int count, struct error *error);
 
 /* The number is above 0, or not below it, and finite; ERROR_DOMAIN if not, also for NaN. */
-bool check_positive(const char *option, const char *unit, double value, struct error *error);
-bool check_not_negative(const char *option, const char *unit, double value, struct error *error);
+bool check_positive(const char *name, const char *unit, double value, struct error *error);
+bool check_not_negative(const char *name, const char *unit, double value, struct error *error);
 
 /* The number is given (else ERROR_USAGE), above 0 and finite (else ERROR_DOMAIN). */
-bool require_positive(const char *option, const char *unit, double value, struct error *error);
+bool require_positive(const char *name, const char *unit, double value, struct error *error);
 
 /* The number is given (else ERROR_USAGE) and within low..high, both included (else ERROR_DOMAIN).
  */
-bool require_within(const char *option, const char *unit, double value, double low, double high,
+bool require_within(const char *name, const char *unit, double value, double low, double high,
                     struct error *error);
 
 /* The answer is a finite number above 0; else ERROR_DOMAIN says that `what` left that range. */

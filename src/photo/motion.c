@@ -11,7 +11,8 @@
 static bool check_angle(double angle, struct error *error)
 {
     if (!(angle >= 0 && angle <= PI)) {
-        return fail(error, ERROR_DOMAIN, "--angle %.10g deg lies outside 0 to 180 deg",
+        return fail(error, ERROR_DOMAIN,
+                    "{angle of the motion} %.10g deg lies outside 0 to 180 deg",
                     angle * DEGREES_PER_RADIAN);
     }
     return true;
@@ -19,12 +20,12 @@ static bool check_angle(double angle, struct error *error)
 
 bool motion_magnification(double f, double s, double *m, struct error *error)
 {
-    if (!require_positive("--focal-length", " mm", f, error)) {
+    if (!require_positive("focal length", " mm", f, error)) {
         return false;
     }
     if (!(s > f)) {
         return fail(error, ERROR_DOMAIN,
-                    "--distance %.10g mm lies within the focal length %.10g mm: no real image", s,
+                    "{distance} %.10g mm lies within {the focal length} %.10g mm: no real image", s,
                     f);
     }
     *m = f / (s - f);
@@ -50,8 +51,8 @@ static bool blur_of(struct motion *motion, struct error *error)
     double path = motion->v * motion->t;
     if (!(path * rate.depth < 1)) {
         return fail(error, ERROR_DOMAIN,
-                    "--time %.10g s is too long: the subject reaches the lens in %.6g s", motion->t,
-                    1 / (motion->v * rate.depth));
+                    "{exposure time} %.10g s is too long: the subject reaches the lens in %.6g s",
+                    motion->t, 1 / (motion->v * rate.depth));
     }
     motion->blur = fabs(path * rate.across / (1 - path * rate.depth));
     return true;
@@ -71,8 +72,7 @@ static bool magnification_of(struct motion *motion, struct error *error)
     double depth = find_rate(motion).depth;
     if (fabs(motion->h) > 0) {
         return fail(error, ERROR_USAGE,
-                    "--magnification is solved for on the axis only: leave "
-                    "--height out");
+                    "{magnification} is solved for on the axis only: leave {image height} out");
     }
     motion->m = motion->blur * (1 - path * depth) / (path * sin(motion->angle));
     return answer_positive("the magnification", motion->m, error);
@@ -80,19 +80,19 @@ static bool magnification_of(struct motion *motion, struct error *error)
 
 static bool check_motion(const struct motion *motion, struct error *error)
 {
-    const struct given numbers[] = {{"--speed", " mm/s", motion->v},
-                                    {"--time", " s", motion->t},
-                                    {"--magnification", "", motion->m},
-                                    {"--blur", " mm", motion->blur}};
+    const struct given numbers[] = {{"speed", " mm/s", motion->v},
+                                    {"exposure time", " s", motion->t},
+                                    {"magnification", "", motion->m},
+                                    {"blur", " mm", motion->blur}};
     if (given_missing(numbers, 4) != 1) {
         return fail(error, ERROR_USAGE,
-                    "give exactly three of --speed, --time, --magnification and --blur");
+                    "give exactly three of {speed}, {exposure time}, {magnification} and {blur}");
     }
     if (is_given(motion->s) && !(motion->s > 0)) {
-        return fail(error, ERROR_DOMAIN, "--distance %.10g mm must be above 0", motion->s);
+        return fail(error, ERROR_DOMAIN, "{distance} %.10g mm must be above 0", motion->s);
     }
     if (!isfinite(motion->h)) {
-        return fail(error, ERROR_DOMAIN, "--height %.10g mm must be finite", motion->h);
+        return fail(error, ERROR_DOMAIN, "{image height} %.10g mm must be finite", motion->h);
     }
     return given_positive(numbers, 4, error) && check_angle(motion->angle, error);
 }
@@ -115,7 +115,8 @@ bool motion_solve(struct motion *motion, struct error *error)
     }
     motion->v = path / motion->t;
     if (!isfinite(motion->v)) {
-        return fail(error, ERROR_DOMAIN, "no speed blurs by --blur %.10g mm at --angle %.6g deg",
+        return fail(error, ERROR_DOMAIN,
+                    "no speed makes {the blur} %.10g mm at {the angle of the motion} %.6g deg",
                     motion->blur, motion->angle * DEGREES_PER_RADIAN);
     }
     return answer_positive("the speed", motion->v, error);
@@ -123,19 +124,19 @@ bool motion_solve(struct motion *motion, struct error *error)
 
 bool shake_solve(struct shake *shake, struct error *error)
 {
-    const struct given numbers[] = {{"--focal-length", " mm", shake->f},
-                                    {"--rotation", " rad/s", shake->omega},
-                                    {"--time", " s", shake->t},
-                                    {"--blur", " mm", shake->blur}};
+    const struct given numbers[] = {{"focal length", " mm", shake->f},
+                                    {"rotation", " rad/s", shake->omega},
+                                    {"exposure time", " s", shake->t},
+                                    {"blur", " mm", shake->blur}};
     if (given_missing(numbers, 4) != 1) {
         return fail(error, ERROR_USAGE,
-                    "give exactly three of --focal-length, --rotation, --time and --blur");
+                    "give exactly three of {focal length}, {rotation}, {exposure time} and {blur}");
     }
     if (!given_positive(numbers, 4, error)) {
         return false;
     }
     if (!(shake->m >= 0 && isfinite(shake->m))) {
-        return fail(error, ERROR_DOMAIN, "--magnification %.10g must be 0 or above and finite",
+        return fail(error, ERROR_DOMAIN, "{magnification} %.10g must be 0 or above and finite",
                     shake->m);
     }
     double *unknown = &shake->blur;
@@ -157,7 +158,8 @@ bool shake_solve(struct shake *shake, struct error *error)
 
 bool blur_measure(double blur, double pitch, double c, struct blur_size *size, struct error *error)
 {
-    const struct given numbers[] = {{"--pixel", " mm", pitch}, {"--coc", " mm", c}};
+    const struct given numbers[] = {{"pixel pitch", " mm", pitch},
+                                    {"circle of confusion", " mm", c}};
     if (!given_positive(numbers, 2, error)) {
         return false;
     }
@@ -169,13 +171,13 @@ bool blur_measure(double blur, double pitch, double c, struct blur_size *size, s
 bool panning_solve(const struct panning *pan, struct panning_blur *blur, struct error *error)
 {
     double m = 0;
-    if (!require_positive("--speed", " mm/s", pan->v, error) ||
-        !require_positive("--time", " s", pan->t, error) || !check_angle(pan->angle, error) ||
-        !motion_magnification(pan->f, pan->s, &m, error)) {
+    if (!require_positive("speed", " mm/s", pan->v, error) ||
+        !require_positive("exposure time", " s", pan->t, error) ||
+        !check_angle(pan->angle, error) || !motion_magnification(pan->f, pan->s, &m, error)) {
         return false;
     }
     if (!(pan->track >= 0 && isfinite(pan->track))) {
-        return fail(error, ERROR_DOMAIN, "--track %.10g must be 0 or above and finite", pan->track);
+        return fail(error, ERROR_DOMAIN, "{track} %.10g must be 0 or above and finite", pan->track);
     }
     double across = pan->v * sin(pan->angle);
     blur->rate = across / pan->s;
@@ -186,9 +188,9 @@ bool panning_solve(const struct panning *pan, struct panning_blur *blur, struct 
 
 bool handheld_time(double f, double crop, double stops, double *t, struct error *error)
 {
-    if (!require_positive("--focal-length", " mm", f, error) ||
-        !require_positive("--crop", "", crop, error) ||
-        !require_within("--stabiliser", " stops", stops, 0, 20, error)) {
+    if (!require_positive("focal length", " mm", f, error) ||
+        !require_positive("crop factor", "", crop, error) ||
+        !require_within("stabiliser", " stops", stops, 0, 20, error)) {
         return false;
     }
     *t = exp2(stops) / (crop * f);
@@ -199,11 +201,11 @@ bool rolling_shutter(double speed, double readout, double height, struct rolling
                      struct error *error)
 {
     if (!(speed >= 0 && isfinite(speed))) {
-        return fail(error, ERROR_DOMAIN, "--image-speed %.10g mm/s must be 0 or above and finite",
-                    speed);
+        return fail(error, ERROR_DOMAIN,
+                    "speed of the image %.10g mm/s must be 0 or above and finite", speed);
     }
-    if (!require_positive("--readout", " s", readout, error) ||
-        !require_positive("--height", " mm", height, error)) {
+    if (!require_positive("readout time", " s", readout, error) ||
+        !require_positive("height of the sensor", " mm", height, error)) {
         return false;
     }
     skew->shift = speed * readout;

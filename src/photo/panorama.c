@@ -15,11 +15,10 @@ static double degrees_from_radians(double angle)
 }
 
 /* Above 0 (or from 0 on) up to `most`, with the slack of degrees turned into radians. */
-static bool check_angle(double angle, bool zero, double most, const char *option,
-                        struct error *error)
+static bool check_angle(double angle, bool zero, double most, const char *name, struct error *error)
 {
     if (!((angle > 0 || (zero && angle >= 0)) && angle <= most * (1 + 1e-12))) {
-        return fail(error, ERROR_DOMAIN, "%s %g degrees is out of range (%s 0, up to %g)", option,
+        return fail(error, ERROR_DOMAIN, "{%s} %g degrees is out of range (%s 0, up to %g)", name,
                     degrees_from_radians(angle), zero ? "from" : "above",
                     degrees_from_radians(most));
     }
@@ -39,8 +38,8 @@ static bool check_flat(const struct panorama_frame *frame, struct error *error)
 
 static bool check_lens(double m, double P, struct error *error)
 {
-    return check_not_negative("--magnification", "", m, error) &&
-           check_positive("--pupil", "", P, error);
+    return check_not_negative("magnification", "", m, error) &&
+           check_positive("pupil magnification", "", P, error);
 }
 
 static bool is_closed(double arc)
@@ -51,7 +50,7 @@ static bool is_closed(double arc)
 bool panorama_frame(const struct panorama_lens *lens, double width, double height,
                     struct panorama_frame *frame, struct error *error)
 {
-    if (!check_positive("--focal-length", " mm", lens->f, error) ||
+    if (!check_positive("focal length", " mm", lens->f, error) ||
         !check_lens(lens->m, lens->P, error) ||
         !check_positive("sensor width", " mm", width, error) ||
         !check_positive("sensor height", " mm", height, error)) {
@@ -100,12 +99,12 @@ static bool check_goal(const struct panorama_frame *frame, const struct panorama
 {
     if (!check_angle(frame->horizontal, false, 2 * PI, "horizontal angle of view", error) ||
         !check_angle(frame->vertical, false, 2 * PI, "vertical angle of view", error) ||
-        !check_angle(goal->arc, false, 2 * PI, "--arc", error) ||
-        !check_angle(goal->span, true, PI, "--span", error)) {
+        !check_angle(goal->arc, false, 2 * PI, "arc", error) ||
+        !check_angle(goal->span, true, PI, "span", error)) {
         return false;
     }
     if (!(goal->overlap >= 0 && goal->overlap < 1)) {
-        return fail(error, ERROR_DOMAIN, "--overlap %g is out of range (0 up to below 1)",
+        return fail(error, ERROR_DOMAIN, "{overlap} %g is out of range (0 up to below 1)",
                     goal->overlap);
     }
     return true;
@@ -138,11 +137,12 @@ bool panorama_overlap(const struct panorama_frame *frame, double arc, int column
                       struct error *error)
 {
     if (!check_angle(frame->horizontal, false, 2 * PI, "horizontal angle of view", error) ||
-        !check_angle(arc, false, 2 * PI, "--arc", error)) {
+        !check_angle(arc, false, 2 * PI, "arc", error)) {
         return false;
     }
     if (columns < 1) {
-        return fail(error, ERROR_DOMAIN, "--columns %d is out of range (1 or more)", columns);
+        return fail(error, ERROR_DOMAIN, "{number of columns} %d is out of range (1 or more)",
+                    columns);
     }
     double h = frame->horizontal;
     double step = is_closed(arc) ? 2 * PI / columns
@@ -211,17 +211,19 @@ bool panorama_parallax(double offset, double step, double near, double far, doub
                        struct error *error)
 {
     double e = fabs(offset);
-    if (!check_angle(step, false, PI, "--step", error)) {
+    if (!check_angle(step, false, PI, "step", error)) {
         return false;
     }
     if (!(near > e && isfinite(near))) {
-        return fail(error, ERROR_DOMAIN,
-                    "--near %g mm lies within the circle of the entrance pupil (more than the "
-                    "offset %g mm)",
-                    near, e);
+        return fail(
+            error, ERROR_DOMAIN,
+            "{nearest point} %g mm lies within the circle of the entrance pupil (more than the "
+            "offset %g mm)",
+            near, e);
     }
     if (!(far >= near)) {
-        return fail(error, ERROR_DOMAIN, "--far %g mm lies before --near %g mm (%g mm or more)",
+        return fail(error, ERROR_DOMAIN,
+                    "{farthest point} %g mm lies before {the nearest point} %g mm (%g mm or more)",
                     far, near, near);
     }
     *parallax = 2 * (apparent_turn(e, step / 2, near) - apparent_turn(e, step / 2, far));
@@ -230,7 +232,7 @@ bool panorama_parallax(double offset, double step, double near, double far, doub
 
 static bool check_parallax(double parallax, double step, struct error *error)
 {
-    if (!check_angle(step, false, PI, "--step", error)) {
+    if (!check_angle(step, false, PI, "step", error)) {
         return false;
     }
     if (!(parallax > 0 && parallax < PI - step)) {
@@ -243,7 +245,8 @@ static bool check_parallax(double parallax, double step, struct error *error)
 
 bool panorama_offset(double parallax, double step, double near, double *offset, struct error *error)
 {
-    if (!check_parallax(parallax, step, error) || !check_positive("--near", " mm", near, error)) {
+    if (!check_parallax(parallax, step, error) ||
+        !check_positive("nearest point", " mm", near, error)) {
         return false;
     }
     *offset = near * sin(parallax / 2) / sin(step / 2 + parallax / 2); /* law of sines */
@@ -254,7 +257,7 @@ bool panorama_nearest(double offset, double parallax, double step, double *near,
                       struct error *error)
 {
     if (!check_parallax(parallax, step, error) ||
-        !check_positive("--offset", " mm", fabs(offset), error)) {
+        !check_positive("offset", " mm", fabs(offset), error)) {
         return false;
     }
     *near = fabs(offset) * sin(step / 2 + parallax / 2) / sin(parallax / 2);
@@ -264,11 +267,11 @@ bool panorama_nearest(double offset, double parallax, double step, double *near,
 bool panorama_pupil(double f, double m, double P, double hiatus, double *distance,
                     struct error *error)
 {
-    if (!check_positive("--focal-length", " mm", f, error) || !check_lens(m, P, error)) {
+    if (!check_positive("focal length", " mm", f, error) || !check_lens(m, P, error)) {
         return false;
     }
     if (!isfinite(hiatus)) {
-        return fail(error, ERROR_DOMAIN, "--hiatus %g mm is out of range (finite)", hiatus);
+        return fail(error, ERROR_DOMAIN, "{hiatus} %g mm is out of range (finite)", hiatus);
     }
     *distance = f * (1 + m) + hiatus + f * (1 - 1 / P);
     return true;

@@ -54,13 +54,13 @@ static double correct(const struct reciprocity *film, double Tm)
 bool reciprocity_corrected(const struct reciprocity *film, double Tm, double *Tc,
                            struct error *error)
 {
-    if (!require_positive("--time", " s", Tm, error)) {
+    if (!require_positive("exposure time", " s", Tm, error)) {
         return false;
     }
     if (!(Tm <= film->valid_to)) {
         return fail(error, ERROR_DOMAIN,
-                    "--time %.10g s lies beyond the film's published range, up to %.10g s", Tm,
-                    film->valid_to);
+                    "{exposure time} %.10g s lies beyond the film's published range, up to %.10g s",
+                    Tm, film->valid_to);
     }
     *Tc = correct(film, Tm);
     return answer_positive("the corrected time", *Tc, error);
@@ -117,12 +117,12 @@ static bool table_metered(const struct reciprocity *film, double Tc, double *Tm,
 bool reciprocity_metered(const struct reciprocity *film, double Tc, double *Tm, struct error *error)
 {
     double longest = correct(film, film->valid_to);
-    if (!require_positive("--time", " s", Tc, error)) {
+    if (!require_positive("exposure time", " s", Tc, error)) {
         return false;
     }
     if (!(Tc <= longest)) {
         return fail(error, ERROR_DOMAIN,
-                    "--time %.10g s lies beyond the film's published range, up to %.10g s "
+                    "{exposure time} %.10g s lies beyond the film's published range, up to %.10g s "
                     "corrected",
                     Tc, longest);
     }

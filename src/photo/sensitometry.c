@@ -8,21 +8,21 @@
 
 static const double quarter_pi = 0.78539816339744830962;
 
-static bool check_fraction(const char *option, double value, struct error *error)
+static bool check_fraction(const char *name, double value, struct error *error)
 {
     if (!(value > 0 && value <= 1)) {
-        return fail(error, ERROR_DOMAIN, "%s %.10g must lie above 0 and up to 1", option, value);
+        return fail(error, ERROR_DOMAIN, "{%s} %.10g must lie above 0 and up to 1", name, value);
     }
     return true;
 }
 
 bool lens_q(double T, double v, double theta, double *q, struct error *error)
 {
-    if (!check_fraction("--transmittance", T, error) || !check_fraction("--vignetting", v, error)) {
+    if (!check_fraction("transmittance", T, error) || !check_fraction("vignetting", v, error)) {
         return false;
     }
     if (!(theta >= 0 && theta < 2 * quarter_pi)) {
-        return fail(error, ERROR_DOMAIN, "--off-axis %.10g deg must lie from 0 to below 90 deg",
+        return fail(error, ERROR_DOMAIN, "{field angle} %.10g deg must lie from 0 to below 90 deg",
                     theta * 45 / quarter_pi);
     }
     double c2 = cos(theta) * cos(theta);
@@ -36,10 +36,10 @@ bool focal_plane_exposure(const struct focal_plane_light *light, double *H, stru
     if (!(q > 0 && q <= quarter_pi)) {
         return fail(error, ERROR_DOMAIN, "q %.10g must lie above 0 and up to pi/4", q);
     }
-    if (!require_positive("--luminance", " cd/m^2", light->L, error) ||
-        !require_positive("--aperture", "", N, error) ||
-        !require_positive("--time", " s", light->t, error) ||
-        !require_within("--loss", " stops", light->loss, 0, 200, error)) {
+    if (!require_positive("luminance", " cd/m^2", light->L, error) ||
+        !require_positive("f-number", "", N, error) ||
+        !require_positive("exposure time", " s", light->t, error) ||
+        !require_within("loss of light", " stops", light->loss, 0, 200, error)) {
         return false;
     }
     *H = q * light->L * light->t / (N * N) * exp2(-light->loss);

@@ -12,7 +12,7 @@ static bool check_declination(double dec, struct error *error)
 {
     /* 1e-12: 90 deg converted from other units may round up */
     if (!(fabs(dec) <= PI / 2 * (1 + 1e-12))) {
-        return fail(error, ERROR_DOMAIN, "--declination %.10g deg lies outside -90 to 90 deg",
+        return fail(error, ERROR_DOMAIN, "{declination} %.10g deg lies outside -90 to 90 deg",
                     dec * DEGREES_PER_RADIAN);
     }
     return true;
@@ -25,7 +25,7 @@ static bool check_off_pole(double dec, struct error *error)
     }
     if (!(fabs(dec) < PI / 2 * (1 - 1e-12))) {
         return fail(error, ERROR_DOMAIN,
-                    "--declination %.10g deg is a pole: a star there does not move and no time is "
+                    "{declination} %.10g deg is a pole: a star there does not move and no time is "
                     "too long; the declination must lie between -90 and 90 deg",
                     dec * DEGREES_PER_RADIAN);
     }
@@ -34,13 +34,14 @@ static bool check_off_pole(double dec, struct error *error)
 
 static bool check_time(double t, struct error *error)
 {
-    if (!require_positive("--time", " s", t, error)) {
+    if (!require_positive("exposure time", " s", t, error)) {
         return false;
     }
     if (!(t <= STELLAR_DAY)) {
-        return fail(error, ERROR_DOMAIN,
-                    "--time %.10g s exceeds one turn of the sky, %.10g s: the trail is closed", t,
-                    STELLAR_DAY);
+        return fail(
+            error, ERROR_DOMAIN,
+            "{exposure time} %.10g s exceeds one turn of the sky, %.10g s: the trail is closed", t,
+            STELLAR_DAY);
     }
     return true;
 }
@@ -57,7 +58,7 @@ static double unit_chord(double dec, double t)
 
 bool star_trail(double f, double dec, double t, struct star_trail *trail, struct error *error)
 {
-    if (!require_positive("--focal-length", " mm", f, error) || !check_declination(dec, error) ||
+    if (!require_positive("focal length", " mm", f, error) || !check_declination(dec, error) ||
         !check_time(t, error)) {
         return false;
     }
@@ -73,7 +74,7 @@ bool star_trail(double f, double dec, double t, struct star_trail *trail, struct
 bool star_trail_worst(double f, double dec, double t, double half_diagonal, double *worst,
                       struct error *error)
 {
-    if (!require_positive("--focal-length", " mm", f, error) || !check_declination(dec, error) ||
+    if (!require_positive("focal length", " mm", f, error) || !check_declination(dec, error) ||
         !check_time(t, error)) {
         return false;
     }
@@ -92,8 +93,8 @@ bool star_trail_worst(double f, double dec, double t, double half_diagonal, doub
 
 bool star_time(double f, double dec, double allowed, struct star_time *time, struct error *error)
 {
-    if (!require_positive("--focal-length", " mm", f, error) || !check_off_pole(dec, error) ||
-        !require_positive("--trail", " mm", allowed, error)) {
+    if (!require_positive("focal length", " mm", f, error) || !check_off_pole(dec, error) ||
+        !require_positive("trail", " mm", allowed, error)) {
         return false;
     }
     double g = f * cos(dec);
@@ -107,7 +108,7 @@ bool star_time(double f, double dec, double allowed, struct star_time *time, str
 bool star_focal_length(double dec, double t, double allowed, double *f, struct error *error)
 {
     if (!check_off_pole(dec, error) || !check_time(t, error) ||
-        !require_positive("--trail", " mm", allowed, error)) {
+        !require_positive("trail", " mm", allowed, error)) {
         return false;
     }
     *f = allowed / unit_chord(dec, t);
@@ -116,9 +117,9 @@ bool star_focal_length(double dec, double t, double allowed, double *f, struct e
 
 bool star_rule_time(double constant, double f, double crop, double *t, struct error *error)
 {
-    if (!require_positive("--rule", "", constant, error) ||
-        !require_positive("--focal-length", " mm", f, error) ||
-        !require_positive("--crop", "", crop, error)) {
+    if (!require_positive("rule constant", "", constant, error) ||
+        !require_positive("focal length", " mm", f, error) ||
+        !require_positive("crop factor", "", crop, error)) {
         return false;
     }
     *t = constant / (crop * f);
@@ -127,9 +128,9 @@ bool star_rule_time(double constant, double f, double crop, double *t, struct er
 
 static bool check_npf(double f, double N, double pitch, struct error *error)
 {
-    return require_positive("--focal-length", " mm", f, error) &&
-           require_positive("--aperture", "", N, error) &&
-           require_positive("--pixel", " mm", pitch, error);
+    return require_positive("focal length", " mm", f, error) &&
+           require_positive("f-number", "", N, error) &&
+           require_positive("pixel pitch", " mm", pitch, error);
 }
 
 bool npf_simple_time(double f, double N, double pitch, double *t, struct error *error)
@@ -145,7 +146,7 @@ bool npf_full_time(const struct npf_setting *setting, double *t, struct error *e
 {
     double f = setting->f, N = setting->N, pitch = setting->pitch;
     if (!check_npf(f, N, pitch, error) || !check_off_pole(setting->dec, error) ||
-        !require_positive("--accuracy", "", setting->k, error)) {
+        !require_positive("accuracy", "", setting->k, error)) {
         return false;
     }
     *t = setting->k * (16.9 * N + 0.10 * f + 13.7 * (pitch * 1000)) / (f * cos(setting->dec));
@@ -154,13 +155,13 @@ bool npf_full_time(const struct npf_setting *setting, double *t, struct error *e
 
 bool four_minus_crop_time(double f, double crop, double *t, struct error *error)
 {
-    if (!require_positive("--focal-length", " mm", f, error) ||
-        !require_positive("--crop", "", crop, error)) {
+    if (!require_positive("focal length", " mm", f, error) ||
+        !require_positive("crop factor", "", crop, error)) {
         return false;
     }
     if (!(crop < 4)) {
-        return fail(error, ERROR_DOMAIN, "--crop %.10g must lie below 4 for the 4 - crop rule",
-                    crop);
+        return fail(error, ERROR_DOMAIN,
+                    "{crop factor} %.10g must lie below 4 for the 4 - crop rule", crop);
     }
     *t = 100 * (4 - crop) / f;
     return answer_positive("the longest time", *t, error);

@@ -43,7 +43,7 @@ double transmittance_from_stops(double stops)
 static bool check_transmittance(double transmittance, struct error *error)
 {
     if (!(transmittance > 0 && transmittance <= 1)) {
-        return fail(error, ERROR_DOMAIN, "--transmittance %.10g must lie above 0 and up to 1",
+        return fail(error, ERROR_DOMAIN, "{transmittance} %.10g must lie above 0 and up to 1",
                     transmittance);
     }
     return true;
@@ -51,8 +51,7 @@ static bool check_transmittance(double transmittance, struct error *error)
 
 bool t_stop(double N, double transmittance, double *T, struct error *error)
 {
-    if (!require_positive("--aperture", "", N, error) ||
-        !check_transmittance(transmittance, error)) {
+    if (!require_positive("f-number", "", N, error) || !check_transmittance(transmittance, error)) {
         return false;
     }
     *T = N / sqrt(transmittance);
@@ -61,13 +60,12 @@ bool t_stop(double N, double transmittance, double *T, struct error *error)
 
 bool transmittance_from_t_stop(double N, double T, double *transmittance, struct error *error)
 {
-    if (!require_positive("--aperture", "", N, error) ||
-        !require_positive("--t-stop", "", T, error)) {
+    if (!require_positive("f-number", "", N, error) || !require_positive("T-stop", "", T, error)) {
         return false;
     }
     if (!(T >= N)) {
-        return fail(error, ERROR_DOMAIN, "--t-stop %.10g must not lie below the f-number %.10g", T,
-                    N);
+        return fail(error, ERROR_DOMAIN, "{T-stop} %.10g must not lie below {the f-number} %.10g",
+                    T, N);
     }
     *transmittance = (N / T) * (N / T);
     return true;
@@ -76,10 +74,10 @@ bool transmittance_from_t_stop(double N, double T, double *transmittance, struct
 static bool pupil_stretch(double m, double P, double *stretch, struct error *error)
 {
     if (!(m >= 0 && isfinite(m))) {
-        return fail(error, ERROR_DOMAIN, "--magnification %.10g must be 0 or above and finite", m);
+        return fail(error, ERROR_DOMAIN, "{magnification} %.10g must be 0 or above and finite", m);
     }
     *stretch = 1 + m / P;
-    return require_positive("--pupil", "", P, error);
+    return require_positive("pupil magnification", "", P, error);
 }
 
 bool bellows_factor(double m, double P, double *factor, struct error *error)
@@ -95,7 +93,7 @@ bool bellows_factor(double m, double P, double *factor, struct error *error)
 bool working_fnumber(double N, double m, double P, double *working, struct error *error)
 {
     double stretch = 0;
-    if (!require_positive("--aperture", "", N, error) || !pupil_stretch(m, P, &stretch, error)) {
+    if (!require_positive("f-number", "", N, error) || !pupil_stretch(m, P, &stretch, error)) {
         return false;
     }
     *working = N * stretch;
@@ -129,9 +127,9 @@ bool light_loss(const struct light_loss *loss, double *stops, struct error *erro
     double extra = is_given(loss->stops) ? loss->stops : 0;
     double lens = 0;
     /* 30 densities or 100 stops are past anything that passes light at all */
-    if (!require_within("--density", "", density, 0, 30, error) ||
-        !require_within("--filter", "", factor, 1, 1e30, error) ||
-        !require_within("--loss", " stops", extra, 0, 100, error) ||
+    if (!require_within("density", "", density, 0, 30, error) ||
+        !require_within("filter factor", "", factor, 1, 1e30, error) ||
+        !require_within("loss of light", " stops", extra, 0, 100, error) ||
         !lens_loss(loss, &lens, error)) {
         return false;
     }
@@ -141,12 +139,12 @@ bool light_loss(const struct light_loss *loss, double *stops, struct error *erro
 
 bool shutter_solve(struct shutter *shutter, struct error *error)
 {
-    const struct given numbers[] = {{"--shutter-angle", " rad", shutter->angle},
-                                    {"--frame-rate", " fps", shutter->rate},
-                                    {"--time", " s", shutter->t}};
+    const struct given numbers[] = {{"shutter angle", " rad", shutter->angle},
+                                    {"frame rate", " fps", shutter->rate},
+                                    {"exposure time", " s", shutter->t}};
     if (given_missing(numbers, 3) != 1) {
         return fail(error, ERROR_USAGE,
-                    "give exactly two of --shutter-angle, --frame-rate and --time");
+                    "give exactly two of {shutter angle}, {frame rate} and {exposure time}");
     }
     if (!given_positive(numbers, 3, error)) {
         return false;

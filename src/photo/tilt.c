@@ -14,13 +14,14 @@ static double degrees_from_radians(double angle)
 
 static bool check_lens(const struct tilt_given *g, struct error *error)
 {
-    if (!check_positive("--focal-length", " mm", g->f, error) ||
-        !check_positive("--aperture", "", g->N, error)) {
+    if (!check_positive("focal length", " mm", g->f, error) ||
+        !check_positive("f-number", "", g->N, error)) {
         return false;
     }
     if (!(g->c >= 0 && g->c < g->f / g->N)) {
         return fail(error, ERROR_DOMAIN,
-                    "--coc %g mm is not narrower than the aperture (0 or more, below f/N = %g mm)",
+                    "{circle of confusion} %g mm is not narrower than the aperture (0 or more, "
+                    "below f/N = %g mm)",
                     g->c, g->f / g->N);
     }
     return true;
@@ -30,7 +31,7 @@ static bool check_lens(const struct tilt_given *g, struct error *error)
 static bool solve_tilt(const struct tilt_given *g, double *tilt, struct error *error)
 {
     if (isnan(g->tilt) == isnan(g->hinge)) {
-        return fail(error, ERROR_USAGE, "give exactly one of --tilt and --hinge");
+        return fail(error, ERROR_USAGE, "give exactly one of {tilt} and {hinge}");
     }
     if (isnan(g->hinge)) {
         *tilt = g->tilt;
@@ -38,12 +39,13 @@ static bool solve_tilt(const struct tilt_given *g, double *tilt, struct error *e
         *tilt = asin(g->f / g->hinge);
     } else {
         return fail(error, ERROR_DOMAIN,
-                    "--hinge %g mm is nearer than any tilt of a %g mm lens can bring it (above %g "
+                    "{hinge} %g mm is nearer than any tilt can bring it with {focal length} %g mm "
+                    "(above %g "
                     "mm on either side)",
                     g->hinge, g->f, g->f);
     }
     if (!(fabs(*tilt) < PI / 2)) {
-        return fail(error, ERROR_DOMAIN, "--tilt %g degrees is out of range (-90 to 90, exclusive)",
+        return fail(error, ERROR_DOMAIN, "{tilt} %g degrees is out of range (-90 to 90, exclusive)",
                     degrees_from_radians(*tilt));
     }
     return true;
@@ -54,7 +56,7 @@ static bool ratio_from_image(const struct tilt_given *g, double tilt, double *ra
 {
     (void)tilt;
     *ratio = g->f / g->image;
-    return check_positive("--image", " mm", g->image, error);
+    return check_positive("image distance", " mm", g->image, error);
 }
 
 static bool ratio_from_distance(const struct tilt_given *g, double tilt, double *ratio,
@@ -62,7 +64,7 @@ static bool ratio_from_distance(const struct tilt_given *g, double tilt, double 
 {
     if (!(g->distance > g->f / cos(tilt))) {
         return fail(error, ERROR_DOMAIN,
-                    "--distance %g mm lies within the focal length of the tilted lens: no real "
+                    "{distance} %g mm lies within the focal length of the tilted lens: no real "
                     "image (more than f/cos(tilt) = %g mm)",
                     g->distance, g->f / cos(tilt));
     }
@@ -76,13 +78,15 @@ static bool ratio_from_angle(const struct tilt_given *g, double tilt, double *ra
     double size = copysign(1, tilt) * g->angle;
     if (!(fabs(tilt) > 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "--angle needs a tilt: untilted, the plane of focus is parallel to the sensor "
+                    "{angle of the plane of focus} needs a tilt: untilted, the plane of focus is "
+                    "parallel to the sensor "
                     "(a tilt other than 0)");
     }
     if (!(size > fabs(tilt) && size < PI)) {
         double sign = copysign(1, tilt);
         return fail(error, ERROR_DOMAIN,
-                    "--angle %g degrees cannot be reached with this tilt (between %g and %g)",
+                    "{angle of the plane of focus} %g degrees cannot be reached with this tilt "
+                    "(between %g and %g)",
                     degrees_from_radians(g->angle), degrees_from_radians(tilt), sign * 180);
     }
     *ratio = sin(g->angle - tilt) / sin(g->angle);
@@ -94,7 +98,9 @@ static bool solve_ratio(const struct tilt_given *g, double tilt, double *ratio, 
 {
     int count = !isnan(g->image) + !isnan(g->distance) + !isnan(g->angle);
     if (count != 1) {
-        return fail(error, ERROR_USAGE, "give exactly one of --image, --distance and --angle");
+        return fail(
+            error, ERROR_USAGE,
+            "give exactly one of {image distance}, {distance} and {angle of the plane of focus}");
     }
     if (!isnan(g->image)) {
         return ratio_from_image(g, tilt, ratio, error);
@@ -144,7 +150,7 @@ bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct erro
 static bool check_points(double f, const struct tilt_point *first, const struct tilt_point *second,
                          struct error *error)
 {
-    if (!check_positive("--focal-length", " mm", f, error)) {
+    if (!check_positive("focal length", " mm", f, error)) {
         return false;
     }
     if (!(first->distance > 0 && second->distance > 0)) {
@@ -171,8 +177,8 @@ bool tilt_through(double f, const struct tilt_point *first, const struct tilt_po
     double sine = f * (1 / first->distance - 1 / second->distance) / (second->rise - first->rise);
     if (!(fabs(sine) < 1)) {
         return fail(error, ERROR_DOMAIN,
-                    "the two points ask for a hinge %g mm from the lens, nearer than its focal "
-                    "length %g mm (more than that)",
+                    "the two points ask for a hinge %g mm from the lens, nearer than "
+                    "{the focal length} %g mm (more than that)",
                     f / fabs(sine), f);
     }
     *tilt = asin(sine);
@@ -180,7 +186,7 @@ bool tilt_through(double f, const struct tilt_point *first, const struct tilt_po
     if (!(ratio > 0)) {
         return fail(error, ERROR_DOMAIN,
                     "no sensor position images both points: the plane through them lies within "
-                    "the focal length %g mm (farther away)",
+                    "{the focal length} %g mm (farther away)",
                     f);
     }
     *image = f / ratio;
@@ -189,7 +195,7 @@ bool tilt_through(double f, const struct tilt_point *first, const struct tilt_po
 
 bool tilt_point_focused(double f, double z, double h, struct tilt_point *point, struct error *error)
 {
-    if (!check_positive("--focal-length", " mm", f, error)) {
+    if (!check_positive("focal length", " mm", f, error)) {
         return false;
     }
     if (!(z >= f && isfinite(z))) {
@@ -231,7 +237,7 @@ bool tilt_coverage(const struct tilt *camera, const struct tilt_frame *frame,
         if (!(along > 0)) {
             return fail(error, ERROR_DOMAIN,
                         "a corner of the frame lies beside the tilted lens: no image circle holds "
-                        "it (less --tilt than %g degrees)",
+                        "it (less {tilt} than %g degrees)",
                         degrees_from_radians(camera->tilt));
         }
         worst = fmax(worst, hypot(x, y * cosine - v * sine) / along);
@@ -244,16 +250,16 @@ bool tilt_shift_limit(const struct tilt *camera, double circle, const struct til
                       double *limit, struct error *error)
 {
     double f = camera->f, image = camera->image, width = frame->width, height = frame->height;
-    if (!check_positive("--focal-length", " mm", f, error) ||
-        !check_positive("--image", " mm", image, error)) {
+    if (!check_positive("focal length", " mm", f, error) ||
+        !check_positive("image distance", " mm", image, error)) {
         return false;
     }
     double radius = circle / 2 * (image / f);
     *limit = sqrt(radius * radius - width * width / 4) - height / 2;
     if (!(*limit >= 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "--circle %g mm does not cover the frame %g x %g mm (%g mm or more)", circle,
-                    width, height, hypot(width, height) * (f / image));
+                    "{image circle} %g mm does not cover the frame %g x %g mm (%g mm or more)",
+                    circle, width, height, hypot(width, height) * (f / image));
     }
     return true;
 }

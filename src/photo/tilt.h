@@ -17,14 +17,14 @@
 
 /* What is known; NaN = not given. One of tilt and hinge, one of image, distance and angle. */
 struct tilt_given {
-    double f;        /* --focal-length, mm, > 0 */
-    double N;        /* --aperture, > 0 */
-    double c;        /* --coc, mm, >= 0 and below f/N */
-    double tilt;     /* --tilt of the lens against the sensor, rad, -pi/2 .. pi/2 */
-    double hinge;    /* --hinge, depth J of the hinge line below the lens, mm, |J| >= f, not 0 */
-    double image;    /* --image, lens to sensor along the sensor normal v', mm, > 0 */
-    double distance; /* --distance, sharp point straight ahead (along the sensor normal), mm */
-    double angle;    /* --angle, plane of sharp focus against the sensor plane, psi, rad */
+    double f;        /* focal length, mm, > 0 */
+    double N;        /* f-number, > 0 */
+    double c;        /* circle of confusion, mm, >= 0 and below f/N */
+    double tilt;     /* tilt of the lens against the sensor, rad, -pi/2 .. pi/2 */
+    double hinge;    /* hinge, depth J of the hinge line below the lens, mm, |J| >= f, not 0 */
+    double image;    /* image distance, lens to sensor along the sensor normal v', mm, > 0 */
+    double distance; /* distance, sharp point straight ahead (along the sensor normal), mm */
+    double angle;    /* angle, plane of sharp focus against the sensor plane, psi, rad */
 };
 
 /* A tilted camera and its planes. Angles psi are from the sensor plane, sign of the tilt. */

@@ -273,13 +273,13 @@ static void test_refusals(void)
         struct attach_step step;
         const char *words;
     } rows[] = {
-        {{ATTACH_TUBE, -1, 0, 0}, "--tube -1 mm"},
-        {{ATTACH_CLOSE_UP, 0, 0, 0}, "--close-up 0"},
+        {{ATTACH_TUBE, -1, 0, 0}, "tube -1 mm"},
+        {{ATTACH_CLOSE_UP, 0, 0, 0}, "close-up lens 0"},
         {{ATTACH_CLOSE_UP, 20, 51, 0}, "less than 50 mm"},
-        {{ATTACH_CLOSE_UP, 2, NONE, 0}, "--gap"},
-        {{ATTACH_CONVERTER, NONE, 0, 0}, "--converter"},
+        {{ATTACH_CLOSE_UP, 2, NONE, 0}, "gap"},
+        {{ATTACH_CONVERTER, NONE, 0, 0}, "converter factor"},
         {{ATTACH_REVERSED, 99, 0, 0}, "100 mm or more"},
-        {{ATTACH_STACKED, 0, 0, 0}, "--stacked"},
+        {{ATTACH_STACKED, 0, 0, 0}, "stacked lens"},
     };
     struct attach_lens bare, lens;
     struct error error;

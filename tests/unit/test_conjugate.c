@@ -160,10 +160,10 @@ static const struct refusal {
     {{NONE, NONE, 100, NONE, 90, 0, CONJUGATES_REDUCED}, ERROR_DOMAIN, "more than 100 mm"},
     {{NONE, (double)INFINITY, NONE, 0, NONE, 0, CONJUGATES_REDUCED}, ERROR_DOMAIN, "leaves"},
     {{NONE, NONE, NONE, 0, 400, 0, CONJUGATES_REDUCED}, ERROR_DOMAIN, "leaves"},
-    {{50, NONE, NONE, 1, NONE, NONE, CONJUGATES_REDUCED}, ERROR_DOMAIN, "--hiatus"},
+    {{50, NONE, NONE, 1, NONE, NONE, CONJUGATES_REDUCED}, ERROR_DOMAIN, "hiatus"},
     {{50, NONE, NONE, NONE, NONE, 0, CONJUGATES_REDUCED}, ERROR_USAGE, "exactly two"},
     {{50, 100, 100, NONE, NONE, 0, CONJUGATES_REDUCED}, ERROR_USAGE, "exactly two"},
-    {{NONE, NONE, NONE, NONE, NONE, 0, CONJUGATES_REDUCED}, ERROR_USAGE, "--sensor-distance"},
+    {{NONE, NONE, NONE, NONE, NONE, 0, CONJUGATES_REDUCED}, ERROR_USAGE, "sensor distance"},
 };
 
 static void test_refusals(void)

@@ -252,9 +252,12 @@ static void test_refusals(void)
         struct diffraction_setting setting;
         const char *words;
     } rows[] = {
-        {{0, 0, 1, 0.5, 0, 0}, "--aperture 0"},      {{8, -1, 1, 0.5, 0, 0}, "--magnification -1"},
-        {{8, 0, 0, 0.5, 0, 0}, "--pupil 0"},         {{8, 0, 1, NONE, 0, 0}, "--wavelength"},
-        {{8, 0, 1, 0.5, -0.1, 0}, "--defocus -0.1"}, {{8, 0, 1, 0.5, 0, NONE}, "--pixel"},
+        {{0, 0, 1, 0.5, 0, 0}, "f-number 0"},
+        {{8, -1, 1, 0.5, 0, 0}, "magnification -1"},
+        {{8, 0, 0, 0.5, 0, 0}, "pupil magnification 0"},
+        {{8, 0, 1, NONE, 0, 0}, "wavelength"},
+        {{8, 0, 1, 0.5, -0.1, 0}, "blur by defocus -0.1"},
+        {{8, 0, 1, 0.5, 0, NONE}, "pixel pitch"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct diffraction d;

@@ -52,7 +52,7 @@ static void check_thick(void)
     CHECK_NEAR(s, 150, 0, "from the front");
     CHECK_NEAR(distance_offset(&setting, &front), -7, 0, "to the front");
     CHECK(!distance_to_principal(50, 1, 143, &none, &s, &error));
-    CHECK(error.code == ERROR_USAGE && strstr(error.message, "--lens") != NULL);
+    CHECK(error.code == ERROR_USAGE && strstr(error.message, "lens") != NULL);
     CHECK_NEAR(distance_image(50, 150), 75, 0, "image");
     CHECK_NEAR(distance_image(50, INFINITY), 50, 0, "image of infinity");
 

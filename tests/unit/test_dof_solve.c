@@ -222,11 +222,11 @@ static void test_refusals(void)
         enum error_code code;
         const char *part; /* of the message */
     } bad[] = {
-        {{50, no, 0.03, no, 1}, {2000, no, no, no, no}, ERROR_USAGE, "--aperture, --distance miss"},
+        {{50, no, 0.03, no, 1}, {2000, no, no, no, no}, ERROR_USAGE, "f-number, distance miss"},
         {{50, 4, 0.03, no, 1}, {2000, 3000, no, no, no}, ERROR_USAGE, "nothing is left"},
         {{50, no, no, 2000, 1}, {1900, no, no, 9000, no}, ERROR_USAGE, "product only"},
-        {{50, 4, 0.03, no, 1}, {no, no, no, 9000, no}, ERROR_USAGE, "--distance cannot be found"},
-        {{50, no, 0.03, 2000, 1}, {no, no, no, no, 0.1}, ERROR_USAGE, "--aperture cannot be found"},
+        {{50, 4, 0.03, no, 1}, {no, no, no, 9000, no}, ERROR_USAGE, "distance cannot be found"},
+        {{50, no, 0.03, 2000, 1}, {no, no, no, no, 0.1}, ERROR_USAGE, "f-number cannot be found"},
         {{no, no, 0.03, 2000, 1}, {1900, 2500, no, no, no}, ERROR_USAGE, "cannot be found"},
         {{no, no, 0.03, no, 1}, {1900, 2500, 600, no, no}, ERROR_USAGE, "two of them"},
         {{50, no, 0.03, no, 1}, {3000, 2000, no, no, no}, ERROR_DOMAIN, "before the far limit"},

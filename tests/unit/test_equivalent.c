@@ -123,12 +123,12 @@ static void test_refusals(void)
         double k;
         const char *words;
     } rows[] = {
-        {{0, 4, 0, 1, 100, 0}, 2, "--focal-length 0 mm"},
-        {{50, 0, 0, 1, 100, 0}, 2, "--aperture"},
-        {{50, 4, -1, 1, 100, 0}, 2, "--magnification"},
-        {{50, 4, 0, NONE, 100, 0}, 2, "--pupil"},
-        {{50, 4, 0, 1, -100, 0}, 2, "--iso -100"},
-        {{50, 4, 0, 1, 100, -1}, 2, "--coc -1"},
+        {{0, 4, 0, 1, 100, 0}, 2, "focal length 0 mm"},
+        {{50, 0, 0, 1, 100, 0}, 2, "f-number"},
+        {{50, 4, -1, 1, 100, 0}, 2, "magnification"},
+        {{50, 4, 0, NONE, 100, 0}, 2, "pupil magnification"},
+        {{50, 4, 0, 1, -100, 0}, 2, "ISO speed -100"},
+        {{50, 4, 0, 1, 100, -1}, 2, "circle of confusion -1"},
         {{50, 4, 0, 1, 100, 0}, 0, "formats"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {

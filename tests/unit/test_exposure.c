@@ -186,18 +186,20 @@ static void test_refusals(void)
         enum error_code code;
         const char *names;
     } rows[] = {
-        {{8, 0, 100, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "--time 0 s"},
-        {{8, 1, -100, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "--iso -100"},
-        {{INFINITY, 1, 9, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "--aperture"},
-        {{8, NAN, 100, NAN, NAN, 0, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "--luminance"},
+        {{8, 0, 100, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "exposure time 0 s"},
+        {{8, 1, -100, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "ISO speed -100"},
+        {{INFINITY, 1, 9, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "f-number"},
+        {{8, NAN, 100, NAN, NAN, 0, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "luminance"},
         {{8, NAN, 100, 101, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "-100 to 100"},
-        {{8, 1, 100, NAN, NAN, NAN, NAN, NAN, NAN, -1, NAN}, ERROR_DOMAIN, "--loss"},
-        {{8, 1, 100, NAN, NAN, NAN, NAN, 0, NAN, NAN, NAN}, ERROR_DOMAIN, "--meter-k"},
-        {{8, NAN, 100, 5, NAN, NAN, 9, NAN, NAN, NAN, NAN}, ERROR_USAGE, "--illuminance"},
-        {{8, NAN, 100, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_USAGE, "--luminance"},
+        {{8, 1, 100, NAN, NAN, NAN, NAN, NAN, NAN, -1, NAN}, ERROR_DOMAIN, "loss of light"},
+        {{8, 1, 100, NAN, NAN, NAN, NAN, 0, NAN, NAN, NAN}, ERROR_DOMAIN, "meter constant K"},
+        {{8, NAN, 100, 5, NAN, NAN, 9, NAN, NAN, NAN, NAN}, ERROR_USAGE, "illuminance"},
+        {{8, NAN, 100, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_USAGE, "luminance"},
         {{NAN, NAN, 100, 5, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_USAGE, "too little"},
         {{8, 1, 100, 5, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_USAGE, "nothing is left"},
-        {{8, 1, NAN, NAN, 5, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_USAGE, "--ev-at-iso"},
+        {{8, 1, NAN, NAN, 5, NAN, NAN, NAN, NAN, NAN, NAN},
+         ERROR_USAGE,
+         "exposure value at the ISO speed"},
         {{1e-200, NAN, 100, 0, NAN, NAN, NAN, NAN, NAN, NAN, NAN}, ERROR_DOMAIN, "exposure time"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
@@ -305,7 +307,7 @@ static void test_shutter(void)
     CHECK(!shutter_solve(&slow, &error) && strstr(error.message, "432 deg exceeds 360") != NULL);
     CHECK(!shutter_solve(&wide, &error) && error.code == ERROR_DOMAIN);
     CHECK(!shutter_solve(&empty, &error) && error.code == ERROR_USAGE);
-    CHECK(!shutter_solve(&still, &error) && strstr(error.message, "--frame-rate") != NULL);
+    CHECK(!shutter_solve(&still, &error) && strstr(error.message, "frame rate") != NULL);
 }
 
 static void test_sensor(void)
@@ -331,7 +333,7 @@ static void test_sensor(void)
     CHECK_NEAR(recommended_index(0.1), 100, 1e-12, "ISO 12232: 10/H");
     CHECK_NEAR(log2(saturation_exposure(100) / recommended_exposure(100)), 2.963, 5e-4, "log2 7.8");
     CHECK(!lens_q(1.2, 1, 0, &q, &error) && !lens_q(1, 1, pi / 2, &q, &error));
-    CHECK(strstr(error.message, "--off-axis 90 deg") != NULL);
+    CHECK(strstr(error.message, "field angle 90 deg") != NULL);
     CHECK(!focal_plane_exposure(&(struct focal_plane_light){0.65, 0, 8, 1, 0}, &H, &error));
     CHECK(!focal_plane_exposure(&(struct focal_plane_light){NAN, 1, 8, 1, 0}, &H, &error));
     CHECK(!focal_plane_exposure(&(struct focal_plane_light){0.8, 1, 8, 1, 0}, &H, &error));

@@ -91,13 +91,13 @@ static void test_refusals(void)
         enum error_code code;
         const char *names;
     } rows[] = {
-        {{NAN, NAN, 1, 100, 1, 1, 0}, ERROR_USAGE, "--guide-number"},
-        {{9, NAN, NAN, 100, 1, 1, 0}, ERROR_USAGE, "--distance"},
-        {{9, 8, 1, 100, 1, 1, 0}, ERROR_USAGE, "--flashes"},
-        {{9, 8, NAN, 100, 1.5, 1, 0}, ERROR_DOMAIN, "--power 1.5"},
-        {{9, 8, NAN, 0, 1, 1, 0}, ERROR_DOMAIN, "--iso 0"},
-        {{9, -8, NAN, 100, 1, 1, 0}, ERROR_DOMAIN, "--aperture -8"},
-        {{9, 8, NAN, 100, 1, 1, -1}, ERROR_DOMAIN, "--loss"},
+        {{NAN, NAN, 1, 100, 1, 1, 0}, ERROR_USAGE, "guide number"},
+        {{9, NAN, NAN, 100, 1, 1, 0}, ERROR_USAGE, "distance"},
+        {{9, 8, 1, 100, 1, 1, 0}, ERROR_USAGE, "number of flashes"},
+        {{9, 8, NAN, 100, 1.5, 1, 0}, ERROR_DOMAIN, "flash power 1.5"},
+        {{9, 8, NAN, 0, 1, 1, 0}, ERROR_DOMAIN, "ISO speed 0"},
+        {{9, -8, NAN, 100, 1, 1, 0}, ERROR_DOMAIN, "f-number -8"},
+        {{9, 8, NAN, 100, 1, 1, -1}, ERROR_DOMAIN, "loss of light"},
         {{10000, 4, 5000, 100, NAN, 1, 0}, ERROR_DOMAIN, "2 stops too weak"},
         {{1e-300, 1e300, NAN, 100, 1, 1, 0}, ERROR_DOMAIN, "the distance"},
     };

@@ -110,15 +110,15 @@ static void test_refusals(void)
         enum error_code code;
         const char *names;
     } rows[] = {
-        {{1, 1, 1, 1, 1, NAN, 0}, ERROR_USAGE, "--blur"},
-        {{1, NAN, 1, NAN, 1, NAN, 0}, ERROR_USAGE, "--speed"},
-        {{0, 1, 1, NAN, 1, NAN, 0}, ERROR_DOMAIN, "--speed 0"},
-        {{1, 0, 1, NAN, 1, NAN, 0}, ERROR_DOMAIN, "--time 0"},
-        {{1, 1, 1, NAN, 4, NAN, 0}, ERROR_DOMAIN, "--angle 229.183"},
-        {{1, 1, 1, NAN, NAN, NAN, 0}, ERROR_DOMAIN, "--angle"},
-        {{1, 1, 1, NAN, 1, -5, 0}, ERROR_DOMAIN, "--distance"},
-        {{1, 1, 1, NAN, 1, 5, NAN}, ERROR_DOMAIN, "--height"},
-        {{1, 1, NAN, 1, 1, 5, 3}, ERROR_USAGE, "--height"},
+        {{1, 1, 1, 1, 1, NAN, 0}, ERROR_USAGE, "blur"},
+        {{1, NAN, 1, NAN, 1, NAN, 0}, ERROR_USAGE, "speed"},
+        {{0, 1, 1, NAN, 1, NAN, 0}, ERROR_DOMAIN, "speed 0"},
+        {{1, 0, 1, NAN, 1, NAN, 0}, ERROR_DOMAIN, "exposure time 0"},
+        {{1, 1, 1, NAN, 4, NAN, 0}, ERROR_DOMAIN, "angle of the motion 229.183"},
+        {{1, 1, 1, NAN, NAN, NAN, 0}, ERROR_DOMAIN, "angle of the motion"},
+        {{1, 1, 1, NAN, 1, -5, 0}, ERROR_DOMAIN, "distance"},
+        {{1, 1, 1, NAN, 1, 5, NAN}, ERROR_DOMAIN, "image height"},
+        {{1, 1, NAN, 1, 1, 5, 3}, ERROR_USAGE, "image height"},
         {{1, 1, NAN, 1, 0, 5, 0}, ERROR_DOMAIN, "magnification"},
     };
     for (int i = 0; i < COUNT(rows); i++) {
@@ -129,8 +129,9 @@ static void test_refusals(void)
         CHECK(strstr(error.message, rows[i].names) != NULL);
     }
     struct blur_size size;
-    CHECK(!blur_measure(1, 0, NAN, &size, &error) && strstr(error.message, "--pixel") != NULL);
-    CHECK(!blur_measure(1, 1, -1, &size, &error) && strstr(error.message, "--coc") != NULL);
+    CHECK(!blur_measure(1, 0, NAN, &size, &error) && strstr(error.message, "pixel pitch") != NULL);
+    CHECK(!blur_measure(1, 1, -1, &size, &error) &&
+          strstr(error.message, "circle of confusion") != NULL);
 }
 
 static void test_shake(void)
@@ -156,7 +157,7 @@ static void test_shake(void)
     CHECK(!shake_solve(&full, &error) && error.code == ERROR_USAGE);
     CHECK(!shake_solve(&negative, &error) && error.code == ERROR_DOMAIN);
     CHECK(!shake_solve(&huge, &error) && error.code == ERROR_DOMAIN);
-    CHECK(!shake_solve(&still, &error) && strstr(error.message, "--rotation") != NULL);
+    CHECK(!shake_solve(&still, &error) && strstr(error.message, "rotation") != NULL);
     double t = NAN;
     CHECK(handheld_time(50, 1.5, 0, &t, &error));
     CHECK_NEAR(t, 1.0 / 75, 1e-17, "one over 75");
@@ -189,7 +190,8 @@ static void test_panning(void)
     CHECK(!panning_solve(&exact, &blur, &error));
     exact.track = 1;
     exact.angle = 4;
-    CHECK(!panning_solve(&exact, &blur, &error) && strstr(error.message, "--angle") != NULL);
+    CHECK(!panning_solve(&exact, &blur, &error) &&
+          strstr(error.message, "angle of the motion") != NULL);
     exact.angle = 1;
     exact.s = 90;
     CHECK(!panning_solve(&exact, &blur, &error));

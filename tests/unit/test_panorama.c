@@ -200,10 +200,14 @@ static void test_refusals(void)
         struct panorama_goal goal;
         const char *words;
     } rows[] = {
-        {{0, 1}, {6, 0, 0.3}, "horizontal angle"}, {{1, NONE}, {6, 0, 0.3}, "vertical angle"},
-        {{1, 1}, {0, 0, 0.3}, "--arc 0 degrees"},  {{1, 1}, {6.5, 0, 0.3}, "up to 360"},
-        {{1, 1}, {6, -1, 0.3}, "--span"},          {{1, 1}, {6, 0, 1}, "--overlap 1"},
-        {{1, 1}, {6, 0, -0.1}, "below 1"},         {{1e-6, 1}, {6, 0, 0.3}, "frames"},
+        {{0, 1}, {6, 0, 0.3}, "horizontal angle"},
+        {{1, NONE}, {6, 0, 0.3}, "vertical angle"},
+        {{1, 1}, {0, 0, 0.3}, "arc 0 degrees"},
+        {{1, 1}, {6.5, 0, 0.3}, "up to 360"},
+        {{1, 1}, {6, -1, 0.3}, "span"},
+        {{1, 1}, {6, 0, 1}, "overlap 1"},
+        {{1, 1}, {6, 0, -0.1}, "below 1"},
+        {{1e-6, 1}, {6, 0, 0.3}, "frames"},
         {{1e-4, 1e-4}, {6, 3, 0.3}, "up to"},
     };
     struct panorama p;

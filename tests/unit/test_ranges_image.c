@@ -22,14 +22,13 @@ static void test_conjugates(void)
     struct conjugates r;
     INSIDE_PAIR(.f = 0.25, .s = 0.5);
     CHECK_NEAR(r.m, 1, 0, "twice the focal length");
-    OUTSIDE_PAIR(
-        "--distance 100 mm lies within the focal length 100 mm: no real image, a magnifier "
-        "and not a photograph (more than 100 mm)",
-        .f = 100, .s = 100);
+    OUTSIDE_PAIR("distance 100 mm lies within the focal length 100 mm: no real image, a magnifier "
+                 "and not a photograph (more than 100 mm)",
+                 .f = 100, .s = 100);
     INSIDE_PAIR(.f = 100, .v = 100);
     CHECK_NEAR(r.s, INFINITY, 0, "the image in the focus");
     OUTSIDE_PAIR(
-        "--image 99.5 mm lies within the focal length 100 mm: focused beyond infinity (100 "
+        "image distance 99.5 mm lies within the focal length 100 mm: focused beyond infinity (100 "
         "mm or more)",
         .f = 100, .v = 99.5);
     INSIDE_PAIR(.f = 100, .T = 400);
@@ -37,45 +36,43 @@ static void test_conjugates(void)
     CHECK_NEAR(r.m, 1, 0, "within the slack it is 1:1");
     INSIDE_PAIR(.f = 100, .T = 410, .hiatus = 10);
     CHECK_NEAR(r.m, 1, 0, "the hiatus on top");
-    OUTSIDE_PAIR(
-        "--sensor-distance 409 mm is too short for --focal-length 100 mm: no real image (4 "
-        "f + hiatus = 410 mm or more)",
-        .f = 100, .T = 409, .hiatus = 10);
-    OUTSIDE_PAIR("--sensor-distance inf has no enlarged image (a finite distance)", .f = 100,
+    OUTSIDE_PAIR("sensor distance 409 mm is too short for the focal length 100 mm: no real image "
+                 "(4 f + hiatus = 410 mm or more)",
+                 .f = 100, .T = 409, .hiatus = 10);
+    OUTSIDE_PAIR("sensor distance inf has no enlarged image (a finite distance)", .f = 100,
                  .T = INFINITY, .choice = CONJUGATES_ENLARGED);
     INSIDE_PAIR(.f = 100, .T = INFINITY);
     CHECK_NEAR(r.m, 0, 0, "the far one of the two");
     INSIDE_PAIR(.s = 0.25, .m = 0.25);
     CHECK_NEAR(r.f, 0.05, 1e-17, "s m/(1 + m)");
-    OUTSIDE_PAIR("--distance 300 mm with --magnification 0 leaves the focal length open (a finite "
+    OUTSIDE_PAIR("distance 300 mm with magnification 0 leaves the focal length open (a finite "
                  "distance and a magnification above 0)",
                  .s = 300, .m = 0);
-    OUTSIDE_PAIR("--distance inf mm with --magnification 1 leaves the focal length open (a finite "
+    OUTSIDE_PAIR("distance inf mm with magnification 1 leaves the focal length open (a finite "
                  "distance and a magnification above 0)",
                  .s = INFINITY, .m = 1);
     INSIDE_PAIR(.s = 300, .T = 310.5, .hiatus = 10);
     CHECK_NEAR(r.v, 0.5, 0, "T - hiatus - s");
-    OUTSIDE_PAIR("--sensor-distance 310 mm leaves no room for an image behind --distance 300 mm "
+    OUTSIDE_PAIR("sensor distance 310 mm leaves no room for an image behind the distance 300 mm "
                  "(finite and more than 310 mm)",
                  .s = 300, .T = 310, .hiatus = 10);
-    OUTSIDE_PAIR("--sensor-distance inf mm leaves no room for an image behind --distance 300 mm "
+    OUTSIDE_PAIR("sensor distance inf mm leaves no room for an image behind the distance 300 mm "
                  "(finite and more than 310 mm)",
                  .s = 300, .T = INFINITY, .hiatus = 10);
     INSIDE_PAIR(.v = 300, .T = 310.5, .hiatus = 10);
     CHECK_NEAR(r.s, 0.5, 0, "T - hiatus - v");
-    OUTSIDE_PAIR(
-        "--sensor-distance 310 mm leaves no room for a subject before --image 300 mm (more "
-        "than 310 mm)",
-        .v = 300, .T = 310, .hiatus = 10);
+    OUTSIDE_PAIR("sensor distance 310 mm leaves no room for a subject before the image distance "
+                 "300 mm (more than 310 mm)",
+                 .v = 300, .T = 310, .hiatus = 10);
     INSIDE_PAIR(.m = 0.5, .T = 10.5, .hiatus = 10);
     CHECK_NEAR(r.f, 1.0 / 9, 1e-17, "D m/(1 + m)^2");
-    OUTSIDE_PAIR("--sensor-distance 10 mm with --magnification 1 leaves the focal length open "
+    OUTSIDE_PAIR("sensor distance 10 mm with magnification 1 leaves the focal length open "
                  "(finite and more than the hiatus 10 mm, a magnification above 0)",
                  .m = 1, .T = 10, .hiatus = 10);
-    OUTSIDE_PAIR("--sensor-distance 20 mm with --magnification 0 leaves the focal length open "
+    OUTSIDE_PAIR("sensor distance 20 mm with magnification 0 leaves the focal length open "
                  "(finite and more than the hiatus 10 mm, a magnification above 0)",
                  .m = 0, .T = 20, .hiatus = 10);
-    OUTSIDE_PAIR("--sensor-distance inf mm with --magnification 1 leaves the focal length open "
+    OUTSIDE_PAIR("sensor distance inf mm with magnification 1 leaves the focal length open "
                  "(finite and more than the hiatus 0 mm, a magnification above 0)",
                  .m = 1, .T = INFINITY);
 }
@@ -84,21 +81,21 @@ static void test_conjugates(void)
 static void test_quantities(void)
 {
     struct conjugates r;
-    OUTSIDE_PAIR("--focal-length 0 mm is out of range (above 0 mm, finite)", .f = 0, .s = 1);
-    OUTSIDE_PAIR("--focal-length inf mm is out of range (above 0 mm, finite)", .f = INFINITY,
-                 .s = 1);
-    OUTSIDE_PAIR("--distance 0 mm is out of range (above 0 mm, may be inf)", .f = 1, .s = 0);
+    OUTSIDE_PAIR("focal length 0 mm is out of range (above 0 mm, finite)", .f = 0, .s = 1);
+    OUTSIDE_PAIR("focal length inf mm is out of range (above 0 mm, finite)", .f = INFINITY, .s = 1);
+    OUTSIDE_PAIR("distance 0 mm is out of range (above 0 mm, may be inf)", .f = 1, .s = 0);
     INSIDE_PAIR(.f = 1, .s = INFINITY);
-    OUTSIDE_PAIR("--image 0 mm is out of range (above 0 mm, finite)", .f = 1, .v = 0);
-    OUTSIDE_PAIR("--image inf mm is out of range (above 0 mm, finite)", .f = 1, .v = INFINITY);
+    OUTSIDE_PAIR("image distance 0 mm is out of range (above 0 mm, finite)", .f = 1, .v = 0);
+    OUTSIDE_PAIR("image distance inf mm is out of range (above 0 mm, finite)", .f = 1,
+                 .v = INFINITY);
     INSIDE_PAIR(.f = 0.25, .m = 0);
-    OUTSIDE_PAIR("--magnification -0.25 is out of range (0 or more, finite)", .f = 1, .m = -0.25);
-    OUTSIDE_PAIR("--magnification inf is out of range (0 or more, finite)", .f = 1, .m = INFINITY);
-    OUTSIDE_PAIR("--sensor-distance 0 mm is out of range (above 0 mm, may be inf)", .f = 1, .T = 0);
-    OUTSIDE_PAIR("--hiatus inf mm is out of range (finite)", .f = 1, .m = 1, .hiatus = INFINITY);
+    OUTSIDE_PAIR("magnification -0.25 is out of range (0 or more, finite)", .f = 1, .m = -0.25);
+    OUTSIDE_PAIR("magnification inf is out of range (0 or more, finite)", .f = 1, .m = INFINITY);
+    OUTSIDE_PAIR("sensor distance 0 mm is out of range (above 0 mm, may be inf)", .f = 1, .T = 0);
+    OUTSIDE_PAIR("hiatus inf mm is out of range (finite)", .f = 1, .m = 1, .hiatus = INFINITY);
     MISUSED(conjugates_solve(PAIR(.f = 1), &r, &error),
-            "give exactly two of --focal-length, --distance, --image, --magnification and "
-            "--sensor-distance");
+            "give exactly two of focal length, distance, image distance, magnification and "
+            "sensor distance");
 }
 
 static void test_conjugate_parts(void)
@@ -112,26 +109,26 @@ static void test_conjugate_parts(void)
     CHECK_NEAR(x.factor, 4, 0, "(1 + m/P)^2");
     CHECK_NEAR(x.stops, 2, 1e-15, "log2 of the factor");
     OUTSIDE(conjugates_exposure(0, 1, 1, &x, &error),
-            "--aperture 0 is out of range (above 0, finite)");
+            "f-number 0 is out of range (above 0, finite)");
     OUTSIDE(conjugates_exposure(INFINITY, 1, 1, &x, &error),
-            "--aperture inf is out of range (above 0, finite)");
+            "f-number inf is out of range (above 0, finite)");
     OUTSIDE(conjugates_exposure(1, -0.25, 1, &x, &error),
-            "--magnification -0.25 is out of range (0 or more, finite)");
+            "magnification -0.25 is out of range (0 or more, finite)");
     OUTSIDE(conjugates_exposure(1, INFINITY, 1, &x, &error),
-            "--magnification inf is out of range (0 or more, finite)");
+            "magnification inf is out of range (0 or more, finite)");
     OUTSIDE(conjugates_exposure(1, 1, 0, &x, &error),
-            "--pupil 0 is out of range (above 0, finite)");
+            "pupil magnification 0 is out of range (above 0, finite)");
     OUTSIDE(conjugates_exposure(1, 1, INFINITY, &x, &error),
-            "--pupil inf is out of range (above 0, finite)");
+            "pupil magnification inf is out of range (above 0, finite)");
     INSIDE(conjugates_exposure(1, 1e150, 1, &x, &error));
     OUTSIDE(conjugates_exposure(1, 1.5e150, 1, &x, &error),
             "the magnification 1.5e+150 is out of range: at most 1e150 times the pupil "
-            "magnification, 1");
+            "magnification 1");
     INSIDE(conjugates_exposure(9e299, 0, 1, &x, &error));
     OUTSIDE(conjugates_exposure(1e300, 0, 1, &x, &error),
-            "--aperture 1e+300 is out of range: with the magnification 0 below 1e+300");
+            "f-number 1e+300 is out of range: with magnification 0 it must be below 1e+300");
     OUTSIDE(conjugates_exposure(1e300, 3, 1, &x, &error),
-            "--aperture 1e+300 is out of range: with the magnification 3 below 2.5e+299");
+            "f-number 1e+300 is out of range: with magnification 3 it must be below 2.5e+299");
     INSIDE(conjugates_working_distance(100.5, 100, &distance, &error));
     CHECK_NEAR(distance, 0.5, 0, "from the front");
     OUTSIDE(conjugates_working_distance(100, 100, &distance, &error),
@@ -196,43 +193,43 @@ static void test_attach_ranges(void)
     struct attach_lens lens;
     INSIDE(attach_bare(&(struct attach_bare){0.25, 0.25, 0.25, 0, -1, -1}, &lens, &error));
     OUTSIDE(attach_bare(&(struct attach_bare){0, 1, 1, 0, 0, 0}, &lens, &error),
-            "--focal-length 0 mm must be above 0 and finite");
+            "focal length 0 mm must be above 0 and finite");
     OUTSIDE(attach_bare(&(struct attach_bare){1, 0, 1, 0, 0, 0}, &lens, &error),
-            "--aperture 0 must be above 0 and finite");
+            "f-number 0 must be above 0 and finite");
     OUTSIDE(attach_bare(&(struct attach_bare){1, 1, 0, 0, 0, 0}, &lens, &error),
-            "--pupil 0 must be above 0 and finite");
+            "pupil magnification 0 must be above 0 and finite");
     OUTSIDE(attach_bare(&(struct attach_bare){1, 1, 1, -0.25, 0, 0}, &lens, &error),
-            "--magnification -0.25 must be 0 or more and finite");
+            "magnification -0.25 must be 0 or more and finite");
     OUTSIDE(attach_bare(&(struct attach_bare){1, 1, 1, 0, INFINITY, 0}, &lens, &error),
-            "--front inf mm and --hiatus 0 mm must be finite");
+            "front principal plane inf mm and hiatus 0 mm must be finite");
     OUTSIDE(attach_bare(&(struct attach_bare){1, 1, 1, 0, 0, INFINITY}, &lens, &error),
-            "--front 0 mm and --hiatus inf mm must be finite");
+            "front principal plane 0 mm and hiatus inf mm must be finite");
     INSIDE(apply(ATTACH_TUBE, 0, 0, 0));
-    OUTSIDE(apply(ATTACH_TUBE, -0.25, 0, 0), "--tube -0.25 mm must be 0 or more and finite");
+    OUTSIDE(apply(ATTACH_TUBE, -0.25, 0, 0), "tube -0.25 mm must be 0 or more and finite");
     INSIDE(apply(ATTACH_CLOSE_UP, 0.25, 0, 0));
-    OUTSIDE(apply(ATTACH_CLOSE_UP, 0, 0, 0), "--close-up 0 dioptres must be above 0 and finite");
-    OUTSIDE(apply(ATTACH_CLOSE_UP, 1, -0.25, 0), "--gap -0.25 mm must be 0 or more and finite");
+    OUTSIDE(apply(ATTACH_CLOSE_UP, 0, 0, 0), "close-up lens 0 dioptres must be above 0 and finite");
+    OUTSIDE(apply(ATTACH_CLOSE_UP, 1, -0.25, 0), "gap -0.25 mm must be 0 or more and finite");
     INSIDE(apply(ATTACH_CLOSE_UP, 4, 189.5, 0));
     OUTSIDE(apply(ATTACH_CLOSE_UP, 4, 190, 0),
-            "--gap 190 mm brings the focus of the front lens (250 mm) before the pupil: no image "
+            "gap 190 mm brings the focus of the front lens (250 mm) before the pupil: no image "
             "(less than 190 mm)");
     INSIDE(apply(ATTACH_CONVERTER, 0.25, 0, 0));
-    OUTSIDE(apply(ATTACH_CONVERTER, 0, 0, 0), "--converter 0 must be above 0 and finite");
+    OUTSIDE(apply(ATTACH_CONVERTER, 0, 0, 0), "converter factor 0 must be above 0 and finite");
     OUTSIDE(apply(ATTACH_CONVERTER, 2, -0.25, 0),
-            "--converter-length -0.25 mm must be 0 or more and finite");
+            "length of the converter -0.25 mm must be 0 or more and finite");
     INSIDE(apply(ATTACH_REVERSED, 50, 0, 0));
     OUTSIDE(apply(ATTACH_REVERSED, 49.5, 0, 0),
-            "--reversed 49.5 mm puts the sensor within the focal length: no real image (50 mm or "
-            "more)");
+            "a sensor 49.5 mm behind the reversed lens lies within its focal length: no real image "
+            "(50 mm or more)");
     INSIDE(apply(ATTACH_STACKED, 100, 0, 0));
-    OUTSIDE(apply(ATTACH_STACKED, 0, 0, 0), "--stacked 0 mm must be above 0 and finite");
+    OUTSIDE(apply(ATTACH_STACKED, 0, 0, 0), "stacked lens 0 mm must be above 0 and finite");
     OUTSIDE(apply(ATTACH_STACKED, 50, 0, -0.25),
-            "--stacked-aperture -0.25 must be 0 or more and finite");
+            "f-number of the stacked lens -0.25 must be 0 or more and finite");
     lens = bare;
     MISUSED(attach_apply(
                 &lens, (struct attach_step[]){{ATTACH_TUBE, 1, 0, 0}, {ATTACH_REVERSED, 60, 0, 0}},
                 2, &error),
-            "--reversed must come first: reverse the lens, then attach to it");
+            "reversing must come first: reverse the lens, then attach to it");
 }
 
 static void test_attach_answers(void)
@@ -255,17 +252,17 @@ static void test_attach_answers(void)
     CHECK_NEAR(x, 0, 0, "none is needed");
     INSIDE(attach_tube_for(50, 0.25, 0.75, &x, &error));
     CHECK_NEAR(x, 25, 0, "f (m - m0)");
-    OUTSIDE(attach_tube_for(0, 0, 1, &x, &error), "--focal-length 0 mm must be above 0 and finite");
+    OUTSIDE(attach_tube_for(0, 0, 1, &x, &error), "focal length 0 mm must be above 0 and finite");
     OUTSIDE(attach_tube_for(1, -0.25, 1, &x, &error),
-            "--magnification without attachment -0.25 must be 0 or more and finite");
+            "magnification without attachment -0.25 must be 0 or more and finite");
     OUTSIDE(attach_tube_for(1, 0.5, 0.25, &x, &error),
-            "--magnification 0.25 is below what the lens does alone (0.5 or more)");
+            "magnification 0.25 is below what the lens does alone (0.5 or more)");
     OUTSIDE(attach_tube_for(1, 0.5, INFINITY, &x, &error),
-            "--magnification inf is below what the lens does alone (0.5 or more)");
+            "magnification inf is below what the lens does alone (0.5 or more)");
     INSIDE(attach_close_up_for(50, 0.25, 0.75, &x, &error));
     CHECK_NEAR(x, 8, 0, "1000 (m - m0)/(f (1 + m0))");
     OUTSIDE(attach_close_up_for(1, 0.5, 0.25, &x, &error),
-            "--magnification 0.25 is below what the lens does alone (0.5 or more)");
+            "magnification 0.25 is below what the lens does alone (0.5 or more)");
 }
 
 /* m/P = 3, so that each formula shows whether it has the bellows factor 4. */
@@ -291,16 +288,17 @@ static void test_diffraction(void)
         const char *message;
     } rows[] = {
         {offsetof(struct diffraction_setting, N), 0,
-         "--aperture 0 is out of range (above 0, finite)"},
+         "f-number 0 is out of range (above 0, finite)"},
         {offsetof(struct diffraction_setting, wavelength), 0,
-         "--wavelength 0 um is out of range (above 0, finite)"},
+         "wavelength 0 um is out of range (above 0, finite)"},
         {offsetof(struct diffraction_setting, m), -0.25,
-         "--magnification -0.25 is out of range (0 or more, finite)"},
-        {offsetof(struct diffraction_setting, P), 0, "--pupil 0 is out of range (above 0, finite)"},
+         "magnification -0.25 is out of range (0 or more, finite)"},
+        {offsetof(struct diffraction_setting, P), 0,
+         "pupil magnification 0 is out of range (above 0, finite)"},
         {offsetof(struct diffraction_setting, blur), -0.25,
-         "--defocus -0.25 mm is out of range (0 or more, finite)"},
+         "blur by defocus -0.25 mm is out of range (0 or more, finite)"},
         {offsetof(struct diffraction_setting, pitch), INFINITY,
-         "--pixel inf mm is out of range (0 or more, finite)"},
+         "pixel pitch inf mm is out of range (0 or more, finite)"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         bad = good;
@@ -314,11 +312,11 @@ static void test_diffraction(void)
     INSIDE(diffraction_mtf_at(&good, 1000, &mtf, &error));
     CHECK_NEAR(mtf.lens, 0, 0, "at the cut-off");
     OUTSIDE(diffraction_mtf_at(&good, -0.25, &mtf, &error),
-            "--frequency -0.25 per mm is out of range (0 or more, finite)");
+            "spatial frequency -0.25 per mm is out of range (0 or more, finite)");
     OUTSIDE(diffraction_frequency(&good, 0, &x, &error),
-            "--contrast 0 is out of range (above 0, below 1)");
+            "contrast 0 is out of range (above 0, below 1)");
     OUTSIDE(diffraction_frequency(&good, 1, &x, &error),
-            "--contrast 1 is out of range (above 0, below 1)");
+            "contrast 1 is out of range (above 0, below 1)");
     /* no blur, no pixel: 2/pi (acos x - x sqrt(1 - x^2)) = 1/2, with 40 digits */
     bad = good;
     bad.blur = bad.pitch = 0;
@@ -342,7 +340,7 @@ static void test_diffraction_answers(void)
     CHECK_RELATIVE(best.blur, hypot(best.airy_diameter, best.defocus), 1e-15, "both together");
     CHECK_RELATIVE(best.airy_diameter, best.defocus, 1e-14, "equal at the optimum");
     OUTSIDE(diffraction_optimum(0, 1, 0, 1, &best, &error),
-            "--focus-spread 0 mm is out of range (above 0, finite)");
+            "focus spread 0 mm is out of range (above 0, finite)");
     INSIDE(diffraction_focus_spread(0.25, 0.5, 0.5, &x, &error));
     CHECK_NEAR(x, 0, 0, "no depth, no spread");
     INSIDE(diffraction_focus_spread(0.25, 0.5, INFINITY, &x, &error));
@@ -350,12 +348,13 @@ static void test_diffraction_answers(void)
     INSIDE(diffraction_focus_spread(0.25, 0.5, 0.75, &x, &error));
     CHECK_NEAR(x, 0.125, 0, "f^2/(near - f) (far - near)/(far - f)");
     OUTSIDE(diffraction_focus_spread(0, 1, 2, &x, &error),
-            "--focal-length 0 mm is out of range (above 0, finite)");
-    OUTSIDE(diffraction_focus_spread(50, 50, 100, &x, &error),
-            "--near 50 mm lies within the focal length 50 mm: no real image (more than 50 mm, "
-            "finite)");
+            "focal length 0 mm is out of range (above 0, finite)");
+    OUTSIDE(
+        diffraction_focus_spread(50, 50, 100, &x, &error),
+        "nearest point 50 mm lies within the focal length 50 mm: no real image (more than 50 mm, "
+        "finite)");
     OUTSIDE(diffraction_focus_spread(50, 100, 99.5, &x, &error),
-            "--far 99.5 mm lies before --near 100 mm (100 mm or more)");
+            "farthest point 99.5 mm lies before the nearest point 100 mm (100 mm or more)");
     INSIDE(diffraction_resolve(0.5, 0.5, &angles, &error));
     CHECK_RELATIVE(angles.rayleigh, 1.21966989126650445e-3, 1e-15, "1.22 lambda/D");
     CHECK_RELATIVE(angles.sparrow, 0.947155252709185545e-3, 1e-15, "Sparrow");
@@ -363,7 +362,7 @@ static void test_diffraction_answers(void)
     OUTSIDE(diffraction_resolve(0, 1, &angles, &error),
             "entrance pupil 0 mm is out of range (above 0, finite)");
     OUTSIDE(diffraction_resolve(1, 0, &angles, &error),
-            "--wavelength 0 um is out of range (above 0, finite)");
+            "wavelength 0 um is out of range (above 0, finite)");
 }
 
 static void test_distance_from(void)
@@ -378,12 +377,12 @@ static void test_distance_from(void)
     INSIDE(distance_to_principal(50, 0.5, 207, &from, &s, &error));
     CHECK_NEAR(s, 100, 0, "1:1");
     OUTSIDE(distance_to_principal(50, 0.5, 206, &from, &s, &error),
-            "distance 206 mm from the sensor is less than 4 x focal length and what lies between "
-            "the principal planes, 207 mm: no real image");
+            "distance 206 mm from the sensor is less than 4 times the focal length 50 mm and what "
+            "lies between the principal planes: no real image (207 mm or more)");
     from.hiatus = 0;
-    OUTSIDE(
-        distance_to_principal(50, 0.5, 199, &from, &s, &error),
-        "distance 199 mm from the sensor is less than 4 x focal length = 200 mm: no real image");
+    OUTSIDE(distance_to_principal(50, 0.5, 199, &from, &s, &error),
+            "distance 199 mm from the sensor is less than 4 times the focal length 50 mm: no real "
+            "image (200 mm or more)");
     from.from = FROM_ENTRANCE;
     CHECK_NEAR(distance_offset(&a, &from), 50, 0, "-f (1 - 1/P)");
     INSIDE(distance_to_principal(50, 0.5, 150, &from, &s, &error));
@@ -394,7 +393,7 @@ static void test_distance_from(void)
     CHECK_NEAR(s, 100, 0, "the way back");
     from.front = NAN;
     MISUSED(distance_to_principal(50, 0.5, 91, &from, &s, &error),
-            "--from front wants --lens: a thin lens has no front");
+            "distance origin front wants lens: a thin lens has no front");
     /* all given, two infinite: nothing to solve, whatever the rest of the command says of them */
     from.from = FROM_PRINCIPAL;
     a = (struct dof_setting){.f = INFINITY, .N = INFINITY, .c = INFINITY, .s = INFINITY, .P = 1};

@@ -42,45 +42,45 @@ static void test_exposure(void)
     INSIDE(exposure_solve(GIVEN(.N = 8, .t = 0.5, .ev100 = 100), &x, &error));
     INSIDE(exposure_solve(GIVEN(.N = 8, .t = 0.5, .ev100 = -100), &x, &error));
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 0.5, .ev100 = 100.5), &x, &error),
-            "--ev 100.5 lies outside -100 to 100");
+            "exposure value at ISO 100 100.5 lies outside -100 to 100");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 0.5, .ev100 = -100.5), &x, &error),
-            "--ev -100.5 lies outside -100 to 100");
+            "exposure value at ISO 100 -100.5 lies outside -100 to 100");
     INSIDE(exposure_solve(GIVEN(.N = 8, .S = 100, .ev = 100), &x, &error));
     INSIDE(exposure_solve(GIVEN(.N = 8, .S = 100, .ev = -100), &x, &error));
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .S = 100, .ev = 100.5), &x, &error),
-            "--ev-at-iso 100.5 lies outside -100 to 100");
+            "exposure value at the ISO speed 100.5 lies outside -100 to 100");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .S = 100, .ev = -100.5), &x, &error),
-            "--ev-at-iso -100.5 lies outside -100 to 100");
+            "exposure value at the ISO speed -100.5 lies outside -100 to 100");
     INSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .loss = 200), &x, &error));
     INSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .loss = 0), &x, &error));
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .loss = 200.5), &x, &error),
-            "--loss 200.5 stops lies outside 0 to 200 stops");
+            "loss of light 200.5 stops lies outside 0 to 200 stops");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .loss = -0.5), &x, &error),
-            "--loss -0.5 stops lies outside 0 to 200 stops");
+            "loss of light -0.5 stops lies outside 0 to 200 stops");
     INSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .compensation = 100), &x, &error));
     INSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .compensation = -100), &x, &error));
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .compensation = 100.5), &x, &error),
-            "--compensation 100.5 stops lies outside -100 to 100 stops");
+            "exposure compensation 100.5 stops lies outside -100 to 100 stops");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .compensation = -100.5), &x, &error),
-            "--compensation -100.5 stops lies outside -100 to 100 stops");
+            "exposure compensation -100.5 stops lies outside -100 to 100 stops");
     /* each positive number: far below 1 is legal, 0 is not */
     INSIDE(exposure_solve(GIVEN(.N = 0.001, .t = 0.001, .S = 0.001), &x, &error));
     INSIDE(exposure_solve(GIVEN(.N = 0.001, .L = 0.001, .K = 0.001), &x, &error));
     INSIDE(exposure_solve(GIVEN(.N = 0.001, .E = 0.001, .C = 0.001), &x, &error));
     OUTSIDE(exposure_solve(GIVEN(.N = 0, .t = 1), &x, &error),
-            "--aperture 0 must be above 0 and finite");
+            "f-number 0 must be above 0 and finite");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 0), &x, &error),
-            "--time 0 s must be above 0 and finite");
+            "exposure time 0 s must be above 0 and finite");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .S = 0), &x, &error),
-            "--iso 0 must be above 0 and finite");
+            "ISO speed 0 must be above 0 and finite");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .L = 0), &x, &error),
-            "--luminance 0 cd/m^2 must be above 0 and finite");
+            "luminance 0 cd/m^2 must be above 0 and finite");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .E = 0), &x, &error),
-            "--illuminance 0 lx must be above 0 and finite");
+            "illuminance 0 lx must be above 0 and finite");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .K = 0), &x, &error),
-            "--meter-k 0 must be above 0 and finite");
+            "meter constant K 0 must be above 0 and finite");
     OUTSIDE(exposure_solve(GIVEN(.N = 8, .t = 1, .C = INFINITY), &x, &error),
-            "--meter-c inf must be above 0 and finite");
+            "meter constant C inf must be above 0 and finite");
 }
 
 /* Any two lights at once are refused, whichever they are. */
@@ -94,9 +94,11 @@ static void test_lights(void)
         struct exposure x;
         double stops = 0;
         MISUSED(exposure_solve(pairs[i], &x, &error),
-                "give only one of --ev, --ev-at-iso, --luminance and --illuminance");
+                "give only one of exposure value at ISO 100, exposure value at the ISO speed, "
+                "luminance and illuminance");
         MISUSED(exposure_deviation(pairs[i], &stops, &error),
-                "give only one of --ev, --ev-at-iso, --luminance and --illuminance");
+                "give only one of exposure value at ISO 100, exposure value at the ISO speed, "
+                "luminance and illuminance");
     }
 }
 
@@ -106,31 +108,34 @@ static void test_exposure_parts(void)
     struct equivalent_exposure line;
     struct camera_setting good = {0.001, 0.001, 0.001};
     INSIDE(exposure_deviation(GIVEN(.N = 0.001, .t = 0.001, .ev100 = 5), &stops, &error));
-    MISUSED(exposure_deviation(GIVEN(.t = 1, .ev100 = 5), &stops, &error), "--aperture is missing");
-    MISUSED(exposure_deviation(GIVEN(.N = 8, .ev100 = 5), &stops, &error), "--time is missing");
+    MISUSED(exposure_deviation(GIVEN(.t = 1, .ev100 = 5), &stops, &error), "f-number is missing");
+    MISUSED(exposure_deviation(GIVEN(.N = 8, .ev100 = 5), &stops, &error),
+            "exposure time is missing");
     OUTSIDE(exposure_deviation(GIVEN(.N = 8, .t = 1, .ev100 = 101), &stops, &error),
-            "--ev 101 lies outside -100 to 100");
+            "exposure value at ISO 100 101 lies outside -100 to 100");
     MISUSED(exposure_deviation(GIVEN(.N = 8, .t = 1), &stops, &error),
-            "give the light: --ev, --ev-at-iso, --luminance or --illuminance");
+            "give the light: exposure value at ISO 100, exposure value at the ISO speed, luminance "
+            "or illuminance");
     INSIDE(exposure_stops(&good, &good, &stops, &error));
     OUTSIDE(exposure_stops(&(struct camera_setting){0, 1, 1}, &good, &stops, &error),
-            "--aperture 0 must be above 0 and finite");
+            "f-number 0 must be above 0 and finite");
     OUTSIDE(exposure_stops(&good, &(struct camera_setting){1, 0, 1}, &stops, &error),
-            "--time 0 s must be above 0 and finite");
+            "exposure time 0 s must be above 0 and finite");
     OUTSIDE(exposure_stops(&good, &(struct camera_setting){1, 1, 0}, &stops, &error),
-            "--iso 0 must be above 0 and finite");
+            "ISO speed 0 must be above 0 and finite");
     INSIDE(exposure_equivalent(100, 0.001, 1, &line, &error));
     INSIDE(exposure_equivalent(-100, 0.001, 12, &line, &error));
-    OUTSIDE(exposure_equivalent(100.5, 1, 1, &line, &error), "--ev 100.5 lies outside -100 to 100");
+    OUTSIDE(exposure_equivalent(100.5, 1, 1, &line, &error),
+            "exposure value at ISO 100 100.5 lies outside -100 to 100");
     OUTSIDE(exposure_equivalent(-100.5, 1, 1, &line, &error),
-            "--ev -100.5 lies outside -100 to 100");
-    OUTSIDE(exposure_equivalent(5, 0, 1, &line, &error), "--aperture 0 must be above 0 and finite");
+            "exposure value at ISO 100 -100.5 lies outside -100 to 100");
+    OUTSIDE(exposure_equivalent(5, 0, 1, &line, &error), "f-number 0 must be above 0 and finite");
     OUTSIDE(exposure_equivalent(5, 1, 0, &line, &error),
-            "--stops 0 steps a stop lies outside 1 to 12 steps a stop");
+            "steps of the series 0 steps a stop lies outside 1 to 12 steps a stop");
     OUTSIDE(exposure_equivalent(5, 1, 13, &line, &error),
-            "--stops 13 steps a stop lies outside 1 to 12 steps a stop");
+            "steps of the series 13 steps a stop lies outside 1 to 12 steps a stop");
     INSIDE(exposure_rule_ev100(0.001, &ev, &error));
-    OUTSIDE(exposure_rule_ev100(0, &ev, &error), "--aperture 0 must be above 0 and finite");
+    OUTSIDE(exposure_rule_ev100(0, &ev, &error), "f-number 0 must be above 0 and finite");
     /* an answer that no number holds: f/1e160 squared */
     struct exposure x;
     OUTSIDE(exposure_solve(GIVEN(.N = 1e160, .ev100 = 0), &x, &error),
@@ -144,37 +149,35 @@ static void test_losses(void)
     INSIDE(light_loss(LOSS(.stops = 100), &stops, &error));
     CHECK_NEAR(stops, 100, 0, "as given");
     OUTSIDE(light_loss(LOSS(.stops = 100.5), &stops, &error),
-            "--loss 100.5 stops lies outside 0 to 100 stops");
+            "loss of light 100.5 stops lies outside 0 to 100 stops");
     OUTSIDE(light_loss(LOSS(.stops = -0.5), &stops, &error),
-            "--loss -0.5 stops lies outside 0 to 100 stops");
+            "loss of light -0.5 stops lies outside 0 to 100 stops");
     INSIDE(light_loss(LOSS(.density = 30), &stops, &error));
     CHECK_NEAR(stops, 99.65784284662087, 1e-13, "30/log10(2)");
-    OUTSIDE(light_loss(LOSS(.density = 30.5), &stops, &error),
-            "--density 30.5 lies outside 0 to 30");
-    OUTSIDE(light_loss(LOSS(.density = -0.5), &stops, &error),
-            "--density -0.5 lies outside 0 to 30");
+    OUTSIDE(light_loss(LOSS(.density = 30.5), &stops, &error), "density 30.5 lies outside 0 to 30");
+    OUTSIDE(light_loss(LOSS(.density = -0.5), &stops, &error), "density -0.5 lies outside 0 to 30");
     INSIDE(light_loss(LOSS(.factor = 1e30), &stops, &error));
     INSIDE(light_loss(LOSS(.factor = 1), &stops, &error));
     CHECK_NEAR(stops, 0, 0, "a factor of 1 takes nothing");
     OUTSIDE(light_loss(LOSS(.factor = 1.5e30), &stops, &error),
-            "--filter 1.5e+30 lies outside 1 to 1e+30");
+            "filter factor 1.5e+30 lies outside 1 to 1e+30");
     OUTSIDE(light_loss(LOSS(.factor = 0.5), &stops, &error),
-            "--filter 0.5 lies outside 1 to 1e+30");
+            "filter factor 0.5 lies outside 1 to 1e+30");
     INSIDE(light_loss(LOSS(.transmittance = 1), &stops, &error));
     INSIDE(light_loss(LOSS(.transmittance = 0x1p-20), &stops, &error));
     CHECK_NEAR(stops, 20, 1e-14, "one in 2^20");
     OUTSIDE(light_loss(LOSS(.transmittance = 1.5), &stops, &error),
-            "--transmittance 1.5 must lie above 0 and up to 1");
+            "transmittance 1.5 must lie above 0 and up to 1");
     OUTSIDE(light_loss(LOSS(.transmittance = 0), &stops, &error),
-            "--transmittance 0 must lie above 0 and up to 1");
+            "transmittance 0 must lie above 0 and up to 1");
     INSIDE(light_loss(LOSS(.m = 0), &stops, &error));
     CHECK_NEAR(stops, 0, 0, "no extension");
     INSIDE(light_loss(LOSS(.m = 0.25, .P = 0.25), &stops, &error));
     CHECK_NEAR(stops, 2, 1e-15, "(1 + m/P)^2 = 4");
     OUTSIDE(light_loss(LOSS(.m = -0.5), &stops, &error),
-            "--magnification -0.5 must be 0 or above and finite");
+            "magnification -0.5 must be 0 or above and finite");
     OUTSIDE(light_loss(LOSS(.m = 1, .P = 0), &stops, &error),
-            "--pupil 0 must be above 0 and finite");
+            "pupil magnification 0 must be above 0 and finite");
 }
 
 static void test_lens(void)
@@ -184,25 +187,25 @@ static void test_lens(void)
     CHECK_NEAR(x, 0.5, 0, "all light passes");
     INSIDE(t_stop(0.5, 0.0625, &x, &error));
     CHECK_NEAR(x, 2, 1e-15, "N/sqrt(1/16)");
-    OUTSIDE(t_stop(0, 0.5, &x, &error), "--aperture 0 must be above 0 and finite");
-    OUTSIDE(t_stop(2, 1.25, &x, &error), "--transmittance 1.25 must lie above 0 and up to 1");
+    OUTSIDE(t_stop(0, 0.5, &x, &error), "f-number 0 must be above 0 and finite");
+    OUTSIDE(t_stop(2, 1.25, &x, &error), "transmittance 1.25 must lie above 0 and up to 1");
     INSIDE(transmittance_from_t_stop(0.5, 0.5, &x, &error));
     CHECK_NEAR(x, 1, 0, "T is N");
     INSIDE(transmittance_from_t_stop(0.5, 2, &x, &error));
     CHECK_NEAR(x, 0.0625, 0, "(N/T)^2");
-    OUTSIDE(transmittance_from_t_stop(0, 2, &x, &error), "--aperture 0 must be above 0 and finite");
-    OUTSIDE(transmittance_from_t_stop(2, 0, &x, &error), "--t-stop 0 must be above 0 and finite");
+    OUTSIDE(transmittance_from_t_stop(0, 2, &x, &error), "f-number 0 must be above 0 and finite");
+    OUTSIDE(transmittance_from_t_stop(2, 0, &x, &error), "T-stop 0 must be above 0 and finite");
     OUTSIDE(transmittance_from_t_stop(2, 1.75, &x, &error),
-            "--t-stop 1.75 must not lie below the f-number 2");
+            "T-stop 1.75 must not lie below the f-number 2");
     INSIDE(bellows_factor(0, 0.5, &x, &error));
     CHECK_NEAR(x, 1, 0, "no extension");
     OUTSIDE(bellows_factor(INFINITY, 1, &x, &error),
-            "--magnification inf must be 0 or above and finite");
+            "magnification inf must be 0 or above and finite");
     INSIDE(working_fnumber(0.5, 0.25, 0.5, &x, &error));
     CHECK_NEAR(x, 0.75, 0, "N (1 + m/P)");
-    OUTSIDE(working_fnumber(0, 1, 1, &x, &error), "--aperture 0 must be above 0 and finite");
+    OUTSIDE(working_fnumber(0, 1, 1, &x, &error), "f-number 0 must be above 0 and finite");
     OUTSIDE(working_fnumber(2, -1, 1, &x, &error),
-            "--magnification -1 must be 0 or above and finite");
+            "magnification -1 must be 0 or above and finite");
 }
 
 static void test_shutter(void)
@@ -222,11 +225,11 @@ static void test_shutter(void)
     OUTSIDE(shutter_solve(&wide, &error),
             "a shutter angle of 450 deg exceeds 360 deg: the exposure "
             "is longer than the frame");
-    OUTSIDE(shutter_solve(&zero, &error), "--shutter-angle 0 rad must be above 0 and finite");
-    OUTSIDE(shutter_solve(&stopped, &error), "--frame-rate 0 fps must be above 0 and finite");
-    OUTSIDE(shutter_solve(&instant, &error), "--time 0 s must be above 0 and finite");
+    OUTSIDE(shutter_solve(&zero, &error), "shutter angle 0 rad must be above 0 and finite");
+    OUTSIDE(shutter_solve(&stopped, &error), "frame rate 0 fps must be above 0 and finite");
+    OUTSIDE(shutter_solve(&instant, &error), "exposure time 0 s must be above 0 and finite");
     MISUSED(shutter_solve(&all, &error),
-            "give exactly two of --shutter-angle, --frame-rate and --time");
+            "give exactly two of shutter angle, frame rate and exposure time");
 }
 
 static void test_sensor(void)
@@ -237,13 +240,13 @@ static void test_sensor(void)
     INSIDE(lens_q(1e-9, 1e-9, 0.5, &q, &error));
     CHECK_RELATIVE(q, 4.6584541048719195e-19, 1e-14, "pi/4 1e-18 cos^4 0.5");
     INSIDE(lens_q(1, 1, pi / 2 * (1 - 1e-12), &q, &error));
-    OUTSIDE(lens_q(1.5, 1, 0, &q, &error), "--transmittance 1.5 must lie above 0 and up to 1");
-    OUTSIDE(lens_q(0, 1, 0, &q, &error), "--transmittance 0 must lie above 0 and up to 1");
-    OUTSIDE(lens_q(1, 1.5, 0, &q, &error), "--vignetting 1.5 must lie above 0 and up to 1");
-    OUTSIDE(lens_q(1, 0, 0, &q, &error), "--vignetting 0 must lie above 0 and up to 1");
-    OUTSIDE(lens_q(1, 1, pi / 2, &q, &error), "--off-axis 90 deg must lie from 0 to below 90 deg");
+    OUTSIDE(lens_q(1.5, 1, 0, &q, &error), "transmittance 1.5 must lie above 0 and up to 1");
+    OUTSIDE(lens_q(0, 1, 0, &q, &error), "transmittance 0 must lie above 0 and up to 1");
+    OUTSIDE(lens_q(1, 1.5, 0, &q, &error), "vignetting 1.5 must lie above 0 and up to 1");
+    OUTSIDE(lens_q(1, 0, 0, &q, &error), "vignetting 0 must lie above 0 and up to 1");
+    OUTSIDE(lens_q(1, 1, pi / 2, &q, &error), "field angle 90 deg must lie from 0 to below 90 deg");
     OUTSIDE(lens_q(1, 1, -pi / 4, &q, &error),
-            "--off-axis -45 deg must lie from 0 to below 90 deg");
+            "field angle -45 deg must lie from 0 to below 90 deg");
     INSIDE(
         focal_plane_exposure(&(struct focal_plane_light){pi / 4, 0.5, 0.5, 0.25, 200}, &H, &error));
     CHECK_RELATIVE(H, ldexp(pi / 8, -200), 1e-15, "q L t/N^2 2^-loss");
@@ -253,15 +256,15 @@ static void test_sensor(void)
     OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.79, 1, 8, 1, 0}, &H, &error),
             "q 0.79 must lie above 0 and up to pi/4");
     OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.5, 0, 8, 1, 0}, &H, &error),
-            "--luminance 0 cd/m^2 must be above 0 and finite");
+            "luminance 0 cd/m^2 must be above 0 and finite");
     OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.5, 1, 0, 1, 0}, &H, &error),
-            "--aperture 0 must be above 0 and finite");
+            "f-number 0 must be above 0 and finite");
     OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.5, 1, 8, 0, 0}, &H, &error),
-            "--time 0 s must be above 0 and finite");
+            "exposure time 0 s must be above 0 and finite");
     OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.5, 1, 8, 1, -0.5}, &H, &error),
-            "--loss -0.5 stops lies outside 0 to 200 stops");
+            "loss of light -0.5 stops lies outside 0 to 200 stops");
     OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.5, 1, 8, 1, 200.5}, &H, &error),
-            "--loss 200.5 stops lies outside 0 to 200 stops");
+            "loss of light 200.5 stops lies outside 0 to 200 stops");
 }
 
 static bool plan_of(double from, double to, double step, double shots, struct bracket *plan)
@@ -279,8 +282,8 @@ static void test_bracket(void)
     CHECK(plan.shots == 1000);
     OUTSIDE(plan_of(2, 1, NAN, 1001, &plan), "1001 shots lie outside 1 to 1000");
     OUTSIDE(plan_of(2, 1, NAN, 0.5, &plan), "0.5 shots lie outside 1 to 1000");
-    OUTSIDE(plan_of(2, 1, NAN, 2.5, &plan), "--shots 2.5 must be a whole number");
-    OUTSIDE(plan_of(2, 1, NAN, 2.75, &plan), "--shots 2.75 must be a whole number");
+    OUTSIDE(plan_of(2, 1, NAN, 2.5, &plan), "number of shots 2.5 must be a whole number");
+    OUTSIDE(plan_of(2, 1, NAN, 2.75, &plan), "number of shots 2.75 must be a whole number");
     INSIDE(plan_of(0.5, NAN, 0.5, 1, &plan));
     CHECK_NEAR(plan.total, 0.5, 1e-16, "one shot");
     INSIDE(plan_of(0.25, 0.25, NAN, 1, &plan));
@@ -292,18 +295,22 @@ static void test_bracket(void)
     CHECK_NEAR(plan.step, 2, 0, "two shots reach both ends in one step");
     CHECK_NEAR(plan.total, 1.25, 1e-15, "the sum");
     OUTSIDE(plan_of(2, 0.5, NAN, 1, &plan), "one shot cannot reach from 2 s to 0.5 s");
-    OUTSIDE(plan_of(0, 1, 1, NAN, &plan), "--from 0 s must be above 0 and finite");
-    OUTSIDE(plan_of(1, 0, 1, NAN, &plan), "--to 0 s must be above 0 and finite");
-    OUTSIDE(plan_of(1, 2, 0, NAN, &plan), "--step 0 stops must be above 0 and finite");
-    OUTSIDE(plan_of(1, 2, NAN, -1, &plan), "--shots -1 must be above 0 and finite");
-    MISUSED(plan_of(1, 2, 1, 2, &plan), "give exactly three of --from, --to, --step and --shots");
-    MISUSED(plan_of(1, NAN, 1, NAN, &plan),
-            "give exactly three of --from, --to, --step and --shots");
+    OUTSIDE(plan_of(0, 1, 1, NAN, &plan), "time at one end 0 s must be above 0 and finite");
+    OUTSIDE(plan_of(1, 0, 1, NAN, &plan), "time at the other end 0 s must be above 0 and finite");
+    OUTSIDE(plan_of(1, 2, 0, NAN, &plan), "step 0 stops must be above 0 and finite");
+    OUTSIDE(plan_of(1, 2, NAN, -1, &plan), "number of shots -1 must be above 0 and finite");
+    MISUSED(
+        plan_of(1, 2, 1, 2, &plan),
+        "give exactly three of time at one end, time at the other end, step and number of shots");
+    MISUSED(
+        plan_of(1, NAN, 1, NAN, &plan),
+        "give exactly three of time at one end, time at the other end, step and number of shots");
     INSIDE(bracket_around(0.001, 0.001, 1, &plan, &error));
-    OUTSIDE(bracket_around(0, 1, 3, &plan, &error), "--time 0 s must be above 0 and finite");
-    OUTSIDE(bracket_around(1, 0, 3, &plan, &error), "--step 0 stops must be above 0 and finite");
+    OUTSIDE(bracket_around(0, 1, 3, &plan, &error), "exposure time 0 s must be above 0 and finite");
+    OUTSIDE(bracket_around(1, 0, 3, &plan, &error), "step 0 stops must be above 0 and finite");
     INSIDE(bracket_covers(&plan, 0.001, &range, &error));
-    OUTSIDE(bracket_covers(&plan, 0, &range, &error), "--range 0 stops must be above 0 and finite");
+    OUTSIDE(bracket_covers(&plan, 0, &range, &error),
+            "range of a shot 0 stops must be above 0 and finite");
     INSIDE(bracket_shots_needed(0.5, 0.5, 0.5, &shots, &error));
     CHECK(shots == 1);
     INSIDE(bracket_shots_needed(1.5, 0.5, 0.5, &shots, &error));
@@ -313,13 +320,13 @@ static void test_bracket(void)
     INSIDE(bracket_shots_needed(2 + 1.5e-9, 1, 1, &shots, &error));
     CHECK(shots == 3);
     OUTSIDE(bracket_shots_needed(0, 1, 1, &shots, &error),
-            "--scene-range 0 stops must be above 0 and finite");
+            "scene range 0 stops must be above 0 and finite");
     OUTSIDE(bracket_shots_needed(5, 0, 1, &shots, &error),
-            "--range 0 stops must be above 0 and finite");
+            "range of a shot 0 stops must be above 0 and finite");
     OUTSIDE(bracket_shots_needed(5, 1, 0, &shots, &error),
-            "--step 0 stops must be above 0 and finite");
+            "step 0 stops must be above 0 and finite");
     OUTSIDE(bracket_shots_needed(5, 1, 1.5, &shots, &error),
-            "--step 1.5 stops leaves gaps between shots of 1 stops each");
+            "step 1.5 stops leaves gaps between shots of 1 stops each");
     OUTSIDE(bracket_shots_needed(1001, 1, 1, &shots, &error), "1001 shots lie outside 1 to 1000");
     INSIDE(bracket_shots_needed(1000, 1, 1, &shots, &error));
 }
@@ -344,25 +351,25 @@ static void test_flash(void)
     INSIDE(flash_solve(FLASH(.GN = 0.5, .N = 0.5, .power = 1, .loss = 0), &unknown, &error));
     INSIDE(flash_solve(FLASH(.GN = 9, .N = 8, .d = 0.001), &unknown, &error));
     OUTSIDE(flash_solve(FLASH(.GN = 0, .N = 8), &unknown, &error),
-            "--guide-number 0 mm must be above 0 and finite");
+            "guide number 0 mm must be above 0 and finite");
     OUTSIDE(flash_solve(FLASH(.GN = 9, .N = 0), &unknown, &error),
-            "--aperture 0 must be above 0 and finite");
+            "f-number 0 must be above 0 and finite");
     OUTSIDE(flash_solve(FLASH(.GN = 9, .d = 0), &unknown, &error),
-            "--distance 0 mm must be above 0 and finite");
+            "distance 0 mm must be above 0 and finite");
     OUTSIDE(flash_solve(FLASH(.GN = 9, .N = 8, .S = 0), &unknown, &error),
-            "--iso 0 must be above 0 and finite");
+            "ISO speed 0 must be above 0 and finite");
     OUTSIDE(flash_solve(FLASH(.GN = 9, .N = 8, .power = 0), &unknown, &error),
-            "--power 0 must be above 0 and finite");
+            "flash power 0 must be above 0 and finite");
     OUTSIDE(flash_solve(FLASH(.GN = 9, .N = 8, .flashes = 0), &unknown, &error),
-            "--flashes 0 must be above 0 and finite");
+            "number of flashes 0 must be above 0 and finite");
     OUTSIDE(flash_solve(FLASH(.GN = 9, .N = 8, .power = 1.25), &unknown, &error),
-            "--power 1.25 must lie above 0 and up to 1");
+            "flash power 1.25 must lie above 0 and up to 1");
     OUTSIDE(flash_solve(FLASH(.GN = 9, .N = 8, .loss = 100.5), &unknown, &error),
-            "--loss 100.5 stops lies outside 0 to 100 stops");
+            "loss of light 100.5 stops lies outside 0 to 100 stops");
     OUTSIDE(flash_solve(FLASH(.GN = 9, .N = 8, .loss = -0.5), &unknown, &error),
-            "--loss -0.5 stops lies outside 0 to 100 stops");
+            "loss of light -0.5 stops lies outside 0 to 100 stops");
     MISUSED(flash_solve(FLASH(.GN = 9), &unknown, &error),
-            "too little is given: of --guide-number, --aperture and --distance two are needed");
+            "too little is given: of guide number, f-number and distance two are needed");
     OUTSIDE(flash_solve(FLASH(.GN = 1, .N = 2, .d = 2), &unknown, &error),
             "the flash would need 16 times its full power: it is 4 stops too weak");
     INSIDE(flash_solve(FLASH(.GN = 4, .N = 2, .d = 2), &unknown, &error));
@@ -377,17 +384,19 @@ static void test_flash(void)
     INSIDE(flash_sum((double[]){0.003, 0.004}, 2, &x, &error));
     CHECK_RELATIVE(x, 0.005, 1e-15, "root of the sum of squares");
     OUTSIDE(flash_sum((double[]){1, 0}, 2, &x, &error),
-            "--guide-number 0 mm must be above 0 and finite");
-    MISUSED(flash_sum(NULL, 0, &x, &error), "--guide-number is missing");
+            "guide number 0 mm must be above 0 and finite");
+    MISUSED(flash_sum(NULL, 0, &x, &error), "guide number is missing");
     INSIDE(flash_bounce(0, 0.1, 0.2, &x, &error));
     CHECK_NEAR(x, 0.3, 1e-16, "up and down");
-    OUTSIDE(flash_bounce(-1, 1, 1, &x, &error), "--distance -1 mm must be 0 or above and finite");
-    OUTSIDE(flash_bounce(1, 0, 1, &x, &error), "--ceiling 0 mm must be above 0 and finite");
-    OUTSIDE(flash_bounce(1, 1, 0, &x, &error), "--ceiling-subject 0 mm must be above 0 and finite");
+    OUTSIDE(flash_bounce(-1, 1, 1, &x, &error), "distance -1 mm must be 0 or above and finite");
+    OUTSIDE(flash_bounce(1, 0, 1, &x, &error),
+            "ceiling over the flash 0 mm must be above 0 and finite");
+    OUTSIDE(flash_bounce(1, 1, 0, &x, &error),
+            "ceiling over the subject 0 mm must be above 0 and finite");
     INSIDE(flash_falloff(0.25, 0.5, &x, &error));
     CHECK_NEAR(x, 2, 0, "twice as far");
-    OUTSIDE(flash_falloff(0, 1, &x, &error), "--near 0 mm must be above 0 and finite");
-    OUTSIDE(flash_falloff(1, 0, &x, &error), "--far 0 mm must be above 0 and finite");
+    OUTSIDE(flash_falloff(0, 1, &x, &error), "nearest point 0 mm must be above 0 and finite");
+    OUTSIDE(flash_falloff(1, 0, &x, &error), "farthest point 0 mm must be above 0 and finite");
 }
 
 static void test_light_ratios(void)
@@ -397,13 +406,13 @@ static void test_light_ratios(void)
     INSIDE(lighting_ratio(100, &x, &error));
     CHECK_RELATIVE(x, 0x1p100, 1e-15, "2^100 + 1");
     OUTSIDE(lighting_ratio(100.5, &x, &error),
-            "--key-to-fill 100.5 stops lies outside -100 to 100 stops");
+            "key to fill 100.5 stops lies outside -100 to 100 stops");
     OUTSIDE(lighting_ratio(-100.5, &x, &error),
-            "--key-to-fill -100.5 stops lies outside -100 to 100 stops");
+            "key to fill -100.5 stops lies outside -100 to 100 stops");
     INSIDE(lighting_stops(1.5, &x, &error));
     CHECK_NEAR(x, -1, 0, "log2(ratio - 1)");
-    OUTSIDE(lighting_stops(1, &x, &error), "--ratio 1 must be above 1 and finite");
-    OUTSIDE(lighting_stops(INFINITY, &x, &error), "--ratio inf must be above 1 and finite");
+    OUTSIDE(lighting_stops(1, &x, &error), "lighting ratio 1 must be above 1 and finite");
+    OUTSIDE(lighting_stops(INFINITY, &x, &error), "lighting ratio inf must be above 1 and finite");
 }
 
 /* 1/4 power twice at ISO 200 through a stop: (GN/(N d))^2 1/4 2 2 1/2 = 1/2 of (5/4)^2. */
@@ -426,28 +435,31 @@ static void test_ambient(void)
     INSIDE(flash_against_ambient(&light, &b, &error));
     light.sync = 0.5;
     OUTSIDE(flash_against_ambient(&light, &b, &error),
-            "--time 0.25 s is shorter than the flash sync time 0.5 s");
+            "exposure time 0.25 s is shorter than the flash sync time 0.5 s");
     light.sync = 0;
-    OUTSIDE(flash_against_ambient(&light, &b, &error), "--sync 0 s must be above 0 and finite");
+    OUTSIDE(flash_against_ambient(&light, &b, &error),
+            "flash sync time 0 s must be above 0 and finite");
     light = good;
     light.ev100 = 100;
     INSIDE(flash_against_ambient(&light, &b, &error));
     light.ev100 = -100;
     INSIDE(flash_against_ambient(&light, &b, &error));
     light.ev100 = 100.5;
-    OUTSIDE(flash_against_ambient(&light, &b, &error), "--ev 100.5 lies outside -100 to 100");
+    OUTSIDE(flash_against_ambient(&light, &b, &error),
+            "exposure value at ISO 100 100.5 lies outside -100 to 100");
     light.ev100 = -100.5;
-    OUTSIDE(flash_against_ambient(&light, &b, &error), "--ev -100.5 lies outside -100 to 100");
+    OUTSIDE(flash_against_ambient(&light, &b, &error),
+            "exposure value at ISO 100 -100.5 lies outside -100 to 100");
     static const struct {
         size_t at;
         const char *option;
-    } members[] = {{offsetof(struct flash_ambient, flash.GN), "--guide-number"},
-                   {offsetof(struct flash_ambient, flash.N), "--aperture"},
-                   {offsetof(struct flash_ambient, flash.d), "--distance"},
-                   {offsetof(struct flash_ambient, flash.S), "--iso"},
-                   {offsetof(struct flash_ambient, flash.power), "--power"},
-                   {offsetof(struct flash_ambient, flash.flashes), "--flashes"},
-                   {offsetof(struct flash_ambient, t), "--time"}};
+    } members[] = {{offsetof(struct flash_ambient, flash.GN), "guide number"},
+                   {offsetof(struct flash_ambient, flash.N), "f-number"},
+                   {offsetof(struct flash_ambient, flash.d), "distance"},
+                   {offsetof(struct flash_ambient, flash.S), "ISO speed"},
+                   {offsetof(struct flash_ambient, flash.power), "flash power"},
+                   {offsetof(struct flash_ambient, flash.flashes), "number of flashes"},
+                   {offsetof(struct flash_ambient, t), "exposure time"}};
     for (size_t i = 0; i < sizeof members / sizeof *members; i++) {
         char message[80];
         light = good;

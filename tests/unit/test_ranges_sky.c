@@ -12,25 +12,26 @@ static const double pi = PI;
 
 static void test_star_ranges(void)
 {
-    static const char beyond[] = "--declination 135 deg lies outside -90 to 90 deg";
+    static const char beyond[] = "declination 135 deg lies outside -90 to 90 deg";
     static const char pole[] =
-        "--declination 90 deg is a pole: a star there does not move and no time is too long; the "
+        "declination 90 deg is a pole: a star there does not move and no time is too long; the "
         "declination must lie between -90 and 90 deg";
-    static const char turn[] = "--time 86165 s exceeds one turn of the sky, 86164.0989 s: the "
-                               "trail is closed";
+    static const char turn[] =
+        "exposure time 86165 s exceeds one turn of the sky, 86164.0989 s: the "
+        "trail is closed";
     struct star_trail trail;
     struct star_time time;
     double x = 0;
     INSIDE(star_trail(0.5, pi / 2, STELLAR_DAY, &trail, &error));
     INSIDE(star_trail(0.5, -pi / 2 * (1 + 5e-13), 0.5, &trail, &error));
     CHECK(!star_trail(0.5, pi / 2 * (1 + 1.5e-12), 1, &trail, &error));
-    OUTSIDE(star_trail(0, 0, 1, &trail, &error), "--focal-length 0 mm must be above 0 and finite");
+    OUTSIDE(star_trail(0, 0, 1, &trail, &error), "focal length 0 mm must be above 0 and finite");
     OUTSIDE(star_trail(1, 0.75 * pi, 1, &trail, &error), beyond);
-    OUTSIDE(star_trail(1, 0, 0, &trail, &error), "--time 0 s must be above 0 and finite");
+    OUTSIDE(star_trail(1, 0, 0, &trail, &error), "exposure time 0 s must be above 0 and finite");
     OUTSIDE(star_trail(1, 0, 86165, &trail, &error), turn);
     INSIDE(star_trail_worst(0.5, 0, 0.5, 0, &x, &error));
     OUTSIDE(star_trail_worst(0, 0, 1, 1, &x, &error),
-            "--focal-length 0 mm must be above 0 and finite");
+            "focal length 0 mm must be above 0 and finite");
     OUTSIDE(star_trail_worst(1, 0.75 * pi, 1, 1, &x, &error), beyond);
     OUTSIDE(star_trail_worst(1, 0, 86165, 1, &x, &error), turn);
     OUTSIDE(star_trail_worst(1, 0, 1, -0.5, &x, &error),
@@ -39,14 +40,14 @@ static void test_star_ranges(void)
             "half diagonal inf mm must be 0 or above and finite");
     INSIDE(star_time(0.5, pi / 2 * (1 - 2e-12), 0.5, &time, &error));
     CHECK(!star_time(1, pi / 2 * (1 - 0.5e-12), 1, &time, &error));
-    OUTSIDE(star_time(0, 0, 1, &time, &error), "--focal-length 0 mm must be above 0 and finite");
+    OUTSIDE(star_time(0, 0, 1, &time, &error), "focal length 0 mm must be above 0 and finite");
     OUTSIDE(star_time(1, pi / 2, 1, &time, &error), pole);
     OUTSIDE(star_time(1, 0.75 * pi, 1, &time, &error), beyond);
-    OUTSIDE(star_time(1, 0, 0, &time, &error), "--trail 0 mm must be above 0 and finite");
+    OUTSIDE(star_time(1, 0, 0, &time, &error), "trail 0 mm must be above 0 and finite");
     INSIDE(star_focal_length(0, 0.5, 0.5, &x, &error));
     OUTSIDE(star_focal_length(pi / 2, 1, 1, &x, &error), pole);
     OUTSIDE(star_focal_length(0, 86165, 1, &x, &error), turn);
-    OUTSIDE(star_focal_length(0, 1, 0, &x, &error), "--trail 0 mm must be above 0 and finite");
+    OUTSIDE(star_focal_length(0, 1, 0, &x, &error), "trail 0 mm must be above 0 and finite");
 }
 
 static void test_star_rules(void)
@@ -54,29 +55,28 @@ static void test_star_rules(void)
     double t = 0;
     INSIDE(star_rule_time(0.5, 0.5, 0.25, &t, &error));
     CHECK_NEAR(t, 4, 0, "constant/(crop f)");
-    OUTSIDE(star_rule_time(0, 1, 1, &t, &error), "--rule 0 must be above 0 and finite");
-    OUTSIDE(star_rule_time(1, 0, 1, &t, &error), "--focal-length 0 mm must be above 0 and finite");
-    OUTSIDE(star_rule_time(1, 1, 0, &t, &error), "--crop 0 must be above 0 and finite");
+    OUTSIDE(star_rule_time(0, 1, 1, &t, &error), "rule constant 0 must be above 0 and finite");
+    OUTSIDE(star_rule_time(1, 0, 1, &t, &error), "focal length 0 mm must be above 0 and finite");
+    OUTSIDE(star_rule_time(1, 1, 0, &t, &error), "crop factor 0 must be above 0 and finite");
     INSIDE(npf_simple_time(0.5, 0.5, 0.0005, &t, &error));
     CHECK_RELATIVE(t, 65.0, 1e-15, "(35 N + 30 p)/f, p in um");
-    OUTSIDE(npf_simple_time(0, 1, 1, &t, &error), "--focal-length 0 mm must be above 0 and finite");
-    OUTSIDE(npf_simple_time(1, 0, 1, &t, &error), "--aperture 0 must be above 0 and finite");
-    OUTSIDE(npf_simple_time(1, 1, 0, &t, &error), "--pixel 0 mm must be above 0 and finite");
+    OUTSIDE(npf_simple_time(0, 1, 1, &t, &error), "focal length 0 mm must be above 0 and finite");
+    OUTSIDE(npf_simple_time(1, 0, 1, &t, &error), "f-number 0 must be above 0 and finite");
+    OUTSIDE(npf_simple_time(1, 1, 0, &t, &error), "pixel pitch 0 mm must be above 0 and finite");
     INSIDE(npf_full_time(&(struct npf_setting){0.5, 0.5, 0.0005, pi / 3, 0.5}, &t, &error));
     CHECK_RELATIVE(t, 30.7, 1e-15, "k (16.9 N + 0.1 f + 13.7 p)/(f cos 60)");
     OUTSIDE(npf_full_time(&(struct npf_setting){1, 1, 0, 0, 1}, &t, &error),
-            "--pixel 0 mm must be above 0 and finite");
+            "pixel pitch 0 mm must be above 0 and finite");
     OUTSIDE(npf_full_time(&(struct npf_setting){1, 1, 1, 0.75 * pi, 1}, &t, &error),
-            "--declination 135 deg lies outside -90 to 90 deg");
+            "declination 135 deg lies outside -90 to 90 deg");
     OUTSIDE(npf_full_time(&(struct npf_setting){1, 1, 1, 0, 0}, &t, &error),
-            "--accuracy 0 must be above 0 and finite");
+            "accuracy 0 must be above 0 and finite");
     INSIDE(four_minus_crop_time(0.5, 0.5, &t, &error));
     CHECK_NEAR(t, 700, 0, "100 (4 - crop)/f");
-    OUTSIDE(four_minus_crop_time(0, 1, &t, &error),
-            "--focal-length 0 mm must be above 0 and finite");
-    OUTSIDE(four_minus_crop_time(1, 0, &t, &error), "--crop 0 must be above 0 and finite");
+    OUTSIDE(four_minus_crop_time(0, 1, &t, &error), "focal length 0 mm must be above 0 and finite");
+    OUTSIDE(four_minus_crop_time(1, 0, &t, &error), "crop factor 0 must be above 0 and finite");
     OUTSIDE(four_minus_crop_time(1, 4, &t, &error),
-            "--crop 4 must lie below 4 for the 4 - crop rule");
+            "crop factor 4 must lie below 4 for the 4 - crop rule");
 }
 
 /*
@@ -111,11 +111,11 @@ static void test_panorama_frame(void)
     CHECK_RELATIVE(frame.horizontal, pi / 2, 1e-15, "width 2 f (1 + m/P)");
     CHECK_RELATIVE(frame.vertical, 0.927295218001612232, 1e-15, "2 atan(1/2)");
     OUTSIDE(panorama_frame(&(struct panorama_lens){0, 0, 1}, 1, 1, &frame, &error),
-            "--focal-length 0 mm must be above 0 and finite");
+            "focal length 0 mm must be above 0 and finite");
     OUTSIDE(panorama_frame(&(struct panorama_lens){1, -0.5, 1}, 1, 1, &frame, &error),
-            "--magnification -0.5 must be 0 or more and finite");
+            "magnification -0.5 must be 0 or more and finite");
     OUTSIDE(panorama_frame(&(struct panorama_lens){1, 0, 0}, 1, 1, &frame, &error),
-            "--pupil 0 must be above 0 and finite");
+            "pupil magnification 0 must be above 0 and finite");
     OUTSIDE(panorama_frame(&(struct panorama_lens){1, 0, 1}, 0, 1, &frame, &error),
             "sensor width 0 mm must be above 0 and finite");
     OUTSIDE(panorama_frame(&(struct panorama_lens){1, 0, 1}, 1, 0, &frame, &error),
@@ -127,15 +127,15 @@ static void test_panorama_frame(void)
     OUTSIDE(panorama_focal(0, 0, 1, 1, &x, &error),
             "angle of view 0 degrees is out of range (above 0, below 180)");
     OUTSIDE(panorama_focal(1, -0.5, 1, 1, &x, &error),
-            "--magnification -0.5 must be 0 or more and finite");
+            "magnification -0.5 must be 0 or more and finite");
     OUTSIDE(panorama_focal(1, 0, 1, 0, &x, &error), "sensor width 0 mm must be above 0 and finite");
     INSIDE(panorama_pupil(0.5, 0.5, 0.5, -1, &x, &error));
     CHECK_NEAR(x, -0.75, 1e-16, "f (1 + m) + hiatus + f (1 - 1/P)");
-    OUTSIDE(panorama_pupil(0, 0, 1, 0, &x, &error),
-            "--focal-length 0 mm must be above 0 and finite");
-    OUTSIDE(panorama_pupil(1, 0, 0, 0, &x, &error), "--pupil 0 must be above 0 and finite");
+    OUTSIDE(panorama_pupil(0, 0, 1, 0, &x, &error), "focal length 0 mm must be above 0 and finite");
+    OUTSIDE(panorama_pupil(1, 0, 0, 0, &x, &error),
+            "pupil magnification 0 must be above 0 and finite");
     OUTSIDE(panorama_pupil(1, 0, 1, INFINITY, &x, &error),
-            "--hiatus inf mm is out of range (finite)");
+            "hiatus inf mm is out of range (finite)");
 }
 
 static void test_panorama_plan(void)
@@ -172,12 +172,12 @@ static void test_panorama_plan(void)
         {{1, 2.5 * PI},
          {1, 0, 0},
          "vertical angle of view 450 degrees is out of range (above 0, up to 360)"},
-        {{1, 1}, {0, 0, 0}, "--arc 0 degrees is out of range (above 0, up to 360)"},
-        {{1, 1}, {2.5 * PI, 0, 0}, "--arc 450 degrees is out of range (above 0, up to 360)"},
-        {{1, 1}, {1, -0.25 * PI, 0}, "--span -45 degrees is out of range (from 0, up to 180)"},
-        {{1, 1}, {1, 1.25 * PI, 0}, "--span 225 degrees is out of range (from 0, up to 180)"},
-        {{1, 1}, {1, 0, 1}, "--overlap 1 is out of range (0 up to below 1)"},
-        {{1, 1}, {1, 0, -0.5}, "--overlap -0.5 is out of range (0 up to below 1)"},
+        {{1, 1}, {0, 0, 0}, "arc 0 degrees is out of range (above 0, up to 360)"},
+        {{1, 1}, {2.5 * PI, 0, 0}, "arc 450 degrees is out of range (above 0, up to 360)"},
+        {{1, 1}, {1, -0.25 * PI, 0}, "span -45 degrees is out of range (from 0, up to 180)"},
+        {{1, 1}, {1, 1.25 * PI, 0}, "span 225 degrees is out of range (from 0, up to 180)"},
+        {{1, 1}, {1, 0, 1}, "overlap 1 is out of range (0 up to below 1)"},
+        {{1, 1}, {1, 0, -0.5}, "overlap -0.5 is out of range (0 up to below 1)"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         OUTSIDE(panorama_plan(&rows[i].frame, &rows[i].goal, &plan, &error), rows[i].message);
@@ -208,9 +208,9 @@ static void test_panorama_plan(void)
     INSIDE(panorama_overlap(&frame, pi, 1, &overlap, &error));
     CHECK(isnan(overlap));
     OUTSIDE(panorama_overlap(&frame, pi, 0, &overlap, &error),
-            "--columns 0 is out of range (1 or more)");
+            "number of columns 0 is out of range (1 or more)");
     OUTSIDE(panorama_overlap(&frame, 2.5 * pi, 3, &overlap, &error),
-            "--arc 450 degrees is out of range (above 0, up to 360)");
+            "arc 450 degrees is out of range (above 0, up to 360)");
     OUTSIDE(panorama_overlap(&(struct panorama_frame){0, 1}, pi, 3, &overlap, &error),
             "horizontal angle of view 0 degrees is out of range (above 0, up to 360)");
 }
@@ -265,13 +265,14 @@ static void test_panorama_parallax(void)
     INSIDE(panorama_parallax(0.5, pi, 1, 1, &x, &error));
     CHECK_NEAR(x, 0, 0, "no depth");
     OUTSIDE(panorama_parallax(1, 0, 2, 3, &x, &error),
-            "--step 0 degrees is out of range (above 0, up to 180)");
+            "step 0 degrees is out of range (above 0, up to 180)");
     OUTSIDE(panorama_parallax(1, 1.25 * pi, 2, 3, &x, &error),
-            "--step 225 degrees is out of range (above 0, up to 180)");
+            "step 225 degrees is out of range (above 0, up to 180)");
     OUTSIDE(panorama_parallax(-2, 1, 2, 3, &x, &error),
-            "--near 2 mm lies within the circle of the entrance pupil (more than the offset 2 mm)");
+            "nearest point 2 mm lies within the circle of the entrance pupil (more than the offset "
+            "2 mm)");
     OUTSIDE(panorama_parallax(1, 1, 3, 2.5, &x, &error),
-            "--far 2.5 mm lies before --near 3 mm (3 mm or more)");
+            "farthest point 2.5 mm lies before the nearest point 3 mm (3 mm or more)");
     INSIDE(panorama_offset(pi / 2, pi / 6, 0.5, &x, &error));
     CHECK_RELATIVE(x, 0.408248290463863016, 1e-15, "sin 45/sin 60 of it");
     INSIDE(panorama_nearest(-0.408248290463863016, pi / 2, pi / 6, &x, &error));
@@ -280,10 +281,10 @@ static void test_panorama_parallax(void)
             "parallax of 135 degrees is out of range (above 0, below 135)");
     OUTSIDE(panorama_offset(0, pi / 4, 1, &x, &error),
             "parallax of 0 degrees is out of range (above 0, below 135)");
-    OUTSIDE(panorama_offset(1, 1, 0, &x, &error), "--near 0 mm must be above 0 and finite");
-    OUTSIDE(panorama_nearest(0, 1, 1, &x, &error), "--offset 0 mm must be above 0 and finite");
+    OUTSIDE(panorama_offset(1, 1, 0, &x, &error), "nearest point 0 mm must be above 0 and finite");
+    OUTSIDE(panorama_nearest(0, 1, 1, &x, &error), "offset 0 mm must be above 0 and finite");
     OUTSIDE(panorama_nearest(1, 1, 1.25 * pi, &x, &error),
-            "--step 225 degrees is out of range (above 0, up to 180)");
+            "step 225 degrees is out of range (above 0, up to 180)");
 }
 
 /* What is not named is not given: named members override the NaNs. */
@@ -304,48 +305,50 @@ static void test_tilt_ranges(void)
     struct tilt t;
     INSIDE(tilt_solve(TILT(.tilt = 0, .image = 0.75), &t, &error));
     INSIDE(tilt_solve(TILT(.tilt = 0, .image = 0.75, .c = 0.5), &t, &error));
-    OUTSIDE(tilt_solve(TILT(.tilt = 0, .image = 1, .c = 1), &t, &error),
-            "--coc 1 mm is not narrower than the aperture (0 or more, below f/N = 1 mm)");
+    OUTSIDE(
+        tilt_solve(TILT(.tilt = 0, .image = 1, .c = 1), &t, &error),
+        "circle of confusion 1 mm is not narrower than the aperture (0 or more, below f/N = 1 mm)");
     OUTSIDE(tilt_solve(TILT(.tilt = 0, .image = 1, .c = -0.5), &t, &error),
-            "--coc -0.5 mm is not narrower than the aperture (0 or more, below f/N = 1 mm)");
+            "circle of confusion -0.5 mm is not narrower than the aperture (0 or more, below f/N = "
+            "1 mm)");
     OUTSIDE(tilt_solve(TILT(.tilt = 0, .image = 1, .f = 0), &t, &error),
-            "--focal-length 0 mm must be above 0 and finite");
+            "focal length 0 mm must be above 0 and finite");
     OUTSIDE(tilt_solve(TILT(.tilt = 0, .image = 1, .N = 0), &t, &error),
-            "--aperture 0 must be above 0 and finite");
-    MISUSED(tilt_solve(TILT(.image = 1), &t, &error), "give exactly one of --tilt and --hinge");
+            "f-number 0 must be above 0 and finite");
+    MISUSED(tilt_solve(TILT(.image = 1), &t, &error), "give exactly one of tilt and hinge");
     MISUSED(tilt_solve(TILT(.image = 1, .tilt = 0, .hinge = 1), &t, &error),
-            "give exactly one of --tilt and --hinge");
+            "give exactly one of tilt and hinge");
     INSIDE(tilt_solve(TILT(.hinge = -1, .image = 0.75), &t, &error));
     CHECK_RELATIVE(t.tilt, -pi / 6, 1e-15, "asin(f/J)");
-    OUTSIDE(
-        tilt_solve(TILT(.hinge = 0.25, .image = 1), &t, &error),
-        "--hinge 0.25 mm is nearer than any tilt of a 0.5 mm lens can bring it (above 0.5 mm on "
-        "either side)");
+    OUTSIDE(tilt_solve(TILT(.hinge = 0.25, .image = 1), &t, &error),
+            "hinge 0.25 mm is nearer than any tilt can bring it with focal length 0.5 mm (above "
+            "0.5 mm on either side)");
     OUTSIDE(tilt_solve(TILT(.hinge = 0.5, .image = 1), &t, &error),
-            "--tilt 90 degrees is out of range (-90 to 90, exclusive)");
+            "tilt 90 degrees is out of range (-90 to 90, exclusive)");
     OUTSIDE(tilt_solve(TILT(.tilt = -0.75 * pi, .image = 1), &t, &error),
-            "--tilt -135 degrees is out of range (-90 to 90, exclusive)");
+            "tilt -135 degrees is out of range (-90 to 90, exclusive)");
     MISUSED(tilt_solve(TILT(.tilt = 0), &t, &error),
-            "give exactly one of --image, --distance and --angle");
+            "give exactly one of image distance, distance and angle of the plane of focus");
     MISUSED(tilt_solve(TILT(.tilt = 0, .image = 1, .angle = 1), &t, &error),
-            "give exactly one of --image, --distance and --angle");
+            "give exactly one of image distance, distance and angle of the plane of focus");
     MISUSED(tilt_solve(TILT(.tilt = 0, .image = 1, .distance = 1), &t, &error),
-            "give exactly one of --image, --distance and --angle");
+            "give exactly one of image distance, distance and angle of the plane of focus");
     OUTSIDE(tilt_solve(TILT(.tilt = 0, .image = 0), &t, &error),
-            "--image 0 mm must be above 0 and finite");
+            "image distance 0 mm must be above 0 and finite");
     INSIDE(tilt_solve(TILT(.tilt = pi / 3, .distance = 1.25), &t, &error));
     CHECK_RELATIVE(t.image, 5.0, 1e-14, "f/(cos 60 - 0.5/1.25)");
-    OUTSIDE(
-        tilt_solve(TILT(.tilt = 0, .distance = 0.5), &t, &error),
-        "--distance 0.5 mm lies within the focal length of the tilted lens: no real image (more "
-        "than f/cos(tilt) = 0.5 mm)");
+    OUTSIDE(tilt_solve(TILT(.tilt = 0, .distance = 0.5), &t, &error),
+            "distance 0.5 mm lies within the focal length of the tilted lens: no real image (more "
+            "than f/cos(tilt) = 0.5 mm)");
     OUTSIDE(tilt_solve(TILT(.tilt = 0, .angle = 1), &t, &error),
-            "--angle needs a tilt: untilted, the plane of focus is parallel to the sensor (a tilt "
-            "other than 0)");
+            "angle of the plane of focus needs a tilt: untilted, the plane of focus is parallel to "
+            "the sensor (a tilt other than 0)");
     OUTSIDE(tilt_solve(TILT(.tilt = pi / 4, .angle = pi / 4), &t, &error),
-            "--angle 45 degrees cannot be reached with this tilt (between 45 and 180)");
+            "angle of the plane of focus 45 degrees cannot be reached with this tilt (between 45 "
+            "and 180)");
     OUTSIDE(tilt_solve(TILT(.tilt = -pi / 4, .angle = -pi), &t, &error),
-            "--angle -180 degrees cannot be reached with this tilt (between -45 and -180)");
+            "angle of the plane of focus -180 degrees cannot be reached with this tilt (between "
+            "-45 and -180)");
     INSIDE(tilt_solve(TILT(.tilt = -pi / 6, .angle = -pi / 2), &t, &error));
     CHECK_RELATIVE(t.image, 0.577350269189625765, 1e-15, "f/sin 60");
 }
@@ -358,7 +361,7 @@ static void test_tilt_points(void)
     CHECK_RELATIVE(tilt, pi / 6, 1e-15, "sine f (1 - 1/2)/0.5");
     CHECK_RELATIVE(image, 1.36602540378443865, 1e-14, "f/(cos 30 - 0.5)");
     OUTSIDE(tilt_through(0, &near, &far, &tilt, &image, &error),
-            "--focal-length 0 mm must be above 0 and finite");
+            "focal length 0 mm must be above 0 and finite");
     OUTSIDE(tilt_through(1, &at, &far, &tilt, &image, &error),
             "points at 0 mm and 2 mm: one does not lie before the lens (above 0 mm)");
     OUTSIDE(tilt_through(1, &near, &at, &tilt, &image, &error),
@@ -368,13 +371,13 @@ static void test_tilt_points(void)
         "both points lie in the same direction (slope 0): any tilt serves only one of them (two "
         "directions)");
     OUTSIDE(tilt_through(1, &near, &far, &tilt, &image, &error),
-            "the two points ask for a hinge 1 mm from the lens, nearer than its focal length 1 mm "
+            "the two points ask for a hinge 1 mm from the lens, nearer than the focal length 1 mm "
             "(more than that)");
     OUTSIDE(tilt_through(2, &near, &(struct tilt_point){1, 0.5}, &tilt, &image, &error),
             "no sensor position images both points: the plane through them lies within the focal "
             "length 2 mm (farther away)");
     OUTSIDE(tilt_point_focused(0, 1, 1, &at, &error),
-            "--focal-length 0 mm must be above 0 and finite");
+            "focal length 0 mm must be above 0 and finite");
     INSIDE(tilt_point_focused(0.5, 0.5, 0.25, &at, &error));
     CHECK_NEAR(at.distance, INFINITY, 0, "the focus");
     CHECK_NEAR(at.rise, -0.5, 0, "-h/z");
@@ -403,7 +406,7 @@ static void test_tilt_circle(void)
     t.B = sin(t.tilt);
     OUTSIDE(tilt_coverage(&t, &(struct tilt_frame){1, 24, 0, 0}, &coverage, &error),
             "a corner of the frame lies beside the tilted lens: no image circle holds it (less "
-            "--tilt than 45 degrees)");
+            "tilt than 45 degrees)");
     /* 2 x 2 on a lens tilted by 45 deg, v = 10: y = 1 lies 9 deg/sqrt 2 across, 11/sqrt 2 along */
     INSIDE(tilt_coverage(&t, &(struct tilt_frame){2, 2, 0, 0}, &coverage, &error));
     CHECK_RELATIVE(coverage.circle, 12.322818340454909, 1e-15, "hypot(sqrt 2, 11)/9 x 10");
@@ -415,13 +418,13 @@ static void test_tilt_circle(void)
     CHECK_RELATIVE(x, 2.6291651245988508, 1e-14, "sqrt(6.5^2 - 3.25^2) - 3");
     OUTSIDE(tilt_shift_limit(&(struct tilt){.f = 5, .image = 10}, 2.25,
                              &(struct tilt_frame){3, 4, 0, 0}, &x, &error),
-            "--circle 2.25 mm does not cover the frame 3 x 4 mm (2.5 mm or more)");
+            "image circle 2.25 mm does not cover the frame 3 x 4 mm (2.5 mm or more)");
     OUTSIDE(tilt_shift_limit(&(struct tilt){.f = 0, .image = 1}, 1,
                              &(struct tilt_frame){1, 1, 0, 0}, &x, &error),
-            "--focal-length 0 mm must be above 0 and finite");
+            "focal length 0 mm must be above 0 and finite");
     OUTSIDE(tilt_shift_limit(&(struct tilt){.f = 1, .image = 0}, 1,
                              &(struct tilt_frame){1, 1, 0, 0}, &x, &error),
-            "--image 0 mm must be above 0 and finite");
+            "image distance 0 mm must be above 0 and finite");
 }
 
 /* The drawing of a lens tilted by asin 0.6, f = 2, v' = 5; all points from the lines' equations. */

@@ -109,13 +109,14 @@ static void test_fov_goals(void)
     far.f = 50;
     INSIDE(fov_solve(&far, &sensor, GOALS(.vertical = NAN), &f, &error));
     CHECK_NEAR(f, 50, 0, "given itself");
-    const char *one = "give exactly one of --focal-length, --horizontal, --vertical, --diagonal, "
-                      "--field-width, --field-height, --field-diagonal";
+    const char *one = "give exactly one of focal length, horizontal angle of view, vertical angle "
+                      "of view, diagonal angle of view, "
+                      "width of the field, height of the field, diagonal of the field";
     MISUSED(fov_solve(&far, &sensor, GOALS(.vertical = 1), &f, &error), one);
     MISUSED(fov_solve(&near, &sensor, GOALS(.vertical = NAN), &f, &error), one);
     MISUSED(fov_solve(&near, &sensor, GOALS(.vertical = 1, .diagonal = 1), &f, &error), one);
     far.f = NAN;
-    const char *field = "a wanted field needs a rectilinear lens and a finite --distance";
+    const char *field = "a wanted field needs a rectilinear lens and a finite distance";
     OUTSIDE(fov_solve(&far, &sensor, GOALS(.field_width = 100), &f, &error), field);
     near.projection = EQUIDISTANT;
     OUTSIDE(fov_solve(&near, &sensor, GOALS(.field_width = 100), &f, &error), field);
@@ -257,14 +258,18 @@ static void test_equivalent(void)
         double k;
         const char *message;
     } rows[] = {
-        {{0, 1, 1, 1, 1, 1}, 1, "--focal-length 0 mm must be above 0 and finite"},
-        {{1, 0, 1, 1, 1, 1}, 1, "--aperture 0 must be above 0 and finite"},
-        {{1, 1, -0.5, 1, 1, 1}, 1, "--magnification -0.5 is out of range (0 or more, finite)"},
-        {{1, 1, INFINITY, 1, 1, 1}, 1, "--magnification inf is out of range (0 or more, finite)"},
-        {{1, 1, 1, 0, 1, 1}, 1, "--pupil 0 must be above 0 and finite"},
-        {{1, 1, 1, 1, 0, 1}, 1, "--iso 0 must be above 0 and finite"},
-        {{1, 1, 1, 1, 1, -0.5}, 1, "--coc -0.5 mm is out of range (0 or more, finite)"},
-        {{1, 1, 1, 1, 1, INFINITY}, 1, "--coc inf mm is out of range (0 or more, finite)"},
+        {{0, 1, 1, 1, 1, 1}, 1, "focal length 0 mm must be above 0 and finite"},
+        {{1, 0, 1, 1, 1, 1}, 1, "f-number 0 must be above 0 and finite"},
+        {{1, 1, -0.5, 1, 1, 1}, 1, "magnification -0.5 is out of range (0 or more, finite)"},
+        {{1, 1, INFINITY, 1, 1, 1}, 1, "magnification inf is out of range (0 or more, finite)"},
+        {{1, 1, 1, 0, 1, 1}, 1, "pupil magnification 0 must be above 0 and finite"},
+        {{1, 1, 1, 1, 0, 1}, 1, "ISO speed 0 must be above 0 and finite"},
+        {{1, 1, 1, 1, 1, -0.5},
+         1,
+         "circle of confusion -0.5 mm is out of range (0 or more, finite)"},
+        {{1, 1, 1, 1, 1, INFINITY},
+         1,
+         "circle of confusion inf mm is out of range (0 or more, finite)"},
         {{1, 1, 1, 1, 1, 1}, 0, "size ratio of the formats 0 must be above 0 and finite"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -278,10 +283,9 @@ static void test_motion(void)
     double m = 0;
     INSIDE(motion_magnification(0.25, 0.5, &m, &error));
     CHECK_NEAR(m, 1, 0, "1:1");
-    OUTSIDE(motion_magnification(0, 1, &m, &error),
-            "--focal-length 0 mm must be above 0 and finite");
+    OUTSIDE(motion_magnification(0, 1, &m, &error), "focal length 0 mm must be above 0 and finite");
     OUTSIDE(motion_magnification(50, 50, &m, &error),
-            "--distance 50 mm lies within the focal length 50 mm: no real image");
+            "distance 50 mm lies within the focal length 50 mm: no real image");
     struct motion shot = *MOTION(.v = 0.5, .t = 0.5, .m = 0.25, .s = 0.25);
     INSIDE(motion_solve(&shot, &error));
     CHECK_NEAR(shot.blur, 0.0625, 1e-16, "v t m");
@@ -293,25 +297,25 @@ static void test_motion(void)
     INSIDE(motion_solve(&high_time, &error));
     CHECK_NEAR(high_time.t, 1, 1e-15, "and back");
     MISUSED(motion_solve(MOTION(.v = 1, .t = 1, .blur = 1, .h = 0.5), &error),
-            "--magnification is solved for on the axis only: leave --height out");
+            "magnification is solved for on the axis only: leave image height out");
     MISUSED(motion_solve(MOTION(.v = 1, .t = 1), &error),
-            "give exactly three of --speed, --time, --magnification and --blur");
+            "give exactly three of speed, exposure time, magnification and blur");
     OUTSIDE(motion_solve(MOTION(.v = 0, .t = 1, .m = 1), &error),
-            "--speed 0 mm/s must be above 0 and finite");
+            "speed 0 mm/s must be above 0 and finite");
     OUTSIDE(motion_solve(MOTION(.v = 1, .t = 1, .m = 1, .s = 0), &error),
-            "--distance 0 mm must be above 0");
+            "distance 0 mm must be above 0");
     OUTSIDE(motion_solve(MOTION(.v = 1, .t = 1, .m = 1, .h = INFINITY), &error),
-            "--height inf mm must be finite");
+            "image height inf mm must be finite");
     INSIDE(motion_solve(MOTION(.v = 1, .t = 1, .m = 1, .angle = pi), &error));
     INSIDE(motion_solve(MOTION(.v = 1, .t = 1, .m = 1, .angle = 0), &error));
     OUTSIDE(motion_solve(MOTION(.v = 1, .t = 1, .m = 1, .angle = 1.25 * pi), &error),
-            "--angle 225 deg lies outside 0 to 180 deg");
+            "angle of the motion 225 deg lies outside 0 to 180 deg");
     OUTSIDE(motion_solve(MOTION(.v = 1, .t = 1, .m = 1, .angle = -pi / 4), &error),
-            "--angle -45 deg lies outside 0 to 180 deg");
+            "angle of the motion -45 deg lies outside 0 to 180 deg");
     OUTSIDE(motion_solve(MOTION(.v = 2, .t = 2, .m = 1, .angle = 0, .s = 4), &error),
-            "--time 2 s is too long: the subject reaches the lens in 2 s");
+            "exposure time 2 s is too long: the subject reaches the lens in 2 s");
     OUTSIDE(motion_solve(MOTION(.t = 1, .m = 1, .blur = 0.5, .angle = 0), &error),
-            "no speed blurs by --blur 0.5 mm at --angle 0 deg");
+            "no speed makes the blur 0.5 mm at the angle of the motion 0 deg");
 }
 
 static void test_unsteady(void)
@@ -320,50 +324,52 @@ static void test_unsteady(void)
     INSIDE(shake_solve(&shake, &error));
     CHECK_NEAR(shake.blur, 0.25, 0, "f (1 + m) w t");
     OUTSIDE(shake_solve(SHAKE(.f = 1, .omega = 1, .t = 1, .m = -0.5), &error),
-            "--magnification -0.5 must be 0 or above and finite");
+            "magnification -0.5 must be 0 or above and finite");
     OUTSIDE(shake_solve(SHAKE(.f = 1, .omega = 0, .t = 1), &error),
-            "--rotation 0 rad/s must be above 0 and finite");
+            "rotation 0 rad/s must be above 0 and finite");
     MISUSED(shake_solve(SHAKE(.f = 1, .omega = 1), &error),
-            "give exactly three of --focal-length, --rotation, --time and --blur");
+            "give exactly three of focal length, rotation, exposure time and blur");
     struct blur_size size;
     INSIDE(blur_measure(0.5, 0.25, 0.125, &size, &error));
     CHECK_NEAR(size.pixels, 2, 0, "blur/pitch");
     CHECK_NEAR(size.circles, 4, 0, "blur/c");
-    OUTSIDE(blur_measure(1, 0, 1, &size, &error), "--pixel 0 mm must be above 0 and finite");
-    OUTSIDE(blur_measure(1, 1, 0, &size, &error), "--coc 0 mm must be above 0 and finite");
+    OUTSIDE(blur_measure(1, 0, 1, &size, &error), "pixel pitch 0 mm must be above 0 and finite");
+    OUTSIDE(blur_measure(1, 1, 0, &size, &error),
+            "circle of confusion 0 mm must be above 0 and finite");
     struct panning_blur blur;
     INSIDE(panning_solve(&(struct panning){0.5, pi / 2, 0.5, 0.25, 0.5, 0}, &blur, &error));
     CHECK_NEAR(blur.rate, 1, 1e-16, "v/s");
     CHECK_NEAR(blur.subject, 0.25, 1e-16, "(1 - 0) m v t");
     CHECK_NEAR(blur.background, 0, 0, "standing still");
     OUTSIDE(panning_solve(&(struct panning){0, 1, 1, 1, 2, 1}, &blur, &error),
-            "--speed 0 mm/s must be above 0 and finite");
+            "speed 0 mm/s must be above 0 and finite");
     OUTSIDE(panning_solve(&(struct panning){1, 1, 0, 1, 2, 1}, &blur, &error),
-            "--time 0 s must be above 0 and finite");
+            "exposure time 0 s must be above 0 and finite");
     OUTSIDE(panning_solve(&(struct panning){1, 4 * pi, 1, 1, 2, 1}, &blur, &error),
-            "--angle 720 deg lies outside 0 to 180 deg");
+            "angle of the motion 720 deg lies outside 0 to 180 deg");
     OUTSIDE(panning_solve(&(struct panning){1, 1, 1, 1, 1, 1}, &blur, &error),
-            "--distance 1 mm lies within the focal length 1 mm: no real image");
+            "distance 1 mm lies within the focal length 1 mm: no real image");
     OUTSIDE(panning_solve(&(struct panning){1, 1, 1, 1, 2, -0.5}, &blur, &error),
-            "--track -0.5 must be 0 or above and finite");
+            "track -0.5 must be 0 or above and finite");
     double t = 0;
     INSIDE(handheld_time(0.5, 0.5, 20, &t, &error));
     CHECK_NEAR(t, 0x1p22, 0, "2^20/(crop f)");
-    OUTSIDE(handheld_time(0, 1, 0, &t, &error), "--focal-length 0 mm must be above 0 and finite");
-    OUTSIDE(handheld_time(1, 0, 0, &t, &error), "--crop 0 must be above 0 and finite");
+    OUTSIDE(handheld_time(0, 1, 0, &t, &error), "focal length 0 mm must be above 0 and finite");
+    OUTSIDE(handheld_time(1, 0, 0, &t, &error), "crop factor 0 must be above 0 and finite");
     OUTSIDE(handheld_time(1, 1, 20.5, &t, &error),
-            "--stabiliser 20.5 stops lies outside 0 to 20 stops");
+            "stabiliser 20.5 stops lies outside 0 to 20 stops");
     OUTSIDE(handheld_time(1, 1, -0.5, &t, &error),
-            "--stabiliser -0.5 stops lies outside 0 to 20 stops");
+            "stabiliser -0.5 stops lies outside 0 to 20 stops");
     struct rolling_skew skew;
     INSIDE(rolling_shutter(0, 0.5, 0.5, &skew, &error));
     CHECK_NEAR(skew.angle, 0, 0, "nothing moves");
     INSIDE(rolling_shutter(0.5, 0.5, 0.25, &skew, &error));
     CHECK_RELATIVE(skew.angle, pi / 4, 1e-15, "as far as it is high");
     OUTSIDE(rolling_shutter(-0.5, 1, 1, &skew, &error),
-            "--image-speed -0.5 mm/s must be 0 or above and finite");
-    OUTSIDE(rolling_shutter(1, 0, 1, &skew, &error), "--readout 0 s must be above 0 and finite");
-    OUTSIDE(rolling_shutter(1, 1, 0, &skew, &error), "--height 0 mm must be above 0 and finite");
+            "speed of the image -0.5 mm/s must be 0 or above and finite");
+    OUTSIDE(rolling_shutter(1, 0, 1, &skew, &error), "readout time 0 s must be above 0 and finite");
+    OUTSIDE(rolling_shutter(1, 1, 0, &skew, &error),
+            "height of the sensor 0 mm must be above 0 and finite");
 }
 
 int main(void)

@@ -202,7 +202,7 @@ static void test_refusals(void)
     CHECK(star_time(50, 89.9999 * pi / 180, 0.01, &time, &error));
     CHECK_NEAR(time.exact, INFINITY, 0, "a circle of 0.2 um radius never trails 10 um");
     CHECK(!star_time(50, 91 * pi / 180, 0.01, &time, &error));
-    CHECK(strstr(error.message, "--declination 91 deg lies outside -90 to 90") != NULL);
+    CHECK(strstr(error.message, "declination 91 deg lies outside -90 to 90") != NULL);
     CHECK(!star_time(50, NAN, 0.01, &time, &error) && !star_time(50, 0, 0, &time, &error));
     CHECK(!star_time(0, 0, 0.01, &time, &error) && !star_time(NAN, 0, 0.01, &time, &error));
     CHECK(!star_trail(50, 0, 0, &trail, &error) && !star_trail(50, 2, 1, &trail, &error));

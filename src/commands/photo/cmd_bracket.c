@@ -23,15 +23,17 @@ struct input {
                                        .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
-    {TIME_OPTION(given.from), .name = "from", .help = "time at one end: 30s"},
-    {TIME_OPTION(given.to), .name = "to", .help = "time at the other end: 1/1000s"},
+    {TIME_OPTION(given.from), .name = "from", .quantity = "time at one end",
+     .help = "time at one end: 30s"},
+    {TIME_OPTION(given.to), .name = "to", .quantity = "time at the other end",
+     .help = "time at the other end: 1/1000s"},
     OPTION_TIME(struct input, time, 0),
     {STOPS_OPTION(given.step), .name = "step", .column = "step",
      .help = "stops between two shots (1 unless --shots divides the span)"},
-    {OPTION(struct input, given.shots), .name = "shots", .column = "shots",
-     .dimension = &dimension_number, .lowest = 1, .highest = BRACKET_SHOTS, .value = "N",
-     .help = "number of shots"},
-    {STOPS_OPTION(range), .name = "range", .column = "range",
+    {OPTION(struct input, given.shots), .name = "shots", .quantity = "number of shots",
+     .column = "shots", .dimension = &dimension_number, .lowest = 1, .highest = BRACKET_SHOTS,
+     .value = "N", .help = "number of shots"},
+    {STOPS_OPTION(range), .name = "range", .quantity = "range of a shot", .column = "range",
      .help = "contrast that one shot records: tells what the bracket covers"},
     {STOPS_OPTION(scene_range), .name = "scene-range", .column = "scene_range",
      .help = "contrast of the scene: with --range gives the number of shots"},

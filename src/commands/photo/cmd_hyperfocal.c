@@ -19,8 +19,8 @@ static const struct option options[] = {
     OPTION_APERTURE(struct input, fnumber, OPTION_SETTING),
     SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500", coc_is_pixels),
     OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
-    {OPTION(struct input, hyperfocal), .name = "hyperfocal", .column = "hyperfocal",
-     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
+    {OPTION(struct input, hyperfocal), .name = "hyperfocal", .quantity = "hyperfocal distance",
+     .column = "hyperfocal", .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL, .value = "LENGTH",
      .help = "wanted hyperfocal distance: solves for focal length or f-number"},
 };

@@ -7,23 +7,26 @@
 
 #define OPTION_TIME(S, member, more)                                                               \
     {                                                                                              \
-        OPTION(S, member), .name = "time", .letter = 't', .column = "time",                        \
-                           .dimension = &dimension_time, .unit = "s", OPTION_POSITIVE,             \
-                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | (more),             \
-                           .value = "TIME", .help = "exposure time: 1/125, 2s, 180deg@24fps"       \
+        OPTION(S, member),                                                                         \
+            .name = "time", .quantity = "exposure time", .letter = 't', .column = "time",          \
+            .dimension = &dimension_time, .unit = "s", OPTION_POSITIVE,                            \
+            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | (more), .value = "TIME",           \
+            .help = "exposure time: 1/125, 2s, 180deg@24fps"                                       \
     }
 
 #define OPTION_ISO(S, member, words)                                                               \
     {                                                                                              \
-        OPTION(S, member), .name = "iso", .column = "iso", .dimension = &dimension_iso,            \
-                           OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
-                           .value = "SPEED", .help = (words)                                       \
+        OPTION(S, member), .name = "iso", .quantity = "ISO speed", .column = "iso",                \
+                           .dimension = &dimension_iso, OPTION_POSITIVE,                           \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "SPEED",    \
+                           .help = (words)                                                         \
     }
 
 #define OPTION_EV(S, member, words)                                                                \
     {                                                                                              \
-        OPTION(S, member), .name = "ev", .column = "ev100", .dimension = &dimension_ev,            \
-                           .lowest = -100, .highest = 100, .value = "EV", .help = (words)          \
+        OPTION(S, member), .name = "ev", .quantity = "exposure value at ISO 100",                  \
+                           .column = "ev100", .dimension = &dimension_ev, .lowest = -100,          \
+                           .highest = 100, .value = "EV", .help = (words)                          \
     }
 
 #define OPTION_FILTER(S, member, column_name)                                                      \

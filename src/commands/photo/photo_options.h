@@ -24,8 +24,8 @@ bool coc_is_print(const struct coc_value *coc);
 
 #define OPTION_APERTURE(S, member, more)                                                           \
     {                                                                                              \
-        OPTION(S, member), .name = "aperture", .letter = 'N', .column = "fnumber",                 \
-                           .dimension = &dimension_fnumber, OPTION_POSITIVE,                       \
+        OPTION(S, member), .name = "aperture", .quantity = "f-number", .letter = 'N',              \
+                           .column = "fnumber", .dimension = &dimension_fnumber, OPTION_POSITIVE,  \
                            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | (more),             \
                            .value = "NUMBER", .help = "f-number: 2.8 or f/2.8",                    \
                            OPTION_USUAL_FNUMBER                                                    \
@@ -45,9 +45,9 @@ bool coc_is_print(const struct coc_value *coc);
 
 #define OPTION_COC(S, member, more, fallback_text)                                                 \
     {                                                                                              \
-        OPTION(S, member), .name = "coc", .letter = 'c', .column = "coc",                          \
-                           .dimension = &dimension_length, .unit = "mm", .lowest = 0,              \
-                           .highest = INFINITY, .flags = OPTION_NO_INFINITY | (more),              \
+        OPTION(S, member), .name = "coc", .quantity = "circle of confusion", .letter = 'c',        \
+                           .column = "coc", .dimension = &dimension_length, .unit = "mm",          \
+                           .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY | (more), \
                            .fallback = (fallback_text), .value = "LENGTH",                         \
                            .help = "circle of confusion: a diameter, d/1500 (part of the "         \
                                    "sensor's diagonal), 2px (pixels), airy (the disc of "          \
@@ -63,20 +63,20 @@ bool coc_is_print(const struct coc_value *coc);
 
 #define OPTION_PUPIL(S, member)                                                                    \
     {                                                                                              \
-        OPTION(S, member), .name = "pupil", .letter = 'P', .column = "pupil_magnification",        \
-                           .dimension = &dimension_number, OPTION_POSITIVE,                        \
-                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1",     \
-                           .value = "NUMBER",                                                      \
+        OPTION(S, member), .name = "pupil", .quantity = "pupil magnification", .letter = 'P',      \
+                           .column = "pupil_magnification", .dimension = &dimension_number,        \
+                           OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
+                           .fallback = "1", .value = "NUMBER",                                     \
                            .help = "pupil magnification, exit over entrance pupil"                 \
     }
 
 /* The same where a real lens may have its own: absent means 1 only without --lens. */
 #define OPTION_PUPIL_OF_LENS(S, member, use)                                                       \
     {                                                                                              \
-        OPTION(S, member), .name = "pupil", .letter = 'P', .column = "pupil_magnification",        \
-                           .dimension = &dimension_number, OPTION_POSITIVE,                        \
-                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "NUMBER",   \
-                           .wants = (use),                                                         \
+        OPTION(S, member), .name = "pupil", .quantity = "pupil magnification", .letter = 'P',      \
+                           .column = "pupil_magnification", .dimension = &dimension_number,        \
+                           OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
+                           .value = "NUMBER", .wants = (use),                                      \
                            .help = "pupil magnification, exit over entrance pupil; default that "  \
                                    "of --lens, else 1"                                             \
     }
@@ -84,10 +84,10 @@ bool coc_is_print(const struct coc_value *coc);
 /* `use`: coc_is_pixels where the pitch is for --coc alone, else null */
 #define OPTION_PITCH(S, member, use)                                                               \
     {                                                                                              \
-        OPTION(S, member), .name = "pitch", .dimension = &dimension_length, .unit = "um",          \
-                           OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
-                           .value = "LENGTH", .serves = (use), .served = "in px",                  \
-                           .usual = {0.3e-3, 30e-3},                                               \
+        OPTION(S, member), .name = "pitch", .quantity = "pixel pitch",                             \
+                           .dimension = &dimension_length, .unit = "um", OPTION_POSITIVE,          \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",   \
+                           .serves = (use), .served = "in px", .usual = {0.3e-3, 30e-3},           \
                            .unusual = "pixels are 0.3 to 30 um wide: is the unit right?",          \
                            .help = "pixel pitch (otherwise that of the camera); where nothing "    \
                                    "else wants it, it implies --coc 2px"                           \
@@ -143,7 +143,8 @@ bool coc_is_print(const struct coc_value *coc);
 
 #define OPTION_FROM(S, member, words_of)                                                           \
     {                                                                                              \
-        OPTION(S, member), .name = "from", .column = "distance_from", .words = (words_of),         \
+        OPTION(S, member), .name = "from", .quantity = "distance origin",                          \
+                           .column = "distance_from", .words = (words_of),                         \
                            .fallback = "principal", .value = "PLACE",                              \
                            .help = "where distances are measured from"                             \
     }
