@@ -70,11 +70,13 @@ static void collect(char *text, struct mentions *mentions)
 static void compose(char *text, size_t size, struct mentions *mentions, const char *format,
                     va_list arguments)
 {
-    char marked[LONGEST_FORMAT];
+    char marked[LONGEST_FORMAT], whole[LONGEST_FORMAT];
     mark_names(marked, format);
-    vsnprintf(text, size, marked, arguments);
-    collect(text, mentions);
-    make_printable(text);
+    vsnprintf(whole, sizeof whole, marked, arguments);
+    collect(whole, mentions);
+    make_printable(whole);
+    whole[size - 1] = '\0';
+    memcpy(text, whole, strlen(whole) + 1);
 }
 
 static void start(struct error *error, enum error_code code, const char *format, va_list arguments)

@@ -94,7 +94,7 @@ static bool set_up_report(struct driver *driver, struct error *error)
     report->output = &driver->output;
     report->command = driver->command->name;
     report->digits = (int)driver->common.digits;
-    report->nominal = driver->common.nominal;
+    report->nominal = driver->common.nominal ? "--nominal" : NULL;
     report->units = (enum unit_system)driver->common.units;
     report->many = report->many || driver->is_batch || driver->sweep.total > 1;
     report->has_error_column = (driver->is_batch || driver->sweep.total > 1) &&

@@ -17,28 +17,6 @@ const struct word *option_word(const struct option *option, size_t i)
     return option->words[i].word != NULL ? &option->words[i] : NULL;
 }
 
-const char *option_called(const struct option *option, struct called *room)
-{
-    if (option->called != NULL) {
-        return option->called;
-    }
-    snprintf(room->text, sizeof room->text, "--%s", option->name);
-    return room->text;
-}
-
-bool option_is_quantity(const struct option *option, struct text quantity)
-{
-    const char *own = option->quantity != NULL ? option->quantity : option->name;
-    size_t i = 0;
-    for (; i < quantity.length && own[i] != '\0'; i++) {
-        char c = own[i] == '-' && option->quantity == NULL ? ' ' : own[i];
-        if (c != quantity.start[i]) {
-            return false;
-        }
-    }
-    return i == quantity.length && own[i] == '\0';
-}
-
 static bool has_range(const struct option *option)
 {
     return option->lowest != 0 || option->highest != 0;

@@ -124,10 +124,9 @@ struct option {
     char letter;      /* 'f', or 0 */
     const struct option_kind *kind;
     size_t offset;
-    /* What the formulas call it in their messages; null = its name, "-" as blank: "focal length". */
-    const char *quantity;
-    const char *called; /* how it was given, where not by its name: "column 's_m'"; else null */
-    const char *column; /* the output column that repeats it: "focal"; or null */
+    const char *quantity; /* what formulas call it; null = its name with blanks, "focal length" */
+    const char *called;   /* how it was given, where not by its name: "column 's_m'"; else null */
+    const char *column;   /* the output column that repeats it: "focal"; or null */
     const struct dimension *dimension; /* of a quantity */
     const char *unit;                  /* of a bare number; null = the dimension's own */
     double lowest, highest;            /* in the program's own unit; both 0 = any value */

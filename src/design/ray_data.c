@@ -70,7 +70,7 @@ static bool open_tracing(struct tracing *tracing, struct ray_data *ray_data, str
     tracing->radius = tracing->has_stop ? first->stop_radius : first->entrance_diameter / 2;
     if (!(fabs(tracing->radius) > 0 && isfinite(tracing->radius))) {
         return fail(error, ERROR_DOMAIN,
-                    "the lens has neither a stop with a diameter nor an aperture: give --aperture");
+                    "the lens has neither a stop with a diameter nor an aperture: give {aperture}");
     }
     for (size_t i = 0; i < setup->field_count; i++) {
         if (setup->object.is_infinite && !(fabs(field_of(setup, i)) < 1.57)) {
@@ -302,7 +302,7 @@ bool ray_data_trace(const struct ray_data_request *request, struct arena *arena,
     struct tracing tracing = {.request = request, .arena = arena};
     *ray_data = (struct ray_data){0};
     if (request->setup->field_count == 0) {
-        return fail(error, ERROR_DOMAIN, "there is no field: give --field");
+        return fail(error, ERROR_DOMAIN, "there is no field: give {field}");
     }
     if (!open_tracing(&tracing, ray_data, error)) {
         return false;

@@ -140,7 +140,7 @@ static bool check_map(const struct ray_map *map, double *largest, struct error *
     if (map->column_count > MOST_COLUMNS || map->row_count > MOST_ROWS) {
         return fail(error, ERROR_DOMAIN,
                     "a map has room for %d fields and %d wavelengths, not for %zu and %zu: choose "
-                    "with --field and --wavelength",
+                    "with {field} and {wavelength}",
                     MOST_COLUMNS, MOST_ROWS, map->column_count, map->row_count);
     }
     return true;

@@ -56,7 +56,7 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
         fail(error, ERROR_DATA, "cannot be kept: %s", message);
         error_locate(error, job->source, 0, 0);
     }
-    return error_hint(error, "--lossy leaves it out and lists what is lost");
+    return error_hint(error, "{lossy} leaves it out and lists what is lost");
 }
 
 /* By lines, those that were written last; the order of the list where they are equal. */

@@ -69,7 +69,7 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
     if (file_type_ends(source, ".agf")) {
         fail(error, ERROR_DATA, "an AGF file is a catalogue of glasses, not a lens");
         error_locate(error, job->source, 0, 0);
-        return error_hint(error, "--agf FILE adds its glasses");
+        return error_hint(error, "{agf} FILE adds its glasses");
     }
     bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
     const struct foreign_format *format = format_of(source, is_text ? text : content);

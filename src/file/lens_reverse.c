@@ -245,13 +245,13 @@ static bool turn_aperture(struct turn *turn, struct error *error)
     }
     if (from->stop == LENS_NONE) {
         return fail(error, ERROR_DOMAIN,
-                    "--reverse: the aperture is not that of a stop, and the lens has none: seen "
+                    "{reverse}: the aperture is not that of a stop, and the lens has none: seen "
                     "from behind it is another one");
     }
     if (from->position_count > 0) {
         return fail(error, ERROR_DOMAIN,
-                    "--reverse: the aperture is not that of the stop and may change between the "
-                    "positions: choose one with --position");
+                    "{reverse}: the aperture is not that of the stop and may change between the "
+                    "positions: choose one with {position}");
     }
     if (!first_order_of_lens(from, lens_primary_wavelength(from), SECTION_Y, turn->arena, &first,
                              error) ||
@@ -259,7 +259,7 @@ static bool turn_aperture(struct turn *turn, struct error *error)
         return false;
     }
     if (!(fabs(first.stop_radius) > 0 && fabs(first.stop_radius) < 1e50)) {
-        return fail(error, ERROR_DOMAIN, "--reverse: the aperture fixes no diameter of the stop");
+        return fail(error, ERROR_DOMAIN, "{reverse}: the aperture fixes no diameter of the stop");
     }
     struct surface *stop = &lens->surfaces[lens->stop];
     stop->has_diameter = true;
@@ -284,8 +284,8 @@ static bool check(const struct turn *turn, struct error *error)
     const struct lens *from = turn->from;
     if (from->objects != NULL || from->apertures != NULL) {
         return fail(error, ERROR_DOMAIN,
-                    "--reverse: object or aperture change between the positions: choose one with "
-                    "--position");
+                    "{reverse}: object or aperture change between the positions: choose one with "
+                    "{position}");
     }
     for (size_t i = 0; i < from->surface_count; i++) {
         const struct surface *surface = &from->surfaces[i];
@@ -294,12 +294,12 @@ static bool check(const struct turn *turn, struct error *error)
             (surface_has(surface, SURFACE_HAS_FOCAL) && surface->hiatus.variable != LENS_NONE);
         if (!turn->flips && varies) {
             return fail(error, ERROR_DOMAIN,
-                        "--reverse: distances beside an odd number of mirrors change between the "
-                        "positions: choose one with --position");
+                        "{reverse}: distances beside an odd number of mirrors change between the "
+                        "positions: choose one with {position}");
         }
         if (surface_distorts(&from->surfaces[i])) {
             return fail(error, ERROR_DOMAIN,
-                        "--reverse: surface %zu is a thick lens with distortion, which has no "
+                        "{reverse}: surface %zu is a thick lens with distortion, which has no "
                         "reverse",
                         i + 1);
         }

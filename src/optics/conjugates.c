@@ -62,7 +62,7 @@ static bool check_reference(const struct optics *o, enum conjugate_from from, bo
     bool cardinal = from == CONJUGATE_FROM_PRINCIPAL || from == CONJUGATE_FROM_FOCAL;
     if (cardinal && o->is_afocal) {
         fail(error, ERROR_DOMAIN, "an afocal system has no principal or focal points");
-        return error_hint(error, "measure from the vertex: --from front");
+        return error_hint(error, "measure from the vertex: {distance origin} front");
     }
     if (from != CONJUGATE_FROM_ENTRANCE) {
         return true;

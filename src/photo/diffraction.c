@@ -125,7 +125,7 @@ bool diffraction_frequency(const struct diffraction_setting *setting, double lev
         return false;
     }
     if (!(level > 0 && level < 1)) {
-        return fail(error, ERROR_DOMAIN, "{contrast} %g is out of range (above 0, below 1)", level);
+        return fail(error, ERROR_DOMAIN, "contrast %g is out of range (above 0, below 1)", level);
     }
     double low = 0;
     double high =

@@ -141,7 +141,7 @@ bool panorama_overlap(const struct panorama_frame *frame, double arc, int column
         return false;
     }
     if (columns < 1) {
-        return fail(error, ERROR_DOMAIN, "{number of columns} %d is out of range (1 or more)",
+        return fail(error, ERROR_DOMAIN, "number of columns %d is out of range (1 or more)",
                     columns);
     }
     double h = frame->horizontal;

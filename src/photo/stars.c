@@ -160,8 +160,8 @@ bool four_minus_crop_time(double f, double crop, double *t, struct error *error)
         return false;
     }
     if (!(crop < 4)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{crop factor} %.10g must lie below 4 for the 4 - crop rule", crop);
+        return fail(error, ERROR_DOMAIN, "crop factor %.10g must lie below 4 for the 4 - crop rule",
+                    crop);
     }
     *t = 100 * (4 - crop) / f;
     return answer_positive("the longest time", *t, error);

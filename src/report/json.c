@@ -132,7 +132,7 @@ static void write_head(struct report *report, const void *row)
     output_printf(report->output, "{\"command\":\"%s\",\"version\":\"%s\",\"assumptions\":{",
                   report->command, LENSCALC_VERSION);
     write_members(report, row, report->assumed, report->assumed_count, false);
-    if (report->nominal) {
+    if (report->nominal != NULL) {
         output_string(report->output, report->assumed_count > 0 ? ",\"stops\":\"nominal\""
                                                                 : "\"stops\":\"nominal\"");
     }

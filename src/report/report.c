@@ -186,10 +186,10 @@ static bool select_named(struct report *report, const struct selection *selectio
         }
         struct shown shown;
         if (!report_find_column(report->sheet, name, report->arena, &shown, error)) {
-            return error_prefix(error, "--columns: ");
+            return error_prefix(error, "{columns}: ");
         }
         if (is_shown(report, shown.name)) {
-            return fail(error, ERROR_USAGE, "--columns names '%s' twice", shown.name);
+            return fail(error, ERROR_USAGE, "{columns} names '%s' twice", shown.name);
         }
         report->shown[report->shown_count++] = shown;
     }

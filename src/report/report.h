@@ -52,10 +52,10 @@ struct report {
     size_t passed_count;
     const bool *passed_bare; /* JSON numbers, true, false, null: no quotes; null = none are */
     bool has_error_column;
-    bool are_named; /* the columns, by --columns: their heads are these names */
-    bool many;      /* a sweep or a batch: rows lie, even if there is one */
-    bool nominal;   /* labels of stop series were read as their exact values */
-    int digits;     /* significant digits, 0 = as the format does */
+    bool are_named;      /* the columns, by --columns: their heads are these names */
+    bool many;           /* a sweep or a batch: rows lie, even if there is one */
+    const char *nominal; /* what had labels of stop series read as exact values; null = nothing */
+    int digits;          /* significant digits, 0 = as the format does */
     enum unit_system units;
     const char *explain;   /* text to print after the rows, or null */
     struct doubts *doubts; /* what to say beside the answer; null = nothing, ever */

@@ -241,9 +241,10 @@ const char *report_assumptions(const struct report *report, const void *row)
                               line == NULL ? "" : ", ", words);
         }
     }
-    if (report->nominal) {
-        line = arena_printf(report->arena, "%s%sstops by their exact values (--nominal)",
-                            line != NULL ? line : "assuming ", line != NULL ? ", " : "");
+    if (report->nominal != NULL) {
+        line = arena_printf(report->arena, "%s%sstops by their exact values (%s)",
+                            line != NULL ? line : "assuming ", line != NULL ? ", " : "",
+                            report->nominal);
     }
     return line;
 }

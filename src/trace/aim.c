@@ -382,11 +382,11 @@ bool aim_at_entrance(const struct beam *beam, const struct first_order *first, d
                     "the lens has no entrance pupil: it has no stop, or no aperture is given");
     }
     if (!isfinite(z)) {
-        return fail(error, ERROR_DOMAIN, "the entrance pupil is infinitely far away: --aim stop");
+        return fail(error, ERROR_DOMAIN, "the entrance pupil is infinitely far away: {aim} stop");
     }
     if (!(beam->axis[2] > 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "a field of 90 deg or more never meets the paraxial entrance pupil: --aim "
+                    "a field of 90 deg or more never meets the paraxial entrance pupil: {aim} "
                     "stop");
     }
     const double target[3] = {x * radius, y * radius, z};

@@ -86,6 +86,19 @@ BROKEN = {
     "a question that costs every start": (
         change("base/number.c", ("a + 1", 'a + __builtin_cpu_supports("avx2")')),
         "src/base/number.c:6: '__builtin_cpu_supports' in a numeric folder"),
+    "an option below cli": (
+        change("photo/dof.h",
+               ("int dof", '#define DOF_ASKS "too wide: \\"less\\" " "--aperture"\nint dof')),
+        'src/photo/dof.h:5: spells an option: "too wide: \\"less\\" --aperture"'),
+    "an option of a name": (
+        change("photo/dof.h", ("int dof", '#define DOF_ASKS "--%s is missing"\nint dof')),
+        'src/photo/dof.h:5: spells an option: "--%s is missing"'),
+    "a quantity that no option gives": (
+        {**change("photo/dof.h", ("int dof", '#define DOF_ASKS "{the f-number} within {focal "'
+                                             '"lenght}"\nint dof')),
+         "cli/number_names.h": header("cli/number_names.h", '#define GIVES .quantity = "f-number", '
+                                      '.name = "focal-length"\n')},
+        "src/photo/dof.h:5: names {focal lenght}, which no option gives"),
     "writable data": (
         change("base/number.c", ("int number", "static int last;\nint number"),
                ("return a + 1", "return last += a")),

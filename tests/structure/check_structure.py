@@ -3,7 +3,7 @@
 
 The layer table, what the numeric folders may not call, no writable data in any object, first
 lines, headers that compile alone, sizes of functions, files and lines, how much one function
-decides and takes, no circles between files, no public name that nobody uses, and words that do not
+decides and takes, no options below cli, no circles between files, no public name that nobody uses, and words that do not
 belong into the repository. check_rules.py shows of each rule that it fails where it is broken.
 """
 # SPDX-License-Identifier: MIT
@@ -38,6 +38,10 @@ LAYERS = {
     "commands": None,  # everything
     "": None,          # main.c
 }
+# What knows options; the folders below it name quantities, in braces, see base/error.h.
+OF_OPTIONS = ("cli", "commands", "")
+OPTION = re.compile(r"--[a-z%]")
+NAME = re.compile(r"\{(?:the )?([A-Za-z][A-Za-z0-9 -]*)\}")
 NUMERIC = ("base", "photo", "optics", "trace", "analysis", "design", "camera")
 # Words no numeric source may use; stdio only formats into buffers there. What asks the processor
 # anew costs every start, see base/processor.h.
@@ -113,6 +117,16 @@ def blank_comments(text):
     return token.sub(blank, text)
 
 
+def literals_of(text):
+    """(line, content) of each string, those that the compiler joins as one."""
+    token = re.compile(r"/\*.*?\*/|//[^\n]*|'(?:\\.|[^'\\\n])*'|"
+                       r"(\"(?:\\.|[^\"\\\n])*\"(?:\s*\"(?:\\.|[^\"\\\n])*\")*)", re.S)
+    for match in token.finditer(text):
+        if match[1] is not None:
+            parts = re.findall(r"\"((?:\\.|[^\"\\\n])*)\"", match[1])
+            yield text.count("\n", 0, match.start()) + 1, "".join(parts)
+
+
 def functions_of(text):
     """(name, line, code lines) of each function of clang-formatted code."""
     lines = blank_comments(text).split("\n")
@@ -165,6 +179,26 @@ def check_calls(checks, path, text):
             if word not in ALLOWED_CALLS.get(inside, ()):
                 found.append(f"{path}:{number}: '{word}' in a numeric folder")
     checks.check(not found, "; ".join(found[:5]))
+
+
+def check_options(checks, sources):
+    """No option is spelt below cli, and every quantity named there is one that an option gives."""
+    texts = {path: read(path) for path in sources}
+    known = set()
+    for path, text in texts.items():
+        if layer_of(os.path.relpath(path, "src")) in OF_OPTIONS:
+            known.update(re.findall(r'\.quantity = "([^"]*)"', text))
+            known.update(name.replace("-", " ")
+                         for name in re.findall(r'\.name = "([a-z-]+)"', text))
+    for path, text in texts.items():
+        if layer_of(os.path.relpath(path, "src")) in OF_OPTIONS:
+            continue
+        for line, content in literals_of(text):
+            checks.check(OPTION.search(content) is None,
+                         f"{path}:{line}: spells an option: \"{content[:60]}\"")
+            for name in NAME.findall(content):
+                checks.check(name in known,
+                             f"{path}:{line}: names {{{name}}}, which no option gives")
 
 
 def check_head(checks, path, text):
@@ -352,6 +386,7 @@ def check_tree(checks, build):
             check_calls(checks, path, text)
         if path in sources and path.endswith(".h"):
             check_parameters(checks, path, text)
+    check_options(checks, sources)
     check_complexity(checks, [path for path in sources if path.endswith(".c")])
     check_names(checks, sources)
     check_headers(checks, [path for path in sources if path.endswith(".h")])

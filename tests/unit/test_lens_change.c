@@ -107,8 +107,8 @@ static void test_positions(void)
                    &arena);
         struct error error;
         CHECK(lens_reversed(lens, &arena, &error) == NULL);
-        CHECK_TEXT(error.message, "--reverse: object or aperture change between the positions: "
-                                  "choose one with --position");
+        CHECK_TEXT(error.message, "reverse: object or aperture change between the positions: "
+                                  "choose one with position");
     }
     arena_free(&arena);
 }
@@ -169,8 +169,8 @@ static void test_reversed_mirrors(void)
                                         &arena);
     if (lens != NULL) {
         CHECK(lens_reversed(lens, &arena, &error) == NULL);
-        CHECK_TEXT(error.message, "--reverse: distances beside an odd number of mirrors change "
-                                  "between the positions: choose one with --position");
+        CHECK_TEXT(error.message, "reverse: distances beside an odd number of mirrors change "
+                                  "between the positions: choose one with position");
     }
     arena_free(&arena);
 }
@@ -236,15 +236,15 @@ static void test_refusals(void)
         const char *text, *message;
     } rows[] = {
         {"lens x\nobject inf\naperture epd 10\nsurface 50 6 1.5 40\nsurface -50 90 air 40\n",
-         "--reverse: the aperture is not that of a stop, and the lens has none: seen from behind "
+         "reverse: the aperture is not that of a stop, and the lens has none: seen from behind "
          "it "
          "is another one"},
         {"lens x\nobject inf\naperture epd 10\nposition a b\nlet d1 6 7\nstop - 1 air 9\n"
          "surface 50 d1 1.5 40\nsurface -50 90 air 40\n",
-         "--reverse: the aperture is not that of the stop and may change between the positions: "
-         "choose one with --position"},
+         "reverse: the aperture is not that of the stop and may change between the positions: "
+         "choose one with position"},
         {"lens x\naperture stop\nstop - 1 air 9\nthick 50 6 air 40 distortion=0,0.01\n",
-         "--reverse: surface 2 is a thick lens with distortion, which has no reverse"},
+         "reverse: surface 2 is a thick lens with distortion, which has no reverse"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct arena arena = {0};

@@ -1,0 +1,120 @@
+/* tests/unit/test_error.c - quantities in messages, and what they were given by. */
+/* SPDX-License-Identifier: MIT */
+#include "base/error.h"
+
+#include "check.h"
+
+/* The distance was given, the focal length may be; nobody knows of others. */
+static const char *name_of(void *context, struct text quantity, bool asked)
+{
+    int *calls = context;
+    ++*calls;
+    if (text_equal(quantity, "distance")) {
+        return "column 's'";
+    }
+    return asked && text_equal(quantity, "focal length") ? "--focal-length" : NULL;
+}
+
+/* What becomes of the message of an error. */
+static const char *named(struct error *error)
+{
+    int calls = 0;
+    error_name(error, name_of, &calls);
+    return error->message;
+}
+
+static void test_message(void)
+{
+    struct error error;
+    CHECK(!fail(&error, ERROR_DOMAIN, "{distance} %g mm lies within {the focal length} %g mm", 40.,
+                50.));
+    CHECK_TEXT(error.message, "distance 40 mm lies within the focal length 50 mm");
+    CHECK_TEXT(named(&error), "column 's' 40 mm lies within the focal length 50 mm");
+    CHECK_TEXT(named(&error), "column 's' 40 mm lies within the focal length 50 mm");
+    fail(&error, ERROR_USAGE, "give {the focal length}");
+    CHECK_TEXT(error.message, "give the focal length");
+    CHECK_TEXT(named(&error), "give --focal-length");
+    fail(&error, ERROR_DOMAIN, "{%s} %s", "focal length", "inf");
+    CHECK_TEXT(named(&error), "focal length inf");
+    fail(&error, ERROR_DOMAIN, "{%s} %g", "focal length", -1.);
+    CHECK_TEXT(named(&error), "focal length -1");
+    fail(&error, ERROR_DOMAIN, "{height} of {distance}");
+    CHECK_TEXT(named(&error), "height of column 's'");
+}
+
+/* Braces of an argument, and those around what is no name, stay. */
+static void test_braces(void)
+{
+    struct error error;
+    fail(&error, ERROR_DATA, "'%s' is no {...} of {distance}", "{distance}");
+    CHECK_TEXT(error.message, "'{distance}' is no {...} of distance");
+    CHECK_TEXT(named(&error), "'{distance}' is no {...} of column 's'");
+    fail(&error, ERROR_DATA, "{} { {distance {distance} }");
+    CHECK_TEXT(error.message, "{} { {distance distance }");
+    CHECK_TEXT(named(&error), "{} { {distance column 's' }");
+    fail(&error, ERROR_DATA, "a \x01 b %s", "\n");
+    CHECK_TEXT(error.message, "a ? b ?");
+}
+
+static void test_prefix(void)
+{
+    struct error error;
+    fail(&error, ERROR_USAGE, " or {distance}");
+    error_prefix(&error, "{%s}%s", "focal length", ",");
+    error_prefix(&error, "give {distance}, ");
+    CHECK_TEXT(error.message, "give distance, focal length, or distance");
+    CHECK_TEXT(named(&error), "give column 's', --focal-length, or column 's'");
+}
+
+static void test_hint(void)
+{
+    struct error error;
+    fail(&error, ERROR_DOMAIN, "no image");
+    error_hint(&error, "give {focal length}");
+    CHECK_TEXT(error.hint, "give focal length");
+    CHECK_TEXT(named(&error), "no image");
+    CHECK_TEXT(error.hint, "give --focal-length");
+    fail(&error, ERROR_DOMAIN, "no image");
+    int calls = 0;
+    error_name(&error, name_of, &calls);
+    CHECK(calls == 0);
+}
+
+/* More than there is room for: the names that are cut off, or too many, stay as they are. */
+static void test_room(void)
+{
+    struct error error;
+    char long_text[600];
+    memset(long_text, 'x', sizeof long_text);
+    long_text[sizeof long_text - 1] = '\0';
+    fail(&error, ERROR_DOMAIN, "{distance} %s {distance}", long_text);
+    CHECK(strlen(error.message) == sizeof error.message - 1);
+    named(&error);
+    CHECK(strncmp(error.message, "column 's' xxx", 14) == 0);
+    CHECK(strlen(error.message) == sizeof error.message - 1);
+    fail(&error, ERROR_DOMAIN, "%.500s {distance}", long_text);
+    named(&error);
+    CHECK(strlen(error.message) == sizeof error.message - 1 &&
+          strcmp(error.message + 501, "column 's'") == 0);
+    fail(&error, ERROR_DOMAIN, "%.507s {distance}", long_text);
+    named(&error);
+    CHECK_TEXT(error.message + 507, " dis");
+    fail(&error, ERROR_DOMAIN, "%.40s", long_text);
+    for (int i = 0; i < ERROR_MENTIONS + 2; i++) {
+        error_prefix(&error, "{distance} ");
+    }
+    CHECK(error.in_message.count == ERROR_MENTIONS);
+    named(&error);
+    CHECK(strncmp(error.message, "column 's' column 's' ", 22) == 0);
+    CHECK(strstr(error.message, " distance distance xxx") != NULL);
+}
+
+int main(void)
+{
+    test_message();
+    test_braces();
+    test_prefix();
+    test_hint();
+    test_room();
+    return check_report();
+}
