@@ -44,7 +44,7 @@ static const struct option options[] = {
      .help = "only this zoom or focus position; without it all"},
     {OPTION(struct input, reverse), .name = "reverse", .help = "turn the lens around"},
     {OPTION(struct input, scale), .name = "scale", .dimension = &dimension_number, .lowest = 0,
-     .highest = 1e6, .flags = OPTION_ABOVE_LOWEST, .value = "FACTOR",
+     .highest = 1e6, .flags = OPTION_ABOVE_LOWEST, .value = "FACTOR", .excludes = "focal-length",
      .help = "all lengths times a factor"},
     {OPTION(struct input, focal_length), .name = "focal-length", .letter = 'f',
      .dimension = &dimension_length, .unit = "mm", .lowest = 0, .highest = 1e9,
@@ -120,9 +120,6 @@ static bool scale(struct conversion *conversion, struct error *error)
 static bool change(struct conversion *conversion, struct error *error)
 {
     const struct input *input = conversion->input;
-    if (!isnan(input->scale) && !isnan(input->focal_length)) {
-        return fail(error, ERROR_USAGE, "--scale and --focal-length exclude each other");
-    }
     if (!choose_position(conversion, error)) {
         return false;
     }

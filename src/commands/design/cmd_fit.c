@@ -53,10 +53,11 @@ static const struct option options[] = {
      .help = "about how many rays a field has: the pattern takes the next number it can"},
     {OPTION(struct fit_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
      .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},
-    {OPTION(struct fit_input, clip), .name = "clip",
+    {OPTION(struct fit_input, clip), .name = "clip", .excludes = "no-clip",
      .help = "clear apertures and the stop lose rays (so they do anyway)"},
     {OPTION(struct fit_input, no_clip), .name = "no-clip", .help = "clear apertures lose no rays"},
-    {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS", .excludes = OF_RAYS,
+    {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS",
+     .excludes = "glass " OF_RAYS,
      .help = "change the lens until it has what was measured: efl=50.2,bfl@F=38.1:0.02, ffl, "
              "length, height@10deg=8.8; the standard deviation stands behind a colon, otherwise "
              "0.01 mm"},
@@ -64,7 +65,7 @@ static const struct option options[] = {
      .help = "what may change: R1,t3[2,10],n2 (radius, gap, index, with bounds); otherwise the "
              "marks R~ and t~ in the lens"},
     {OPTION(struct fit_input, glass), .name = "glass", .value = "FILE", .flags = OPTION_FILE,
-     .excludes = OF_RAYS " aperture object wavelength position section",
+     .excludes = "lens " OF_RAYS " aperture object wavelength position section",
      .help = "fit a dispersion formula to the measured indices of FILE (csv or tsv: wavelength_nm "
              "or wavelength_um, index, perhaps deviation)"},
     {OPTION(struct fit_input, formula), .name = "formula", .words = fit_formulas,
@@ -77,23 +78,53 @@ static const struct option options[] = {
      .help = "name of the glass in the file that is written"},
 };
 
+static const struct file_type glass_type = {{"tsv", "glass catalogue"}, ".tsv"};
+
+/* What is fitted. */
+static const struct fit_kind {
+    const char *name;
+    bool (*run)(const struct fit_input *input, struct run *run, struct error *error);
+    bool (*save)(const struct artifact_job *job, struct output *sink, struct error *error);
+    const struct file_type *type;          /* of what is saved */
+    const struct sheet *sheets[FIT_SHOWS]; /* null: it has no such rows */
+} thick_lens = {"a thick lens",
+                fit_lens,
+                fit_save_lens,
+                &lens_file_type,
+                {[FIT_ANSWER] = &fit_lens_sheet,
+                 [FIT_PARAMETERS] = &fit_parameter_sheet,
+                 [FIT_CORRELATIONS] = &fit_correlation_sheet,
+                 [FIT_RESIDUALS] = &fit_ray_sheet,
+                 [FIT_MODELS] = &fit_model_sheet,
+                 [FIT_MATRIX] = &fit_matrix_sheet}},
+  prescription = {"a prescription",
+                  fit_prescription,
+                  fit_save_prescription,
+                  &lens_file_type,
+                  {[FIT_ANSWER] = &fit_goal_sheet,
+                   [FIT_PARAMETERS] = &fit_parameter_sheet,
+                   [FIT_RESIDUALS] = &fit_goal_sheet}},
+  glass = {"a glass",
+           fit_glass,
+           fit_save_glass,
+           &glass_type,
+           {[FIT_ANSWER] = &fit_glass_sheet,
+            [FIT_PARAMETERS] = &fit_parameter_sheet,
+            [FIT_CORRELATIONS] = &fit_correlation_sheet,
+            [FIT_RESIDUALS] = &fit_index_sheet}};
+
+static const struct fit_kind *kind_of(const struct fit_input *input)
+{
+    return input->glass != NULL ? &glass : input->goals != NULL ? &prescription : &thick_lens;
+}
+
+/* Those that there are not are refused by `run`. */
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
     const struct fit_input *input = data;
-    const struct sheet *const sheets[] = {
-        [FIT_ANSWER] = input->glass != NULL   ? &fit_glass_sheet
-                       : input->goals != NULL ? &fit_goal_sheet
-                                              : &fit_lens_sheet,
-        [FIT_PARAMETERS] = &fit_parameter_sheet,
-        [FIT_CORRELATIONS] = &fit_correlation_sheet,
-        [FIT_RESIDUALS] = input->glass != NULL   ? &fit_index_sheet
-                          : input->goals != NULL ? &fit_goal_sheet
-                                                 : &fit_ray_sheet,
-        [FIT_MODELS] = &fit_model_sheet,
-        [FIT_MATRIX] = &fit_matrix_sheet,
-    };
+    const struct fit_kind *kind = kind_of(input);
     (void)asking;
-    return sheets[input->show];
+    return kind->sheets[kind->sheets[input->show] != NULL ? input->show : FIT_ANSWER];
 }
 
 static bool makes_many(const void *data)
@@ -107,34 +138,31 @@ static bool makes_many(const void *data)
            (all && lens != NULL && lens->position_count > 1);
 }
 
+static bool refuse_show(const struct fit_kind *kind, int show, struct arena *arena,
+                        struct error *error)
+{
+    const char *words = "";
+    for (int i = 0; i < FIT_SHOWS; i++) {
+        if (kind->sheets[i] != NULL) {
+            words = arena_printf(arena, "%s%s%s", words, i > 0 ? ", " : "", shows[i].word);
+        }
+    }
+    return fail(error, ERROR_USAGE, "--show %s: %s has %s", shows[show].word, kind->name, words);
+}
+
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct fit_input *input = data;
-    if (input->goals != NULL && input->glass != NULL) {
-        return fail(error, ERROR_USAGE, "--prescription and --glass: one of them is fitted");
-    }
-    if (input->glass != NULL && input->question.lens.lens != NULL) {
-        return fail(error, ERROR_USAGE, "a lens and --glass: one of them is fitted");
-    }
-    if (input->glass != NULL && input->show == FIT_MATRIX) {
-        return fail(error, ERROR_USAGE, "a glass has no matrix: --show matrix is of a lens");
+    const struct fit_kind *kind = kind_of(input);
+    if (kind->sheets[input->show] == NULL) {
+        return refuse_show(kind, input->show, run->arena, error);
     }
     if (floor(input->distortion) < input->distortion) {
         return fail(error, ERROR_USAGE, "--distortion %g: terms are a whole number",
                     input->distortion);
     }
-    if (input->clip && input->no_clip) {
-        return fail(error, ERROR_USAGE, "--clip and --no-clip: one of them");
-    }
-    if (input->show == FIT_MODELS && (input->glass != NULL || input->goals != NULL)) {
-        return fail(error, ERROR_USAGE, "--show models is of the thick lens of a lens");
-    }
-    return input->glass != NULL   ? fit_glass(input, run, error)
-           : input->goals != NULL ? fit_prescription(input, run, error)
-                                  : fit_lens(input, run, error);
+    return kind->run(input, run, error);
 }
-
-static const struct file_type glass_type = {{"tsv", "glass catalogue"}, ".tsv"};
 
 static const struct file_type *saved_types(size_t i)
 {
@@ -160,10 +188,10 @@ static bool check_glass(const struct fit_input *input, struct error *error)
 static bool check_saved(const struct artifact_job *job, struct error *error)
 {
     const struct fit_input *input = job->inputs[0];
-    const struct file_type *type = input->glass != NULL ? &glass_type : &lens_file_type;
-    if (job->type != type) {
-        return fail(error, ERROR_USAGE, "--output '%s': %s is saved as %s", job->path,
-                    input->glass != NULL ? "a glass" : "a lens", type->ending);
+    const struct fit_kind *kind = kind_of(input);
+    if (job->type != kind->type) {
+        return fail(error, ERROR_USAGE, "--output '%s': %s is saved as %s", job->path, kind->name,
+                    kind->type->ending);
     }
     if (input->glass != NULL) {
         return check_glass(input, error);
@@ -185,19 +213,7 @@ static bool check_saved(const struct artifact_job *job, struct error *error)
 
 static bool save(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct fit_input *input = job->inputs[0];
-    return input->glass != NULL   ? fit_save_glass(job, sink, error)
-           : input->goals != NULL ? fit_save_prescription(job, sink, error)
-                                  : fit_save_lens(job, sink, error);
-}
-
-static bool check_map(const struct artifact_job *job, struct error *error)
-{
-    const struct fit_input *input = job->inputs[0];
-    if (input->glass != NULL || input->goals != NULL) {
-        return fail(error, ERROR_USAGE, "--map is of the thick lens of a lens");
-    }
-    return check_lens(job, error);
+    return kind_of(job->inputs[0])->save(job, sink, error);
 }
 
 static const struct artifact artifacts[] = {
@@ -211,8 +227,16 @@ static const struct artifact artifacts[] = {
      .is_kept = true,
      .check = check_saved,
      .make = save},
-    {ARTIFACT_OPTION("map", drawing_types, "draw where in field and pupil the thick lens fails"),
-     .is_kept = true, .check = check_map, .make = fit_draw_map},
+    {.option = {.kind = &kind_text,
+                .name = "map",
+                .value = "FILE",
+                .flags = OPTION_FILE,
+                .types = drawing_types,
+                .excludes = "prescription glass",
+                .help = "draw where in field and pupil the thick lens fails"},
+     .is_kept = true,
+     .check = check_lens,
+     .make = fit_draw_map},
 };
 
 static const struct explanation explanations[] = {

@@ -12,7 +12,8 @@ enum fit_show {
     FIT_CORRELATIONS,
     FIT_RESIDUALS,
     FIT_MODELS,
-    FIT_MATRIX
+    FIT_MATRIX,
+    FIT_SHOWS
 };
 
 /* What rays are compared by: their place in the image, or place and direction. */

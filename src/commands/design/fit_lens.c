@@ -206,6 +206,26 @@ static void emit_answer(const struct fit_job *job, size_t g)
     run_emit(job->run, &row);
 }
 
+static void show_answers(const struct fit_job *job)
+{
+    for (size_t g = 0; g < (job->input->chromatic ? job->setup->wavelength_count : 1); g++) {
+        emit_answer(job, g);
+    }
+}
+
+static void show_found(const struct fit_job *job)
+{
+    const struct fit_found found = {job->setup->position, job->fit.parameter_count, job->fit.names,
+                                    job->fit.parameters, &job->fit.summary};
+    fit_emit(&found, (enum fit_show)job->input->show, job->run);
+}
+
+static void (*const views[FIT_SHOWS])(const struct fit_job *job) = {
+    [FIT_ANSWER] = show_answers,     [FIT_PARAMETERS] = show_found,
+    [FIT_CORRELATIONS] = show_found, [FIT_RESIDUALS] = fit_show_rays,
+    [FIT_MODELS] = fit_show_models,  [FIT_MATRIX] = fit_show_matrix,
+};
+
 static bool visit(const struct setup *setup, const char *warning, void *context,
                   struct error *error)
 {
@@ -218,21 +238,7 @@ static bool visit(const struct setup *setup, const char *warning, void *context,
         return false;
     }
     run->state = job;
-    const struct fit_found found = {job->setup->position, job->fit.parameter_count, job->fit.names,
-                                    job->fit.parameters, &job->fit.summary};
-    if (input->show == FIT_ANSWER) {
-        for (size_t g = 0; g < (input->chromatic ? job->setup->wavelength_count : 1); g++) {
-            emit_answer(job, g);
-        }
-    } else if (input->show == FIT_RESIDUALS) {
-        fit_show_rays(job);
-    } else if (input->show == FIT_MODELS) {
-        fit_show_models(job);
-    } else if (input->show == FIT_MATRIX) {
-        fit_show_matrix(job);
-    } else {
-        fit_emit(&found, (enum fit_show)input->show, run);
-    }
+    views[input->show](job);
     return true;
 }
 

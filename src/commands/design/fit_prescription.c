@@ -467,9 +467,6 @@ bool fit_prescription(const struct fit_input *input, struct run *run, struct err
     static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY};
     struct lens_question question = input->question;
     question.field = NAN;
-    if (input->show == FIT_MATRIX || input->show == FIT_CORRELATIONS) {
-        return fail(error, ERROR_USAGE, "--prescription shows answer or parameters");
-    }
     struct fit_asked asked = {input, run};
     return lens_each(&question, &policy, run->arena, visit, &asked, error);
 }
