@@ -5,11 +5,8 @@
 #include "design/solver.h"
 
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 enum { LONGEST_PATH = 4096 };
@@ -17,7 +14,7 @@ enum { LONGEST_PATH = 4096 };
 /* Set while handing over, so that a wrong lenscalc-ceres does not hand over to itself. */
 static const char marker[] = "LENSCALC_RELAYED";
 
-/* The folder of the running program; null where the system does not tell. */
+/* The folder of the running program; null where the system does not tell (Linux does). */
 static char *own_folder(struct arena *arena)
 {
     char *path = arena_array(arena, LONGEST_PATH, 1);
@@ -28,43 +25,6 @@ static char *own_folder(struct arena *arena)
     }
     *slash = '\0';
     return path;
-}
-
-/*
- * Run it, and end as it ends. An exec alone would leave the last word to the dynamic linker where a
- * library is missing: it ends with 127, which no lenscalc does.
- */
-static bool run(const char *path, char **argv, struct error *error)
-{
-    pid_t parent = getpid(), child = fork();
-    int status = 0;
-    if (child < 0) {
-        return fail(error, ERROR_DOMAIN, "%s does not start: %s", path, strerror(errno));
-    }
-    if (child == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGTERM);
-        if (getppid() == parent) {
-            execv(path, argv);
-        }
-        _exit(126);
-    }
-    /* the terminal's signals reach both: it is for the child to end on them */
-    signal(SIGINT, SIG_IGN);
-    signal(SIGQUIT, SIG_IGN);
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    signal(SIGINT, SIG_DFL);
-    signal(SIGQUIT, SIG_DFL);
-    if (WIFSIGNALED(status)) {
-        raise(WTERMSIG(status));
-    }
-    if (WIFEXITED(status) && WEXITSTATUS(status) < 126) {
-        _exit(WEXITSTATUS(status)); /* nothing has been written here that would be lost */
-    }
-    return fail(error, ERROR_DOMAIN,
-                "%s does not start: the solver Ceres is not installed as it was when lenscalc was "
-                "built; 'make deps' installs it, then 'make' and 'make install' again",
-                path);
 }
 
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
@@ -84,9 +44,8 @@ bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
         setenv("OMP_NUM_THREADS", "1", 1);
         setenv("OPENBLAS_NUM_THREADS", "1", 1);
         setenv(marker, "1", 1);
-        run(path, argv, error);
-        unsetenv(marker);
-        return false;
+        execv(path, argv);
+        return fail(error, ERROR_DOMAIN, "%s does not start: %s", path, strerror(errno));
     }
     return fail(error, ERROR_DOMAIN,
                 "this needs the solver Ceres, which this lenscalc is built without: install "

@@ -9,14 +9,14 @@
 #include <stdbool.h>
 
 /*
- * Run lenscalc-ceres with the same arguments, and end as it ends. It is looked for beside this
- * program, then in ../libexec/lenscalc from there. Nothing may have been read from standard input
- * before.
+ * Become lenscalc-ceres, with the same arguments. It is looked for beside this program, then in
+ * ../libexec/lenscalc from there. Nothing may have been read or written before. Where one of its
+ * libraries is missing, the dynamic linker says which one and ends it with status 127.
  *
  * Given     argv  of this program, ends with null
  * Result    true: this program has the solver. Else it only comes back with an error
- * Errors    ERROR_DOMAIN: there is none, it does not start (a library is missing), or what goes by
- *           that name is without Ceres
+ * Errors    ERROR_DOMAIN: there is none, it does not start, or what goes by that name is without
+ *           Ceres
  */
 bool relay_to_ceres(char **argv, struct arena *arena, struct error *error);
 
