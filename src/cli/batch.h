@@ -36,7 +36,7 @@ struct batch_plain {
     char behind; /* what ends the cell */
 };
 
-/* In the order of batch_format_words; BATCH_AUTO sees it from the first line. */
+/* What --batch-format names; BATCH_AUTO sees it from the first line. */
 enum batch_format { BATCH_AUTO, BATCH_CSV, BATCH_TSV, BATCH_JSONL };
 
 /* The file while it is read. */

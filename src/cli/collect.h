@@ -65,7 +65,8 @@ bool collection_check_units(const struct shown *shown, size_t count, const char 
  *
  * Given     specification  "ROW,COL" or "ROW,COL:VALUE", VALUE one column or several joined by '+'
  *           report         format and output
- * Errors    ERROR_USAGE: it names no swept option or no column; a third option is swept
+ * Errors    ERROR_USAGE: it names no swept option or no column; a third option is swept; the format
+ *           has no tables
  */
 bool cross_table_check(const struct collection *collection, const char *specification,
                        const struct report *report, struct error *error);

@@ -1,7 +1,7 @@
 /* cli/common.c - the options of every command. */
 /* SPDX-License-Identifier: MIT */
+#include "cli/batch.h"
 #include "cli/command.h"
-
 #include "report/report.h"
 
 #include <string.h>
@@ -12,14 +12,15 @@ static const struct word unit_words[] = {
     {NULL, NULL},
 };
 
-/* In the order of enum batch_format. */
-static const struct word batch_format_words[] = {
-    {"auto", "as the first line looks"},
-    {"csv", "comma-separated values"},
-    {"tsv", "tab-separated values"},
-    {"jsonl", "one JSON object a row"},
-    {NULL, NULL},
-};
+static const struct word *batch_format_word(size_t i)
+{
+    static const struct word automatic = {"auto", "as the first line looks"};
+    static const struct word *const words[] = {[BATCH_AUTO] = &automatic,
+                                               [BATCH_CSV] = &format_csv.word,
+                                               [BATCH_TSV] = &format_tsv.word,
+                                               [BATCH_JSONL] = &format_jsonl.word};
+    return i < sizeof words / sizeof words[0] ? words[i] : NULL;
+}
 
 #define COMMON(member_name) OPTION(struct common, member_name)
 
@@ -45,7 +46,7 @@ const struct option common_options[] = {
      .help = "f-numbers, times and ISO are labels of stop series: use their exact values"},
     {COMMON(batch), .name = "batch", .value = "FILE", .flags = OPTION_FILE,
      .help = "read inputs as rows from FILE, or from standard input with -"},
-    {COMMON(batch_format), .name = "batch-format", .value = "FORMAT", .words = batch_format_words,
+    {COMMON(batch_format), .name = "batch-format", .value = "FORMAT", .word_at = batch_format_word,
      .fallback = "auto", .help = "what the rows of --batch are"},
     {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},
     {COMMON(force), .name = "force",
@@ -255,16 +256,27 @@ const struct command *command_find(struct text name)
     return NULL;
 }
 
+/* Formats have options of their names: --csv is short for --format csv. */
+static bool is_short_for(const struct common *common, const struct format *format)
+{
+    size_t i = 0;
+    while (i < common_option_count && strcmp(common_options[i].name, format->word.word) != 0) {
+        i++;
+    }
+    return i < common_option_count &&
+           *(const bool *)((const char *)common + common_options[i].offset);
+}
+
 bool common_format(const struct common *common, bool has_format, const struct format **format,
                    struct error *error)
 {
-    if (common->csv + common->tsv + common->json + common->jsonl + has_format > 1) {
-        return fail(error, ERROR_USAGE, "more than one output format is given");
+    int given = has_format;
+    *format = formats[common->format];
+    for (size_t i = 0; formats[i] != NULL; i++) {
+        if (is_short_for(common, formats[i])) {
+            *format = formats[i];
+            given++;
+        }
     }
-    *format = common->csv     ? &format_csv
-              : common->tsv   ? &format_tsv
-              : common->json  ? &format_json
-              : common->jsonl ? &format_jsonl
-                              : formats[common->format];
-    return true;
+    return given <= 1 || fail(error, ERROR_USAGE, "more than one output format is given");
 }

@@ -68,7 +68,7 @@ void complain(struct error *error, const struct arguments *arguments, const stru
 void print_beside(const struct report *report, bool is_table)
 {
     struct doubts *doubts = report->doubts;
-    bool has_place = report->format == &format_json || format_is_for_people(report->format);
+    bool has_place = report->format == &format_json || report->format->is_for_people;
     if (report->explain != NULL && !has_place) {
         fprintf(stderr, "%s\n", report->explain);
     }

@@ -19,7 +19,7 @@ struct cross {
 
 static bool is_machine(const struct report *report)
 {
-    return report->format == &format_csv || report->format == &format_tsv;
+    return !report->format->is_for_people;
 }
 
 static const struct axis *find_axis(const struct collection *collection, struct text name)
@@ -77,11 +77,25 @@ static bool read_specification(const struct collection *collection, const char *
            collection_check_units(cross->values, cross->value_count, "--table", false, error);
 }
 
+static bool check_format(const struct report *report, struct error *error)
+{
+    const char *able = "";
+    for (size_t i = 0; formats[i] != NULL; i++) {
+        if (formats[i]->write_grid != NULL) {
+            able = arena_printf(report->arena, "%s%s%s", able, able[0] != '\0' ? ", " : "",
+                                formats[i]->word.word);
+        }
+    }
+    return report->format->write_grid != NULL ||
+           fail(error, ERROR_USAGE, "--table is for %s", able);
+}
+
 bool cross_table_check(const struct collection *collection, const char *specification,
                        const struct report *report, struct error *error)
 {
     struct cross cross;
-    return read_specification(collection, specification, report, &cross, error);
+    return check_format(report, error) &&
+           read_specification(collection, specification, report, &cross, error);
 }
 
 /* The row at a place of the table; null if it failed. */
@@ -228,18 +242,17 @@ static void write_grid(struct report *report, const struct grid *grid)
 {
     if (report->format == &format_html) {
         grid_html_begin(report->output, grid->title);
-        grid_write_html(grid, report->output, true);
+        report->format->write_grid(grid, report->output, true);
         grid_html_close(grid, report->output);
         if (report->explain != NULL) {
             grid_html_paragraph(report->output, report->explain);
         }
         grid_html_end(report->output);
-    } else if (report->format == &format_markdown) {
-        grid_write_markdown(grid, report->output, true);
-    } else if (is_machine(report)) {
-        grid_write_separated(grid, report->output, report->format == &format_tsv ? '\t' : ',');
-    } else {
-        grid_write_text(grid, report->output, true);
+        return;
+    }
+    report->format->write_grid(grid, report->output, true);
+    if (report->explain != NULL && !is_machine(report)) {
+        output_printf(report->output, "\n%s\n", report->explain);
     }
 }
 
@@ -271,9 +284,5 @@ bool cross_table_write(const struct collection *collection, const char *specific
         grid.note = row != NULL ? report_assumptions(report, row) : NULL;
     }
     write_grid(report, &grid);
-    if (report->explain != NULL &&
-        (report->format == &format_text || report->format == &format_markdown)) {
-        output_printf(report->output, "\n%s\n", report->explain);
-    }
     return true;
 }

@@ -98,20 +98,18 @@ static bool set_up_report(struct driver *driver, struct error *error)
     report->units = (enum unit_system)driver->common.units;
     report->many = report->many || driver->is_batch || driver->sweep.total > 1;
     report->has_error_column = (driver->is_batch || driver->sweep.total > 1) &&
-                               driver->common.columns == NULL &&
-                               (report->format == &format_csv || report->format == &format_tsv);
+                               driver->common.columns == NULL && report->format->separator != '\0';
     report->passed_names = driver->batch.passed_names;
     report->passed_count = driver->batch.passed_count;
     report->passed_bare = driver->batch.passed_bare;
-    driver->selection =
-        (struct selection){.columns = driver->common.columns,
-                           .many = driver->is_batch || driver->sweep.total > 1,
-                           .layout = !format_is_for_people(report->format) ? SELECT_ALL
-                                     : report->many                        ? SELECT_TABLE
-                                                                           : SELECT_LIST,
-                           .given = asked_given,
-                           .varied = asked_varied,
-                           .asked = driver};
+    driver->selection = (struct selection){.columns = driver->common.columns,
+                                           .many = driver->is_batch || driver->sweep.total > 1,
+                                           .layout = !report->format->is_for_people ? SELECT_ALL
+                                                     : report->many                 ? SELECT_TABLE
+                                                                                    : SELECT_LIST,
+                                           .given = asked_given,
+                                           .varied = asked_varied,
+                                           .asked = driver};
     return report_select(report, &driver->selection, error);
 }
 
@@ -131,15 +129,6 @@ static bool check_collects(const struct driver *driver, const char *option, stru
                     "--%s takes one row of each combination, this question has several", option);
     }
     return true;
-}
-
-static bool check_table(struct driver *driver, struct error *error)
-{
-    const struct format *format = driver->report.format;
-    if (format == &format_json || format == &format_jsonl) {
-        return fail(error, ERROR_USAGE, "--table is for text, csv, tsv, markdown and html");
-    }
-    return cross_table_check(&driver->collection, driver->common.table, &driver->report, error);
 }
 
 /* Rows of a sweep are kept for --table and --plot. */
@@ -166,7 +155,8 @@ static bool set_up_collection(struct driver *driver, struct error *error)
                                              .units = driver->report.units};
     return collection_open(&driver->collection, common->table != NULL ? MOST_CELLS : MOST_POINTS,
                            option, error) &&
-           (common->table == NULL || check_table(driver, error)) &&
+           (common->table == NULL ||
+            cross_table_check(&driver->collection, driver->common.table, &driver->report, error)) &&
            (common->plot == NULL || collection_plot_check(&driver->collection, plot_columns(driver),
                                                           common->columns != NULL, error));
 }

@@ -88,14 +88,25 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
     return format->read(job, text, lens, error);
 }
 
+static const char *endings_with_thick(struct arena *arena)
+{
+    const char *endings = lens_file_type.ending;
+    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
+        if ((*one)->has_thick) {
+            endings = arena_printf(arena, "%s and %s", endings, (*one)->type.ending);
+        }
+    }
+    return endings;
+}
+
 bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
                    const struct lens *lens, struct text *text, struct error *error)
 {
     for (size_t i = 0; i < lens->surface_count && !format->has_thick; i++) {
         if (surface_has(&lens->surfaces[i], SURFACE_HAS_FOCAL)) {
             return fail(error, ERROR_DATA,
-                        "surface %zu is a thick lens: a %s file has none, only .lens and .json",
-                        i + 1, format->type.ending);
+                        "surface %zu is a thick lens: a %s file has none, only %s", i + 1,
+                        format->type.ending, endings_with_thick(job->arena));
         }
     }
     return format->write(job, lens, text, error);

@@ -381,7 +381,7 @@ static bool refuse(struct json_reading *reading, struct error *error)
     json_wrong(reading, &start, error,
                "no JSON of lenscalc, which begins with \"lens\" and has \"surfaces\"; that of "
                "other programs (ray-optics) is not read");
-    return error_hint(error, "a lens is read from .lens, .zmx, .seq, .len and .dat files too");
+    return error_hint(error, "lenscalc-convert(1) tells which files a lens is read from");
 }
 
 /* Why there is no tree: JSON of another program may hold what JSON has no words for. */

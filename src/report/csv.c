@@ -1,13 +1,9 @@
 /* report/csv.c - comma- and tab-separated values (RFC 4180). */
 /* SPDX-License-Identifier: MIT */
+#include "report/grid.h"
 #include "report/report.h"
 
 #include <string.h>
-
-static char separator_of(const struct report *report)
-{
-    return report->format == &format_tsv ? '\t' : ',';
-}
 
 /* Does the cell need quotes? */
 static bool is_special(const char *start, size_t length, char separator)
@@ -26,7 +22,7 @@ static bool is_special(const char *start, size_t length, char separator)
 
 static void write_text(struct report *report, const char *start, size_t length)
 {
-    if (!is_special(start, length, separator_of(report))) {
+    if (!is_special(start, length, report->format->separator)) {
         output_text(report->output, start, length);
         return;
     }
@@ -78,7 +74,7 @@ static bool has_only_numbers(const struct report *report)
 
 static void begin(struct report *report)
 {
-    char separator = separator_of(report);
+    char separator = report->format->separator;
     size_t cells = 0;
     for (size_t i = 0; i < report->passed_count; i++) {
         if (cells++ > 0) {
@@ -118,7 +114,7 @@ static void write_numbers(struct report *report, const void *row, char separator
 static void write_cells(struct report *report, const void *row, const struct text *passed,
                         const struct error *failure)
 {
-    char separator = separator_of(report);
+    char separator = report->format->separator;
     size_t cells = 0;
     for (size_t i = 0; i < report->passed_count; i++) {
         if (cells++ > 0) {
@@ -150,7 +146,7 @@ static void row(struct report *report, const void *row, const struct text *passe
                 const struct error *failure)
 {
     if (row != NULL && report->state != NULL) {
-        write_numbers(report, row, separator_of(report));
+        write_numbers(report, row, report->format->separator);
     } else {
         write_cells(report, row, passed, failure);
     }
@@ -161,5 +157,27 @@ static void end(struct report *report)
     (void)report;
 }
 
-const struct format format_csv = {{"csv", "comma-separated values"}, begin, row, end};
-const struct format format_tsv = {{"tsv", "tab-separated values"}, begin, row, end};
+static void csv_grid(const struct grid *grid, struct output *output, bool with_head)
+{
+    (void)with_head; /* a head row is a row */
+    grid_write_separated(grid, output, ',');
+}
+
+static void tsv_grid(const struct grid *grid, struct output *output, bool with_head)
+{
+    (void)with_head;
+    grid_write_separated(grid, output, '\t');
+}
+
+const struct format format_csv = {{"csv", "comma-separated values"},
+                                  .separator = ',',
+                                  .write_grid = csv_grid,
+                                  .begin = begin,
+                                  .row = row,
+                                  .end = end};
+const struct format format_tsv = {{"tsv", "tab-separated values"},
+                                  .separator = '\t',
+                                  .write_grid = tsv_grid,
+                                  .begin = begin,
+                                  .row = row,
+                                  .end = end};

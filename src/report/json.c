@@ -253,6 +253,7 @@ static void jsonl_row(struct report *report, const void *row, const struct text 
     output_character(report->output, '\n');
 }
 
-const struct format format_json = {{"json", "one JSON object"}, json_begin, json_row, json_end};
+const struct format format_json = {
+    {"json", "one JSON object"}, .begin = json_begin, .row = json_row, .end = json_end};
 const struct format format_jsonl = {
-    {"jsonl", "one JSON object a row"}, jsonl_begin, jsonl_row, jsonl_begin};
+    {"jsonl", "one JSON object a row"}, .begin = jsonl_begin, .row = jsonl_row, .end = jsonl_begin};

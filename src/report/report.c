@@ -10,11 +10,6 @@ const struct format *const formats[] = {
     &format_jsonl, &format_markdown, &format_html, NULL,
 };
 
-bool format_is_for_people(const struct format *format)
-{
-    return format == &format_text || format == &format_markdown || format == &format_html;
-}
-
 const struct word *format_word(size_t i)
 {
     return formats[i] != NULL ? &formats[i]->word : NULL;

@@ -15,10 +15,15 @@
 enum unit_system { UNITS_METRIC, UNITS_IMPERIAL };
 
 struct report;
+struct grid;
 
 /* A way to print. `row` gets a failed row as a null pointer with its failure. */
 struct format {
-    struct word word; /* "csv", what it is */
+    struct word word;   /* "csv", what it is */
+    bool is_for_people; /* scaled for reading, units in the heads */
+    char separator;     /* between the cells of a line; 0 = the lines have no cells */
+    /* A whole table, with its head or without; null: the format has none. */
+    void (*write_grid)(const struct grid *grid, struct output *output, bool with_head);
     void (*begin)(struct report *report);
     void (*row)(struct report *report, const void *row, const struct text *passed,
                 const struct error *failure);
@@ -30,9 +35,6 @@ extern const struct format format_text, format_csv, format_tsv, format_json, for
 
 /* All formats; ends with null. */
 extern const struct format *const formats[];
-
-/* Text, markdown and html: scaled for reading, units in the heads. */
-bool format_is_for_people(const struct format *format);
 
 /* The word of format i; null behind the last. */
 const struct word *format_word(size_t i);

@@ -259,17 +259,6 @@ static const void *first_good_row(const struct text_state *state)
     return NULL;
 }
 
-static void write_grid(struct report *report, struct grid *grid, bool with_head)
-{
-    if (report->format == &format_markdown) {
-        grid_write_markdown(grid, report->output, with_head);
-    } else if (report->format == &format_html) {
-        grid_write_html(grid, report->output, with_head);
-    } else {
-        grid_write_text(grid, report->output, with_head);
-    }
-}
-
 /* Several rows: a table with names and units in its head. */
 static void write_table(struct report *report)
 {
@@ -282,7 +271,7 @@ static void write_table(struct report *report)
     state->widths = ARENA_ARRAY(report->arena, grid.columns, size_t);
     grid_measure(&grid, state->widths);
     grid.title = report->title;
-    write_grid(report, &grid, true);
+    report->format->write_grid(&grid, report->output, true);
 }
 
 /* One answer: a line for each quantity, in words. */
@@ -309,7 +298,7 @@ static void write_list(struct report *report)
         grid_set(&grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
     }
     grid.title = report->title;
-    write_grid(report, &grid, true);
+    report->format->write_grid(&grid, report->output, true);
 }
 
 static bool is_list(const struct report *report)
@@ -339,7 +328,7 @@ static void write_later_row(struct report *report, const void *row, const struct
     struct grid grid = new_grid(report, &state->scratch);
     memcpy(grid.least_width, state->widths, grid.columns * sizeof grid.least_width[0]);
     add_row(report, &grid, row, passed, failure != NULL ? failure->message : NULL);
-    write_grid(report, &grid, false);
+    report->format->write_grid(&grid, report->output, false);
     if (failure != NULL && !state->has_failures) {
         output_printf(report->output, "error: %s\n",
                       failure->message); /* there is no column for it */
@@ -469,8 +458,11 @@ static void text_end(struct report *report)
     arena_free(&state->scratch);
 }
 
-const struct format format_text = {
-    {"text", "aligned table with units"}, text_begin, text_row, text_end};
-const struct format format_markdown = {
-    {"markdown", "table for a document"}, text_begin, text_row, text_end};
-const struct format format_html = {{"html", "page to print"}, text_begin, text_row, text_end};
+#define TEXT(grid_writer)                                                                          \
+    .is_for_people = true, .write_grid = (grid_writer), .begin = text_begin, .row = text_row,      \
+    .end = text_end
+
+const struct format format_text = {{"text", "aligned table with units"}, TEXT(grid_write_text)};
+const struct format format_markdown = {{"markdown", "table for a document"},
+                                       TEXT(grid_write_markdown)};
+const struct format format_html = {{"html", "page to print"}, TEXT(grid_write_html)};

@@ -192,6 +192,31 @@ def check_options(checks, program, commands, tools):
                                    f"{sorted(named - own)} that the command does not know")
 
 
+def check_words(checks, program, commands):
+    """The words of a choice, and the endings of lens files, stand in the pages as in --help."""
+    def lacks(path, words):
+        with open(path) as file:
+            text = unescape(re.sub(r"\\f.", "", file.read()))
+        return [word for word in words
+                if not re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", text)]
+    main_page = "man/lenscalc.1"
+    shown = {command: program.run(command, "--help").stdout.decode() for command in commands}
+    words = {main_page: set()}
+    for command in commands:
+        own, _, common = shown[command].partition("Common options")
+        for path, text in ((f"man/lenscalc-{command}.1", own), (main_page, common)):
+            words.setdefault(path, set()).update(re.findall(r"^ {32}(\S+) ", text, re.M))
+    for path in (path for path in words if os.path.exists(path)):
+        missing = lacks(path, sorted(words[path]))
+        checks.check(not missing, f"{path}: lacks {missing}, which --help lists")
+    endings = re.search(r"--output FILE.*\((.*)\)", shown["convert"])
+    endings = re.findall(r"\.[a-z]+", endings.group(1)) if endings else []
+    checks.check(len(endings) > 4, f"convert --help lists the endings {endings}")
+    for path in ("man/lenscalc-convert.1", "README"):
+        missing = lacks(path, endings)
+        checks.check(not missing, f"{path}: lacks the endings {missing} of lens files")
+
+
 def check_help(checks, program, commands):
     """The examples that --help shows run with status 0."""
     with tempfile.TemporaryDirectory(prefix="lenscalc-doc-") as folder:
@@ -243,6 +268,7 @@ def main():
             count = check_examples(checks, program, path, page_blocks(file.read()))
         checks.check(count > 0 or not path.endswith(".1"), f"{path} has no example")
     check_options(checks, program, commands, tools)
+    check_words(checks, program, commands)
     check_help(checks, program, commands)
     check_keys(checks)
     checks.finish()

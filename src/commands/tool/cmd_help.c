@@ -29,6 +29,15 @@ static bool unknown(const char *topic, struct error *error)
     return false;
 }
 
+static void write_topic(const struct topic_text *topic, struct output *output)
+{
+    output_printf(output, "%s: %s\n\n%s", topic->name, topic->summary, topic->text);
+    for (size_t i = 0; topic->word_at != NULL && topic->word_at(i) != NULL; i++) {
+        const struct word *word = topic->word_at(i);
+        output_printf(output, "%-9s %s\n", word->word, word->help);
+    }
+}
+
 static bool explain(const struct artifact_job *job, struct output *output, struct error *error)
 {
     const struct input *input = job->inputs[0];
@@ -38,7 +47,7 @@ static bool explain(const struct artifact_job *job, struct output *output, struc
     }
     const struct topic_text *topic = help_topic_find(input->topic);
     if (topic != NULL) {
-        output_printf(output, "%s: %s\n\n%s", topic->name, topic->summary, topic->text);
+        write_topic(topic, output);
         return true;
     }
     const struct command *command = command_find(text_of(input->topic));

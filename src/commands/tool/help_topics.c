@@ -1,6 +1,7 @@
 /* commands/tool/help_topics.c - short texts on what all commands have in common. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/help.h"
+#include "report/report.h"
 
 #include <string.h>
 
@@ -10,7 +11,8 @@ const struct topic_text help_topics[] = {
      "Without one it has the unit that COMMAND --help shows. The decimal point is '.'; inf is\n"
      "infinity where that makes sense. Also read: f/2.8 f2.8 T2.2, 1/125, ISO400, EV12, 3stops,\n"
      "180deg@24fps, 1:2 and 0.5x, formats and cameras by name (--sensor \"Nikon D1\"), 36x24mm.\n"
-     "All units: lenscalc list units.\n"},
+     "All units: lenscalc list units.\n",
+     NULL},
     {"ranges", "lists and ranges, which sweep an option",
      "1.4,2,2.8      these values            1.4..22        the labels of a stop series between\n"
      "1..10          steps of 1              1.4..22/third  third (full, half) stops\n"
@@ -19,24 +21,28 @@ const struct topic_text help_topics[] = {
      "1/16..1        fractions in stops: 1/16, 1/8, 1/4, 1/2, 1\n"
      "Several swept options give all combinations, the first option slowest. --nominal puts the\n"
      "exact value in the place of a label: 5.6 becomes 5.657. More than a million rows want\n"
-     "--force. --table ROW,COL prints two swept options as a cross-table, --plot draws.\n"},
+     "--force. --table ROW,COL prints two swept options as a cross-table, --plot draws.\n",
+     NULL},
     {"output", "formats, columns, digits and files",
-     "--format text (the default), csv, tsv, json, jsonl, markdown, html; --csv and so on for\n"
+     "--format chooses one of those below, text if it is not given; --csv and so on for\n"
      "short. --columns near_ft,far_m chooses, orders and converts; --digits N cuts. Machine\n"
      "formats print the fewest digits that read back as the same number. Infinity is inf, in\n"
      "JSON null beside \"..._is_infinite\":true; an absent value is empty, in JSON null.\n"
-     "-o FILE appears only when it is complete. --explain adds formulas and sources.\n"},
+     "-o FILE appears only when it is complete. --explain adds formulas and sources.\n\n",
+     format_word},
     {"batch", "rows in, rows out",
      "--batch FILE (- is standard input) reads csv, tsv or jsonl with a header. A column is named\n"
      "by an option's letter or name or by an output column, and may carry a unit: f_mm, s_m,\n"
      "focal_length, coc_mm. Other columns are handed through. Options on the command line hold\n"
-     "for all rows. A bad row is reported with its line, keeps its place and has an 'error'.\n"},
+     "for all rows. A bad row is reported with its line, keeps its place and has an 'error'.\n",
+     NULL},
     {"status", "exit statuses",
      "0  fine                          3  some rows of a batch or sweep failed\n"
      "1  no answer: out of range,      4  a data file is bad\n"
      "   nothing found                 5  reading or writing failed\n"
-     "2  the command line is wrong\n"},
-    {NULL, NULL, NULL},
+     "2  the command line is wrong\n",
+     NULL},
+    {NULL, NULL, NULL, NULL},
 };
 
 const struct topic_text *help_topic_find(const char *name)
