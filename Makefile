@@ -51,7 +51,8 @@ folders := base report photo cli commands commands/photo commands/tool optics an
 apart   := src/main.c src/data/embed.c src/design/solver_none.c $(kernels)
 sources := $(filter-out $(apart),$(foreach folder,$(folders),$(wildcard src/$(folder)/*.c)))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \
-           $(foreach set,sse2 avx2 avx512,$(kernels:src/%.c=$(BUILD)/%_$(set).o))
+           $(foreach set,sse2 avx2 avx512,$(kernels:src/%.c=$(BUILD)/%_$(set).o)) \
+           $(BUILD)/trace/kernel_few.o $(BUILD)/trace/kernel_conic_few.o
 none    := $(BUILD)/design/solver_none.o
 ceres   := $(BUILD)/design/solver_ceres.o
 units   := $(patsubst tests/unit/%.c,$(BUILD)/unit/%,$(wildcard tests/unit/test_*.c))
@@ -119,6 +120,7 @@ ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
 SET_avx2   = -mavx2
 SET_avx512 = -mavx512f -mavx512vl -mavx512dq -mprefer-vector-width=512
 endif
+SET_few    = -O2 -DKERNEL_FEW
 define kernel
 $(BUILD)/%_$(1).o: src/%.c $(BUILD)/flags
 	@mkdir -p $$(@D)
@@ -126,7 +128,7 @@ $(BUILD)/%_$(1).o: src/%.c $(BUILD)/flags
 	$$(Q)$$(CC) $$(ALL_CFLAGS) $(if $(findstring -fsanitize,$(CFLAGS)),,-O3) $$(SET_$(1)) \
 	    -DKERNEL=$(1) -MMD -MP -c -o $$@ $$<
 endef
-$(foreach set,sse2 avx2 avx512,$(eval $(call kernel,$(set))))
+$(foreach set,sse2 avx2 avx512 few,$(eval $(call kernel,$(set))))
 
 # lensdb inside the program: const arrays, paged in only where a command looks
 $(BUILD)/embed: src/data/embed.c src/data/embedded.h

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/layout.h"
 #include "trace/aim.h"
-#include "trace/clear.h"
+#include "trace/clear_cross.h"
 #include "trace/follow.h"
 
 #include "base/constants.h"

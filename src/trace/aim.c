@@ -180,7 +180,7 @@ static bool advance_block(const struct aim *aim, const struct pupil_point *point
     if (!busy) {
         return false;
     }
-    chief_to_stop(aim);
+    chief_to_stop(aim, count);
     for (size_t i = 0; i < count; i++) {
         if (!searches[i].done) {
             judge(aim, &points[i], i, &searches[i]);

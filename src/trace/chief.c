@@ -16,15 +16,16 @@ struct region {
     double finest; /* what is called the same place, mm */
 };
 
-void chief_to_stop(const struct aim *aim)
+void chief_to_stop(const struct aim *aim, size_t count)
 {
     const struct system *system = aim->system;
     struct ray_block *block = aim->work.blocks;
-    rays_trace_part(system, 0, system_place(system, system->stop) + 1, &aim->work, NULL);
+    const struct rays rays = {block, count};
+    rays_trace_part(system, 0, system_place(system, system->stop) + 1, &rays, NULL);
     if (system->lens->surfaces[system->stop].decentre == NULL) {
         return;
     }
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+    for (size_t i = 0; i < count; i++) {
         double point[3] = {block->x[i], block->y[i], block->z[i]};
         system_to_own(system, system->stop, point);
         block->x[i] = point[0];
@@ -36,7 +37,7 @@ void chief_to_stop(const struct aim *aim)
 void chief_trace(const struct aim *aim, const double (*at)[2], size_t count)
 {
     beam_fill(&aim->beam, at, count, aim->work.blocks);
-    chief_to_stop(aim);
+    chief_to_stop(aim, count);
 }
 
 static bool arrived(const struct aim *aim, size_t lane)
@@ -144,11 +145,12 @@ static double excess(const struct aim *aim, double b)
 {
     const struct system *system = aim->system;
     const struct ray ray = beam_ray(&aim->beam, aim->chief[0], b);
+    const struct rays rays = {aim->work.blocks, 1};
     double worst = 0;
-    rays_set(&aim->work, 0, aim->beam.n, &ray);
+    rays_set(&rays, 0, aim->beam.n, &ray);
     for (size_t place = 0; place <= system_place(system, system->stop); place++) {
         const struct surface *surface = &system->lens->surfaces[system_surface(system, place)];
-        rays_trace_part(system, place, place + 1, &aim->work, NULL);
+        rays_trace_part(system, place, place + 1, &rays, NULL);
         if (surface->has_diameter) {
             const struct ray_block *block = aim->work.blocks;
             worst = fmax(worst, hypot(block->x[0], block->y[0]) / (surface->diameter.value.hi / 2));

@@ -23,8 +23,8 @@ bool chief_find(struct aim *aim, struct arena *arena, struct error *error);
  */
 bool chief_slope(const struct aim *aim, const double at[2], double slope[4]);
 
-/* Take the rays in aim->work to the stop, into its own frame: origin in its centre. */
-void chief_to_stop(const struct aim *aim);
+/* Take the first `count` rays in aim->work to the stop, in its own frame: origin in its centre. */
+void chief_to_stop(const struct aim *aim, size_t count);
 
 /* Take `count` rays of the beam (1 to RAYS_BLOCK) to the stop; their fate is in aim->work. */
 void chief_trace(const struct aim *aim, const double (*at)[2], size_t count);

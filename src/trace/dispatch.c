@@ -88,9 +88,10 @@ void rays_trace_part(const struct system *system, size_t from, size_t to, const 
 {
     static const struct trace_way usual = {SET_BEST, 1};
     way = way == NULL ? &usual : way;
-    struct work work = {trace_of(way->set), system->steps + system->begin[from],
-                        system->begin[to] - system->begin[from], system->options.path,
-                        rays->blocks};
+    bool few = way->set == SET_BEST && rays->count <= RAYS_FEW;
+    struct work work = {
+        few ? kernel_trace_few : trace_of(way->set), system->steps + system->begin[from],
+        system->begin[to] - system->begin[from], system->options.path, rays->blocks};
     parallel_for(way->threads, rays_blocks(rays), BLOCKS_A_PIECE, trace_blocks, &work);
 }
 

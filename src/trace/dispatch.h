@@ -26,7 +26,8 @@ const char *instruction_set_name(enum instruction_set set);
  * Take rays through the whole system.
  *
  * Given     rays  in the frame and medium before the first surface; receives where they end
- *           way   null: best instructions, one thread
+ *           way   null: best instructions, one thread; for RAYS_FEW and less, those of the first
+                 block's lanes only
  * Result    in place; see trace/rays.h for what lost rays hold. No number depends on the threads,
  *           on the instructions or on the other rays
  */

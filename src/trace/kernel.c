@@ -7,7 +7,7 @@
 INLINE void plane(struct ray_block *block, const struct step *s, bool path, bool refracts)
 {
     const struct codes codes = codes_of(s);
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < KERNEL_LANES; i++) {
         struct lane ray = load(block, i, s->t);
         double d = -ray.z / ray.r, D = s->direction * ray.r, D2 = D * D + s->dn;
         ray.x += d * ray.p;
@@ -33,7 +33,7 @@ INLINE void thick(struct ray_block *block, const struct step *s)
     const double near = s->near_object, ratio = s->ratio, bend = s->bend;
     const double d1 = s->coefficient[0], d2 = s->coefficient[1], d3 = s->coefficient[2];
     const double forward = s->direction * sqrt(s->n22);
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < KERNEL_LANES; i++) {
         double u = block->p[i] / block->r[i], v = block->q[i] / block->r[i];
         double wu = u - block->x[i] * near, wv = v - block->y[i] * near;
         double w2 = wu * wu + wv * wv, d = w2 * (d1 + w2 * (d2 + w2 * d3));
@@ -50,7 +50,7 @@ INLINE void thick(struct ray_block *block, const struct step *s)
 INLINE void plane_mirror(struct ray_block *block, const struct step *s, bool path)
 {
     plane(block, s, path, false);
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < KERNEL_LANES; i++) {
         block->r[i] = -block->r[i];
     }
 }
@@ -130,7 +130,7 @@ static void move(struct ray_block *block, const struct step *s)
     double m[9], shift[3];
     memcpy(m, s->turn, sizeof m);
     memcpy(shift, s->shift, sizeof shift);
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < KERNEL_LANES; i++) {
         double x = block->x[i] - shift[0], y = block->y[i] - shift[1], z = block->z[i] - shift[2];
         double p = block->p[i], q = block->q[i], r = block->r[i];
         block->x[i] = m[0] * x + m[1] * y + m[2] * z;
@@ -209,7 +209,7 @@ static void without_path(const struct step *steps, size_t count, struct ray_bloc
 /* NaN for what is lost, but for clipped rays; and nothing that is not finite is on its way. */
 static void mark_lost(struct ray_block *block, double miss)
 {
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < KERNEL_LANES; i++) {
         double sum = (block->x[i] + block->y[i] + block->z[i]) +
                      (block->p[i] + block->q[i] + block->r[i]) + block->path[i];
         bool sound = fabs(sum) <= DBL_MAX;
@@ -218,7 +218,7 @@ static void mark_lost(struct ray_block *block, double miss)
         block->lost[i] = known ? old : miss;
     }
     int64_t any = 0;
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < KERNEL_LANES; i++) {
         int64_t bits;
         memcpy(&bits, &block->lost[i], sizeof bits);
         any |= bits;
@@ -226,7 +226,7 @@ static void mark_lost(struct ray_block *block, double miss)
     if (any == 0) {
         return;
     }
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < KERNEL_LANES; i++) {
         double sum = (block->x[i] + block->y[i] + block->z[i]) +
                      (block->p[i] + block->q[i] + block->r[i]) + block->path[i];
         /* the remainder of 8: adding and taking away 1.5 x 2^52 rounds to a whole number */
@@ -259,6 +259,7 @@ void NAME(kernel_trace, KERNEL)(const struct step *steps, size_t count, bool pat
     mark_lost(block, steps[count - 1].miss);
 }
 
+#ifndef KERNEL_FEW
 void NAME(kernel_tape, KERNEL)(const struct step *steps, size_t count, bool path,
                                struct ray_block *blocks)
 {
@@ -274,3 +275,4 @@ void NAME(kernel_tape, KERNEL)(const struct step *steps, size_t count, bool path
         mark_lost(&blocks[count], steps[count - 1].miss);
     }
 }
+#endif

@@ -163,7 +163,7 @@ INLINE struct shape shape_of(const struct lane *ray, const struct step *s, struc
 
 /* Where Newton's method sets out from: kept for the search of those that it loses. */
 struct origin {
-    double x[RAYS_BLOCK], y[RAYS_BLOCK], z[RAYS_BLOCK], path[RAYS_BLOCK];
+    double x[KERNEL_LANES], y[KERNEL_LANES], z[KERNEL_LANES], path[KERNEL_LANES];
 };
 
 /* The conic that Newton's method starts from; rays that pass it by start at its rim. */
@@ -241,7 +241,7 @@ enum { NEWTON_STEPS = 10 };
 INLINE bool any_open(const struct found *found)
 {
     int64_t open = 0;
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < KERNEL_LANES; i++) {
         int64_t bits;
         memcpy(&bits, &found->open[i], sizeof bits);
         open |= bits;
@@ -258,10 +258,10 @@ INLINE bool is_there(const struct step *s, const struct found *found, int i)
 INLINE bool all_there(const struct step *s, const struct found *found)
 {
     int64_t there = 0; /* as wide as what is compared */
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < KERNEL_LANES; i++) {
         there += is_there(s, found, i) ? 1 : 0;
     }
-    return there == RAYS_BLOCK;
+    return there == KERNEL_LANES;
 }
 
 /* Newton's method went astray, or there is nothing to meet: then the point becomes NaN. */
@@ -270,7 +270,7 @@ static __attribute__((noinline)) void search_lost(struct ray_block *block, const
                                                   struct found *found)
 {
     const struct search search = search_of(s);
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < KERNEL_LANES; i++) {
         size_t lost = (size_t)block->lost[i] % 8;
         if (is_there(s, found, i) || (lost != RAY_OK && lost != RAY_CLIPPED)) {
             continue;
@@ -356,18 +356,20 @@ INLINE void with_or_without_path(struct ray_block *block, const struct step *s, 
     }
 }
 
-/* One copy for each number of terms. */
+/* One copy for each number of terms; what follows the last is 0. */
 #define ASPHERE(TERMS)                                                                             \
     static void asphere_##TERMS(struct ray_block *block, const struct step *s, bool path)          \
     {                                                                                              \
         with_or_without_path(block, s, path, (struct family){.terms = TERMS});                     \
     }
+#ifndef KERNEL_FEW
 ASPHERE(2)
 ASPHERE(3)
 ASPHERE(4)
 ASPHERE(5)
 ASPHERE(6)
 ASPHERE(8)
+#endif
 ASPHERE(10)
 
 static void asphere_any(struct ray_block *block, const struct step *s, bool path)
@@ -386,9 +388,14 @@ static void asphere_any(struct ray_block *block, const struct step *s, bool path
 
 void NAME(kernel_asphere, KERNEL)(struct ray_block *block, const struct step *s, bool path)
 {
+#ifndef KERNEL_FEW
     static kernel_step *const steps[STEP_TERMS + 1] = {asphere_2, asphere_2,  asphere_2, asphere_3,
                                                        asphere_4, asphere_5,  asphere_6, asphere_8,
                                                        asphere_8, asphere_10, asphere_10};
+    kernel_step *const step = steps[s->terms];
+#else
+    kernel_step *const step = asphere_10;
+#endif
     bool usual = s->kind == STEP_ASPHERE && s->action == ACTION_REFRACT;
-    (usual ? steps[s->terms] : asphere_any)(block, s, path);
+    (usual ? step : asphere_any)(block, s, path);
 }

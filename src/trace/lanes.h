@@ -18,6 +18,16 @@
 #define NAME(name, set)  NAME_(name, set)
 #define INLINE           static inline __attribute__((always_inline))
 
+/*
+ * How many lanes of a block are traced: all, or in the set `few` the first RAYS_FEW, for the
+ * searches that need no more. It has the instructions that every processor has.
+ */
+#ifdef KERNEL_FEW
+enum { KERNEL_LANES = RAYS_FEW };
+#else
+enum { KERNEL_LANES = RAYS_BLOCK };
+#endif
+
 /* The state of one lane. */
 struct lane {
     double x, y, z, p, q, r, path;
@@ -104,6 +114,19 @@ INLINE double hop(struct lane *ray, const struct step *s)
     return d;
 }
 
+#ifdef KERNEL_FEW
+/* Stages of a surface, one after the other. */
+#define LANES for (int lane = 0; lane < KERNEL_LANES; lane++)
+/* clang-format off */
+#define IN_TURN(FIRST, SECOND, THIRD, FOURTH)                                                      \
+    do {                                                                                           \
+        LANES { FIRST(lane); }                                                                     \
+        LANES { SECOND(lane); }                                                                    \
+        LANES { THIRD(lane); }                                                                     \
+        LANES { FOURTH(lane); }                                                                    \
+    } while (0)
+/* clang-format on */
+#else
 /*
  * Stages of a surface. A root or quotient takes as long as twenty sums, and whatever waits for one
  * stands in the way of the rest; so each loop does different stages for different lanes, LATE lanes
@@ -129,15 +152,16 @@ enum { LATE = 8 };
         LANES(END + 2, END + 3) { FOURTH(LATER(3)); }                                              \
     } while (0)
 /* clang-format on */
+#endif
 
 /* What the stages hand on, one row each. */
 struct found {
-    double square[RAYS_BLOCK];                             /* a root is to be drawn of it */
-    double numerator[RAYS_BLOCK], denominator[RAYS_BLOCK]; /* to be divided .. */
-    double way[RAYS_BLOCK];                                /* .. is this: d, later g */
-    double bend[RAYS_BLOCK];                               /* D; of spheres g */
-    double f[RAYS_BLOCK], G[RAYS_BLOCK];                   /* of the normal of an asphere */
-    double open[RAYS_BLOCK];                               /* 1 = Newton's method goes on */
+    double square[KERNEL_LANES];                               /* a root is to be drawn of it */
+    double numerator[KERNEL_LANES], denominator[KERNEL_LANES]; /* to be divided .. */
+    double way[KERNEL_LANES];                                  /* .. is this: d, later g */
+    double bend[KERNEL_LANES];                                 /* D; of spheres g */
+    double f[KERNEL_LANES], G[KERNEL_LANES];                   /* of the normal of an asphere */
+    double open[KERNEL_LANES];                                 /* 1 = Newton's method goes on */
 };
 
 INLINE void divide(struct found *found, int i)

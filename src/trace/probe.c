@@ -6,12 +6,11 @@
 
 #include <math.h>
 
-#define LOST 1e30
-
 void probe_try(const struct probe *probe, const double (*at)[2], size_t count)
 {
-    beam_fill(probe->beam, at, count, probe->work.blocks);
-    rays_trace(probe->system, &probe->work, NULL);
+    const struct rays rays = {probe->work.blocks, count};
+    beam_fill(probe->beam, at, count, rays.blocks);
+    rays_trace(probe->system, &rays, NULL);
 }
 
 bool probe_passes_one(const struct probe *probe, const double at[2])
@@ -32,39 +31,45 @@ static double excess_at(const struct system *system, size_t surface, const struc
     return x * x + y * y - 1;
 }
 
-/*
- * By how much rays fail to pass: the largest r^2/a^2 - 1 of all clear apertures, 0 and less for
- * those that pass; for one that misses a surface or is totally reflected LOST and more, less
- * the farther it comes.
- *
- * Given     at, count  up to RAYS_BLOCK rays
- *           excess     receives `count` numbers, never NaN
- */
-static void excess_of(const struct probe *probe, const double (*at)[2], size_t count,
-                      double *excess)
+static bool is_listed(const size_t *surfaces, size_t surface)
 {
+    while (surfaces != NULL && *surfaces != LENS_NONE && *surfaces != surface) {
+        surfaces++;
+    }
+    return surfaces == NULL || *surfaces == surface;
+}
+
+void probe_excess(const struct probe *probe, const size_t *surfaces, const double (*at)[2],
+                  size_t count, double *excess)
+{
+    size_t from = 0;
     const struct system *system = probe->system;
     const struct ray_block *block = probe->work.blocks;
-    beam_fill(probe->beam, at, count, probe->work.blocks);
+    const struct rays rays = {probe->work.blocks, count};
+    beam_fill(probe->beam, at, count, rays.blocks);
     for (size_t i = 0; i < count; i++) {
         excess[i] = -1;
     }
     for (size_t place = 0; place < system->places; place++) {
-        size_t surface = system_surface(system, place);
-        bool is_image = surface >= system->lens->surface_count;
-        double clear = is_image ? (double)INFINITY : system_clear_radius(system, surface);
-        rays_trace_part(system, place, place + 1, &probe->work, NULL);
+        const size_t surface = system_surface(system, place);
+        bool looks = surface < system->lens->surface_count && is_listed(surfaces, surface);
+        if (surfaces != NULL && !looks && place + 1 < system->places) {
+            continue;
+        }
+        double clear = looks ? system_clear_radius(system, surface) : (double)INFINITY;
+        rays_trace_part(system, from, place + 1, &rays, NULL);
+        from = place + 1;
         for (size_t i = 0; i < count; i++) {
-            if (excess[i] >= LOST) {
+            if (excess[i] >= PROBE_LOST) {
                 continue;
             }
             if (!isfinite(block->x[i]) || !isfinite(block->y[i])) {
-                excess[i] = LOST * (double)(system->places - place) +
-                            LOST * 0.5 * (1 - 1 / (2 + excess[i]));
+                excess[i] = PROBE_LOST * (double)(system->places - place) +
+                            PROBE_LOST * 0.5 * (1 - 1 / (2 + excess[i]));
             } else if (isfinite(clear)) {
                 double here = excess_at(system, surface, block, i, clear);
                 /* beyond any reason: but a ray that arrives is still better than a lost one */
-                excess[i] = here > excess[i] ? fmin(here, 0.5 * LOST) : excess[i];
+                excess[i] = here > excess[i] ? fmin(here, 0.5 * PROBE_LOST) : excess[i];
             }
         }
     }
@@ -91,7 +96,7 @@ static void look(const struct probe *probe, struct patch *patch)
         at[i][0] = patch->centre[0] + ((double)(i % SIDE) - SIDE / 2) * step;
         at[i][1] = patch->centre[1] + ((double)(i / SIDE) - SIDE / 2) * step;
     }
-    excess_of(probe, (const double(*)[2])at, SIDE * SIDE, excess);
+    probe_excess(probe, NULL, (const double(*)[2])at, SIDE * SIDE, excess);
     for (size_t i = 0; i < SIDE * SIDE; i++) {
         best = excess[i] < excess[best] ? i : best;
     }
@@ -137,7 +142,7 @@ static bool descend(const struct probe *probe, struct patch *patch)
         double best = patch->best, at[2] = {patch->at[0], patch->at[1]};
         double moved = fmax(fabs(at[0] - patch->centre[0]), fabs(at[1] - patch->centre[1]));
         /* no farther down than the way up on the other side, many times over */
-        if (best > 0 && best < LOST && best > 30 * patch->rise && moved < 0.9 * patch->half) {
+        if (best > 0 && best < PROBE_LOST && best > 30 * patch->rise && moved < 0.9 * patch->half) {
             return false;
         }
         patch->half *= moved < 0.9 * patch->half ? 0.3 : 1;
@@ -207,7 +212,7 @@ static bool look_closely(const struct probe *probe, const struct clear_guess *gu
     const double *centre = first.half > 0 ? first.centre : guess->centre;
     /* 12 x 12 blocks: of a hundred surfaces as long as of ten */
     *patch = look_wide(probe, centre, half, probe->system->places > 100 ? 4 : 12);
-    return patch->best < LOST;
+    return patch->best < PROBE_LOST;
 }
 
 bool probe_inside(const struct probe *probe, const struct clear_guess *guess, double inside[2])
@@ -235,7 +240,7 @@ bool probe_inside(const struct probe *probe, const struct clear_guess *guess, do
         least = fmin(least, patch->best);
         patch->best = INFINITY;
     }
-    if (least >= LOST && look_closely(probe, guess, &closer) && descend(probe, &closer)) {
+    if (least >= PROBE_LOST && look_closely(probe, guess, &closer) && descend(probe, &closer)) {
         inside[0] = closer.at[0];
         inside[1] = closer.at[1];
         return probe_passes_one(probe, inside);

@@ -26,6 +26,19 @@ static inline bool probe_passes(const struct probe *probe, size_t lane)
     return ray_block_status(probe->work.blocks, lane) == RAY_OK;
 }
 
+/*
+ * By how much rays fail to pass: the largest r^2/a^2 - 1 of all clear apertures, 0 and less for
+ * those that pass but for rounding; for one that misses a surface or is totally reflected
+ * PROBE_LOST and more, less the farther it comes.
+ *
+ * Given     surfaces   whose clear apertures count, LENS_NONE behind the last; null: all
+ *           at, count  up to RAYS_BLOCK rays; their fate stays in the block
+ *           excess     receives `count` numbers, never NaN
+ */
+#define PROBE_LOST 1e30
+void probe_excess(const struct probe *probe, const size_t *surfaces, const double (*at)[2],
+                  size_t count, double *excess);
+
 bool probe_passes_one(const struct probe *probe, const double at[2]);
 
 /*

@@ -8,8 +8,9 @@ struct rays rays_new(struct arena *arena, size_t count)
 {
     size_t blocks = (count + RAYS_BLOCK - 1) / RAYS_BLOCK;
     /* the arena aligns to 16 only */
-    char *memory = arena_array(arena, blocks + 1, sizeof(struct ray_block));
-    size_t shift = (64 - (uintptr_t)memory % 64) % 64;
+    enum { LINE = 64 };
+    char *memory = arena_array(arena, blocks * sizeof(struct ray_block) + LINE, 1);
+    size_t shift = (LINE - (uintptr_t)memory % LINE) % LINE;
     struct rays rays = {(struct ray_block *)(void *)(memory + shift), count};
     for (size_t b = 0; b < blocks; b++) {
         for (size_t lane = 0; lane < RAYS_BLOCK; lane++) {

@@ -10,11 +10,14 @@
 /* Rays a block: seven arrays of it stay in the first-level cache. */
 enum { RAYS_BLOCK = 128 };
 
+/* So many at most are traced by kernels for a few, in a third of the time of a block or less. */
+enum { RAYS_FEW = 16 };
+
 enum ray_status { RAY_OK, RAY_MISS, RAY_TOTAL_REFLECTION, RAY_CLIPPED, RAY_NOT_CONVERGED };
 
 /*
  * Points and directions, in the frame of the surface last met (before the first: of the first
- * vertex). Every lane is traced, also those that nobody uses: rays_new fills them with the axis.
+ * vertex). Lanes that nobody uses may be traced too: rays_new fills them with the axis.
  *
  * What a lost ray holds after a trace: a clipped one goes on as if there were no clear aperture,
  * and has numbers if it arrives; every other one has NaN in all coordinates. A ray that is RAY_OK

@@ -76,4 +76,7 @@ typedef void kernel_tape(const struct step *steps, size_t count, bool path,
 kernel_tape kernel_tape_sse2, kernel_tape_avx2, kernel_tape_avx512;
 kernel_trace kernel_trace_sse2, kernel_trace_avx2, kernel_trace_avx512;
 
+/* The first RAYS_FEW lanes only. */
+kernel_trace kernel_trace_few;
+
 #endif

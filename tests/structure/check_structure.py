@@ -269,7 +269,7 @@ def links_of(build):
         if entry is None or entry[3].startswith("_"):
             continue
         # a kernel is compiled once for each instruction set
-        name = re.sub(r"(kernel\w*)_(sse2|avx2|avx512)$", r"\1", os.path.relpath(entry[1], build))
+        name = re.sub(r"(kernel\w*)_(sse2|avx2|avx512|few)$", r"\1", os.path.relpath(entry[1], build))
         if entry[2] == "U":
             wanted.setdefault(name, set()).add(entry[3])
         elif name != "design/solver_ceres" and entry[2] in "TDBRC":

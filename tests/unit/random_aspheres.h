@@ -154,7 +154,16 @@ static inline bool same_everywhere(const struct random_asphere *one, const struc
             return false;
         }
     }
-    return true;
+    /* and the kernels for a few */
+    struct rays few = rays_new(arena, RAYS_FEW);
+    for (size_t i = 0; i < RAYS_FEW; i++) {
+        rays_set(&few, i, one->system.index_first, &starts[i]);
+    }
+    rays_trace(&one->system, &few, NULL);
+    return memcmp(rays->blocks->x, few.blocks->x, RAYS_FEW * sizeof(double)) == 0 &&
+           memcmp(rays->blocks->z, few.blocks->z, RAYS_FEW * sizeof(double)) == 0 &&
+           memcmp(rays->blocks->q, few.blocks->q, RAYS_FEW * sizeof(double)) == 0 &&
+           memcmp(rays->blocks->lost, few.blocks->lost, RAYS_FEW * sizeof(double)) == 0;
 }
 
 /* A surface and a block of rays, `searched` of them even if not lost; false where sets differ. */

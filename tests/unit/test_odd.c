@@ -217,6 +217,16 @@ static void test_rays(void)
                              rays_blocks(&meeting.rays) * sizeof *meeting.rays.blocks) == 0);
             }
         }
+        /* the kernels for a few, one ray of each block */
+        for (size_t i = 0; i < RAYS; i += RAYS_BLOCK) {
+            struct rays alone = rays_new(&meeting.arena, 1);
+            rays_set(&alone, 0, meeting.system.index_first, &starts[i]);
+            rays_trace(&meeting.system, &alone, NULL);
+            const double *a = alone.blocks->x, *b = meeting.rays.blocks[i / RAYS_BLOCK].x;
+            for (size_t member = 0; member < 8; member++) {
+                CHECK(memcmp(a + member * RAYS_BLOCK, b + member * RAYS_BLOCK, sizeof *a) == 0);
+            }
+        }
         for (size_t i = 0; i < RAYS; i += number % 6 == 0 ? 1 : 9) {
             struct ray end = rays_get(&meeting.rays, i, meeting.system.index_last);
             check_ray(&meeting, &starts[i], &end);

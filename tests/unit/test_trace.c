@@ -363,6 +363,17 @@ static void check_sets(const struct system *system, struct arena *arena, const c
             CHECK(memcmp(a + member * RAYS_BLOCK, b + member * RAYS_BLOCK, sizeof *a) == 0);
         }
     }
+    /* a few at a time, for which there are kernels of their own */
+    for (size_t block = 0; block < rays_blocks(&first); block++) {
+        memcpy(others.blocks, &start[block], sizeof *start);
+        const struct rays few = {others.blocks, RAYS_FEW};
+        rays_trace(system, &few, NULL);
+        const double *a = few.blocks->x, *b = first.blocks[block].x;
+        for (size_t member = 0; member < 8; member++) {
+            CHECK(memcmp(a + member * RAYS_BLOCK, b + member * RAYS_BLOCK, RAYS_FEW * sizeof *a) ==
+                  0);
+        }
+    }
     for (size_t i = 0; i < COUNT; i++) {
         struct ray ray = rays_get(&first, i, 1);
         double sum = ray.point[0] + ray.point[1] + ray.cosine[2] + ray.path;

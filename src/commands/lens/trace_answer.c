@@ -3,7 +3,7 @@
 #include "commands/lens/trace_answer.h"
 
 #include "trace/aim.h"
-#include "trace/clear.h"
+#include "trace/clear_cross.h"
 #include "trace/dispatch.h"
 #include "trace/follow.h"
 #include "trace/verify.h"
