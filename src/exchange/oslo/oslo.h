@@ -23,6 +23,8 @@ extern const struct foreign_format oslo_format;
 #define OSLO_FIELDS "fields "
 /* The name of a surface: its number, and the name */
 #define OSLO_NAME "name "
+/* The glass of a surface whose maker OSLO has no prefix for: its number, and CATALOG:NAME */
+#define OSLO_GLASS "glass "
 
 bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                 struct error *error);

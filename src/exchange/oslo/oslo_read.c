@@ -472,16 +472,36 @@ static bool read_unit(struct oslo *oslo, struct text content, struct error *erro
     return error->code == ERROR_NONE;
 }
 
-/* 3 front: the name of surface 3 */
-static void name_surface(struct oslo *oslo, struct text rest)
+/* Cut off the number of a surface; SEQUENCE_MOST where there is none. */
+static size_t cut_number(struct text *rest)
 {
     size_t number = 0;
-    for (struct text digits = text_cut(&rest, ' '); digits.length > 0; digits.length--) {
+    for (struct text digits = text_cut(rest, ' '); digits.length > 0; digits.length--) {
         bool is_digit = digits.start[0] >= '0' && digits.start[0] <= '9';
         number = is_digit && number < SEQUENCE_MOST ? 10 * number + (size_t)(digits.start[0] - '0')
                                                     : SEQUENCE_MOST;
         digits.start++;
     }
+    return number < SEQUENCE_MOST ? number : SEQUENCE_MOST;
+}
+
+/* The glasses that lenscalc has kept: 3 CDGM:H-K9L */
+static void read_kept_glasses(struct oslo *oslo, struct text content)
+{
+    for (struct text rest = content; rest.start != NULL;) {
+        const struct text line = text_trim(text_cut(&rest, '\n'));
+        struct text glass = text_behind(line, OSLO_KEEP_NOTE OSLO_GLASS);
+        size_t number = glass.start != NULL ? cut_number(&glass) : SEQUENCE_MOST;
+        if (number < SEQUENCE_MOST && glass.start != NULL) {
+            oslo->glasses[number] = glass;
+        }
+    }
+}
+
+/* 3 front: the name of surface 3 */
+static void name_surface(struct oslo *oslo, struct text rest)
+{
+    size_t number = cut_number(&rest);
     if (number < oslo->sequence.count && rest.length > 0) {
         oslo->sequence.surfaces[number].name = lens_build_string(&oslo->build, rest);
     }
@@ -522,6 +542,7 @@ static bool oslo_read(struct foreign_job *job, struct text content, struct lens 
     if (!read_unit(oslo, content, error)) {
         return false;
     }
+    read_kept_glasses(oslo, content);
     const struct number_scale scale = oslo->commands.scale;
     commands_open(&oslo->commands, job, content, &grammar);
     oslo->commands.scale = scale;

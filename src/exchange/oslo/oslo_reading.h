@@ -26,6 +26,7 @@ struct oslo {
     size_t point_count;
     struct text waves[OSLO_MOST_WAVES], weights[OSLO_MOST_WAVES]; /* um */
     size_t wave_count, weight_count;
+    struct text glasses[SEQUENCE_MOST]; /* CATALOG:NAME that lenscalc has kept, or empty */
 };
 
 /* GLA NAME, GLA MOD NAME n n n, GLA 1.5, GLA MOD 1.5 60 */

@@ -180,23 +180,46 @@ static bool read_indices(struct oslo *oslo, size_t first, bool is_model, struct 
                            error);
 }
 
+/* The glass that lenscalc has kept for this surface, if the file still has its name. */
+static bool is_kept(const struct oslo *oslo, struct text word, struct foreign_name *named,
+                    struct text *catalog)
+{
+    struct text name = oslo->glasses[oslo->surface], whole = name, rest = word;
+    *catalog = text_cut(&name, ':');
+    if (name.start == NULL) {
+        return false;
+    }
+    const struct text prefix = text_cut(&rest, '_'); /* of a name that would be a number */
+    *named = (struct foreign_name){name, catalog, 1};
+    return whole.length > 0 && (text_same_name(word, name) ||
+                                (rest.start != NULL && text_same_name(prefix, *catalog) &&
+                                 text_same_name(rest, name)));
+}
+
 /* A glass by name; those of Ohara and Hoya have a letter in front, those of Schott have none. */
 static bool find_glass(struct oslo *oslo, const struct command_word *word, struct error *error)
 {
     static const struct {
         const char *prefix, *catalog;
-    } makers[] = {{"O_", "OHARA"}, {"H_", "HOYA"}, {"", "SCHOTT"}};
+    } makers[] = {{"O_", "OHARA"}, {"H_", "HOYA"}, {"", "SCHOTT"}, {"", NULL}};
     const struct lens_words place = commands_place(&oslo->commands, word);
     struct medium *medium = &oslo->sequence.surfaces[oslo->surface].medium;
-    for (size_t i = 0; i < sizeof makers / sizeof makers[0]; i++) {
+    struct foreign_name named;
+    struct text catalog;
+    bool kept = is_kept(oslo, word->text, &named, &catalog);
+    if (kept && foreign_glass(oslo->job, &place, &named, medium, error)) {
+        return true;
+    }
+    for (size_t i = 0; i < sizeof makers / sizeof makers[0] && !kept; i++) {
         size_t length = strlen(makers[i].prefix);
         struct text first = {word->text.start, length};
         if (word->text.length <= length || !text_same(first, makers[i].prefix)) {
             continue;
         }
-        const struct text catalog = text_of(makers[i].catalog);
-        const struct foreign_name named = {
-            {word->text.start + length, word->text.length - length}, &catalog, 1};
+        catalog = text_of(makers[i].catalog != NULL ? makers[i].catalog : "");
+        named = (struct foreign_name){{word->text.start + length, word->text.length - length},
+                                      &catalog,
+                                      makers[i].catalog != NULL};
         if (foreign_glass(oslo->job, &place, &named, medium, error)) {
             return true;
         }
@@ -204,7 +227,8 @@ static bool find_glass(struct oslo *oslo, const struct command_word *word, struc
             return false;
         }
     }
-    return commands_fail(&oslo->commands, word, error, "glass '%.*s' is in no catalogue",
+    return error->code == ERROR_NONE &&
+           commands_fail(&oslo->commands, word, error, "glass '%.*s' is in no catalogue",
                          (int)(word->text.length < 60 ? word->text.length : 60), word->text.start);
 }
 

@@ -186,10 +186,32 @@ static void put_indices(struct output *output, const struct medium *medium)
     put_string(output, "\n");
 }
 
-static void put_medium(struct output *output, const struct medium *medium)
+/* The letter of its maker before a name; of a maker that has none the catalogue is kept. */
+static void put_glass(struct output *output, const struct medium *medium)
 {
     struct writing *writing = &output->writing;
     struct text name, catalog;
+    double number;
+    writing_glass(writing, output->job, medium, &name, &catalog);
+    bool is_ohara = text_equal(catalog, "OHARA"), is_hoya = text_equal(catalog, "HOYA");
+    bool is_number = number_read(name.start, name.start + name.length, NUMBER_UNSCALED, &number) ==
+                     name.start + name.length;
+    bool is_quoted = memchr(name.start, ' ', name.length) != NULL;
+    if (catalog.length > 0 && !is_ohara && !is_hoya && !text_equal(catalog, "SCHOTT")) {
+        growing_format(&writing->text, OSLO_KEEP_NOTE OSLO_GLASS "%zu %.*s:%.*s\n", output->number,
+                       (int)catalog.length, catalog.start, (int)name.length, name.start);
+    }
+    put_string(output, is_quoted ? "GLA \"" : "GLA ");
+    put_string(output, is_ohara ? "O_" : is_hoya ? "H_" : "");
+    growing_text(&writing->text, is_number ? catalog : (struct text){"", 0});
+    put_string(output, is_number ? "_" : "");
+    growing_text(&writing->text, name);
+    put_string(output, is_quoted ? "\"\n" : "\n");
+}
+
+static void put_medium(struct output *output, const struct medium *medium)
+{
+    struct writing *writing = &output->writing;
     if (medium_is_air(medium)) {
         put_string(output, "AIR\n");
     } else if (medium->kind == MEDIUM_TABLE && medium->point_count > 2) {
@@ -204,14 +226,7 @@ static void put_medium(struct output *output, const struct medium *medium)
     } else if (medium->kind == MEDIUM_CONSTANT) {
         put_command(output, "GLA", medium->written);
     } else {
-        writing_glass(writing, output->job, medium, &name, &catalog);
-        const char *prefix = text_equal(catalog, "OHARA")  ? "O_"
-                             : text_equal(catalog, "HOYA") ? "H_"
-                                                           : "";
-        put_string(output, "GLA ");
-        put_string(output, prefix);
-        growing_text(&writing->text, name);
-        put_string(output, "\n");
+        put_glass(output, medium);
     }
 }
 
