@@ -8,6 +8,7 @@ static const char FILE_NAME[] = "glass_aliases.tsv";
 struct search {
     struct text catalog, name;
     struct text real_catalog, material;
+    bool of_homonyms; /* its material is that of a row CATALOG:NAME */
 };
 
 /* "MISC" of "MISC:NACL" or "MISC:"; empty where no catalogue stands. The rest is behind the ':'. */
@@ -32,7 +33,14 @@ static bool look_through(struct search *search, struct tsv *tsv, struct error *e
     while (tsv_next(tsv, error)) {
         struct text typed = tsv->cells[alias], real = tsv->cells[material], name = real;
         struct text own = cut_catalog(&typed), catalog = cut_catalog(&name);
-        if (own.length > 0) {
+        if (own.length > 0 && typed.length > 0) {
+            bool meant = search->of_homonyms && search->material.length == 0 &&
+                         text_same_name(own, search->catalog) &&
+                         text_same_name(typed, search->name);
+            search->material = meant ? real : search->material;
+        } else if (search->of_homonyms) {
+            continue;
+        } else if (own.length > 0) {
             bool meant = search->real_catalog.length == 0 && text_same_name(own, search->catalog);
             search->real_catalog = meant ? catalog : search->real_catalog;
         } else if (search->material.length == 0 && text_same_name(typed, search->name)) {
@@ -42,18 +50,39 @@ static bool look_through(struct search *search, struct tsv *tsv, struct error *e
     return error->code == ERROR_NONE;
 }
 
+/* Look through the user's table and the embedded one. */
+static bool look(struct lensdb *db, struct search *search, struct error *error)
+{
+    error->code = ERROR_NONE;
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
+        struct tsv tsv;
+        bool open = lensdb_open(db, place, FILE_NAME, &tsv, error);
+        if (open ? !look_through(search, &tsv, error) : error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool glass_homonym(struct lensdb *db, struct text name, struct arena *arena, struct text *material,
+                   struct error *error)
+{
+    struct search search = {.name = text_trim(name), .of_homonyms = true};
+    search.catalog = cut_catalog(&search.name);
+    if (!look(db, &search, error) || search.material.length == 0) {
+        return false;
+    }
+    *material = text_of(arena_string(arena, search.material.start, search.material.length));
+    return true;
+}
+
 bool glass_alias(struct lensdb *db, struct text name, struct arena *arena, struct text *material,
                  struct error *error)
 {
     struct search search = {.name = text_trim(name)};
     search.catalog = cut_catalog(&search.name);
-    error->code = ERROR_NONE;
-    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
-        struct tsv tsv;
-        bool open = lensdb_open(db, place, FILE_NAME, &tsv, error);
-        if (open ? !look_through(&search, &tsv, error) : error->code != ERROR_NONE) {
-            return false;
-        }
+    if (!look(db, &search, error)) {
+        return false;
     }
     struct text wanted = search.real_catalog.length > 0 ? search.real_catalog : search.catalog;
     struct text rest = search.material, catalog = cut_catalog(&rest);

@@ -19,4 +19,15 @@
 bool glass_alias(struct lensdb *db, struct text name, struct arena *arena, struct text *material,
                  struct error *error);
 
+/*
+ * The material that another program means by a name that is also that of another material here: a
+ * row "MISC:WATER" is MISC:WATER_HANDBOOK.
+ *
+ * Given     name  CATALOG:NAME
+ * Result    false with error->code ERROR_NONE where there is no such row
+ * Errors    as lensdb_open
+ */
+bool glass_homonym(struct lensdb *db, struct text name, struct arena *arena, struct text *material,
+                   struct error *error);
+
 #endif

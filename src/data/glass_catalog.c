@@ -412,6 +412,7 @@ static bool search_for(struct search *search, struct text name, struct error *er
         search->name = search->catalog;
         search->catalog = (struct text){"", 0};
     }
+    search->count = 0;
     error->code = ERROR_NONE;
     if (!search_user(search, error) || (search->count == 0 && !search_embedded(search, error))) {
         return false;
@@ -426,6 +427,28 @@ static bool is_unknown(struct text name, struct error *error)
     return name.length < 60;
 }
 
+/* The glass that a name stands for, said. */
+static bool find_meant(struct search *search, struct text material, struct glass_record *record,
+                       struct error *error)
+{
+    const struct text typed = search->typed;
+    if (!search_for(search, material, error)) {
+        return false;
+    }
+    if (search->count == 0) {
+        return is_unknown(typed, error) && false;
+    }
+    if (!choose(search, GLASS_ALIASES, record, error)) {
+        return false;
+    }
+    const struct glass *glass = &record->glass;
+    record->taken_as =
+        arena_printf(search->arena, "%.*s:%.*s, which '%.*s' stands for",
+                     (int)glass->catalog.length, glass->catalog.start, (int)glass->name.length,
+                     glass->name.start, (int)typed.length, typed.start);
+    return true;
+}
+
 /* No catalogue has the name: it may be that of another program. */
 static bool find_alias(struct search *search, enum glass_naming naming, struct glass_record *record,
                        struct error *error)
@@ -437,25 +460,11 @@ static bool find_alias(struct search *search, enum glass_naming naming, struct g
         }
         return false;
     }
-    if (!search_for(search, material, error)) {
-        return false;
+    if (naming != GLASS_OWN_NAMES) {
+        return find_meant(search, material, record, error);
     }
-    if (search->count == 0) {
-        return is_unknown(typed, error) && false;
-    }
-    if (naming == GLASS_OWN_NAMES) {
-        return is_unknown(typed, error) &&
-               error_hint(error, "did you mean '%.*s'?", (int)material.length, material.start);
-    }
-    if (!choose(search, naming, record, error)) {
-        return false;
-    }
-    const struct glass *glass = &record->glass;
-    record->taken_as =
-        arena_printf(search->arena, "%.*s:%.*s, which '%.*s' stands for",
-                     (int)glass->catalog.length, glass->catalog.start, (int)glass->name.length,
-                     glass->name.start, (int)typed.length, typed.start);
-    return true;
+    return search_for(search, material, error) && is_unknown(typed, error) && search->count > 0 &&
+           error_hint(error, "did you mean '%.*s'?", (int)material.length, material.start);
 }
 
 bool glass_find(struct lensdb *db, struct text name, enum glass_naming naming, struct arena *arena,
@@ -465,6 +474,15 @@ bool glass_find(struct lensdb *db, struct text name, enum glass_naming naming, s
     search->db = db;
     search->arena = arena;
     if (!search_for(search, name, error)) {
+        return false;
+    }
+    struct text material;
+    bool own = search->count > 0 && search->found[0].place == LENSDB_USER;
+    if (naming == GLASS_HOMONYMS && !own &&
+        glass_homonym(db, search->typed, arena, &material, error)) {
+        return find_meant(search, material, record, error);
+    }
+    if (naming == GLASS_HOMONYMS && !own && error->code != ERROR_NONE) {
         return false;
     }
     return search->count > 0 ? choose(search, naming, record, error)

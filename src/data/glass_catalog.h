@@ -61,6 +61,7 @@ bool glass_catalogs_next(struct glass_catalogs *catalogs, struct glass_record *r
 enum glass_naming {
     GLASS_OWN_NAMES, /* it is the name of one glass, as in a lens file */
     GLASS_ALIASES,   /* what other programs call it, where no catalogue has the name */
+    GLASS_HOMONYMS,  /* that, also where an embedded catalogue has it for another material */
     GLASS_CURRENT    /* that, and of several glasses the one that is current: for a question only */
 };
 

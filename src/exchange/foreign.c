@@ -3,7 +3,9 @@
 #include "exchange/foreign.h"
 
 #include "file/lens_glass.h"
+#include "optics/wavelength.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -139,12 +141,33 @@ static bool is_glass_word(struct text name)
            !text_equal(name, "mirror");
 }
 
-/* Ask the source for one name; true if it knows it. */
-static bool ask(const struct foreign_job *job, const char *written, struct medium *medium,
+typedef bool find_function(void *context, struct medium *medium, struct error *error);
+
+static bool is_near(struct glass_abbe abbe, double nd, double Vd)
+{
+    const double most_nd = 6e-5, most_Vd = 1e-3; /* catalogues of different years */
+    return fabs(abbe.nd - nd) <= most_nd &&
+           (!(Vd > 0) || !(fabs(abbe.Vd - Vd) > most_Vd * fabs(Vd)));
+}
+
+bool foreign_agrees(const struct medium *medium, double nd, double Vd)
+{
+    const struct glass *glass = lens_glass_of(medium);
+    if (glass == NULL || !(nd > 1) || WAVELENGTH_D < glass->shortest ||
+        WAVELENGTH_D > glass->longest) {
+        return true;
+    }
+    return is_near(glass_abbe(glass), nd, Vd) || is_near(lens_glass_printed(medium), nd, Vd);
+}
+
+/* Ask the source for one name; true if it knows it, and it is the one that the file describes. */
+static bool ask(const struct foreign_job *job, const struct foreign_name *named,
+                find_function *find, const char *written, struct medium *medium,
                 struct error *error)
 {
     *medium = (struct medium){.kind = MEDIUM_GLASS, .written = text_of(written), .index = {1, 0}};
-    if (!job->glasses->find_foreign(job->glasses->context, medium, error)) {
+    error->code = ERROR_NONE;
+    if (!find(job->glasses->context, medium, error)) {
         return false;
     }
     const struct glass *glass = lens_glass_of(medium);
@@ -154,25 +177,62 @@ static bool ask(const struct foreign_job *job, const char *written, struct mediu
             arena_printf(job->arena, "%.*s:%.*s", (int)glass->catalog.length, glass->catalog.start,
                          (int)glass->name.length, glass->name.start));
     }
-    return true;
+    return foreign_agrees(medium, named->nd, named->Vd);
 }
 
-/* Ask one catalogue; "CDGM-ZEMAX201409" and "OHARA_2021-04" are editions of CDGM and OHARA. */
-static bool ask_catalog(const struct foreign_job *job, struct text catalog, struct text name,
-                        struct medium *medium, struct error *error)
+/* Bad data of a catalogue, as opposed to a name that is in none. */
+static bool is_damage(const struct error *error)
 {
-    size_t maker = 0;
-    while (maker < catalog.length && catalog.start[maker] != '-' && catalog.start[maker] != '_') {
-        maker++;
+    return error->code == ERROR_DATA || error->code == ERROR_IO;
+}
+
+/* Ask one catalogue. Result: false with a code where its data are bad. */
+static bool ask_catalog(const struct foreign_job *job, const struct foreign_name *named,
+                        struct text catalog, struct medium *medium, struct error *error)
+{
+    const char *written = arena_printf(job->arena, "%.*s:%.*s", (int)catalog.length, catalog.start,
+                                       (int)named->name.length, named->name.start);
+    find_function *const finds[] = {named->has_homonyms ? job->glasses->find_homonym : NULL,
+                                    job->glasses->find_foreign};
+    for (size_t i = 0; i < sizeof finds / sizeof finds[0]; i++) {
+        if (finds[i] != NULL && ask(job, named, finds[i], written, medium, error)) {
+            return true;
+        }
+        if (finds[i] != NULL && is_damage(error)) {
+            return false;
+        }
     }
-    return ask(job,
-               arena_printf(job->arena, "%.*s:%.*s", (int)catalog.length, catalog.start,
-                            (int)name.length, name.start),
-               medium, error) ||
-           (maker < catalog.length && ask(job,
-                                          arena_printf(job->arena, "%.*s:%.*s", (int)maker,
-                                                       catalog.start, (int)name.length, name.start),
-                                          medium, error));
+    error->code = ERROR_NONE;
+    return false;
+}
+
+/* "CDGM-ZEMAX201409", "OHARA_2021-04" and "OLD_SCHOTT" are editions of CDGM, OHARA and SCHOTT. */
+static bool ask_editions(const struct foreign_job *job, const struct foreign_name *named,
+                         struct text catalog, struct medium *medium, struct error *error)
+{
+    if (ask_catalog(job, named, catalog, medium, error)) {
+        return true;
+    }
+    for (size_t from = 0, to = 0; to <= catalog.length && error->code == ERROR_NONE; to++) {
+        if (to < catalog.length && catalog.start[to] != '-' && catalog.start[to] != '_') {
+            continue;
+        }
+        const struct text part = {catalog.start + from, to - from};
+        if (part.length > 0 && part.length < catalog.length &&
+            ask_catalog(job, named, part, medium, error)) {
+            return true;
+        }
+        from = to + 1;
+    }
+    return false;
+}
+
+/* No name of a catalogue: all of them. */
+static bool ask_all(const struct foreign_job *job, const struct foreign_name *named,
+                    struct medium *medium, struct error *error)
+{
+    return ask(job, named, job->glasses->find_foreign,
+               arena_string(job->arena, named->name.start, named->name.length), medium, error);
 }
 
 bool foreign_glass(struct foreign_job *job, const struct lens_words *words,
@@ -184,17 +244,21 @@ bool foreign_glass(struct foreign_job *job, const struct lens_words *words,
         return is_glass_word(name) ||
                lens_words_fail(words, name, error, "this cannot be the name of a glass");
     }
-    for (size_t i = 0; i < named->catalog_count; i++) {
-        if (ask_catalog(job, named->catalogs[i], name, medium, error)) {
+    error->code = ERROR_NONE;
+    for (size_t i = 0; i < named->catalog_count && error->code == ERROR_NONE; i++) {
+        if (ask_editions(job, named, named->catalogs[i], medium, error)) {
             return true;
         }
     }
-    if (ask(job, arena_string(job->arena, name.start, name.length), medium, error)) {
+    if (named->catalog_count == 0 && ask_all(job, named, medium, error)) {
         return true;
     }
+    if (is_damage(error)) {
+        return false;
+    }
     const struct error found = *error;
-    if (strncmp(found.message, "several ", 8) != 0) { /* not a homonym: unknown */
-        error->code = ERROR_NONE;
+    if (error->code == ERROR_NONE || strncmp(found.message, "several ", 8) != 0) {
+        error->code = ERROR_NONE; /* not a homonym: unknown */
         return false;
     }
     lens_words_fail(words, name, error, "%s", found.message);

@@ -92,20 +92,32 @@ void foreign_losses(const struct foreign_job *job, struct growing *list);
 struct foreign_name {
     struct text name;
     const struct text *catalogs; /* names in the order of the file */
-    size_t catalog_count;        /* may be 0 */
+    size_t catalog_count;        /* 0: the file names none, and all are looked through */
+    double nd, Vd;               /* that stand beside the name; 0 = none */
+    bool has_homonyms;           /* the program's names come before lenscalc's own */
 };
 
 /*
- * Find a glass as the file's catalogues have it, so that homonyms are decided by their order.
+ * Find a glass as the file's catalogues have it: in no other than those, so that homonyms are
+ * decided by their order, and by nd and Vd where the file has them.
  *
  * Given     medium  receives it, written CATALOG:NAME as the catalogue spells it
- * Result    false with ERROR_NONE where no catalogue has it: the reader may know an index
- * Errors    ERROR_DATA with the place: several catalogues have the name with different data
- * Note      where none of the file's catalogues has the glass, but exactly one glass of that name
- *           is known, it is that one. A name is never changed but by glass_alias, and then the
- *           medium has a warning
+ * Result    false with ERROR_NONE where no catalogue has it so: the reader may know an index
+ * Errors    ERROR_DATA with the place: several catalogues have the name with different data, and
+ *           the file names none; the glass of a user's AGF file is damaged
+ * Note      a name is never changed but by glass_alias and glass_homonym, and then the medium has a
+ *           warning
  */
 bool foreign_glass(struct foreign_job *job, const struct lens_words *words,
                    const struct foreign_name *named, struct medium *medium, struct error *error);
+
+/*
+ * Has a glass this nd and Vd?
+ *
+ * Given     nd, Vd  0 = not known
+ * Result    within 6e-5 and 0.1 % of what its formula gives or its catalogue prints; true too where
+ *           they are not known, or the glass is not for the d line
+ */
+bool foreign_agrees(const struct medium *medium, double nd, double Vd);
 
 #endif

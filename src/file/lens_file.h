@@ -19,6 +19,8 @@ struct glass_source {
     bool (*find)(void *context, struct medium *medium, struct error *error);
     /* The same where the name may be another program's; the medium's warning says what it is */
     bool (*find_foreign)(void *context, struct medium *medium, struct error *error);
+    /* The same, also where another program means another material by the name than lenscalc */
+    bool (*find_homonym)(void *context, struct medium *medium, struct error *error);
     void *context;
 };
 

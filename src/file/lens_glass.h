@@ -19,6 +19,9 @@ struct glass_source lens_glass_source(struct lens_glasses *glasses);
 /* The glass of a medium that was found here; null of other media. */
 const struct glass *lens_glass_of(const struct medium *medium);
 
+/* nd and Vd as the catalogue of a glass that was found here prints them; NaN where it does not. */
+struct glass_abbe lens_glass_printed(const struct medium *medium);
+
 /* The glass as a medium; it must live as long. */
 struct medium lens_glass_medium(const struct glass *glass);
 

@@ -411,6 +411,10 @@ def check_aliases(path, rows):
         if row["alias"].endswith(":"):
             if catalog not in glasses or name or row["alias"][:-1] in glasses:
                 faults.append(f"'{row['alias']}' is a catalogue or stands for none")
+        elif ":" in row["alias"]:  # a homonym
+            own, word = row["alias"].split(":")
+            if key(word) not in glasses.get(own, ()) or key(name) not in glasses.get(catalog, ()):
+                faults.append(f"'{row['alias']}' or '{row['material']}' is in no catalogue")
         else:
             if key(name) not in glasses.get(catalog, ()):
                 faults.append(f"'{row['material']}' is in no catalogue")

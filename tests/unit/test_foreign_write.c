@@ -166,7 +166,7 @@ static const struct meaning zemax[] = {
     {"aperture epd 10", "aperture f/4", "FNUM 4 0"},
     {"aperture epd 10", "aperture stop", "FLOA"},
     {"1.5 12", "SCHOTT:N-BK7 12", "GCAT SCHOTT"},
-    {"1.5 12", "SCHOTT:N-BK7 12", " GLAS N-BK7 0 0 0 0 0 0 0 0 0 0"},
+    {"1.5 12", "SCHOTT:N-BK7 12", " GLAS N-BK7 0 0 1.5168 64.167336 0 0 0 0 0 0"},
     {"1.5 12", "mirror 12", " GLAS MIRROR 0 0 0 0 0 0 0 0 0 0"},
     {"focus table", "focus paraxial", " DISZ 90\n MAZH 0 0"},
     {"12 stop", "12 stop k=-1 A16=1e-20 A4=1e-5", " CONI -1\n PARM 2 1e-5\n PARM 8 1e-20"},

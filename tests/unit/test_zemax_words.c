@@ -26,6 +26,12 @@ static const char good[] = "MODE SEQ\n"
                            "  TYPE STANDARD\n"
                            "  DISZ 0\n";
 
+/* Up to the glass, and the same with catalogues and a glass. */
+#define BEFORE                                                                                     \
+    "SURF 0\n  TYPE STANDARD\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS "
+#define NO_GLASS              BEFORE "___BLANK 1 0 1.5 0"
+#define WITH(catalogs, glass) "GCAT " catalogs "\n" BEFORE glass
+
 static const struct meaning of_lens[] = {
     {"", "", "lens Singlet\nunit mm\nwavelength d\nobject inf\nfield angle 0 10\naperture epd 10"},
     {"", "", "focus table"},
@@ -60,6 +66,30 @@ static const struct meaning of_lens[] = {
      "WAVM 1 0.4861327 1\nWAVM 2 0.55 1\nWAVM 3 0.55 1\nPWAV 1", "wavelength F 0.55um"},
     {"DISZ INFINITY", "DISZ 200\n  GLAS ___BLANK 1 0 1.333 55.5", "object 200\nmedium 1.333/55.5"},
     {"DISZ INFINITY", "DISZ 1e10", "object inf"},
+};
+
+/* nd and Vd of the tables of lensdb; the material has to be the one that they describe. */
+static const struct meaning of_glasses[] = {
+    {NO_GLASS, WITH("SCHOTT HOYA CDGM", "F2 0 0 1.62004 36.366"), "surface 50 4 SCHOTT:F2 - stop"},
+    {NO_GLASS, WITH("SCHOTT HOYA CDGM", "F2 0 0 1.62004 36.303"), "surface 50 4 HOYA:F2 - stop"},
+    {NO_GLASS, WITH("SCHOTT HOYA CDGM", "F2 0 0 1.612929 36.986"), "surface 50 4 CDGM:F2 - stop"},
+    {NO_GLASS, WITH("HOYA SCHOTT", "F2"), "surface 50 4 HOYA:F2 - stop"},
+    {NO_GLASS, WITH("HOYA SCHOTT", "F2 0 0 1.5 40"), "surface 50 4 HOYA:F2 - stop"},
+    {NO_GLASS, WITH("SCHOTT", "N-BK7 0 0 1.51685 64.11"), "surface 50 4 SCHOTT:N-BK7 - stop"},
+    /* as the maker prints it, Vd to 0.1 */
+    {NO_GLASS, WITH("SUMITA", "F1 0 0 1.62588 35.6"), "surface 50 4 SUMITA:F1 - stop"},
+    /* editions and former names of catalogues */
+    {NO_GLASS, WITH("CDGM-ZEMAX201409", "F2"), "surface 50 4 CDGM:F2 - stop"},
+    {NO_GLASS, WITH("OLD_SCHOTT", "F2"), "surface 50 4 SCHOTT:F2 - stop"},
+    {NO_GLASS, WITH("NIKON-HIKARI", "E-FKH1"), "surface 50 4 HIKARI:E-FKH1 - stop"},
+    /* homonyms of Zemax's materials, unless the index says that lensdb's is meant */
+    {NO_GLASS, WITH("MISC", "WATER 0 0 1.5 40"), "surface 50 4 MISC:WATER_HANDBOOK - stop"},
+    {NO_GLASS, WITH("MISC", "WATER 0 0 1.333044 55.794"),
+     "surface 50 4 MISC:WATER_HANDBOOK - stop"},
+    {NO_GLASS, WITH("MISC", "WATER 0 0 1.333403 55.76"), "surface 50 4 MISC:WATER - stop"},
+    {NO_GLASS, WITH("MISC", "PMMA 0 0 1.491756 57.441"), "surface 50 4 MISC:PMMA_HANDBOOK - stop"},
+    {NO_GLASS, WITH("MISC", "PMMA 0 0 1.490595 58.005"), "surface 50 4 MISC:PMMA - stop"},
+    {NO_GLASS, WITH("SCHOTT INFRARED", "F_SILICA"), "surface 50 4 MISC:FUSED_SILICA - stop"},
 };
 
 static const struct meaning of_surfaces[] = {
@@ -178,9 +208,24 @@ static const struct refusal losses[] = {
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS @___BLANK 1 0 1.5 60 0.01",
      "the deviation 0.01 of the partial dispersion PgF", ""},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS @NOGLASS 0 0 1.6 50",
-     "the glass 'NOGLASS' is in no catalogue", "its nd 1.6 and Vd 50 stand for it"},
-    {"GLAS ___BLANK 1 0 1.5 0", "GLAS @N-BK7 4 0 1.5 60 0 0 0 0 0.001",
+     "the glass 'NOGLASS' of nd 1.6 and Vd 50 is in no catalogue", "nd and Vd stand for it"},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS @N-BK7 4 0 1.5168 64.17 0 0 0 0 0.001",
      "a glass with an offset of its index or dispersion", ""},
+    /* HOYA has a BAF6, of nd 1.589003 and Vd 48.54: not what is meant */
+    {NO_GLASS, WITH("CDGM", "@BAF6 0 0 1.60801 46.21"),
+     "the glass 'BAF6' of nd 1.60801 and Vd 46.21 is in none of the file's catalogues (CDGM)",
+     "nd and Vd stand for it"},
+    {NO_GLASS, WITH("HOYA OHARA", "@BAF6 0 0 1.60801 46.21"),
+     "the glass 'BAF6' of nd 1.60801 and Vd 46.21 is in none of the file's catalogues (HOYA, "
+     "OHARA)",
+     "nd and Vd stand for it"},
+    /* N-BK7 beyond 6e-5 and 0.1 % */
+    {NO_GLASS, WITH("SCHOTT", "@N-BK7 0 0 1.51688 64.167"),
+     "the glass 'N-BK7' of nd 1.51688 and Vd 64.167 is in none of the file's catalogues (SCHOTT)",
+     "nd and Vd stand for it"},
+    {NO_GLASS, WITH("SCHOTT", "@N-BK7 0 0 1.5168 64.25"),
+     "the glass 'N-BK7' of nd 1.5168 and Vd 64.25 is in none of the file's catalogues (SCHOTT)",
+     "nd and Vd stand for it"},
     {"CURV -0.02", "CURV -0.02\n  GLAS @___BLANK 2 5 1.5 0",
      "a glass that follows no earlier surface", "the file's glass stands"},
     {"DISZ 90", "DISZ 90\n  @MAZH 0 1", "a solve that follows a real ray", stands},
@@ -229,6 +274,10 @@ static const struct refusal errors[] = {
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS ___BLANK 1 0 1.5 @-5", "the Abbe number is below 0", NULL},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS @NOGLASS 0 0 1.5 40",
      "the glass 'NOGLASS' is in no catalogue, and the file has no index of it", NULL},
+    {NO_GLASS, WITH("CDGM MISC", "@BAF6 0 0 1.5 40"),
+     "the glass 'BAF6' is in none of the file's catalogues (CDGM, MISC), and the file has no index "
+     "of it",
+     NULL},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\n@MNUM 0\n",
      "MNUM wants the number of configurations, 1 to 100", NULL},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\n@THIC 1 3 5\n",
@@ -244,6 +293,7 @@ static const struct refusal errors[] = {
 int main(void)
 {
     check_meanings("lens.zmx", good, CASES(of_lens));
+    check_meanings("glasses.zmx", good, CASES(of_glasses));
     check_meanings("surfaces.zmx", good, CASES(of_surfaces));
     check_meanings("solves.zmx", good, CASES(of_solves));
     check_meanings("positions.zmx", good, CASES(of_positions));

@@ -189,8 +189,9 @@ bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, str
         cut--;
     }
     const struct text catalog = {text.start + cut, text.length - cut};
-    const struct foreign_name named = {
-        {text.start, cut > 1 ? cut - 1 : text.length}, &catalog, cut > 1};
+    const struct foreign_name named = {.name = {text.start, cut > 1 ? cut - 1 : text.length},
+                                       .catalogs = &catalog,
+                                       .catalog_count = cut > 1};
     if (foreign_glass(codev->job, &place, &named, &surface->medium, error)) {
         return true;
     }

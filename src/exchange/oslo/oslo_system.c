@@ -190,10 +190,10 @@ static bool is_kept(const struct oslo *oslo, struct text word, struct foreign_na
         return false;
     }
     const struct text prefix = text_cut(&rest, '_'); /* of a name that would be a number */
-    *named = (struct foreign_name){name, catalog, 1};
-    return whole.length > 0 && (text_same_name(word, name) ||
-                                (rest.start != NULL && text_same_name(prefix, *catalog) &&
-                                 text_same_name(rest, name)));
+    *named = (struct foreign_name){.name = name, .catalogs = catalog, .catalog_count = 1};
+    return whole.length > 0 &&
+           (text_same_name(word, name) ||
+            (rest.start != NULL && text_same_name(prefix, *catalog) && text_same_name(rest, name)));
 }
 
 /* A glass by name; those of Ohara and Hoya have a letter in front, those of Schott have none. */
@@ -217,9 +217,10 @@ static bool find_glass(struct oslo *oslo, const struct command_word *word, struc
             continue;
         }
         catalog = text_of(makers[i].catalog != NULL ? makers[i].catalog : "");
-        named = (struct foreign_name){{word->text.start + length, word->text.length - length},
-                                      &catalog,
-                                      makers[i].catalog != NULL};
+        named =
+            (struct foreign_name){.name = {word->text.start + length, word->text.length - length},
+                                  .catalogs = &catalog,
+                                  .catalog_count = makers[i].catalog != NULL};
         if (foreign_glass(oslo->job, &place, &named, medium, error)) {
             return true;
         }

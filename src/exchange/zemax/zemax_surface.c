@@ -82,30 +82,56 @@ static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
                       zemax_number(line, 4));
 }
 
-/* No catalogue has it: the indices beside its name, if they are more than the usual 1.5 and 40. */
+/* Catalogues as the file names them: "SCHOTT, OHARA"; "none" where it names none. */
+static const char *catalog_list(const struct zemax_file *file)
+{
+    struct arena *arena = file->job->arena;
+    const char *list = file->catalog_count > 0 ? "" : "no catalogue";
+    for (size_t i = 0; i < file->catalog_count && strlen(list) < 200; i++) {
+        list = arena_printf(arena, "%s%s%.*s", list, i > 0 ? ", " : "",
+                            text_shown(file->catalogs[i]), file->catalogs[i].start);
+    }
+    return file->catalog_count > 0 ? arena_printf(arena, "none of the file's catalogues (%s)", list)
+                                   : list;
+}
+
+/* nd and Vd beside the name of a glass; a program that does not know them writes 1.5 and 40. */
+static bool has_index(const struct zemax_line *line)
+{
+    double nd = zemax_number(line, 2), Vd = zemax_number(line, 3);
+    return nd > 1 && nd < 100 && Vd > 0 && !(nd == 1.5 && Vd == 40);
+}
+
+/* No catalogue has it so: the indices beside its name. */
 static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line,
                           struct medium *medium, struct error *error)
 {
-    double nd = zemax_number(line, 2), Vd = zemax_number(line, 3);
     int length = (int)(line->keyword.length < 40 ? line->keyword.length : 40);
-    if (!(nd > 0) || nd > 100 || !(Vd > 0) || (nd == 1.5 && Vd == 40)) {
-        return lens_words_fail(&line->words, line->keyword, error,
-                               "the glass '%.*s' is in no catalogue, and the file has no index of "
-                               "it",
-                               length, line->keyword.start);
+    if (!has_index(line)) {
+        lens_words_fail(&line->words, line->keyword, error,
+                        "the glass '%.*s' is in %s, and the file has no index of it", length,
+                        line->keyword.start, catalog_list(file));
+        return error_hint(error, "--agf FILE adds a catalogue");
     }
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
     return zemax_loss(file, line, error,
-                      "the glass '%.*s' is in no catalogue" LOSS_INSTEAD
-                      "its nd %g and Vd %g stand for it",
-                      length, line->keyword.start, nd, Vd);
+                      "the glass '%.*s' of nd %g and Vd %g is in %s" LOSS_INSTEAD
+                      "nd and Vd stand for it",
+                      length, line->keyword.start, zemax_number(line, 2), zemax_number(line, 3),
+                      catalog_list(file)) ||
+           error_hint(error, "--agf FILE adds a catalogue; --lossy takes nd and Vd");
 }
 
 /* In the file's catalogues, else as the file describes it. */
 static bool find_glass(struct zemax_file *file, const struct zemax_line *line,
                        struct medium *medium, struct error *error)
 {
-    const struct foreign_name named = {line->keyword, file->catalogs, file->catalog_count};
+    const struct foreign_name named = {.name = line->keyword,
+                                       .catalogs = file->catalogs,
+                                       .catalog_count = file->catalog_count,
+                                       .nd = has_index(line) ? zemax_number(line, 2) : 0,
+                                       .Vd = has_index(line) ? zemax_number(line, 3) : 0,
+                                       .has_homonyms = true};
     return foreign_glass(file->job, &line->words, &named, medium, error) ||
            (error->code == ERROR_NONE && unknown_glass(file, line, medium, error));
 }

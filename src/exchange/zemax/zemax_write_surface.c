@@ -5,6 +5,7 @@
 #include "file/lens_build.h"
 #include "file/lens_glass.h"
 #include "optics/glass.h"
+#include "optics/wavelength.h"
 
 #include "base/constants.h"
 
@@ -106,6 +107,18 @@ void zemax_note_catalog(struct zemax_writer *writer, const struct medium *medium
     }
 }
 
+/* nd and Vd beside the name of a glass; 0 where it has none. */
+static struct glass_abbe abbe_of(const struct medium *medium)
+{
+    const struct glass *glass = lens_glass_of(medium);
+    const struct glass_abbe none = {0, 0};
+    if (glass == NULL || WAVELENGTH_D < glass->shortest || WAVELENGTH_D > glass->longest) {
+        return none;
+    }
+    const struct glass_abbe abbe = glass_abbe(glass);
+    return abbe.nd > 1 && abbe.Vd > 0 && abbe.Vd < INFINITY ? abbe : none;
+}
+
 /* Would the name be found in an earlier catalogue of the file's list, as another glass? */
 static bool check_homonym(struct zemax_writer *writer, const struct medium *medium,
                           struct error *error)
@@ -122,7 +135,9 @@ static bool check_homonym(struct zemax_writer *writer, const struct medium *medi
         other.written =
             text_of(arena_printf(job->arena, "%.*s:%.*s", (int)writer->catalogs[i].length,
                                  writer->catalogs[i].start, (int)name.length, name.start));
-        if (job->glasses->find(job->glasses->context, &other, &ignored)) {
+        const struct glass_abbe abbe = abbe_of(medium);
+        if (job->glasses->find(job->glasses->context, &other, &ignored) &&
+            foreign_agrees(&other, abbe.nd, abbe.Vd)) {
             return zemax_lose(writer, error,
                               "the glass %.*s:%.*s: the file would be read with that of %.*s",
                               (int)catalog.length, catalog.start, (int)name.length, name.start,
@@ -176,7 +191,8 @@ bool zemax_put_medium(struct zemax_writer *writer, const struct medium *medium, 
         split_glass(medium, &catalog, &name);
         growing_string(&writer->out, "  GLAS ");
         growing_text(&writer->out, name);
-        growing_string(&writer->out, " 0 0 0 0 0 0 0 0 0 0\r\n");
+        growing_format(&writer->out, " 0 0 %.8g %.8g 0 0 0 0 0 0\r\n", abbe_of(medium).nd,
+                       abbe_of(medium).Vd);
         return (memchr(name.start, ' ', name.length) == NULL ||
                 zemax_lose(writer, error, "the glass '%.*s': its name has a blank",
                            (int)name.length, name.start)) &&
