@@ -28,13 +28,6 @@ struct sequence_surface *sequence_add(struct sequence *sequence, struct command_
     return surface;
 }
 
-void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup)
-{
-    sequence->pickups = arena_grow(sequence->job->arena, sequence->pickups, sequence->pickup_count,
-                                   &sequence->pickup_room, sizeof sequence->pickups[0]);
-    sequence->pickups[sequence->pickup_count++] = pickup;
-}
-
 bool sequence_is_some(const struct figure *figure)
 {
     return figure->typed.start != NULL && figure->value.hi != 0;
@@ -62,126 +55,6 @@ bool sequence_medium(const struct commands *commands, const struct command_word 
     struct lens_words words = commands_place(commands, at);
     words.line = text_of(written);
     return lens_words_medium(&words, words.line, medium, error);
-}
-
-/* scale * figure + offset; digits are kept where nothing but the sign changes. */
-static struct figure follow(const struct sequence *sequence, struct figure source,
-                            const struct sequence_pickup *pickup, struct number_scale unit)
-{
-    if (pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1 && pickup->scale.lo == 0) {
-        return pickup->scale.hi == 1 ? source : sequence_negate(source, sequence->job->arena);
-    }
-    struct pair value = pair_add(pair_multiply(pickup->scale, source.value), pickup->offset);
-    return figure_computed(value, unit, sequence->job->arena);
-}
-
-/* The same for the numbers of all positions. */
-static const struct figure *follow_all(const struct sequence *sequence,
-                                       const struct figure *sources,
-                                       const struct sequence_pickup *pickup)
-{
-    size_t count = sequence->build->lens->position_count;
-    if (sources == NULL) {
-        return NULL;
-    }
-    struct figure *all = ARENA_ARRAY(sequence->job->arena, count, struct figure);
-    for (size_t i = 0; i < count; i++) {
-        all[i] = follow(sequence, sources[i], pickup, sequence->commands->scale);
-    }
-    return all;
-}
-
-static void follow_curve(const struct sequence *sequence, const struct sequence_pickup *pickup,
-                         const struct sequence_surface *source, struct sequence_surface *target)
-{
-    const bool as_radius = pickup->what == SEQUENCE_RADIUS;
-    const struct number_scale scale = sequence->commands->scale;
-    struct figure curve = source->curve;
-    bool plain = pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1;
-    if (curve.value.hi != 0 && source->is_radius != as_radius && !plain) {
-        curve.value = pair_divide(pair_of(1), curve.value);
-    }
-    if (plain) {
-        target->is_radius = source->is_radius;
-        target->curve = follow(sequence, curve, pickup, scale);
-        return;
-    }
-    const struct number_scale inverse = {1, 0}; /* digits of a computed curvature are of 1/mm */
-    target->is_radius = as_radius;
-    target->curve = follow(sequence, curve, pickup, as_radius ? scale : inverse);
-    if (!as_radius) {
-        struct pair per_unit = lens_words_per_length(pair_of(1), scale, 1);
-        target->curve = figure_computed(pair_divide(target->curve.value, per_unit), inverse,
-                                        sequence->job->arena);
-        sequence_per_length(sequence->commands, 1, &target->curve);
-    }
-}
-
-static void follow_profile(const struct sequence *sequence, const struct sequence_pickup *pickup,
-                           const struct sequence_surface *source, struct sequence_surface *target)
-{
-    follow_curve(sequence, pickup, source, target);
-    target->conic = source->conic;
-    target->curved = source->curved;
-    target->is_special = source->is_special;
-    target->coefficients = source->coefficients;
-    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        target->coefficient[i] = pickup->scale.hi < 0
-                                     ? sequence_negate(source->coefficient[i], sequence->job->arena)
-                                     : source->coefficient[i];
-    }
-}
-
-static void follow_length(const struct sequence *sequence, const struct sequence_pickup *pickup,
-                          struct sequence_surface *target)
-{
-    struct pair sum = {0, 0};
-    for (size_t i = pickup->source; i < pickup->end; i++) {
-        sum = pair_add(sum, sequence->surfaces[i].thickness.value);
-    }
-    sum = pair_add(pair_multiply(pickup->scale, sum), pickup->offset);
-    target->thickness = figure_computed(sum, sequence->commands->scale, sequence->job->arena);
-}
-
-static bool apply_pickup(const struct sequence *sequence, const struct sequence_pickup *pickup,
-                         struct error *error)
-{
-    if (pickup->source >= sequence->count || pickup->target >= sequence->count ||
-        pickup->source == pickup->target) {
-        return commands_fail(sequence->commands, &pickup->at, error,
-                             "a pick-up between surfaces %zu and %zu of %zu", pickup->source,
-                             pickup->target, sequence->count);
-    }
-    const struct sequence_surface *source = &sequence->surfaces[pickup->source];
-    struct sequence_surface *target = &sequence->surfaces[pickup->target];
-    const struct number_scale scale = sequence->commands->scale;
-    switch (pickup->what) {
-    case SEQUENCE_RADIUS:
-    case SEQUENCE_CURVATURE:
-        follow_curve(sequence, pickup, source, target);
-        break;
-    case SEQUENCE_PROFILE:
-        follow_profile(sequence, pickup, source, target);
-        break;
-    case SEQUENCE_THICKNESS:
-        target->thickness = follow(sequence, source->thickness, pickup, scale);
-        target->thicknesses = follow_all(sequence, source->thicknesses, pickup);
-        break;
-    case SEQUENCE_LENGTH:
-        follow_length(sequence, pickup, target);
-        break;
-    case SEQUENCE_DIAMETER:
-        target->diameter = follow(sequence, source->diameter, pickup, scale);
-        target->diameters = follow_all(sequence, source->diameters, pickup);
-        break;
-    case SEQUENCE_CONIC:
-        target->conic = follow(sequence, source->conic, pickup, (struct number_scale){1, 0});
-        break;
-    case SEQUENCE_MEDIUM:
-        target->medium = source->medium;
-        break;
-    }
-    return true;
 }
 
 /* A number in all positions, as one figure with a variable if there are several. */
@@ -432,10 +305,8 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
         fail(error, ERROR_DATA, "the file has no surface between object and image");
         return error_locate(error, commands->job->source, 0, 0);
     }
-    for (size_t i = 0; i < sequence->pickup_count; i++) {
-        if (!apply_pickup(sequence, &sequence->pickups[i], error)) {
-            return false;
-        }
+    if (!sequence_apply_pickups(sequence, error)) {
+        return false;
     }
     struct sequence_surface *image = &sequence->surfaces[sequence->count - 1], *last = image - 1;
     if (image->thickness.typed.start != NULL) { /* the defocus */

@@ -125,6 +125,13 @@ bool sequence_check_fnumber(const struct sequence *sequence, struct error *error
  */
 bool sequence_finish(struct sequence *sequence, struct error *error);
 
+/*
+ * The pick-ups, each behind those that it follows. A part of sequence_finish.
+ *
+ * Errors    ERROR_DATA: a surface that is not there, pick-ups that go in a circle
+ */
+bool sequence_apply_pickups(const struct sequence *sequence, struct error *error);
+
 /* The solves; `indices` are those of the lens's surfaces. A part of sequence_finish. */
 bool sequence_solve_all(const struct sequence *sequence, const size_t *indices,
                         struct error *error);

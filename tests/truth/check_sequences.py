@@ -304,6 +304,32 @@ def check_own_refusals(checks, tool):
                      f"{new}: {result.returncode} {error}")
 
 
+def check_modes(checks, tool):
+    """Without RDM a lens of lensdb with its radii is refused, with its curvatures read."""
+    names = tool.run("list", "lenses", "--columns", "lens", "--tsv").stdout.decode().split()[1:]
+    kinds = {"EPD": None, "FNO": "FNO 4\n", "NA": "NA 0.125\n", "none": ""}
+    counts = {kind: [0, 0] for kind in kinds}
+    for name in names:
+        text = tool.run("convert", name, "--to", "seq", "--lossy").stdout.decode()
+        text = text.replace("RDM;LEN", "LEN")
+        for kind, line in kinds.items():
+            radii = text
+            if line is not None:  # neither clear diameters nor fields, which tell by themselves
+                radii = re.sub(r"^(ZOO )?(EPD|FNO|NAO|[XY](AN|OB|IM)) .*\n| +CIR .*\n|ZOO CIR .*\n|"
+                               r"! lenscalc: the stop's .*\n", "", text, flags=re.M)
+                radii = radii.replace("DIM M\n", "DIM M\n" + line)
+            curved = re.sub(r"^S ([-0-9.eE+]+) ", lambda word: "S %r " % (
+                1 / float(word[1]) if float(word[1]) else 0.0), radii, flags=re.M)
+            curved = re.sub(r"^  RDX (\S+)", lambda word: "  CUX %r" % (1 / float(word[1])), curved,
+                            flags=re.M)
+            for at, content in enumerate((radii, curved)):
+                result = tool.run("convert", tool.file("mode.seq", content), "--lossy")
+                said = b"put a line before the surfaces: RDM if they are radii" in result.stderr
+                counts[kind][at] += (result.returncode, said) == ((4, True) if at == 0 else (0, False))
+    for kind, right in counts.items():
+        checks.check(right == [len(names)] * 2, f"{kind}: {right} of {len(names)} are right")
+
+
 def main():
     checks = Checks()
     tool = Tool(sys.argv[1])
@@ -312,6 +338,7 @@ def main():
     check_own_solves(checks, tool)
     check_own_positions(checks, tool)
     check_own_refusals(checks, tool)
+    check_modes(checks, tool)
     checks.finish()
 
 

@@ -14,6 +14,10 @@ static const char good[] = "RDM;LEN\n"
                            "SI 0 0\n"
                            "GO\n";
 
+#define NO_RDM(what)                                                                               \
+    "without RDM the number of a surface is its curvature, but " what                              \
+    " fits a radius of 50 mm better than one of 0.02 mm"
+
 static const struct meaning of_lens[] = {
     {"", "", "lens Singlet\nunit mm\nwavelength 587.5618nm\nobject inf\nfield angle 0 10"},
     {"", "", "aperture epd 10\nfocus table"},
@@ -122,6 +126,13 @@ static const struct meaning of_pickups[] = {
     {"GO", "K S1 -0.5;PIK K S2 K S1 2", "surface -50 90 air - k=-1"},
     {"GO", "PIK GLA S2 GLA S1", "surface -50 90 1.517/64.2 -"},
     {"GO", "PIK RDY S2..2 RDY S1", "surface 50 90 air -"},
+    /* what is followed may follow itself, further down in the file */
+    {"S -50 90\nSI 0 0\nGO",
+     "S 1 2\nS 7 3\nS -50 90\nSI 0 0\nPIK RDY S3 RDY S2 -1\nPIK RDY S2 RDY S1\nGO",
+     "surface 50 2 air -\nsurface -50 3 air -"},
+    {"GO", "PIK THI S2 THI S1\nPIK RDY S1 RDY S2 -1",
+     "surface 50 4 1.517/64.2 - stop\n"
+     "surface -50 4 air -"},
 };
 
 /* A plano-convex lens of n = 1.5, R = 50, t = 6: f = 100, bfl = 100 - 6/1.5 = 96. */
@@ -287,11 +298,16 @@ static const struct refusal errors[] = {
     {"GO", "PRV\nPWL 500 600\n'A' 1.5 @n\nEND", "the index 'n' is no number", NULL},
     {"S 50 4 517642", "PRV\nPWL 500 600\n'A' LAU 1 2\nEND\nS 50 4 '@A'",
      "the glass 'A' has a formula that lenscalc does not know", NULL},
+    {"GO", "@PIK RDY S1 RDY S2\nPIK CUY S2 CUY S1\nGO",
+     "the pick-ups go in a circle: surface 1 follows surface 2, which follows it", NULL},
+    {"GO", "@PIK THI S1 THI S1\nGO", "a pick-up between surfaces 1 and 1 of 4", NULL},
+    /* radii without RDM, whatever the aperture is: f = 0.0487 mm of a glass of 4 mm */
     {"RDM;LEN\nTITLE 'Singlet'\nEPD 10\nWL 587.5618\nYAN 0 10\nSO 0 1e13\nS 50",
-     "LEN\nEPD 10\nSO 0 1e13\n@S 50",
-     "without RDM the number of a surface is its curvature, and the beam of 10 mm does not pass "
-     "through a sphere of radius 0.02 mm",
-     NULL},
+     "LEN\nEPD 10\nSO 0 1e13\n@S 50", NO_RDM("a beam of 10 mm"), NULL},
+    {"RDM;LEN\nTITLE 'Singlet'\nEPD 10\nWL 587.5618\nYAN 0 10\nSO 0 1e13\nS 50",
+     "LEN\nSO 0 1e13\n@S 50", NO_RDM("a distance of 4 mm"), NULL},
+    {"RDM;LEN\nTITLE 'Singlet'\nEPD 10\nWL 587.5618\nYAN 0 10\nSO 0 1e13\nS 50",
+     "LEN\nNAO 0.1\nSO 0 1e3\n@S 50", NO_RDM("a beam of 201.008 mm"), NULL}, /* 2 s tan u */
 };
 
 int main(void)

@@ -103,6 +103,12 @@ bool codev_values(struct codev *codev, const struct codev_qualifiers *qualifiers
 /* The words of DIM: millimetres, centimetres, inches. */
 extern const struct foreign_unit codev_units[];
 
+/*
+ * Without RDM the numbers of a surface are curvatures; a file in which they cannot be is refused,
+ * when the lens is complete.
+ */
+bool codev_check_mode(struct codev *codev, struct error *error);
+
 /* Write a lens. */
 bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                  struct error *error);

@@ -5,7 +5,6 @@
 #include "exchange/codev/codev_system.h"
 #include "exchange/keep_notes.h"
 
-#include <math.h>
 #include <string.h>
 
 static const struct command_grammar grammar = {
@@ -212,29 +211,6 @@ static bool read_unit(struct codev *codev, struct text content, struct error *er
     return error->code == ERROR_NONE;
 }
 
-/*
- * Without RDM the numbers of a surface are curvatures; but a surface whose sphere the beam does
- * not go through cannot be meant.
- */
-static bool check_mode(struct codev *codev, struct error *error)
-{
-    const struct lens *lens = codev->build.lens;
-    double beam = lens->aperture_kind == APERTURE_EPD ? lens->aperture.value.hi / 2 : 0;
-    for (size_t i = 1; i < codev->sequence.count && !codev->mode_is_given; i++) {
-        struct sequence_surface *surface = &codev->sequence.surfaces[i];
-        double c = surface->curve.value.hi;
-        if (surface->is_radius || !(fabs(c) * beam > 1)) {
-            continue;
-        }
-        commands_fail(&codev->commands, &surface->at, error,
-                      "without RDM the number of a surface is its curvature, and the beam of %g mm "
-                      "does not pass through a sphere of radius %.3g mm",
-                      2 * beam, 1 / fabs(c));
-        return error_hint(error, "if it is a radius, put a line with RDM before the surfaces");
-    }
-    return true;
-}
-
 static bool finish(struct codev *codev, struct error *error)
 {
     struct sequence *sequence = &codev->sequence;
@@ -252,7 +228,7 @@ static bool finish(struct codev *codev, struct error *error)
         *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
     return codev_finish_system(codev, error) && sequence_check_fnumber(sequence, error) &&
-           check_mode(codev, error) && sequence_finish(sequence, error);
+           sequence_finish(sequence, error) && codev_check_mode(codev, error);
 }
 
 /* What lenscalc itself has written as comments. */

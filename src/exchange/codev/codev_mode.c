@@ -1,0 +1,128 @@
+/* exchange/codev/codev_mode.c - are the numbers of a CODE V file's surfaces curvatures? */
+/* SPDX-License-Identifier: MIT */
+#include "exchange/codev/codev.h"
+#include "file/lens_solve.h"
+
+#include <math.h>
+
+/* What speaks against one reading of the numbers; above a weight of 1 there is no such lens. */
+struct doubt {
+    double most;      /* of all weights */
+    double weight;    /* of the first above 1, else of the most */
+    const char *what; /* of that one: the words for `length` */
+    double length;    /* mm */
+    size_t surface;   /* of the file */
+};
+
+/* The height of a ray at a surface, mm, for an aperture of any kind; 0 where it is not known. */
+static double height_at(const struct lens *lens, size_t at, enum solve_ray ray, struct arena *arena)
+{
+    struct solve_state state;
+    struct error ignored;
+    bool is_known = lens->aperture_kind != APERTURE_NONE &&
+                    solve_follow(lens, at, ray, arena, &state, &ignored);
+    return is_known && isfinite(state.y.hi) ? fabs(state.y.hi) : 0;
+}
+
+/*
+ * Nothing meets a sphere farther off than its radius: no beam, no clear aperture. With an f-number
+ * the beams shrink with the focal length, and only the distances stay: they are at most 10 radii in
+ * glass, 100 behind a mirror, 1000 in air.
+ */
+static void doubt_surface(const struct lens *lens, size_t at, size_t number, struct arena *arena,
+                          struct doubt *worst)
+{
+    const struct surface *surface = &lens->surfaces[at];
+    double c = fabs(surface_curvature(surface, SECTION_Y).hi);
+    bool behind_glass = at > 0 && !medium_is_air(&surface[-1].medium);
+    const struct {
+        const char *what;
+        double length, radii;
+    } all[] = {
+        {"a beam of", 2 * height_at(lens, at, SOLVE_MARGINAL, arena), 2},
+        {"a field of", 2 * height_at(lens, at, SOLVE_CHIEF, arena), 2},
+        {"a clear aperture of", surface->has_diameter ? surface->diameter.value.hi : 0, 2},
+        {"a glass of", behind_glass ? fabs(surface[-1].thickness.value.hi) : 0, 10},
+        {"a distance of", fabs(surface->thickness.value.hi),
+         surface_reflects(surface)         ? 100
+         : medium_is_air(&surface->medium) ? 1000
+                                           : 10},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        double weight = all[i].length * c / all[i].radii;
+        worst->most = fmax(worst->most, weight);
+        if (weight > worst->weight && !(worst->weight > 1)) {
+            *worst = (struct doubt){worst->most, weight, all[i].what, all[i].length, number};
+        }
+    }
+}
+
+/* Is the number of a surface one that RDM would decide about? */
+static bool is_open(const struct sequence_surface *surface)
+{
+    return !surface->is_radius && surface->curve.value.hi != 0 && !surface->curvature_solve.is_set;
+}
+
+/* The next surface's place in the lens: planes that turn the axis are surfaces there. */
+static size_t next_place(const struct sequence_surface *surface, size_t at)
+{
+    return at + 1 + surface->has_plane_behind;
+}
+
+static struct doubt doubt_of(const struct sequence *sequence, const struct lens *lens)
+{
+    struct doubt worst = {0};
+    size_t at = 0;
+    for (size_t i = 1; i + 1 < sequence->count; i++) {
+        if (is_open(&sequence->surfaces[i])) {
+            doubt_surface(lens, at, i, sequence->job->arena, &worst);
+        }
+        at = next_place(&sequence->surfaces[i], at);
+    }
+    return worst;
+}
+
+/* The same lens with the numbers as radii. */
+static struct lens as_radii(const struct sequence *sequence, const struct lens *lens)
+{
+    struct lens other = *lens;
+    struct pair units = lens_words_per_length(pair_of(1), sequence->commands->scale, 2);
+    size_t at = 0;
+    other.surfaces = ARENA_ARRAY(sequence->job->arena, lens->surface_count, struct surface);
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        other.surfaces[i] = lens->surfaces[i];
+    }
+    for (size_t i = 1; i + 1 < sequence->count; i++) {
+        struct surface *surface = &other.surfaces[at];
+        if (is_open(&sequence->surfaces[i])) {
+            surface->is_plane = surface->has_curvature = false;
+            surface->radius = sequence->surfaces[i].curve;
+            surface->radius.value = pair_divide(surface->radius.value, units);
+        }
+        at = next_place(&sequence->surfaces[i], at);
+    }
+    return other;
+}
+
+bool codev_check_mode(struct codev *codev, struct error *error)
+{
+    const struct sequence *sequence = &codev->sequence;
+    if (codev->mode_is_given) {
+        return true;
+    }
+    const struct lens *lens = lens_at_position(codev->build.lens, 0, codev->job->arena);
+    const struct lens other = as_radii(sequence, lens);
+    const struct doubt as_read = doubt_of(sequence, lens), as_radius = doubt_of(sequence, &other);
+    if (!(as_read.most > as_radius.most)) {
+        return true;
+    }
+    const struct sequence_surface *surface = &sequence->surfaces[as_read.surface];
+    double c = surface->curve.value.hi;
+    double units = lens_words_per_length(pair_of(1), sequence->commands->scale, 2).hi;
+    commands_fail(&codev->commands, &surface->at, error,
+                  "without RDM the number of a surface is its curvature, but %s %.6g mm fits a "
+                  "radius of %.6g mm better than one of %.3g mm",
+                  as_read.what, as_read.length, fabs(c) / units, 1 / fabs(c));
+    return error_hint(error, "put a line before the surfaces: RDM if they are radii, RDM N if they "
+                             "are curvatures");
+}

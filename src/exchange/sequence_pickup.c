@@ -1,0 +1,221 @@
+/* exchange/sequence_pickup.c - numbers that follow those of other surfaces. */
+/* SPDX-License-Identifier: MIT */
+#include "exchange/sequence.h"
+
+#include <math.h>
+
+void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup)
+{
+    sequence->pickups = arena_grow(sequence->job->arena, sequence->pickups, sequence->pickup_count,
+                                   &sequence->pickup_room, sizeof sequence->pickups[0]);
+    sequence->pickups[sequence->pickup_count++] = pickup;
+}
+
+/* scale * figure + offset; digits are kept where nothing but the sign changes. */
+static struct figure follow(const struct sequence *sequence, struct figure source,
+                            const struct sequence_pickup *pickup, struct number_scale unit)
+{
+    if (pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1 && pickup->scale.lo == 0) {
+        return pickup->scale.hi == 1 ? source : sequence_negate(source, sequence->job->arena);
+    }
+    struct pair value = pair_add(pair_multiply(pickup->scale, source.value), pickup->offset);
+    return figure_computed(value, unit, sequence->job->arena);
+}
+
+/* The same for the numbers of all positions. */
+static const struct figure *follow_all(const struct sequence *sequence,
+                                       const struct figure *sources,
+                                       const struct sequence_pickup *pickup)
+{
+    size_t count = sequence->build->lens->position_count;
+    if (sources == NULL) {
+        return NULL;
+    }
+    struct figure *all = ARENA_ARRAY(sequence->job->arena, count, struct figure);
+    for (size_t i = 0; i < count; i++) {
+        all[i] = follow(sequence, sources[i], pickup, sequence->commands->scale);
+    }
+    return all;
+}
+
+static void follow_curve(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                         const struct sequence_surface *source, struct sequence_surface *target)
+{
+    const bool as_radius = pickup->what == SEQUENCE_RADIUS;
+    const struct number_scale scale = sequence->commands->scale;
+    struct figure curve = source->curve;
+    bool plain = pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1;
+    if (curve.value.hi != 0 && source->is_radius != as_radius && !plain) {
+        curve.value = pair_divide(pair_of(1), curve.value);
+    }
+    if (plain) {
+        target->is_radius = source->is_radius;
+        target->curve = follow(sequence, curve, pickup, scale);
+        return;
+    }
+    const struct number_scale inverse = {1, 0}; /* digits of a computed curvature are of 1/mm */
+    target->is_radius = as_radius;
+    target->curve = follow(sequence, curve, pickup, as_radius ? scale : inverse);
+    if (!as_radius) {
+        struct pair per_unit = lens_words_per_length(pair_of(1), scale, 1);
+        target->curve = figure_computed(pair_divide(target->curve.value, per_unit), inverse,
+                                        sequence->job->arena);
+        sequence_per_length(sequence->commands, 1, &target->curve);
+    }
+}
+
+static void follow_profile(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                           const struct sequence_surface *source, struct sequence_surface *target)
+{
+    follow_curve(sequence, pickup, source, target);
+    target->conic = source->conic;
+    target->curved = source->curved;
+    target->is_special = source->is_special;
+    target->coefficients = source->coefficients;
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        target->coefficient[i] = pickup->scale.hi < 0
+                                     ? sequence_negate(source->coefficient[i], sequence->job->arena)
+                                     : source->coefficient[i];
+    }
+}
+
+static void follow_length(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                          struct sequence_surface *target)
+{
+    struct pair sum = {0, 0};
+    for (size_t i = pickup->source; i < pickup->end; i++) {
+        sum = pair_add(sum, sequence->surfaces[i].thickness.value);
+    }
+    sum = pair_add(pair_multiply(pickup->scale, sum), pickup->offset);
+    target->thickness = figure_computed(sum, sequence->commands->scale, sequence->job->arena);
+}
+
+static bool apply_pickup(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                         struct error *error)
+{
+    if (pickup->source >= sequence->count || pickup->target >= sequence->count ||
+        pickup->source == pickup->target) {
+        return commands_fail(sequence->commands, &pickup->at, error,
+                             "a pick-up between surfaces %zu and %zu of %zu", pickup->source,
+                             pickup->target, sequence->count);
+    }
+    const struct sequence_surface *source = &sequence->surfaces[pickup->source];
+    struct sequence_surface *target = &sequence->surfaces[pickup->target];
+    const struct number_scale scale = sequence->commands->scale;
+    switch (pickup->what) {
+    case SEQUENCE_RADIUS:
+    case SEQUENCE_CURVATURE:
+        follow_curve(sequence, pickup, source, target);
+        break;
+    case SEQUENCE_PROFILE:
+        follow_profile(sequence, pickup, source, target);
+        break;
+    case SEQUENCE_THICKNESS:
+        target->thickness = follow(sequence, source->thickness, pickup, scale);
+        target->thicknesses = follow_all(sequence, source->thicknesses, pickup);
+        break;
+    case SEQUENCE_LENGTH:
+        follow_length(sequence, pickup, target);
+        break;
+    case SEQUENCE_DIAMETER:
+        target->diameter = follow(sequence, source->diameter, pickup, scale);
+        target->diameters = follow_all(sequence, source->diameters, pickup);
+        break;
+    case SEQUENCE_CONIC:
+        target->conic = follow(sequence, source->conic, pickup, (struct number_scale){1, 0});
+        break;
+    case SEQUENCE_MEDIUM:
+        target->medium = source->medium;
+        break;
+    }
+    return true;
+}
+
+/* What a pick-up changes, and so what it follows: bits. */
+static unsigned kinds_of(enum sequence_what what)
+{
+    enum { CURVE = 1, CONIC = 2, THICKNESS = 4, DIAMETER = 8, MEDIUM = 16 };
+    static const unsigned kinds[] = {
+        [SEQUENCE_RADIUS] = CURVE,          [SEQUENCE_CURVATURE] = CURVE,
+        [SEQUENCE_THICKNESS] = THICKNESS,   [SEQUENCE_DIAMETER] = DIAMETER,
+        [SEQUENCE_CONIC] = CONIC,           [SEQUENCE_MEDIUM] = MEDIUM,
+        [SEQUENCE_PROFILE] = CURVE | CONIC, [SEQUENCE_LENGTH] = THICKNESS};
+    return kinds[what];
+}
+
+/* The pick-ups of a file while they are put in order. */
+struct ordering {
+    const struct sequence *sequence;
+    size_t *first; /* pick-up of each surface, pickup_count = none */
+    size_t *next;  /* pick-up of the same surface */
+    enum { WAITING, BEGUN, DONE } * state;
+};
+
+static bool apply_in_order(const struct ordering *ordering, size_t at, struct error *error);
+
+/* What the pick-up follows may be picked up too. */
+static bool apply_sources(const struct ordering *ordering, size_t at, struct error *error)
+{
+    const struct sequence *sequence = ordering->sequence;
+    const struct sequence_pickup *pickup = &sequence->pickups[at];
+    size_t end = pickup->what == SEQUENCE_LENGTH ? pickup->end : pickup->source + 1;
+    for (size_t surface = pickup->source; surface < end && surface < sequence->count; surface++) {
+        for (size_t i = ordering->first[surface]; i < sequence->pickup_count;
+             i = ordering->next[i]) {
+            const struct sequence_pickup *other = &sequence->pickups[i];
+            if ((kinds_of(other->what) & kinds_of(pickup->what)) != 0 &&
+                !apply_in_order(ordering, i, error)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool apply_in_order(const struct ordering *ordering, size_t at, struct error *error)
+{
+    const struct sequence *sequence = ordering->sequence;
+    const struct sequence_pickup *pickup = &sequence->pickups[at];
+    if (ordering->state[at] == BEGUN) {
+        return commands_fail(sequence->commands, &pickup->at, error,
+                             "the pick-ups go in a circle: surface %zu follows surface %zu, which "
+                             "follows it",
+                             pickup->target, pickup->source);
+    }
+    if (ordering->state[at] == WAITING) {
+        ordering->state[at] = BEGUN;
+        bool of_itself = pickup->source == pickup->target; /* which is refused */
+        if ((!of_itself && !apply_sources(ordering, at, error)) ||
+            !apply_pickup(sequence, pickup, error)) {
+            return false;
+        }
+        ordering->state[at] = DONE;
+    }
+    return true;
+}
+
+bool sequence_apply_pickups(const struct sequence *sequence, struct error *error)
+{
+    struct arena *arena = sequence->job->arena;
+    size_t count = sequence->pickup_count;
+    struct ordering ordering = {.sequence = sequence,
+                                .first = ARENA_ARRAY(arena, sequence->count + 1, size_t),
+                                .next = ARENA_ARRAY(arena, count + 1, size_t)};
+    ordering.state = arena_array(arena, count + 1, sizeof ordering.state[0]);
+    for (size_t i = 0; i < sequence->count; i++) {
+        ordering.first[i] = count;
+    }
+    for (size_t i = count; i-- > 0;) {
+        size_t target = sequence->pickups[i].target;
+        if (target < sequence->count) {
+            ordering.next[i] = ordering.first[target];
+            ordering.first[target] = i;
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!apply_in_order(&ordering, i, error)) {
+            return false;
+        }
+    }
+    return true;
+}
