@@ -22,7 +22,21 @@ static struct text cut_catalog(struct text *text)
     return first;
 }
 
-/* Look through one table; the first row counts. */
+/* A row of a table; the first one that is meant counts. */
+static void consider(struct search *search, struct text typed, struct text real)
+{
+    struct text name = real, own = cut_catalog(&typed), catalog = cut_catalog(&name);
+    bool is_own = own.length > 0 && text_same_name(own, search->catalog);
+    bool is_name = typed.length > 0 && text_same_name(typed, search->name);
+    bool is_wanted = search->of_homonyms ? is_own && is_name : own.length == 0 && is_name;
+    if (is_wanted && search->material.length == 0) {
+        search->material = real;
+    } else if (!search->of_homonyms && is_own && typed.length == 0 &&
+               search->real_catalog.length == 0) {
+        search->real_catalog = catalog;
+    }
+}
+
 static bool look_through(struct search *search, struct tsv *tsv, struct error *error)
 {
     size_t alias, material;
@@ -31,21 +45,7 @@ static bool look_through(struct search *search, struct tsv *tsv, struct error *e
         return false;
     }
     while (tsv_next(tsv, error)) {
-        struct text typed = tsv->cells[alias], real = tsv->cells[material], name = real;
-        struct text own = cut_catalog(&typed), catalog = cut_catalog(&name);
-        if (own.length > 0 && typed.length > 0) {
-            bool meant = search->of_homonyms && search->material.length == 0 &&
-                         text_same_name(own, search->catalog) &&
-                         text_same_name(typed, search->name);
-            search->material = meant ? real : search->material;
-        } else if (search->of_homonyms) {
-            continue;
-        } else if (own.length > 0) {
-            bool meant = search->real_catalog.length == 0 && text_same_name(own, search->catalog);
-            search->real_catalog = meant ? catalog : search->real_catalog;
-        } else if (search->material.length == 0 && text_same_name(typed, search->name)) {
-            search->material = real;
-        }
+        consider(search, tsv->cells[alias], tsv->cells[material]);
     }
     return error->code == ERROR_NONE;
 }

@@ -2,8 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/sequence.h"
 
-#include "file/decimal.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -26,27 +24,6 @@ struct sequence_surface *sequence_add(struct sequence *sequence, struct command_
         surface->shift[i] = surface->turn[i] = sequence_nothing;
     }
     return surface;
-}
-
-bool sequence_is_some(const struct figure *figure)
-{
-    return figure->typed.start != NULL && figure->value.hi != 0;
-}
-
-struct figure sequence_negate(struct figure figure, struct arena *arena)
-{
-    if (figure.typed.start != NULL) {
-        figure.typed = decimal_negate(figure.typed, arena);
-    }
-    figure.value = pair_negate(figure.value);
-    return figure;
-}
-
-struct figure sequence_diameter(const struct figure *radius, struct arena *arena)
-{
-    return (struct figure){.value = {2 * radius->value.hi, 2 * radius->value.lo},
-                           .typed = decimal_double(radius->typed, arena),
-                           .variable = LENS_NONE};
 }
 
 bool sequence_medium(const struct commands *commands, const struct command_word *at,

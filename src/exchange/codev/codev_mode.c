@@ -1,4 +1,4 @@
-/* exchange/codev/codev_mode.c - are the numbers of a CODE V file's surfaces curvatures? */
+/* exchange/codev/codev_mode.c - whether the numbers of a CODE V file's surfaces are curvatures. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 #include "file/lens_solve.h"

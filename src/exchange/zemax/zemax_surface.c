@@ -111,7 +111,7 @@ static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line
         lens_words_fail(&line->words, line->keyword, error,
                         "the glass '%.*s' is in %s, and the file has no index of it", length,
                         line->keyword.start, catalog_list(file));
-        return error_hint(error, "--agf FILE adds a catalogue");
+        return error_hint(error, "{agf} FILE adds a catalogue");
     }
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
     return zemax_loss(file, line, error,
@@ -119,7 +119,7 @@ static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line
                       "nd and Vd stand for it",
                       length, line->keyword.start, zemax_number(line, 2), zemax_number(line, 3),
                       catalog_list(file)) ||
-           error_hint(error, "--agf FILE adds a catalogue; --lossy takes nd and Vd");
+           error_hint(error, "{agf} FILE adds a catalogue; {lossy} takes nd and Vd");
 }
 
 /* In the file's catalogues, else as the file describes it. */
