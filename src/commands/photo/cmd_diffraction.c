@@ -7,7 +7,7 @@
 #include <math.h>
 
 struct input {
-    double fnumber, magnification, pupil, focal;
+    double magnification;
     struct photo_lens_question lens;
     struct sharpness sharp;
     double pixels, film; /* film in line pairs per mm */
@@ -20,7 +20,7 @@ struct input {
 
 static const struct option options[] = {
     PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_APERTURE(struct input, fnumber, 0),
+    OPTION_APERTURE(struct input, lens.fnumber, 0),
     {NUMBER(frequency), .name = "frequency", .quantity = "spatial frequency", .column = "frequency",
      .dimension = &dimension_frequency, .unit = "per_mm", .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "FREQUENCY",
@@ -28,9 +28,9 @@ static const struct option options[] = {
     {NUMBER(magnification), .name = "magnification", .letter = 'm', .column = "magnification",
      .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY,
      .fallback = "0", .value = "RATIO", .help = "magnification: 1:2 or 0.5"},
-    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
+    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
     SHARPNESS_OPTIONS_DARK(struct input, sharp, 0, "d/1500", NULL),
-    OPTION_WAVELENGTH_OF_LENS(struct input, sharp.wavelength, NULL),
+    OPTION_WAVELENGTH_OF_LENS(struct input, lens.wavelength, NULL),
     {NUMBER(pixels), .name = "pixels", .dimension = &dimension_number, FINITE, .fallback = "2",
      .value = "NUMBER", .help = "how many pixels wide the Airy disc may be"},
     {NUMBER(film), .name = "film", .column = "film", .dimension = &dimension_frequency,
@@ -43,7 +43,7 @@ static const struct option options[] = {
     {NUMBER(focus_spread), .name = "focus-spread", .column = "focus_spread",
      .dimension = &dimension_length, .unit = "mm", FINITE, .value = "LENGTH",
      .help = "between the images of nearest and farthest point: the best f-number for it"},
-    OPTION_FOCAL_LENGTH(struct input, focal, 0),
+    OPTION_FOCAL_LENGTH(struct input, lens.focal, 0),
     {NUMBER(near), .name = "near", .quantity = "nearest point", .column = "near",
      .dimension = &dimension_length, .unit = "m", FINITE, .value = "LENGTH",
      .help = "nearest point that shall be sharp, with -f or --lens: the best f-number"},
@@ -342,14 +342,9 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    const struct photo_given given = {
-        .f = input->focal,
-        .N = input->fnumber,
-        .P = input->pupil,
-        .wavelength = input->sharp.wavelength,
-        .solves_fnumber = !isnan(input->near) || !isnan(input->focus_spread),
-    };
-    return photo_lens_each(&input->lens, given, run, answer, input, error);
+    bool solves = !isnan(input->near) || !isnan(input->focus_spread);
+    return photo_lens_each(&input->lens, solves ? PHOTO_LENS_SOLVES_FNUMBER : 0, run, answer, input,
+                           error);
 }
 
 static const struct explanation explanations[] = {

@@ -10,10 +10,10 @@
 #include <math.h>
 
 struct input {
-    double focal, fnumber, distance, pupil;
+    double distance;
     struct photo_lens_question lens;
     struct sharpness sharp;
-    int model, from;
+    int model;
     struct dof_targets targets;
     bool stack;
     double overlap;
@@ -27,14 +27,14 @@ struct input {
     GOAL(member_name), .dimension = &dimension_length, .unit = "m", .value = "LENGTH"
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    OPTION_FOCAL_LENGTH(struct input, lens.focal, OPTION_SETTING),
     PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_APERTURE(struct input, fnumber, OPTION_SETTING),
+    OPTION_APERTURE(struct input, lens.fnumber, OPTION_SETTING),
     OPTION_DISTANCE(struct input, distance, OPTION_SETTING,
                     "distance of the subject; inf for stars"),
-    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500", coc_is_pixels),
-    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
-    OPTION_FROM(struct input, from, distances_from),
+    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, lens, 0, "d/1500", coc_is_pixels),
+    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
+    OPTION_FROM(struct input, lens.from, distances_from),
     {OPTION(struct input, model), .name = "model", .column = "model", .words = dof_models,
      .fallback = "exact", .value = "MODEL",
      .help = "exact formulas, or a short cut that other programs use"},
@@ -174,7 +174,7 @@ static void fill_row(const struct input *input, const struct photo_lens *lens, s
     row->sensor_distance = row->distance + to_sensor;
     row->sensor_near = row->dof.near + to_sensor;
     row->sensor_far = row->dof.far + to_sensor;
-    if (input->from != FROM_PRINCIPAL) {
+    if (input->lens.from != FROM_PRINCIPAL) {
         double offset = distance_offset(&row->setting, &lens->measuring);
         row->distance += offset;
         row->dof.near += offset;
@@ -186,7 +186,7 @@ static void fill_row(const struct input *input, const struct photo_lens *lens, s
     row->criterion = input->sharp.coc.criterion;
     row->wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp));
     row->model = dof_models[input->model].word;
-    row->from = distances_from[input->from].word;
+    row->from = distances_from[input->lens.from].word;
 }
 
 /* The same picture on another format, if that is asked for. */
@@ -221,7 +221,7 @@ static bool stack_limits(const struct input *input, const struct photo_lens *len
         return fail(error, ERROR_USAGE,
                     "--stack wants one circle of confusion for all shots: not --coc airy");
     }
-    if (input->from == FROM_SENSOR || input->model != DOF_EXACT) {
+    if (input->lens.from == FROM_SENSOR || input->model != DOF_EXACT) {
         return fail(error, ERROR_USAGE,
                     "--stack goes with exact formulas and distances from the "
                     "principal plane");
@@ -278,15 +278,9 @@ static bool solves_fnumber(const struct input *input)
     return !input->stack && wishes > isnan(input->distance);
 }
 
-static inline struct photo_given given_of(const struct input *input)
+static int use_of(const struct input *input)
 {
-    return (struct photo_given){.f = input->focal,
-                                .N = input->fnumber,
-                                .P = input->pupil,
-                                .wavelength = input->sharp.wavelength,
-                                .from = input->from,
-                                .solves_fnumber =
-                                    input->lens.lens.lens != NULL && solves_fnumber(input)};
+    return solves_fnumber(input) ? PHOTO_LENS_SOLVES_FNUMBER : 0;
 }
 
 static bool set_up(const struct input *input, const struct photo_lens *lens,
@@ -374,10 +368,10 @@ static bool run(const void *data, struct run *run, struct error *error)
     const struct input *input = data;
     if (photo_lens_is_thin(&input->lens)) {
         /* as photo_lens_each does, without a detour through memory: most batches come here */
-        const struct photo_lens thin = photo_lens_thin(given_of(input));
+        const struct photo_lens thin = photo_lens_thin(&input->lens);
         return answer(input, &thin, run, error);
     }
-    return photo_lens_each(&input->lens, given_of(input), run, answer, input, error);
+    return photo_lens_each(&input->lens, use_of(input), run, answer, input, error);
 }
 
 static bool makes_many(const void *data)
@@ -421,14 +415,13 @@ static bool draw_scale(const struct artifact_job *job, struct output *sink, stru
     const struct input *input = &own;
     const struct sharpness asked = own.sharp;
     struct svg svg = {.arena = job->run->arena};
-    const struct photo_given given = given_of(input);
     struct photo_lens lens;
     struct dof_setting setting;
     struct barrel_mark marks[16];
     struct barrel barrel = {.marks = marks};
     double fnumbers[16];
     if (!sharpness_imply(&asked, PITCH_FOR_COC, &own.sharp, error) ||
-        !photo_lens_single(&input->lens, &given, svg.arena, &lens, error) ||
+        !photo_lens_single(&input->lens, use_of(input), svg.arena, &lens, error) ||
         !set_up(input, &lens, &setting, error) || !solve(input, &lens, &setting, error)) {
         return false;
     }

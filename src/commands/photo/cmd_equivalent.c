@@ -8,7 +8,7 @@
 #include <math.h>
 
 struct input {
-    double focal, fnumber, iso, distance, magnification, pupil;
+    double iso, distance, magnification;
     struct photo_lens_question lens;
     struct sharpness sharp;
     struct sensor_value to;
@@ -32,9 +32,9 @@ static const struct word kept[] = {
 };
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, focal, 0),
+    OPTION_FOCAL_LENGTH(struct input, lens.focal, 0),
     PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_APERTURE(struct input, fnumber, 0),
+    OPTION_APERTURE(struct input, lens.fnumber, 0),
     {OPTION(struct input, iso), .name = "iso", .quantity = "ISO speed", .column = "iso",
      .dimension = &dimension_iso, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "100", .value = "NUMBER",
@@ -44,8 +44,8 @@ static const struct option options[] = {
      .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "RATIO",
      .help = "magnification in place of the distance: 1:2 or 0.5"},
-    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
-    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500", coc_is_pixels),
+    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
+    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, lens, 0, "d/1500", coc_is_pixels),
     {OPTION(struct input, to), .name = "to", .column = "equal_sensor", .fallback = "35mm",
      .value = "NAME|WxH", .help = "the other format or camera; a list for several at once"},
     {OPTION(struct input, by), .name = "by", .column = "measure", .words = measures,
@@ -195,11 +195,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    const struct photo_given given = {.f = input->focal,
-                                      .N = input->fnumber,
-                                      .P = input->pupil,
-                                      .wavelength = input->sharp.wavelength};
-    return photo_lens_each(&input->lens, given, run, answer, input, error);
+    return photo_lens_each(&input->lens, 0, run, answer, input, error);
 }
 
 static const struct explanation explanations[] = {

@@ -9,8 +9,8 @@
 
 static const struct option options[] = {
     PHOTO_LENS_OPTIONS(struct exposure_input, lens),
-    OPTION_WAVELENGTH_OF_LENS(struct exposure_input, wavelength, "lens"),
-    OPTION_APERTURE(struct exposure_input, given.N, 0),
+    OPTION_WAVELENGTH_OF_LENS(struct exposure_input, lens.wavelength, "lens"),
+    OPTION_APERTURE(struct exposure_input, lens.fnumber, 0),
     OPTION_TIME(struct exposure_input, given.t, 0),
     OPTION_ISO(struct exposure_input, given.S,
                "film or sensor speed (100 unless it is solved for)"),
@@ -43,7 +43,7 @@ static const struct option options[] = {
      .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "RATIO",
      .help = "of a close-up, whose extension takes light: 1:2 or 0.5"},
-    OPTION_PUPIL_OF_LENS(struct exposure_input, pupil, "magnification"),
+    OPTION_PUPIL_OF_LENS(struct exposure_input, lens.pupil, "magnification"),
     {OPTION(struct exposure_input, shutter_angle), .name = "shutter-angle",
      .column = "shutter_angle", .dimension = &dimension_angle, .unit = "deg", .lowest = 0,
      .highest = 2 * PI, .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE",
@@ -181,7 +181,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     const struct exposure_input *input = &own;
     struct exposure_row row;
     own.given.N = lens->N;
-    own.pupil = lens->P;
+    own.lens.pupil = lens->P;
     if (!exposure_answer(input, &row, error)) {
         return false;
     }
@@ -218,15 +218,9 @@ static bool solves_fnumber(const struct exposure_input *input)
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct exposure_input *input = data;
-    const struct photo_given given = {
-        .f = NAN,
-        .N = input->given.N,
-        .P = input->pupil,
-        .wavelength = input->wavelength,
-        .solves_fnumber = solves_fnumber(input),
-        .without_pupils = isnan(input->magnification),
-    };
-    return photo_lens_each(&input->lens, given, run, answer, input, error);
+    int use = (solves_fnumber(input) ? PHOTO_LENS_SOLVES_FNUMBER : 0) |
+              (isnan(input->magnification) ? PHOTO_LENS_WITHOUT_PUPILS : 0);
+    return photo_lens_each(&input->lens, use, run, answer, input, error);
 }
 
 static bool makes_many(const void *data)

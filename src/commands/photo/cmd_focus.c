@@ -7,12 +7,10 @@
 #include <math.h>
 
 struct input {
-    double focal, distance, image, magnification, sensor_distance; /* two of these */
+    double distance, image, magnification, sensor_distance; /* two of these and the focal length */
     struct photo_lens_question lens;
     bool enlarged;
-    double fnumber, pupil, wavelength;
     double hiatus, front; /* NaN = those of the lens, else none */
-    int from;
     bool reversed;
     double close_up, stacked, stacked_aperture, gap;
     double tube, converter, converter_length;
@@ -33,9 +31,9 @@ static const struct word orders[] = {
 #define POSITIVE     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    OPTION_FOCAL_LENGTH(struct input, lens.focal, OPTION_SETTING),
     PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_WAVELENGTH_OF_LENS(struct input, wavelength, "lens"),
+    OPTION_WAVELENGTH_OF_LENS(struct input, lens.wavelength, "lens"),
     OPTION_DISTANCE(struct input, distance, OPTION_SETTING,
                     "distance of the subject; inf for infinity"),
     {MILLIMETRES(image), .name = "image", .quantity = "image distance", .column = "image",
@@ -51,9 +49,9 @@ static const struct option options[] = {
      .help = "distance from subject to sensor, as lens scales have it"},
     {OPTION(struct input, enlarged), .name = "enlarged",
      .help = "of the two focusings with one --sensor-distance that with m above 1"},
-    OPTION_APERTURE(struct input, fnumber, 0),
-    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
-    OPTION_FROM(struct input, from, distances_from),
+    OPTION_APERTURE(struct input, lens.fnumber, 0),
+    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
+    OPTION_FROM(struct input, lens.from, distances_from),
     {MILLIMETRES(hiatus), .name = "hiatus", .flags = OPTION_NO_INFINITY,
      .help = "distance between the principal planes; without it that of --lens, else 0"},
     {MILLIMETRES(front), .name = "front", .quantity = "front principal plane",
@@ -182,11 +180,11 @@ static const struct sheet *choose_sheet(const void *data, const struct asking *a
 static bool place_subject(const struct input *input, const struct photo_lens *lens,
                           struct conjugates_given *given, struct error *error)
 {
-    if (input->from == FROM_PRINCIPAL || isnan(input->distance)) {
+    if (input->lens.from == FROM_PRINCIPAL || isnan(input->distance)) {
         given->s = input->distance;
         return true;
     }
-    if (input->from == FROM_SENSOR) {
+    if (input->lens.from == FROM_SENSOR) {
         if (!isnan(input->sensor_distance)) {
             return fail(error, ERROR_USAGE,
                         "--distance from the sensor and --sensor-distance are the same thing");
@@ -194,7 +192,7 @@ static bool place_subject(const struct input *input, const struct photo_lens *le
         given->T = input->distance;
         return true;
     }
-    if (isnan(lens->f) && input->from == FROM_ENTRANCE) {
+    if (isnan(lens->f) && input->lens.from == FROM_ENTRANCE) {
         return fail(error, ERROR_USAGE,
                     "--from entrance wants --focal-length: the pupil's place "
                     "follows from it");
@@ -231,10 +229,10 @@ static void fill_row(const struct input *input, const struct photo_lens *lens, d
 {
     row->real = *lens->real;
     row->pupil_distance = conjugates_pupil_distance(row->c.f, row->c.m, P);
-    row->distance = input->from == FROM_SENSOR     ? row->c.T
-                    : input->from == FROM_ENTRANCE ? row->pupil_distance
-                    : input->from == FROM_FRONT    ? row->working_distance
-                                                   : row->c.s;
+    row->distance = input->lens.from == FROM_SENSOR     ? row->c.T
+                    : input->lens.from == FROM_ENTRANCE ? row->pupil_distance
+                    : input->lens.from == FROM_FRONT    ? row->working_distance
+                                                        : row->c.s;
     row->fnumber = lens->N;
     row->order = orders[input->order].word;
     row->tube = input->tube;
@@ -242,7 +240,7 @@ static void fill_row(const struct input *input, const struct photo_lens *lens, d
     row->close_up = input->close_up;
     row->stacked = input->stacked;
     row->pupil = lens->P;
-    row->from = distances_from[input->from].word;
+    row->from = distances_from[input->lens.from].word;
 }
 
 static bool run_plain(const struct input *input, const struct photo_lens *lens, struct run *run,
@@ -371,12 +369,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    const struct photo_given given = {.f = input->focal,
-                                      .N = input->fnumber,
-                                      .P = input->pupil,
-                                      .wavelength = input->wavelength,
-                                      .from = input->from};
-    return photo_lens_each(&input->lens, given, run, answer, input, error);
+    return photo_lens_each(&input->lens, 0, run, answer, input, error);
 }
 
 static bool makes_many(const void *data)

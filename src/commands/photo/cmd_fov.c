@@ -23,7 +23,7 @@ static const struct word ways[] = {
 };
 
 struct input {
-    double focal, distance, pupil, squeeze, wavelength;
+    double distance, squeeze;
     struct photo_lens_question lens;
     struct sensor_value sensor;
     int projection;
@@ -42,9 +42,9 @@ struct input {
         .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    OPTION_FOCAL_LENGTH(struct input, lens.focal, OPTION_SETTING),
     PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_WAVELENGTH_OF_LENS(struct input, wavelength, "lens"),
+    OPTION_WAVELENGTH_OF_LENS(struct input, lens.wavelength, "lens"),
     OPTION_SENSOR(struct input, sensor),
     {OPTION(struct input, distance), .name = "distance", .letter = 's', .column = "distance",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
@@ -52,7 +52,7 @@ static const struct option options[] = {
      .help = "distance the lens is focused at; the field there is reported"},
     {OPTION(struct input, projection), .name = "projection", .column = "projection", .words = ways,
      .fallback = "auto", .value = "KIND", .help = "how the lens maps angles"},
-    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
+    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
     {OPTION(struct input, squeeze), .name = "squeeze", .column = "squeeze",
      .dimension = &dimension_ratio, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1", .value = "FACTOR",
@@ -152,7 +152,7 @@ static void doubt(struct row *row, const char *warning, struct arena *arena)
 static bool wants_rays(const struct input *input, const struct photo_lens *lens)
 {
     return input->projection == VIEW_RAYS ||
-           (input->projection == VIEW_AUTO && lens->lens != NULL && isnan(input->pupil));
+           (input->projection == VIEW_AUTO && lens->lens != NULL && isnan(input->lens.pupil));
 }
 
 static bool check_rays(const struct input *input, const struct photo_lens *lens,
@@ -161,7 +161,7 @@ static bool check_rays(const struct input *input, const struct photo_lens *lens,
     if (lens->lens == NULL) {
         return fail(error, ERROR_USAGE, "--projection chief-rays wants --lens");
     }
-    return isnan(input->pupil) ||
+    return isnan(input->lens.pupil) ||
            fail(error, ERROR_USAGE,
                 "--projection chief-rays goes by the lens's own pupils: it excludes --pupil");
 }
@@ -261,9 +261,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    const struct photo_given given = {
-        .f = input->focal, .N = NAN, .P = input->pupil, .wavelength = input->wavelength};
-    return photo_lens_each(&input->lens, given, run, answer, input, error);
+    return photo_lens_each(&input->lens, 0, run, answer, input, error);
 }
 
 #define ANGLES(kind, horizontal, vertical, source)                                                 \

@@ -8,17 +8,17 @@
 #include <math.h>
 
 struct input {
-    double focal, fnumber, pupil, hyperfocal;
+    double hyperfocal;
     struct photo_lens_question lens;
     struct sharpness sharp;
 };
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, focal, OPTION_SETTING),
+    OPTION_FOCAL_LENGTH(struct input, lens.focal, OPTION_SETTING),
     PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_APERTURE(struct input, fnumber, OPTION_SETTING),
-    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, 0, "d/1500", coc_is_pixels),
-    OPTION_PUPIL_OF_LENS(struct input, pupil, NULL),
+    OPTION_APERTURE(struct input, lens.fnumber, OPTION_SETTING),
+    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, lens, 0, "d/1500", coc_is_pixels),
+    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
     {OPTION(struct input, hyperfocal), .name = "hyperfocal", .quantity = "hyperfocal distance",
      .column = "hyperfocal", .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL, .value = "LENGTH",
@@ -129,14 +129,8 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    const struct photo_given given = {
-        .f = input->focal,
-        .N = input->fnumber,
-        .P = input->pupil,
-        .wavelength = input->sharp.wavelength,
-        .solves_fnumber = !isnan(input->hyperfocal),
-    };
-    return photo_lens_each(&input->lens, given, run, answer, input, error);
+    int use = isnan(input->hyperfocal) ? 0 : PHOTO_LENS_SOLVES_FNUMBER;
+    return photo_lens_each(&input->lens, use, run, answer, input, error);
 }
 
 static const struct explanation explanations[] = {

@@ -111,7 +111,7 @@ static bool take_loss(const struct exposure_input *input, struct exposure_given 
                       struct exposure_row *row, struct error *error)
 {
     const struct light_loss loss = {
-        NAN, NAN, input->filter.stops, row->transmittance, input->magnification, input->pupil};
+        NAN, NAN, input->filter.stops, row->transmittance, input->magnification, input->lens.pupil};
     bool any =
         input->filter.name != NULL || !isnan(row->transmittance) || !isnan(input->magnification);
     if (any && !light_loss(&loss, &row->loss, error)) {

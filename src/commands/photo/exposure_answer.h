@@ -12,10 +12,10 @@
 
 /* What is given; NaN = not given. Options of the command. */
 struct exposure_input {
-    struct exposure_given given;
+    struct exposure_given given; /* its f-number comes with the lens */
     struct scene_value scene;
     struct loss_value filter;
-    double transmittance, t_stop, magnification, pupil;
+    double transmittance, t_stop, magnification;
     double shutter_angle, frame_rate;
     struct film_value film;
     double corrected_time;
@@ -24,7 +24,6 @@ struct exposure_input {
     struct series_value series;
     bool equivalent;
     struct photo_lens_question lens;
-    double wavelength; /* mm, of the light in the lens */
 };
 
 /* Everything about one exposure; NaN and null = absent. */

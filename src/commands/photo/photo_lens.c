@@ -86,11 +86,11 @@ static bool check_power(const struct first_order *first, struct error *error)
 }
 
 /* Its own pupil magnification, unless another is given. */
-static bool take_pupil(const struct first_order *first, const struct photo_given *given,
-                       struct photo_lens *lens, struct error *error)
+static bool take_pupil(const struct first_order *first, const struct photo_lens_question *question,
+                       int use, struct photo_lens *lens, struct error *error)
 {
-    lens->P = isnan(given->P) ? first->pupil_magnification : given->P;
-    if (isnan(lens->P) && given->without_pupils) {
+    lens->P = question->pupil > 0 ? question->pupil : first->pupil_magnification;
+    if (isnan(lens->P) && (use & PHOTO_LENS_WITHOUT_PUPILS) != 0) {
         return true;
     }
     if (isnan(lens->P)) {
@@ -106,24 +106,24 @@ static bool take_pupil(const struct first_order *first, const struct photo_given
     return true;
 }
 
-static bool work_out(const struct photo_lens_question *question, size_t position,
-                     const struct photo_given *given, struct arena *arena, struct photo_lens *lens,
-                     struct error *error)
+static bool work_out(const struct photo_lens_question *question, size_t position, int use,
+                     struct arena *arena, struct photo_lens *lens, struct error *error)
 {
     const struct lens *real = question->lens.lens;
     const struct lens_memo *found;
-    double wavelength = isnan(given->wavelength) ? lens_primary_wavelength(real)
-                                                 : wavelength_micrometres(given->wavelength);
+    bool has_light = question->wavelength > 0;
+    bool has_fnumber = question->fnumber > 0 || (use & PHOTO_LENS_SOLVES_FNUMBER) != 0;
+    double wavelength =
+        has_light ? wavelength_micrometres(question->wavelength) : lens_primary_wavelength(real);
     if (!find(question, position, wavelength, arena, &found, error)) {
         return false;
     }
     const struct first_order *first = &found->first;
     *lens = (struct photo_lens){
         .f = first->rear_focal,
-        .N = isnan(given->N) && !given->solves_fnumber ? first->fnumber : given->N,
-        .wavelength =
-            isnan(given->wavelength) ? wavelength_millimetres(wavelength) : given->wavelength,
-        .measuring = {(enum distance_from)given->from,
+        .N = has_fnumber ? question->fnumber : first->fnumber,
+        .wavelength = has_light ? question->wavelength : wavelength_millimetres(wavelength),
+        .measuring = {(enum distance_from)question->from,
                       first->length + first->rear_principal - first->front_principal,
                       first->front_principal},
         .lens = real,
@@ -142,67 +142,63 @@ static bool work_out(const struct photo_lens_question *question, size_t position
         .rear = first->rear_principal,
     };
     lens->real = said;
-    return check_power(first, error) && take_pupil(first, given, lens, error);
+    return check_power(first, error) && take_pupil(first, question, use, lens, error);
 }
 
 /* The lens in one position; what is wrong with it, with its name before. */
-static bool take_lens(const struct photo_lens_question *question, size_t position,
-                      const struct photo_given *given, struct arena *arena, struct photo_lens *lens,
-                      struct error *error)
+static bool take_lens(const struct photo_lens_question *question, size_t position, int use,
+                      struct arena *arena, struct photo_lens *lens, struct error *error)
 {
-    return work_out(question, position, given, arena, lens, error) ||
+    return work_out(question, position, use, arena, lens, error) ||
            error_prefix(error, "%.60s: ", question->lens.name);
 }
 
-static bool check_question(const struct photo_lens_question *question,
-                           const struct photo_given *given, struct error *error)
+static bool check_question(const struct photo_lens_question *question, struct error *error)
 {
     if (question->lens.lens == NULL) {
         return fail(error, ERROR_USAGE, "--%s wants --lens",
                     question->position != NULL ? "position" : "section");
     }
-    if (!isnan(given->f)) {
+    if (question->focal > 0) {
         return fail(error, ERROR_USAGE,
                     "--lens and --focal-length exclude each other: the lens has its own");
     }
     return true;
 }
 
-bool photo_lens_single(const struct photo_lens_question *question, const struct photo_given *given,
-                       struct arena *arena, struct photo_lens *lens, struct error *error)
+bool photo_lens_single(const struct photo_lens_question *question, int use, struct arena *arena,
+                       struct photo_lens *lens, struct error *error)
 {
     const size_t *positions;
     size_t count;
     if (photo_lens_is_thin(question)) {
-        *lens = photo_lens_thin(*given);
+        *lens = photo_lens_thin(question);
         return true;
     }
-    if (!check_question(question, given, error) ||
-        !lens_positions(question->lens.lens, question->position, arena, &positions, &count,
-                        error)) {
+    if (!check_question(question, error) || !lens_positions(question->lens.lens, question->position,
+                                                            arena, &positions, &count, error)) {
         return false;
     }
     if (count > 1) {
         return fail(error, ERROR_USAGE, "one drawing shows one position, not '%s'",
                     question->position);
     }
-    return take_lens(question, positions[0], given, arena, lens, error);
+    return take_lens(question, positions[0], use, arena, lens, error);
 }
 
-bool photo_lens_visit(const struct photo_lens_question *question, const struct photo_given *given,
-                      struct run *run, photo_lens_answer *answer, const void *input,
-                      struct error *error)
+bool photo_lens_visit(const struct photo_lens_question *question, int use, struct run *run,
+                      photo_lens_answer *answer, const void *input, struct error *error)
 {
     const size_t *positions;
     size_t count;
     struct photo_lens lens;
-    if (!check_question(question, given, error) ||
+    if (!check_question(question, error) ||
         !lens_positions(question->lens.lens, question->position, run->arena, &positions, &count,
                         error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        if (!take_lens(question, positions[i], given, run->arena, &lens, error) ||
+        if (!take_lens(question, positions[i], use, run->arena, &lens, error) ||
             !answer(input, &lens, run, error)) {
             return false;
         }

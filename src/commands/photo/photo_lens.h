@@ -13,11 +13,23 @@
 
 #include <math.h>
 
-/* Which real lens is asked for, and how it is set. */
+/*
+ * Which lens is asked for: a thin one, or a real one and how it is set. The options of a command
+ * fill it. A number that is not given is NaN, or 0 where the command has no option for it.
+ */
 struct photo_lens_question {
     struct lens_value lens; /* lens.lens is null: a thin one */
     const char *position;
     int section;
+    double focal, wavelength; /* mm */
+    double fnumber, pupil;    /* in place of those of a real lens */
+    int from;                 /* enum distance_from */
+};
+
+/* What the answer makes of it; added up. */
+enum photo_lens_use {
+    PHOTO_LENS_SOLVES_FNUMBER = 1, /* it is asked for: the lens's own does not count */
+    PHOTO_LENS_WITHOUT_PUPILS = 2  /* the answer needs no pupils */
 };
 
 #define PHOTO_LENS_OPTIONS(S, member)                                                              \
@@ -29,15 +41,6 @@ struct photo_lens_question {
      .types = lens_types,                                                                          \
      .help = "a real lens in place of -f: a name (list lenses), a file, or - for standard input"}, \
         LENS_POSITION_OPTION(S, member), LENS_SECTION_OPTION(S, member)
-
-/* What the other options say of the lens; NaN = not given. */
-struct photo_given {
-    double f, N, P;
-    double wavelength;   /* mm */
-    int from;            /* enum distance_from */
-    bool solves_fnumber; /* N is asked for: the lens's own aperture does not count */
-    bool without_pupils; /* the answer needs no pupils */
-};
 
 /* What a row says of a real lens; of a thin one nothing. Lengths in mm. */
 struct photo_real {
@@ -109,15 +112,15 @@ extern const struct photo_real photo_real_none;
 /* Green, where no lens says what its light is, mm. */
 #define PHOTO_WAVELENGTH 0.00055
 
-/* The thin lens of these options. */
-static inline struct photo_lens photo_lens_thin(struct photo_given given)
+/* The thin lens that is asked for. */
+static inline struct photo_lens photo_lens_thin(const struct photo_lens_question *question)
 {
     return (struct photo_lens){
-        .f = given.f,
-        .N = given.N,
-        .P = isnan(given.P) ? 1 : given.P,
-        .wavelength = isnan(given.wavelength) ? PHOTO_WAVELENGTH : given.wavelength,
-        .measuring = {(enum distance_from)given.from, 0, NAN},
+        .f = question->focal,
+        .N = question->fnumber,
+        .P = question->pupil > 0 ? question->pupil : 1,
+        .wavelength = question->wavelength > 0 ? question->wavelength : PHOTO_WAVELENGTH,
+        .measuring = {(enum distance_from)question->from, 0, NAN},
         .real = &photo_real_none,
     };
 }
@@ -131,9 +134,11 @@ static inline bool photo_lens_is_thin(const struct photo_lens_question *question
 /*
  * The lens of the only position that is asked for, as a drawing has it: thin, or a real one with
  * its focal length, own f-number, pupil magnification and the places of its principal planes, at
- * the wavelength given, else its primary one. What is given of N and P overrides the lens.
+ * the wavelength given, else its primary one. What is given of f-number and pupils overrides
+ * the lens.
  *
- * Given     arena  for working
+ * Given     use    enum photo_lens_use
+ *           arena  for working
  * Formula   f = n'/power, hiatus = length + H' - H, front = H: with the same medium on both sides
  *           all thin-lens formulas hold for distances from H and H'
  * Source    [Gauss41]
@@ -141,29 +146,27 @@ static inline bool photo_lens_is_thin(const struct photo_lens_question *question
  *           ERROR_DOMAIN: afocal, f < 0, different media, an image on the subject's side, P < 0;
  *           as lens_each
  */
-bool photo_lens_single(const struct photo_lens_question *question, const struct photo_given *given,
-                       struct arena *arena, struct photo_lens *lens, struct error *error);
+bool photo_lens_single(const struct photo_lens_question *question, int use, struct arena *arena,
+                       struct photo_lens *lens, struct error *error);
 
 /* One answer with a lens. */
 typedef bool photo_lens_answer(const void *input, const struct photo_lens *lens, struct run *run,
                                struct error *error);
 
 /* As photo_lens_each, of a real lens. Errors as photo_lens_single, but for several positions. */
-bool photo_lens_visit(const struct photo_lens_question *question, const struct photo_given *given,
-                      struct run *run, photo_lens_answer *answer, const void *input,
-                      struct error *error);
+bool photo_lens_visit(const struct photo_lens_question *question, int use, struct run *run,
+                      photo_lens_answer *answer, const void *input, struct error *error);
 
 /* Answer with the thin lens, or with the real one in each position that is asked for. */
-static inline bool photo_lens_each(const struct photo_lens_question *question,
-                                   struct photo_given given, struct run *run,
-                                   photo_lens_answer *answer, const void *input,
+static inline bool photo_lens_each(const struct photo_lens_question *question, int use,
+                                   struct run *run, photo_lens_answer *answer, const void *input,
                                    struct error *error)
 {
     if (photo_lens_is_thin(question)) {
-        const struct photo_lens thin = photo_lens_thin(given);
+        const struct photo_lens thin = photo_lens_thin(question);
         return answer(input, &thin, run, error);
     }
-    return photo_lens_visit(question, &given, run, answer, input, error);
+    return photo_lens_visit(question, use, run, answer, input, error);
 }
 
 /* Does one question have several answers, as --position all? */

@@ -13,7 +13,7 @@ struct sharpness {
     double pitch;          /* mm; NaN = that of the sensor */
     double print, viewing; /* mm; NaN = not given, as the next */
     double acuity;         /* line pairs per mm at 25 cm */
-    double wavelength;     /* mm; NaN = not given, where a lens may have its own */
+    double wavelength;     /* mm; of a command without --lens */
 };
 
 /*
@@ -24,10 +24,10 @@ struct sharpness {
     SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback, pitch_use),                              \
         OPTION_WAVELENGTH(S, member.wavelength, "coc=airy")
 
-/* The same for a command with --lens. */
-#define SHARPNESS_OPTIONS_OF_LENS(S, member, more, coc_fallback, pitch_use)                        \
+/* The same for a command with --lens; `question` is a struct photo_lens_question. */
+#define SHARPNESS_OPTIONS_OF_LENS(S, member, question, more, coc_fallback, pitch_use)              \
     SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback, pitch_use),                              \
-        OPTION_WAVELENGTH_OF_LENS(S, member.wavelength, "lens|coc=airy")
+        OPTION_WAVELENGTH_OF_LENS(S, question.wavelength, "lens|coc=airy")
 
 /* What both have: all but the light. */
 #define SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback, pitch_use)                           \
