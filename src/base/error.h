@@ -22,7 +22,8 @@ enum error_code {
  * Where a message names a quantity that may have been given. The formulas know quantities, not
  * options and columns: a format says "{distance} %g mm lies within {the focal length} %g mm", the
  * message is "distance 40 mm lies within the focal length 50 mm", and who read the two can put
- * "--distance" or "column 's'" in their places with error_name.
+ * "--distance" or "column 's'" in their places with error_name. A command, which knows its options,
+ * says "{--distance}".
  */
 struct mention {
     short at, length; /* of the words between the braces, in the text */

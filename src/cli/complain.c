@@ -38,11 +38,20 @@ struct naming {
     struct called room;
 };
 
-/* By what a quantity was given; where a message asks for one, by what it may be. */
+/*
+ * By what a quantity was given; where a message asks for one, by what it may be. A command's own
+ * messages name options, "{--coc}": where a column of the batch sets it that is meant.
+ */
 static const char *given_by(void *context, struct text quantity, bool asked)
 {
     struct naming *naming = context;
     const struct option *possible = NULL;
+    bool is_option = quantity.length > 2 && quantity.start[0] == '-';
+    struct text name = {quantity.start + 2, quantity.length - 2};
+    if (is_option) {
+        const struct argument *argument = arguments_find(naming->arguments, name);
+        return argument != NULL ? batch_called(naming->batch, argument->option) : NULL;
+    }
     for (size_t i = 0; i < naming->arguments->count; i++) {
         const struct argument *argument = &naming->arguments->all[i];
         if (!option_is_quantity(argument->option, quantity)) {

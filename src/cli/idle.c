@@ -127,14 +127,14 @@ static bool check_option(const struct idle *idle, const struct option *option, s
     char words[120] = "";
     const struct option *other = find_excluded(idle, option);
     if (other != NULL) {
-        return fail(error, ERROR_USAGE, "--%s and --%s exclude each other", option->name,
+        return fail(error, ERROR_USAGE, "{--%s} and {--%s} exclude each other", option->name,
                     other->name);
     }
     if (option->wants != NULL && !has_wanted(idle, option->wants, words, sizeof words)) {
-        return fail(error, ERROR_USAGE, "--%s wants %s", option->name, words);
+        return fail(error, ERROR_USAGE, "{--%s} wants %s", option->name, words);
     }
     return option->serves == NULL || serves_any(idle, option) ||
-           fail(error, ERROR_USAGE, "--%s does nothing here: it is for --coc %s", option->name,
+           fail(error, ERROR_USAGE, "{--%s} does nothing here: it is for {--coc} %s", option->name,
                 option->served);
 }
 

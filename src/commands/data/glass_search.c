@@ -222,7 +222,7 @@ static bool find_labelled(struct sheet_of_points *sheet, const char *names, stru
         struct text name = text_cut(&rest, ',');
         if (!glass_find(sheet->db, name, GLASS_ALIASES, sheet->arena,
                         &sheet->labelled[sheet->labelled_count++], error)) {
-            return error_prefix(error, "--label: ");
+            return error_prefix(error, "{--label}: ");
         }
     }
     return true;

@@ -383,7 +383,7 @@ static bool check_plot(const struct artifact_job *job, struct error *error)
 {
     const struct input *input = job->inputs[0];
     return !lens_positions_several(input->question.lens.lens, input->question.position) ||
-           fail(error, ERROR_USAGE, "--plot shows one position: name it with --position");
+           fail(error, ERROR_USAGE, "{--plot} shows one position: name it with {--position}");
 }
 
 static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)

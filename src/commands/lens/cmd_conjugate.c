@@ -371,7 +371,7 @@ static bool put_into_media(const struct input *input, struct lens_value *value, 
     }
     if (behind != NULL && surface_reflects(&copy->surfaces[last])) {
         return fail(error, ERROR_USAGE,
-                    "--image-medium: the last surface is a mirror, which leaves the medium as it "
+                    "{--image-medium}: the last surface is a mirror, which leaves the medium as it "
                     "is");
     }
     if (before != NULL) {
@@ -391,15 +391,17 @@ static bool check_asked(const struct input *input, struct error *error)
 {
     int given = !isnan(input->object) + !isnan(input->image) + !isnan(input->magnification);
     if (given > 1) {
-        return fail(error, ERROR_USAGE, "--object, --image and --magnification exclude each other");
+        return fail(error, ERROR_USAGE,
+                    "{--object}, {--image} and {--magnification} exclude each other");
     }
     if (input->from == CONJUGATE_FROM_SENSOR && !isnan(input->image)) {
         return fail(error, ERROR_USAGE,
-                    "--from sensor measures the object from the image: give --object");
+                    "{--from} sensor measures the object from the image: give {--object}");
     }
     if (input->gap != NULL && input->focus_by != FOCUS_BY_NOTHING) {
-        return fail(error, ERROR_USAGE,
-                    "--gap and --focus-by exclude each other: the gap of the whole lens is 'last'");
+        return fail(
+            error, ERROR_USAGE,
+            "{--gap} and {--focus-by} exclude each other: the gap of the whole lens is 'last'");
     }
     return true;
 }

@@ -59,7 +59,7 @@ static bool draw_case(const struct lens_case *one, void *context, struct error *
     struct layout layout;
     if ((input->construction || input->planes) && !layout_is_centred(one->setup->lens)) {
         return fail(error, ERROR_DOMAIN,
-                    "--%s is for centred lenses, and parts of this one are decentred, tilted or "
+                    "{--%s} is for centred lenses, and parts of this one are decentred, tilted or "
                     "behind a coordinate break",
                     input->construction ? "construction" : "planes");
     }
@@ -80,10 +80,10 @@ static bool check(const struct artifact_job *job, struct error *error)
 {
     const struct input *input = job->inputs[0];
     if (lens_positions_several(input->question.lens.lens, input->question.position)) {
-        return fail(error, ERROR_USAGE, "a drawing shows one position: --position NAME");
+        return fail(error, ERROR_USAGE, "a drawing shows one position: {--position} NAME");
     }
     if (input->construction && (input->planes || input->no_rays)) {
-        return fail(error, ERROR_USAGE, "--construction has planes and rays of its own: no %s",
+        return fail(error, ERROR_USAGE, "{--construction} has planes and rays of its own: no %s",
                     input->planes ? "--planes" : "--no-rays");
     }
     return true;

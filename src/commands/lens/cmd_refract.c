@@ -149,13 +149,13 @@ static bool check_count(const struct refract_surface *s, struct error *error)
     bool after = s->mirror || !isnan(s->n_after);
     int unknown = isnan(s->n) + !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
     if (unknown == 0) {
-        return fail(
-            error, ERROR_USAGE,
-            "--before, --after, --radius, --object and --image are all given: leave one out "
-            "and it is found");
+        return fail(error, ERROR_USAGE,
+                    "{--before}, {--after}, {--radius}, {--object} and {--image} are all given: "
+                    "leave one out "
+                    "and it is found");
     }
     if (unknown > 1) {
-        return fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or --image%s",
+        return fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or {--image}%s",
                     after ? "" : " --after", !after && isnan(s->R) ? " and" : "",
                     isnan(s->R) ? " --radius" : "",
                     isnan(s->z_image) ? " in the place of one" : " and what is left of the rest");
@@ -195,9 +195,10 @@ static bool solve(const struct input *input, const struct refract_aim *aim, stru
     struct refract_surface *s = &row->surface;
     bool line = !isnan(aim->height) && !isnan(aim->angle);
     if (line && (!isnan(s->z) || isnan(s->R))) {
-        return fail(error, ERROR_USAGE,
-                    "--height and --angle make the ray and its object: they want --radius and no "
-                    "--object");
+        return fail(
+            error, ERROR_USAGE,
+            "{--height} and {--angle} make the ray and its object: they want {--radius} and no "
+            "{--object}");
     }
     if (line && !refract_place(s, aim, &row->ray, error)) {
         return false;
@@ -223,10 +224,10 @@ static bool run(const void *data, struct run *run, struct error *error)
     struct refract_aim aim = input->aim;
     aim.at_vertex = input->height_at != 0;
     if (s->mirror && !isnan(s->n_after)) {
-        return fail(error, ERROR_USAGE, "--mirror has no --after: the light stays before it");
+        return fail(error, ERROR_USAGE, "{--mirror} has no {--after}: the light stays before it");
     }
     if (isnan(aim.height) && !isnan(aim.angle) && isnan(s->z) && isnan(s->z_image)) {
-        return fail(error, ERROR_USAGE, "--angle wants --height or --object beside it");
+        return fail(error, ERROR_USAGE, "{--angle} wants {--height} or {--object} beside it");
     }
     assume(input, s);
     if (!solve(input, &aim, &row, error)) {

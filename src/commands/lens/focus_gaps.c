@@ -10,12 +10,12 @@ static bool add(struct named_gap *gaps, size_t *count, struct named_gap gap, str
 {
     for (size_t i = 0; i < *count; i++) {
         if (gaps[i].gap.surface == gap.gap.surface) {
-            return fail(error, ERROR_USAGE, "--gap names the gap after surface %zu twice",
+            return fail(error, ERROR_USAGE, "{--gap} names the gap after surface %zu twice",
                         gap.gap.surface + 1);
         }
     }
     if (*count == FOCUS_GAPS) {
-        return fail(error, ERROR_USAGE, "--gap moves at most %d gaps", FOCUS_GAPS);
+        return fail(error, ERROR_USAGE, "{--gap} moves at most %d gaps", FOCUS_GAPS);
     }
     gaps[(*count)++] = gap;
     return true;
@@ -64,7 +64,8 @@ static bool unknown(const struct lens *lens, struct text name, struct error *err
         nearest_offer(&nearest, lens->variables[i].name);
     }
     fail(error, ERROR_USAGE,
-         "--gap '%.*s' is no gap: it must be a variable of the lens, the number (1 to %zu) or name "
+         "{--gap} '%.*s' is no gap: it must be a variable of the lens, the number (1 to %zu) or "
+         "name "
          "of the surface before it, or 'last'",
          (int)(name.length < 40 ? name.length : 40), name.start, lens->surface_count);
     return nearest.best.start != NULL &&
@@ -82,10 +83,10 @@ bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap
         bool found = false;
         if (weight.start != NULL &&
             !quantity_read(weight, &dimension_number, NULL, &gap.gap.weight, NULL, error)) {
-            return error_prefix(error, "bad weight in --gap: ");
+            return error_prefix(error, "bad weight in {--gap}: ");
         }
         if (!(gap.gap.weight != 0) || isinf(gap.gap.weight)) {
-            return fail(error, ERROR_USAGE, "--gap '%.*s': the weight must be finite and not 0",
+            return fail(error, ERROR_USAGE, "{--gap} '%.*s': the weight must be finite and not 0",
                         (int)(item.length < 40 ? item.length : 40), item.start);
         }
         if (!add_variable(lens, gap, gaps, count, &found, error)) {

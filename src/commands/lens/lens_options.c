@@ -61,7 +61,7 @@ bool lens_place_image(struct setup *setup, const struct plane_value *focus, stru
     if (setup_place_image(setup, focus, error)) {
         return true;
     }
-    return words[focus->kind] != NULL && error_prefix(error, "--focus %s: ", words[focus->kind]);
+    return words[focus->kind] != NULL && error_prefix(error, "{--focus} %s: ", words[focus->kind]);
 }
 
 /* Of the set: bare numbers are degrees of a far object, mm of a near one. */
@@ -79,7 +79,7 @@ static bool list_fields(const struct lens_question *question, const struct setup
         list[i].weight = item->weight;
         if (isnan(list[i].point.value[question->section == SECTION_X ? 0 : 1])) {
             return fail(error, ERROR_USAGE,
-                        "--field %s: an object at infinity has no height, but an angle",
+                        "{--field} %s: an object at infinity has no height, but an angle",
                         question->fields.text);
         }
     }

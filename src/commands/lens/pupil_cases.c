@@ -43,7 +43,7 @@ static bool check_film(double film, struct error *error)
     if (isnan(film) || film == 0) {
         fail(error, ERROR_DOMAIN, "the film lies %s",
              film == 0 ? "in the last vertex" : "at infinity");
-        return error_hint(error, "say where the film is: --focus MM, from the last vertex");
+        return error_hint(error, "say where the film is: {--focus} MM, from the last vertex");
     }
     return true;
 }
@@ -205,9 +205,10 @@ bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pup
                                        .fields = FIELDS_ALL,
                                        .focus = isnan(input->height) ? NULL : &input->focus};
     if (!isnan(input->question.field) && !isnan(input->height)) {
-        return fail(error, ERROR_USAGE,
-                    "--field is a point in front of the lens and --height one in the film: give "
-                    "one of them");
+        return fail(
+            error, ERROR_USAGE,
+            "{--field} is a point in front of the lens and {--height} one in the film: give "
+            "one of them");
     }
     return lens_each(&input->question, &policy, arena, visit_lens, &asked, error);
 }

@@ -18,8 +18,8 @@ static bool set_target(const struct target_value *to, struct ray_case *one, stru
     one->to_image =
         to->kind == TARGET_IMAGE || (to->kind == TARGET_USUAL && !isnan(one->setup.image));
     if (to->kind == TARGET_IMAGE && isnan(one->setup.image)) {
-        fail(error, ERROR_DOMAIN, "--to image: the image is infinitely far away");
-        return error_hint(error, "--to last, or --focus with a number of mm");
+        fail(error, ERROR_DOMAIN, "{--to} image: the image is infinitely far away");
+        return error_hint(error, "{--to} last, or {--focus} with a number of mm");
     }
     if (to->kind == TARGET_USUAL && isnan(one->setup.image)) {
         one->warning = lens_warnings_join(
@@ -29,7 +29,7 @@ static bool set_target(const struct target_value *to, struct ray_case *one, stru
         one->surfaces = (size_t)to->surface;
     }
     return one->surfaces <= count ||
-           fail(error, ERROR_USAGE, "--to %ld: the lens has %zu surfaces", to->surface, count);
+           fail(error, ERROR_USAGE, "{--to} %ld: the lens has %zu surfaces", to->surface, count);
 }
 
 bool ray_case_open(const struct ray_question *question, const struct ray_choice *choice,
@@ -46,10 +46,10 @@ bool ray_case_open(const struct ray_question *question, const struct ray_choice 
         .field_policy = FIELDS_ALL,
     };
     if (question->clip && question->no_clip) {
-        return fail(error, ERROR_USAGE, "--clip and --no-clip exclude each other");
+        return fail(error, ERROR_USAGE, "{--clip} and {--no-clip} exclude each other");
     }
     if (!isnan(question->fnumber) && question->lens.lens->stop == LENS_NONE) {
-        return fail(error, ERROR_DOMAIN, "--aperture: the lens has no stop");
+        return fail(error, ERROR_DOMAIN, "{--aperture}: the lens has no stop");
     }
     *one = (struct ray_case){.clip = !question->no_clip};
     if (!setup_open(&asked, arena, &one->setup, error) ||

@@ -512,20 +512,21 @@ static bool check(const struct trace_input *input, struct error *error)
                     "pupil_x and pupil_y belong together: one of them is missing");
     }
     if (x && input->pupil.is_given) {
-        return fail(error, ERROR_USAGE, "--pupil-point and pupil_x, pupil_y exclude each other");
+        return fail(error, ERROR_USAGE, "{--pupil-point} and pupil_x, pupil_y exclude each other");
     }
     if (ray && (input->pupil.is_given || input->pattern != TRACE_FEW)) {
-        return fail(error, ERROR_USAGE,
-                    "a ray that starts at a point goes its way: no --pupil-point, no --pattern");
+        return fail(
+            error, ERROR_USAGE,
+            "a ray that starts at a point goes its way: no {--pupil-point}, no {--pattern}");
     }
     if (trace_has_pupil(input) && input->pattern != TRACE_FEW) {
-        return fail(error, ERROR_USAGE, "--pupil-point is one ray, --pattern many");
+        return fail(error, ERROR_USAGE, "{--pupil-point} is one ray, {--pattern} many");
     }
     if (!isnan(input->field) && !isnan(input->height)) {
-        return fail(error, ERROR_USAGE, "--field and --height exclude each other");
+        return fail(error, ERROR_USAGE, "{--field} and {--height} exclude each other");
     }
     if (input->verify && input->question.to.kind == TARGET_SURFACE) {
-        return fail(error, ERROR_USAGE, "--verify goes with rays that pass the whole lens");
+        return fail(error, ERROR_USAGE, "{--verify} goes with rays that pass the whole lens");
     }
     return true;
 }

@@ -20,7 +20,7 @@ static bool read_three(const struct vector_value *vector, const double numbers[3
     bool any = !isnan(numbers[0]) || !isnan(numbers[1]) || !isnan(numbers[2]);
     bool all = !isnan(numbers[0]) && !isnan(numbers[1]) && !isnan(numbers[2]);
     if (any && vector->is_given) {
-        return fail(error, ERROR_USAGE, "--%s and %s exclude each other", name, names);
+        return fail(error, ERROR_USAGE, "{--%s} and %s exclude each other", name, names);
     }
     if (any && !all) {
         return fail(error, ERROR_USAGE, "%s belong together: one of them is missing", names);
@@ -75,7 +75,7 @@ bool trace_start(const struct trace_input *input, struct ray *ray, struct error 
     if (!input->direction.is_given && !(fabs(square - 1) <= 2e-3)) {
         fail(error, ERROR_DOMAIN, "cos_x, cos_y, cos_z have the length %.6g: it must be 1 +- 0.001",
              sqrt(square));
-        return error_hint(error, "--direction takes a vector of any length");
+        return error_hint(error, "{--direction} takes a vector of any length");
     }
     normalise(ray->cosine);
     return true;

@@ -84,8 +84,8 @@ static bool count_shots(const struct input *input, struct bracket_given *given, 
     }
     if (is_given(given->shots) || (is_given(given->from) && is_given(given->to))) {
         return fail(error, ERROR_USAGE,
-                    "--scene-range counts the shots: leave out --shots, and "
-                    "one of --from and --to");
+                    "{--scene-range} counts the shots: leave out {--shots}, and "
+                    "one of {--from} and {--to}");
     }
     given->step = is_given(given->step) ? given->step : 1;
     if (!bracket_shots_needed(input->scene_range, input->range, given->step, &shots, error)) {
@@ -110,8 +110,8 @@ static bool make_plan(const struct input *input, struct bracket *plan, struct er
     }
     if (is_given(given.from) || is_given(given.to) || !is_given(given.shots)) {
         return fail(error, ERROR_USAGE,
-                    "--time is the middle of a bracket: it goes with --shots, "
-                    "without --from and --to");
+                    "{--time} is the middle of a bracket: it goes with {--shots}, "
+                    "without {--from} and {--to}");
     }
     return bracket_around(input->time, given.step, given.shots, plan, error);
 }

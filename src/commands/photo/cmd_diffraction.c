@@ -265,8 +265,9 @@ static bool compute_optimum(const struct input *input, struct row *row, struct e
     row->far = input->far;
     if (!isnan(input->near)) {
         if (!isnan(input->focus_spread) || isnan(row->focal)) {
-            return fail(error, ERROR_USAGE,
-                        "--near wants --focal-length or --lens, and no --focus-spread of its own");
+            return fail(
+                error, ERROR_USAGE,
+                "{--near} wants {--focal-length} or {--lens}, and no {--focus-spread} of its own");
         }
         if (!diffraction_focus_spread(row->focal, input->near, input->far, &row->spread, error)) {
             return false;
@@ -323,7 +324,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     row.sensor = sharp->sensor.name;
     row.criterion = sharp->coc.criterion;
     if (isnan(lens->N) && !isnan(input->frequency)) {
-        return fail(error, ERROR_USAGE, "--frequency wants --aperture");
+        return fail(error, ERROR_USAGE, "{--frequency} wants {--aperture}");
     }
     if (!sharpness_resolve_in(sharp, lens->wavelength,
                               working_fnumber(lens->N, input->magnification, lens->P), &row.coc,

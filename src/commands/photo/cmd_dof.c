@@ -215,15 +215,15 @@ static bool stack_limits(const struct input *input, const struct photo_lens *len
     const struct dof_targets *t = &input->targets;
     if (isnan(t->near) || isnan(t->far) || !isnan(input->distance)) {
         return fail(error, ERROR_USAGE,
-                    "--stack wants --near and --far, and no --distance of its own");
+                    "{--stack} wants {--near} and {--far}, and no {--distance} of its own");
     }
     if (sharpness_is_airy(&input->sharp)) {
         return fail(error, ERROR_USAGE,
-                    "--stack wants one circle of confusion for all shots: not --coc airy");
+                    "{--stack} wants one circle of confusion for all shots: not {--coc} airy");
     }
     if (input->lens.from == FROM_SENSOR || input->model != DOF_EXACT) {
         return fail(error, ERROR_USAGE,
-                    "--stack goes with exact formulas and distances from the "
+                    "{--stack} goes with exact formulas and distances from the "
                     "principal plane");
     }
     return distance_to_principal(lens->f, lens->P, t->near, &lens->measuring, near, error) &&
@@ -312,8 +312,9 @@ static bool solve_airy(const struct input *input, const struct photo_lens *lens,
         }
         m = next;
     }
-    return fail(error, ERROR_DOMAIN,
-                "no distance agrees with the Airy disc that belongs to it: give --coc as a length");
+    return fail(
+        error, ERROR_DOMAIN,
+        "no distance agrees with the Airy disc that belongs to it: give {--coc} as a length");
 }
 
 static bool solve(const struct input *input, const struct photo_lens *lens,

@@ -125,10 +125,10 @@ static bool find_magnification(const struct input *input, double f, double *m, s
         .T = NAN,
     };
     if (isnan(f)) {
-        return fail(error, ERROR_USAGE, "give --focal-length, or --lens");
+        return fail(error, ERROR_USAGE, "give {--focal-length}, or {--lens}");
     }
     if (!isnan(input->distance) && !isnan(input->magnification)) {
-        return fail(error, ERROR_USAGE, "give one of --distance and --magnification");
+        return fail(error, ERROR_USAGE, "give one of {--distance} and {--magnification}");
     }
     if (!conjugates_solve(&given, &c, error)) {
         return false;

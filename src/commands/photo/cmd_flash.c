@@ -138,10 +138,10 @@ static bool find_path(const struct input *input, double *path, struct error *err
     *path = input->distance;
     if (!is_given(input->ceiling)) {
         return !is_given(input->ceiling_subject) ||
-               fail(error, ERROR_USAGE, "--ceiling-subject wants --ceiling");
+               fail(error, ERROR_USAGE, "{--ceiling-subject} wants {--ceiling}");
     }
     if (!is_given(input->distance)) {
-        return fail(error, ERROR_USAGE, "--ceiling wants --distance");
+        return fail(error, ERROR_USAGE, "{--ceiling} wants {--distance}");
     }
     return flash_bounce(input->distance, input->ceiling, subject_gap, path, error);
 }
@@ -211,7 +211,7 @@ static bool fill_ratio(const struct input *input, struct row *row, struct error 
     row->key_to_fill = input->key_to_fill;
     row->ratio = input->ratio;
     if (is_given(input->ratio) && is_given(input->key_to_fill)) {
-        return fail(error, ERROR_USAGE, "give only one of --key-to-fill and --ratio");
+        return fail(error, ERROR_USAGE, "give only one of {--key-to-fill} and {--ratio}");
     }
     if (is_given(input->ratio)) {
         return lighting_stops(input->ratio, &row->key_to_fill, error);

@@ -187,14 +187,14 @@ static bool place_subject(const struct input *input, const struct photo_lens *le
     if (input->lens.from == FROM_SENSOR) {
         if (!isnan(input->sensor_distance)) {
             return fail(error, ERROR_USAGE,
-                        "--distance from the sensor and --sensor-distance are the same thing");
+                        "{--distance} from the sensor and {--sensor-distance} are the same thing");
         }
         given->T = input->distance;
         return true;
     }
     if (isnan(lens->f) && input->lens.from == FROM_ENTRANCE) {
         return fail(error, ERROR_USAGE,
-                    "--from entrance wants --focal-length: the pupil's place "
+                    "{--from} entrance wants {--focal-length}: the pupil's place "
                     "follows from it");
     }
     return distance_to_principal(lens->f, lens->P, input->distance, &lens->measuring, &given->s,
@@ -330,7 +330,8 @@ static bool run_attached(const struct input *input, const struct photo_lens *rea
     struct attach_step steps[5];
     double front = isnan(real->measuring.front) ? 0 : real->measuring.front;
     if (!isnan(input->stacked_aperture) && isnan(real->N)) {
-        return fail(error, ERROR_USAGE, "--stacked-aperture wants --aperture: the narrower counts");
+        return fail(error, ERROR_USAGE,
+                    "{--stacked-aperture} wants {--aperture}: the narrower counts");
     }
     if (!solve(input, real, true, &bare, error)) {
         return false;

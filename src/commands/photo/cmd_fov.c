@@ -159,11 +159,11 @@ static bool check_rays(const struct input *input, const struct photo_lens *lens,
                        struct error *error)
 {
     if (lens->lens == NULL) {
-        return fail(error, ERROR_USAGE, "--projection chief-rays wants --lens");
+        return fail(error, ERROR_USAGE, "{--projection} chief-rays wants {--lens}");
     }
     return isnan(input->lens.pupil) ||
            fail(error, ERROR_USAGE,
-                "--projection chief-rays goes by the lens's own pupils: it excludes --pupil");
+                "{--projection} chief-rays goes by the lens's own pupils: it excludes {--pupil}");
 }
 
 /* What the exact chief rays of the real lens make of it. */

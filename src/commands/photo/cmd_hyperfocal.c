@@ -83,7 +83,7 @@ static bool solve(const struct sharpness *sharp, const struct photo_lens *lens,
         m = next;
     }
     return fail(error, ERROR_DOMAIN,
-                "no hyperfocal distance agrees with the Airy disc that belongs to it: give --coc "
+                "no hyperfocal distance agrees with the Airy disc that belongs to it: give {--coc} "
                 "as a length");
 }
 
@@ -94,9 +94,10 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     const struct dof_targets targets = {NAN, NAN, NAN, input->hyperfocal, NAN};
     struct dof_setting setting = {lens->f, lens->N, 0, INFINITY, lens->P};
     if (isnan(lens->f) + isnan(lens->N) + isnan(input->hyperfocal) != 1) {
-        return fail(error, ERROR_USAGE,
-                    "give two of --focal-length, --aperture and --hyperfocal, and the third is "
-                    "found");
+        return fail(
+            error, ERROR_USAGE,
+            "give two of {--focal-length}, {--aperture} and {--hyperfocal}, and the third is "
+            "found");
     }
     struct sharpness sharp;
     if (!sharpness_imply(&input->sharp, PITCH_FOR_COC, &sharp, error) ||

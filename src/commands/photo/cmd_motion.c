@@ -138,7 +138,8 @@ static bool magnify(const struct input *input, double *m, struct error *error)
         return true;
     }
     if (is_given(*m)) {
-        return fail(error, ERROR_USAGE, "give --magnification, or --focal-length and --distance");
+        return fail(error, ERROR_USAGE,
+                    "give {--magnification}, or {--focal-length} and {--distance}");
     }
     return motion_magnification(input->focal, input->distance, m, error);
 }

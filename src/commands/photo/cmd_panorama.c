@@ -210,16 +210,17 @@ static bool find_frame(const struct input *input, struct row *row, struct error 
     struct conjugates c;
     if (isnan(input->focal)) {
         if (isnan(input->horizontal) || isnan(input->vertical)) {
-            return fail(error, ERROR_USAGE,
-                        "give --focal-length, or the frame's --horizontal and --vertical angle");
+            return fail(
+                error, ERROR_USAGE,
+                "give {--focal-length}, or the frame's {--horizontal} and {--vertical} angle");
         }
         row->frame = (struct panorama_frame){input->horizontal, input->vertical};
         return true;
     }
     if (!isnan(input->horizontal) || !isnan(input->vertical)) {
         return fail(error, ERROR_USAGE,
-                    "--focal-length gives the frame's angles already: no "
-                    "--horizontal or --vertical with it");
+                    "{--focal-length} gives the frame's angles already: no "
+                    "{--horizontal} or {--vertical} with it");
     }
     return conjugates_solve(&given, &c, error) &&
            panorama_frame(&(struct panorama_lens){c.f, c.m, input->pupil}, sensor.width,
@@ -239,7 +240,7 @@ static bool set_columns(const struct input *input, const struct panorama_frame *
         return false;
     }
     if (plan->overlap < 0 || (isnan(plan->overlap) && frame->horizontal < input->arc)) {
-        return fail(error, ERROR_DOMAIN, "--per-row %d leaves gaps: at least %d without overlap",
+        return fail(error, ERROR_DOMAIN, "{--per-row} %d leaves gaps: at least %d without overlap",
                     count, (int)ceil(input->arc / frame->horizontal - 1e-9));
     }
     plan->columns = count;
@@ -330,8 +331,8 @@ static bool run(const void *data, struct run *run, struct error *error)
     if (input->each_row) {
         if (input->per_row > 0) {
             return fail(error, ERROR_USAGE,
-                        "--each-row chooses the frames of each row itself: no "
-                        "--per-row with it");
+                        "{--each-row} chooses the frames of each row itself: no "
+                        "{--per-row} with it");
         }
         return emit_rows(input, &goal, &plan, &row, run, error);
     }

@@ -181,7 +181,7 @@ static bool run(const void *data, struct run *run, struct error *error)
     };
     if (!is_given(row.focal) && !is_given(row.exposure)) {
         return fail(error, ERROR_USAGE,
-                    "give --focal-length for the longest time, or --time for "
+                    "give {--focal-length} for the longest time, or {--time} for "
                     "the longest focal length");
     }
     sharpness_doubt_pitch(&input->sharp, run->doubts);

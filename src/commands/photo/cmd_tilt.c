@@ -143,22 +143,22 @@ static bool read_point(struct text text, struct tilt_point *point, struct error 
     struct error ignored;
     double value;
     if (height.start == NULL) {
-        return fail(error, ERROR_USAGE, "bad point in --through '%.*s': write distance:height",
+        return fail(error, ERROR_USAGE, "bad point in {--through} '%.*s': write distance:height",
                     text_shown(text), text.start);
     }
     if (!quantity_read(distance, &dimension_length, metre, &point->distance, NULL, error)) {
-        return error_prefix(error, "bad point in --through: ");
+        return error_prefix(error, "bad point in {--through}: ");
     }
     if (quantity_read(height, &dimension_angle, NULL, &value, &typed, &ignored) && typed != NULL) {
         point->rise = tan(value);
         return true;
     }
     if (!quantity_read(height, &dimension_length, metre, &value, NULL, error)) {
-        return error_prefix(error, "bad point in --through: ");
+        return error_prefix(error, "bad point in {--through}: ");
     }
     if (isinf(point->distance) && fabs(value) > 0) {
         return fail(error, ERROR_USAGE,
-                    "a point of --through at infinity has an elevation: inf:5deg, or inf:0");
+                    "a point of {--through} at infinity has an elevation: inf:5deg, or inf:0");
     }
     point->rise = value / point->distance;
     return true;
@@ -171,11 +171,11 @@ static bool solve_through(const struct input *input, struct tilt_given *given, s
     if (!isnan(given->tilt) || !isnan(given->hinge) || !isnan(given->image) ||
         !isnan(given->distance) || !isnan(given->angle)) {
         return fail(error, ERROR_USAGE,
-                    "--through says it all: no --tilt, --hinge, --image, "
-                    "--distance or --angle with it");
+                    "{--through} says it all: no {--tilt}, {--hinge}, {--image}, "
+                    "{--distance} or {--angle} with it");
     }
     if (second.start == NULL) {
-        return fail(error, ERROR_USAGE, "--through wants two points: 2m:-1.5m,30m:0m");
+        return fail(error, ERROR_USAGE, "{--through} wants two points: 2m:-1.5m,30m:0m");
     }
     return read_point(first, &a, error) && read_point(second, &b, error) &&
            tilt_through(given->f, &a, &b, &given->tilt, &given->image, error);
@@ -193,8 +193,8 @@ static bool solve(const struct input *input, struct tilt *camera, struct error *
         .angle = input->angle,
     };
     if (isnan(given.f) || isnan(given.N)) {
-        return fail(error, ERROR_USAGE, "%s is missing",
-                    isnan(given.f) ? "--focal-length" : "--aperture");
+        return fail(error, ERROR_USAGE, "{--%s} is missing",
+                    isnan(given.f) ? "focal-length" : "aperture");
     }
     if (!sharpness_resolve(&input->sharp, input->fnumber, &given.c, error) ||
         (input->through != NULL && !solve_through(input, &given, error)) ||
@@ -251,7 +251,7 @@ static bool run(const void *data, struct run *run, struct error *error)
     double slope = tan(input->sight);
     if (!(cos(input->sight) > 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "--sight lies beside the camera or behind it (-90 to 90 deg, exclusive)");
+                    "{--sight} lies beside the camera or behind it (-90 to 90 deg, exclusive)");
     }
     if (!solve(input, &row.camera, error)) {
         return false;

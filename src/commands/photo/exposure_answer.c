@@ -41,11 +41,6 @@ static void begin_row(const struct exposure_input *input, struct exposure_row *r
     };
 }
 
-static bool only_one(const char *these, struct error *error)
-{
-    return fail(error, ERROR_USAGE, "give only one of %s", these);
-}
-
 static int count_lights(const struct exposure_given *g)
 {
     return !isnan(g->ev100) + !isnan(g->ev) + !isnan(g->L) + !isnan(g->E);
@@ -59,7 +54,9 @@ static bool take_scene(const struct exposure_input *input, struct exposure_given
         return true;
     }
     if (count_lights(g) > 0) {
-        return only_one("--scene, --ev, --ev-at-iso, --luminance and --illuminance", error);
+        return fail(error, ERROR_USAGE,
+                    "give only one of {--scene}, {--ev}, {--ev-at-iso}, {--luminance} and "
+                    "{--illuminance}");
     }
     g->ev100 = input->scene.ev100;
     return true;
@@ -72,7 +69,7 @@ static bool take_time(const struct exposure_input *input, struct exposure_given 
     if (!isnan(input->corrected_time)) {
         if (input->film.model == NULL || !isnan(g->t)) {
             return fail(error, ERROR_USAGE,
-                        "--corrected-time wants --film, and stands in place of --time");
+                        "{--corrected-time} wants {--film}, and stands in place of {--time}");
         }
         return reciprocity_metered(input->film.model, input->corrected_time, &g->t, error) ||
                error_prefix(error, "%s: ", input->film.name);
@@ -98,7 +95,7 @@ static bool take_t_stop(const struct exposure_input *input, struct exposure_give
         return true;
     }
     if (!isnan(input->transmittance)) {
-        return only_one("--transmittance and --t-stop", error);
+        return fail(error, ERROR_USAGE, "give only one of {--transmittance} and {--t-stop}");
     }
     if (isnan(g->N)) {
         g->N = input->t_stop;
@@ -156,7 +153,7 @@ static bool take_box_speed(const struct exposure_input *input, struct exposure_g
         return true;
     }
     if (isnan(film->speed)) {
-        return fail(error, ERROR_USAGE, "%s comes in several speeds, ISO %s: give --iso",
+        return fail(error, ERROR_USAGE, "%s comes in several speeds, ISO %s: give {--iso}",
                     film->name, film->speed_note);
     }
     g->S = film->speed;

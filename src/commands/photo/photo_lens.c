@@ -96,12 +96,12 @@ static bool take_pupil(const struct first_order *first, const struct photo_lens_
     if (isnan(lens->P)) {
         fail(error, ERROR_USAGE, "it has no stop, so that its pupils are not known");
         return error_hint(error,
-                          "--pupil says how large the exit pupil is over the entrance pupil");
+                          "{--pupil} says how large the exit pupil is over the entrance pupil");
     }
     if (!(lens->P > 0 && lens->P < INFINITY)) {
         fail(error, ERROR_DOMAIN, "its pupil magnification is %.6g: it must be above 0 and finite",
              lens->P);
-        return error_hint(error, "--pupil takes another one in its place");
+        return error_hint(error, "{--pupil} takes another one in its place");
     }
     return true;
 }
@@ -156,12 +156,12 @@ static bool take_lens(const struct photo_lens_question *question, size_t positio
 static bool check_question(const struct photo_lens_question *question, struct error *error)
 {
     if (question->lens.lens == NULL) {
-        return fail(error, ERROR_USAGE, "--%s wants --lens",
+        return fail(error, ERROR_USAGE, "{--%s} wants {--lens}",
                     question->position != NULL ? "position" : "section");
     }
     if (question->focal > 0) {
         return fail(error, ERROR_USAGE,
-                    "--lens and --focal-length exclude each other: the lens has its own");
+                    "{--lens} and {--focal-length} exclude each other: the lens has its own");
     }
     return true;
 }

@@ -22,8 +22,8 @@ bool sharpness_imply(const struct sharpness *a, enum pitch_use use, struct sharp
         return true;
     }
     if (is_print && is_pitch) {
-        fail(error, ERROR_USAGE, "--pitch and --print are two criteria of sharpness");
-        return error_hint(error, "--coc print or --coc 2px says which counts");
+        fail(error, ERROR_USAGE, "{--pitch} and {--print} are two criteria of sharpness");
+        return error_hint(error, "{--coc} print or {--coc} 2px says which counts");
     }
     implied->coc = is_print ? (struct coc_value){{.kind = COC_PRINT, .value = 1}, "print", false}
                             : (struct coc_value){{.kind = COC_PIXELS, .value = 2}, "2px", false};
@@ -38,7 +38,7 @@ bool sharpness_resolve_in(const struct sharpness *a, double wavelength, double f
         return true;
     }
     if (a->coc.coc.kind == COC_AIRY && isnan(fnumber)) {
-        return fail(error, ERROR_USAGE, "--coc airy needs --aperture");
+        return fail(error, ERROR_USAGE, "{--coc} airy needs {--aperture}");
     }
     struct coc coc = a->coc.coc;
     struct sensor sensor = a->sensor.size;
