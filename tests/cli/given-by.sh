@@ -24,7 +24,7 @@ printf 'g,N,ceiling\n36,8,2\n' | lenscalc flash --batch - --csv --columns distan
 printf 's_m,m\n3,0.1\n' | lenscalc equivalent -f 50 --batch - --csv --columns equal_focal_mm
 printf 'f,tilt\n50,5\n' | lenscalc tilt -N 8 --batch - --csv --columns hinge_m
 printf 'tilt,N,s\n5,8,3\n' | lenscalc tilt --batch - --csv --columns hinge_m
-printf 'near_m,focus_spread,f\n3,1,50\n' | lenscalc diffraction --batch - --csv --columns fnumber
+printf 'near_m,focus_spread,f\n3,1,50\n' | lenscalc diffraction --batch - --csv
 printf '{"h_scale":1,"field":3,"height":2}\n' | lenscalc trace double-gauss --batch - --jsonl --columns y_out_mm
 printf 'coc,f\nd/1500,50\n' | lenscalc dof -N 8 --print 300mm --batch - --csv --columns near_m
 printf 'f,far,distance\n50,inf,inf\n' | lenscalc dof --batch - --csv --columns fnumber

@@ -99,6 +99,12 @@ BROKEN = {
          "cli/number_names.h": header("cli/number_names.h", '#define GIVES .quantity = "f-number", '
                                       '.name = "focal-length"\n')},
         "src/photo/dof.h:5: names {focal lenght}, which no option gives"),
+    "an option that a batch cannot rename": (
+        {"commands/number_asks.h": header(
+            "commands/number_asks.h",
+            '#define ASKS_FIRST fail(error, ERROR_USAGE, "{--near} wants " "{--far}")\n',
+            '#define ASKS fail(error, ERROR_USAGE, "{--near} wants "\\\n', '    "--far")\n')},
+        "src/commands/number_asks.h:6: an error names an option without braces"),
     "writable data": (
         change("base/number.c", ("int number", "static int last;\nint number"),
                ("return a + 1", "return last += a")),

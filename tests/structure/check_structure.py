@@ -42,6 +42,8 @@ LAYERS = {
 OF_OPTIONS = ("cli", "commands", "")
 OPTION = re.compile(r"--[a-z%]")
 NAME = re.compile(r"\{(?:the )?([A-Za-z][A-Za-z0-9 -]*)\}")
+FAILURE = re.compile(r"\b(?:fail|fail_at|error_prefix|error_hint)\(([^\";]*"
+                     r"\"(?:\\.|[^\"\\\n])*\"(?:[\s\\]*\"(?:\\.|[^\"\\\n])*\")*)")
 NUMERIC = ("base", "photo", "optics", "trace", "analysis", "design", "camera")
 # Words no numeric source may use; stdio only formats into buffers there. What asks the processor
 # anew costs every start, see base/processor.h.
@@ -182,7 +184,10 @@ def check_calls(checks, path, text):
 
 
 def check_options(checks, sources):
-    """No option is spelt below cli, and every quantity named there is one that an option gives."""
+    """
+    No option is spelt below cli, and every quantity named there is one that an option gives;
+    commands leave room in their errors for the column of a batch.
+    """
     texts = {path: read(path) for path in sources}
     known = set()
     for path, text in texts.items():
@@ -191,7 +196,12 @@ def check_options(checks, sources):
             known.update(name.replace("-", " ")
                          for name in re.findall(r'\.name = "([a-z-]+)"', text))
     for path, text in texts.items():
-        if layer_of(os.path.relpath(path, "src")) in OF_OPTIONS:
+        folder = layer_of(os.path.relpath(path, "src"))
+        for match in FAILURE.finditer(text) if folder == "commands" else ():
+            checks.check(not re.search(r"(?<!\{)--[a-z%]", match[1]),
+                         f"{path}:{text.count(chr(10), 0, match.start()) + 1}: an error names an "
+                         "option without braces, so that a batch cannot name its column")
+        if folder in OF_OPTIONS:
             continue
         for line, content in literals_of(text):
             checks.check(OPTION.search(content) is None,

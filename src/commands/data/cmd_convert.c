@@ -73,11 +73,11 @@ static bool choose_position(struct conversion *conversion, struct error *error)
         return true;
     }
     if (lens->position_count == 0) {
-        return fail(error, ERROR_USAGE, "--position '%s': the lens has only one position", name);
+        return fail(error, ERROR_USAGE, "{--position} '%s': the lens has only one position", name);
     }
     size_t position = lens_position_find(lens, text_of(name));
     if (position == LENS_NONE) {
-        fail(error, ERROR_USAGE, "--position '%s': the lens has no such position", name);
+        fail(error, ERROR_USAGE, "{--position} '%s': the lens has no such position", name);
         return error_hint(error, "its first position is '%s'", lens->positions[0]);
     }
     conversion->lens = lens_one_position(lens, position, conversion->arena);
@@ -110,7 +110,7 @@ static bool scale(struct conversion *conversion, struct error *error)
         return false;
     }
     if (first.is_afocal) {
-        return fail(error, ERROR_DOMAIN, "--focal-length: the lens is afocal");
+        return fail(error, ERROR_DOMAIN, "{--focal-length}: the lens is afocal");
     }
     struct pair factor = pair_divide(pair_of(input->focal_length), pair_of(fabs(first.efl)));
     conversion->lens = lens_scaled(lens, factor, true, arena);

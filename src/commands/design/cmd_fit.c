@@ -147,7 +147,7 @@ static bool refuse_show(const struct fit_kind *kind, int show, struct arena *are
             words = arena_printf(arena, "%s%s%s", words, i > 0 ? ", " : "", shows[i].word);
         }
     }
-    return fail(error, ERROR_USAGE, "--show %s: %s has %s", shows[show].word, kind->name, words);
+    return fail(error, ERROR_USAGE, "{--show} %s: %s has %s", shows[show].word, kind->name, words);
 }
 
 static bool run(const void *data, struct run *run, struct error *error)
@@ -158,7 +158,7 @@ static bool run(const void *data, struct run *run, struct error *error)
         return refuse_show(kind, input->show, run->arena, error);
     }
     if (floor(input->distortion) < input->distortion) {
-        return fail(error, ERROR_USAGE, "--distortion %g: terms are a whole number",
+        return fail(error, ERROR_USAGE, "{--distortion} %g: terms are a whole number",
                     input->distortion);
     }
     return kind->run(input, run, error);
@@ -175,14 +175,14 @@ static bool check_lens(const struct artifact_job *job, struct error *error)
 {
     const struct fit_input *input = job->inputs[0];
     return !lens_positions_several(input->question.lens.lens, input->question.position) ||
-           fail(error, ERROR_USAGE, "--%s holds one position: name it with --position",
+           fail(error, ERROR_USAGE, "{--%s} holds one position: name it with {--position}",
                 job->artifact->option.name);
 }
 
 static bool check_glass(const struct fit_input *input, struct error *error)
 {
     return input->name == NULL || strpbrk(input->name, "\t\n:") == NULL ||
-           fail(error, ERROR_USAGE, "--name has a tab, a line feed or a colon");
+           fail(error, ERROR_USAGE, "{--name} has a tab, a line feed or a colon");
 }
 
 static bool check_saved(const struct artifact_job *job, struct error *error)
@@ -190,7 +190,7 @@ static bool check_saved(const struct artifact_job *job, struct error *error)
     const struct fit_input *input = job->inputs[0];
     const struct fit_kind *kind = kind_of(input);
     if (job->type != kind->type) {
-        return fail(error, ERROR_USAGE, "--output '%s': %s is saved as %s", job->path, kind->name,
+        return fail(error, ERROR_USAGE, "{--output} '%s': %s is saved as %s", job->path, kind->name,
                     kind->type->ending);
     }
     if (input->glass != NULL) {
@@ -198,8 +198,8 @@ static bool check_saved(const struct artifact_job *job, struct error *error)
     }
     if (input->chromatic && input->goals == NULL) {
         return fail(error, ERROR_USAGE,
-                    "a .lens holds one thick lens for all wavelengths: --output without "
-                    "--chromatic, or with one --wavelength");
+                    "a .lens holds one thick lens for all wavelengths: {--output} without "
+                    "{--chromatic}, or with one {--wavelength}");
     }
     if (!check_lens(job, error)) {
         return false;
@@ -207,7 +207,7 @@ static bool check_saved(const struct artifact_job *job, struct error *error)
     if (input->goals != NULL || input->distortion <= 0) {
         return true;
     }
-    fail(error, ERROR_USAGE, "a .lens holds no distortion: --output wants --distortion 0");
+    fail(error, ERROR_USAGE, "a .lens holds no distortion: {--output} wants {--distortion} 0");
     return error_hint(error, "f then makes up for the distortion as well as it can");
 }
 

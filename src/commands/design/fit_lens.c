@@ -251,7 +251,7 @@ bool fit_lens(const struct fit_input *input, struct run *run, struct error *erro
     struct lens *lens;
     question.field = NAN; /* a set of fields has an option of its own */
     if (question.lens.lens == NULL) {
-        fail(error, ERROR_USAGE, "no lens is given, and no --glass");
+        fail(error, ERROR_USAGE, "no lens is given, and no {--glass}");
         return error_hint(error, "a name of 'lenscalc list lenses', or a .lens file");
     }
     if (!isnan(input->object)) {

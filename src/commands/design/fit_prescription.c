@@ -122,7 +122,8 @@ static bool read_goal(struct text item, struct run *run, double wavelength,
         goal->kind = text_equal(kind, names[i]) ? (enum goal_kind)i : goal->kind;
     }
     if (goal->kind == GOAL_KINDS || value.start == NULL) {
-        fail(error, ERROR_USAGE, "bad goal '%.*s' in --prescription", (int)item.length, item.start);
+        fail(error, ERROR_USAGE, "bad goal '%.*s' in {--prescription}", (int)item.length,
+             item.start);
         return error_hint(error,
                           "goals are efl=50.2, bfl=38.1:0.02, ffl, length, height@10deg=8.8");
     }
@@ -130,16 +131,16 @@ static bool read_goal(struct text item, struct run *run, double wavelength,
     if (!read_length(value, &goal->value, error) ||
         (deviation.start != NULL && !read_length(deviation, &goal->deviation, error)) ||
         (place.start != NULL && !read_place(place, run, goal, error))) {
-        return error_prefix(error, "bad goal in --prescription: ");
+        return error_prefix(error, "bad goal in {--prescription}: ");
     }
     if (!isfinite(goal->value) || !(goal->deviation > 0 && isfinite(goal->deviation))) {
         return fail(error, ERROR_USAGE,
-                    "the goal '%.*s' in --prescription: a finite value, and a deviation above 0",
+                    "the goal '%.*s' in {--prescription}: a finite value, and a deviation above 0",
                     (int)item.length, item.start);
     }
     return (goal->kind == GOAL_HEIGHT) == isfinite(goal->field) ||
            fail(error, ERROR_USAGE,
-                "the goal height in --prescription wants its field: "
+                "the goal height in {--prescription} wants its field: "
                 "height@10deg=8.8");
 }
 
@@ -150,7 +151,7 @@ static bool read_goals(const char *list, struct run *run, double wavelength, str
     while (rest.start != NULL) {
         struct text item = next_item(&rest);
         if (wishes->goal_count == MOST_GOALS) {
-            return fail(error, ERROR_USAGE, "--prescription has more than %d goals", MOST_GOALS);
+            return fail(error, ERROR_USAGE, "{--prescription} has more than %d goals", MOST_GOALS);
         }
         if (!read_goal(item, run, wavelength, &wishes->goals[wishes->goal_count], error)) {
             return false;
@@ -177,7 +178,7 @@ static bool refuse_kind(struct text name, struct parameter what, struct error *e
         what.kind >= PARAMETER_DECENTER_X ? "displacement" : parameter_type(what.kind)->words;
     bool hisses = words[strlen(words) - 1] == 's';
     fail(error, ERROR_USAGE,
-         "bad part '%.*s' in --vary: fit varies radii, thicknesses and indices, not %s%s",
+         "bad part '%.*s' in {--vary}: fit varies radii, thicknesses and indices, not %s%s",
          text_shown(name), name.start, words, hisses ? "es" : "s");
     return what.kind == PARAMETER_CURVATURE &&
            error_hint(error, "R%zu varies the curvature", what.surface + 1);
@@ -205,14 +206,14 @@ static bool read_part(struct text item, struct run *run, struct wishes *wishes, 
     struct parameter what;
     double low = -INFINITY, high = INFINITY;
     if (!parameter_read(name, prescription_fits, &what, error)) {
-        error_prefix(error, "bad part in --vary: ");
+        error_prefix(error, "bad part in {--vary}: ");
         return error->hint[0] == '\0' && error_hint(error, "%s", parts_are);
     }
     if (!prescription_fits(what.kind)) {
         return refuse_kind(name, what, error);
     }
     if (bounds.start != NULL && !read_bounds(bounds, &low, &high)) {
-        fail(error, ERROR_USAGE, "bad part '%.*s' in --vary", (int)item.length, item.start);
+        fail(error, ERROR_USAGE, "bad part '%.*s' in {--vary}", (int)item.length, item.start);
         return error_hint(error, "%s", parts_are);
     }
     add_part(wishes, run, what, low, high);
@@ -255,7 +256,7 @@ static bool take_marks(const struct lens *lens, struct run *run, struct wishes *
     if (wishes->part_count > 0) {
         return true;
     }
-    fail(error, ERROR_DOMAIN, "nothing may change: give --vary, or mark R~ and t~ in the lens");
+    fail(error, ERROR_DOMAIN, "nothing may change: give {--vary}, or mark R~ and t~ in the lens");
     return wishes->ignored != NULL && error_hint(error, "fit does not vary %s", wishes->ignored);
 }
 
@@ -269,14 +270,14 @@ static bool read_parts(const struct fit_input *input, const struct lens *lens, s
     while (rest.start != NULL) {
         struct text item = next_item(&rest);
         if (wishes->part_count == MOST_PARTS) {
-            return fail(error, ERROR_USAGE, "--vary has more than %d parts", MOST_PARTS);
+            return fail(error, ERROR_USAGE, "{--vary} has more than %d parts", MOST_PARTS);
         }
         if (!read_part(item, run, wishes, error)) {
             return false;
         }
         for (size_t i = 0; i + 1 < wishes->part_count; i++) {
             if (strcmp(wishes->part_names[i], wishes->part_names[wishes->part_count - 1]) == 0) {
-                return fail(error, ERROR_USAGE, "--vary names %s twice", wishes->part_names[i]);
+                return fail(error, ERROR_USAGE, "{--vary} names %s twice", wishes->part_names[i]);
             }
         }
     }
