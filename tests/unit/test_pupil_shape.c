@@ -30,6 +30,28 @@ static struct pupil_shape shape_of(const char *text, struct field_point field, s
     return shape;
 }
 
+static struct pupil_shape film_shape_of(const char *text, const double film[2], double h,
+                                        struct arena *arena)
+{
+    struct lens lens;
+    struct system clipped, open;
+    struct first_order first;
+    struct pupil_shape shape = {0};
+    struct error error = {0};
+    struct system_options options = system_options_default();
+    options.reverse = true;
+    CHECK(lens_read("t.lens", text_of(text), NULL, arena, &lens, &error));
+    CHECK(system_compile(&lens, 0.55, &options, arena, &open, &error));
+    options.clip = true;
+    CHECK(system_compile(&lens, 0.55, &options, arena, &clipped, &error));
+    CHECK(first_order_of_lens(&lens, 0.55, SECTION_Y, arena, &first, &error));
+    const struct beam beam = beam_from_film((double[3]){film[0], film[1], h}, 1);
+    const struct pupil_question question = {
+        .clipped = &clipped, .open = &open, .beam = &beam, .first = &first, .directions = 512};
+    CHECK(pupil_shape(&question, arena, &shape, &error));
+    return shape;
+}
+
 /* Two holes in a row: what of the rear one is seen through the front one, shifted by d. */
 static double lens_of_discs(double r, double R, double d)
 {
@@ -109,8 +131,201 @@ static void test_exit(void)
     arena_free(&arena);
 }
 
+/* Two holes in a row as one sees them: the part of disc A that lies in disc B. */
+struct disc {
+    double x, y, r;
+};
+
+struct region {
+    double high[2], low[2], area, centre[2];
+    bool by_first[PUPIL_ENDS], by_second[PUPIL_ENDS]; /* whose rim is the end; a corner: both */
+};
+
+/* How far the region reaches in the direction (dx, dy). */
+static double reach_of(const struct disc *A, const struct disc *B, double dx, double dy,
+                       bool *by_first, bool *by_second)
+{
+    double px = A->x + A->r * dx, py = A->y + A->r * dy;
+    double qx = B->x + B->r * dx, qy = B->y + B->r * dy;
+    *by_first = hypot(px - B->x, py - B->y) <= B->r;
+    *by_second = hypot(qx - A->x, qy - A->y) <= A->r;
+    if (*by_first || *by_second) {
+        return *by_first ? px * dx + py * dy : qx * dx + qy * dy;
+    }
+    double d = hypot(B->x - A->x, B->y - A->y), along = (d * d + A->r * A->r - B->r * B->r) / 2 / d;
+    double ux = (B->x - A->x) / d, uy = (B->y - A->y) / d, aside = sqrt(A->r * A->r - along * along);
+    double middle = (A->x + along * ux) * dx + (A->y + along * uy) * dy;
+    *by_first = *by_second = true;
+    return middle + aside * fabs(dx * uy - dy * ux);
+}
+
+/* A segment of a disc on the side of the angle 0, beyond the chord at the distance `at`. */
+static double segment(double r, double at, double *moment)
+{
+    double angle = acos(at / r), sine = sin(angle);
+    *moment = 2 * r * r * r * sine * sine * sine / 3;
+    return r * r * (angle - sine * cos(angle));
+}
+
+static struct region region_of(struct disc A, struct disc B)
+{
+    static const double ends[PUPIL_ENDS][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    struct region region = {.area = pi * A.r * A.r, .centre = {A.x, A.y}};
+    for (int i = 0; i < PUPIL_ENDS; i++) {
+        double far = reach_of(&A, &B, ends[i][0], ends[i][1], &region.by_first[i],
+                              &region.by_second[i]);
+        *(i < 2 ? &region.high[i] : &region.low[i - 2]) = i < 2 ? far : -far;
+    }
+    double d = hypot(B.x - A.x, B.y - A.y);
+    if (d > B.r - A.r) {
+        double along = (d * d + A.r * A.r - B.r * B.r) / 2 / d, first, second;
+        double a = segment(A.r, along, &first), b = segment(B.r, d - along, &second);
+        double off = (first + d * b - second) / (a + b);
+        region.area = a + b;
+        region.centre[0] = A.x + off * (B.x - A.x) / d;
+        region.centre[1] = A.y + off * (B.y - A.y) / d;
+    }
+    return region;
+}
+
+/* The extent is the region, scaled about the origin by m and moved. */
+static void check_extent(const struct pupil_extent *extent, const struct region *region, double m,
+                         const double shift[2], const char *what)
+{
+    for (int k = 0; k < 2; k++) {
+        CHECK_NEAR(extent->high[k], m * region->high[k] + shift[k], 1e-4, what);
+        CHECK_NEAR(extent->low[k], m * region->low[k] + shift[k], 1e-4, what);
+        CHECK_NEAR(extent->centre[k], m * region->centre[k] + shift[k], 1e-5, what);
+    }
+    CHECK_RELATIVE(extent->area, m * m * region->area, 1e-6, what);
+    CHECK(!extent->folds);
+}
+
+static void check_ends(const struct pupil_side *side, const struct pupil_shape *shape,
+                       const struct region *region, size_t stop, size_t rim)
+{
+    for (int i = 0; i < PUPIL_ENDS; i++) {
+        double far = i < 2 ? region->high[i] : -region->low[i - 2];
+        CHECK_NEAR(shape->vignetting[i], 1 - far / STOP, 2e-5, "vignetting");
+        CHECK(side->limit[i] == stop || side->limit[i] == rim);
+        CHECK(side->limit[i] != stop || region->by_first[i]);
+        CHECK(side->limit[i] != rim || region->by_second[i]);
+    }
+}
+
+/* A ray through a point of the plane of the vertex, with slopes behind it along the light. */
+static void check_chief(const struct ray *chief, const double at[2], const double slope[2],
+                        double light_direction)
+{
+    double length = sqrt(1 + slope[0] * slope[0] + slope[1] * slope[1]);
+    for (int k = 0; k < 2; k++) {
+        CHECK_NEAR(chief->point[k], at[k], 1e-9, "chief ray's place");
+        CHECK_NEAR(chief->cosine[k], slope[k] / length, 1e-9, "chief ray's direction");
+    }
+    CHECK_NEAR(chief->cosine[2], light_direction / length, 1e-9, "chief ray's direction");
+}
+
+/*
+ * A rim, the stop 20 behind it and an ideal lens 10 behind that, f = 100: for light of slopes p, q
+ * the rim stands 20 (p, q) aside in the plane of the stop.
+ */
+static void test_skew_field(void)
+{
+    static const char *text = "object inf\naperture stop\nsurface - 20 air 16\nstop - 10 air 10\n"
+                              "thick 100 100 air -\n";
+    for (int i = 0; i < 12; i++) {
+        struct arena arena = {0};
+        double t = (3 + 2 * (i % 5)) * degree, turn = (10 + 30 * i) * degree;
+        const struct field_point field = {FIELD_ANGLE, {t * sin(turn), t * cos(turn)}};
+        const struct pupil_shape shape = shape_of(text, field, &arena);
+        const double slope[2] = {tan(t) * sin(turn), tan(t) * cos(turn)};
+        const struct region region = region_of(
+            (struct disc){0, 0, STOP}, (struct disc){GAP * slope[0], GAP * slope[1], RIM});
+        const double zero[2] = {0, 0}, front[2] = {-GAP * slope[0], -GAP * slope[1]};
+        const double lens[2] = {10 * slope[0], 10 * slope[1]};
+        CHECK(shape.has_chief && shape.status == RAY_OK && shape.surface == 0);
+        check_extent(&shape.entrance.pupil, &region, 1, zero, "entrance pupil");
+        check_extent(&shape.entrance.vertex, &region, 1, front, "at the rim");
+        check_extent(&shape.exit.pupil, &region, 1 / 0.9, zero, "exit pupil");
+        check_extent(&shape.exit.vertex, &region, 1, lens, "at the lens");
+        CHECK_RELATIVE(shape.projected, region.area * cos(t), 1e-6, "projected");
+        check_ends(&shape.entrance, &shape, &region, 2, 1);
+        check_ends(&shape.exit, &shape, &region, 2, 1);
+        check_chief(&shape.entrance.chief, front, slope, 1);
+        check_chief(&shape.exit.chief, lens, (double[2]){0.9 * slope[0], 0.9 * slope[1]}, 1);
+        /* the stop as the point sees it: what of a shift lies along the beam is not seen */
+        double s = sin(t), sx = sin(turn), sy = cos(turn);
+        for (size_t k = 0; k < shape.count; k++) {
+            double x = STOP * shape.stop[k][0], y = STOP * shape.stop[k][1];
+            double x2 = shape.across[k][0], y2 = shape.across[k][1], along = s * (x * sx + y * sy);
+            CHECK_NEAR(x2 * x2 + y2 * y2, x * x + y * y - along * along, 1e-7, "across the beam");
+            CHECK(fabs(hypot(x, y) - STOP) < 1e-6 ||
+                  fabs(hypot(x - GAP * slope[0], y - GAP * slope[1]) - RIM) < 1e-6);
+        }
+        arena_free(&arena);
+    }
+}
+
+/*
+ * From the film: a rim in the last vertex, the stop 30 before it, an ideal lens of f = 100 that is
+ * 20 before the stop. From a point h behind the rim this stands in the plane of the stop as a disc
+ * of (h + 30)/h its size, -30/h of the way aside. Through the lens the stop is seen 25 behind it,
+ * 5/4 as large.
+ */
+static void test_from_film(void)
+{
+    static const char *text = "object inf\naperture stop\nthick 100 20 air -\nstop - 30 air 10\n"
+                              "surface - 60 air 12\n";
+    for (int i = 0; i < 10; i++) {
+        struct arena arena = {0};
+        double h = 60 + 5 * i, off = 2.5 * i, turn = (20 + 75 * i) * degree;
+        const double film[2] = {off * sin(turn), off * cos(turn)};
+        const struct pupil_shape shape = film_shape_of(text, film, h, &arena);
+        double far = h + 30, wide = far / h, gone = -30 / far;
+        const struct region region =
+            region_of((struct disc){0, 0, STOP},
+                      (struct disc){-30 / h * film[0], -30 / h * film[1], 6 * wide});
+        const double zero[2] = {0, 0}, rear[2] = {30 / far * film[0], 30 / far * film[1]};
+        const double lens[2] = {-20 / far * film[0], -20 / far * film[1]};
+        CHECK(shape.has_chief && !shape.is_empty);
+        CHECK_NEAR(shape.exit.pupil.z, -30, 1e-12, "exit pupil's place");
+        CHECK_NEAR(shape.entrance.pupil.z, 25, 1e-12, "entrance pupil's place");
+        check_extent(&shape.exit.pupil, &region, 1, zero, "exit pupil");
+        check_extent(&shape.exit.vertex, &region, h / far, rear, "at the rim");
+        check_extent(&shape.entrance.pupil, &region, 1.25, zero, "entrance pupil");
+        check_extent(&shape.entrance.vertex, &region, (h + 50) / far, lens, "at the lens");
+        check_ends(&shape.entrance, &shape, &region, 2, 3);
+        check_ends(&shape.exit, &shape, &region, 2, 3);
+        check_chief(&shape.exit.chief, rear, (double[2]){gone / 30 * film[0], gone / 30 * film[1]},
+                    -1);
+        check_chief(&shape.entrance.chief, lens,
+                    (double[2]){0.8 * gone / 30 * film[0], 0.8 * gone / 30 * film[1]}, -1);
+        if (region.by_first[0] && region.by_first[1] && region.by_first[2] && region.by_first[3] &&
+            off < 5) {
+            CHECK_RELATIVE(shape.cosine_area, solid_angle(STOP, far, off), 1e-8, "solid angle");
+        }
+        arena_free(&arena);
+    }
+}
+
+/* Nothing arrives: the surface that is in the way of the chief ray. No stop, no radius: refused. */
+static void test_nothing(void)
+{
+    struct arena arena = {0};
+    static const char *text = "object inf\naperture stop\nsurface - 20 air 16\nstop - 10 air 10\n"
+                              "thick 100 100 air -\n";
+    const struct field_point field = {FIELD_ANGLE, {20 * degree, 30 * degree}};
+    const struct pupil_shape shape = shape_of(text, field, &arena);
+    CHECK(shape.is_empty && shape.has_chief);
+    CHECK(shape.status == RAY_CLIPPED && shape.surface == 1);
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_skew_field();
+    test_from_film();
+    test_nothing();
     test_cats_eye();
     test_near_object();
     test_exit();
