@@ -146,8 +146,153 @@ static void test_inner_lens(void)
     arena_free(&arena);
 }
 
+/* Two thin lenses with a stop between them, as it stands after a movement e. */
+struct pair_of_lenses {
+    double f1, f2, before, behind, plane; /* gaps about the stop, and to the image plane */
+};
+
+/* Where the object stands, from the first lens to the left, by what it is measured from. */
+static double object_of(const struct pair_of_lenses *lens, enum conjugate_from from, double s)
+{
+    double D = lens->before + lens->behind, f1 = lens->f1, f2 = lens->f2;
+    double f = 1 / (1 / f1 + 1 / f2 - D / (f1 * f2));
+    switch (from) {
+    case CONJUGATE_FROM_PRINCIPAL:
+        return s - f * D / f2;
+    case CONJUGATE_FROM_FOCAL:
+        return s + f * (1 - D / f2);
+    case CONJUGATE_FROM_ENTRANCE:
+        return s - lens->before / (1 - lens->before / f1);
+    case CONJUGATE_FROM_SENSOR:
+        return s - D - lens->plane;
+    default:
+        return s;
+    }
+}
+
+/* Height at the image plane of a ray from the object's axial point, of slope 1. */
+static double miss_of(const struct pair_of_lenses *lens, double object)
+{
+    double u = 1 - object / lens->f1, y = object + (lens->before + lens->behind) * u;
+    return y + lens->plane * (u - y / lens->f2);
+}
+
+static struct pair_of_lenses moved_by(const struct pair_of_lenses *lens, const double weights[3],
+                                      double e)
+{
+    return (struct pair_of_lenses){lens->f1, lens->f2, lens->before + weights[0] * e,
+                                   lens->behind + weights[1] * e, lens->plane + weights[2] * e};
+}
+
+static bool is_allowed(const struct pair_of_lenses *lens, enum conjugate_from from, double s)
+{
+    return lens->before >= 0 && lens->behind >= 0 && lens->plane >= 0 &&
+           (from != CONJUGATE_FROM_SENSOR || object_of(lens, from, s) >= 0);
+}
+
+/* Sign changes of the miss over what is allowed: as many movements as there must be. */
+static size_t count_by_steps(const struct pair_of_lenses *lens, const double weights[3],
+                             enum conjugate_from from, double s)
+{
+    size_t count = 0;
+    double last = NAN;
+    for (int i = -200000; i <= 200000; i++) {
+        const struct pair_of_lenses at = moved_by(lens, weights, 0.03 * i + 0.0037);
+        double miss =
+            is_allowed(&at, from, s) ? miss_of(&at, object_of(&at, from, s)) : (double)NAN;
+        count += last * miss < 0;
+        last = miss;
+    }
+    return count;
+}
+
+static void test_all_origins(void)
+{
+    static const enum conjugate_from origins[] = {CONJUGATE_FROM_FRONT, CONJUGATE_FROM_PRINCIPAL,
+                                                  CONJUGATE_FROM_FOCAL, CONJUGATE_FROM_ENTRANCE,
+                                                  CONJUGATE_FROM_SENSOR};
+    static const double weights[][3] = {
+        {0, 0, 1}, {1, 0, -1}, {0, 1, 0}, {0.5, 0.25, -1}, {-1, 1, 0}};
+    static const double distances[] = {180, 400, 777, 5000};
+    static const struct pair_of_lenses lenses[] = {
+        {100, -80, 20, 35, 130}, {60, 90, 15, 10, 30}, {-150, 70, 12, 30, 90}};
+    size_t found_all = 0;
+    for (size_t k = 0; k < 3 * 5 * 5 * 4; k++) {
+        const struct pair_of_lenses *lens = &lenses[k / 100];
+        const double *weight = weights[k / 20 % 5], s = distances[k % 4];
+        struct conjugate_question question = {CONJUGATE_OBJECT, origins[k / 4 % 5], s, 0};
+        struct focused found[FOCUS_SOLUTIONS];
+        struct arena arena = {0};
+        struct focus_gap gaps[3];
+        struct error error;
+        size_t gap_count = 0;
+        char text[200];
+        for (size_t i = 0; i < 3; i++) {
+            gaps[gap_count] = (struct focus_gap){i, weight[i]};
+            gap_count += weight[i] != 0;
+        }
+        snprintf(text, sizeof text, "thick %g %g air -\nstop - %g air 5\nthick %g %g air -\n",
+                 lens->f1, lens->before, lens->behind, lens->f2, lens->plane);
+        size_t count = solve(text, gaps, gap_count, lens->plane, question, &arena, found, &error);
+        for (size_t i = 0; i < count; i++) {
+            double e = found[i].movement.hi;
+            const struct pair_of_lenses at = moved_by(lens, weight, e);
+            double object = object_of(&at, question.from, s);
+            double scale = fabs(object) + at.before + at.behind + at.plane;
+            CHECK(is_allowed(&at, question.from, s));
+            CHECK_NEAR(miss_of(&at, object) / scale, 0, 1e-11, "the image in its plane");
+            CHECK_NEAR(found[i].image_plane.hi, at.plane, 1e-12 * scale, "image plane");
+            const struct surface *surfaces = found[i].lens->surfaces;
+            CHECK_NEAR(surfaces[0].thickness.value.hi, at.before, 1e-12 * scale, "before the stop");
+            CHECK_NEAR(surfaces[1].thickness.value.hi, at.behind, 1e-12 * scale, "behind it");
+            CHECK(i == 0 || fabs(e) >= fabs(found[i - 1].movement.hi));
+        }
+        if (question.from == CONJUGATE_FROM_FRONT || question.from == CONJUGATE_FROM_SENSOR) {
+            CHECK(count == count_by_steps(lens, weight, question.from, s));
+        }
+        found_all += count;
+        arena_free(&arena);
+    }
+    CHECK(found_all > 150);
+}
+
+/* What is refused, and how: an object inside the track, a plane that nothing reaches. */
+static void test_refused(void)
+{
+    static const struct focus_gap inner[] = {{0, 1}, {1, -1}};
+    static const struct focus_gap both[] = {{0, 1}, {1, 1}};
+    static const struct {
+        const struct focus_gap *gaps;
+        struct conjugate_question question;
+        double plane;
+        const char *message;
+    } cases[] = {
+        {inner, {CONJUGATE_OBJECT, CONJUGATE_FROM_SENSOR, 259, 0}, 200, "it reaches 260 mm"},
+        {inner, {CONJUGATE_OBJECT, CONJUGATE_FROM_SENSOR, 261, 0}, 200, "no movement brings"},
+        {inner, {CONJUGATE_OBJECT, CONJUGATE_FROM_FRONT, 20, 0}, 200, "from -60 to 200 mm"},
+        {both, {CONJUGATE_OBJECT, CONJUGATE_FROM_FRONT, 20, 0}, 200, "from -60 mm"},
+        {inner, {CONJUGATE_IMAGE, CONJUGATE_FROM_FRONT, 20, 0}, 200, "give an object"},
+        {inner, {CONJUGATE_OBJECT, CONJUGATE_FROM_FRONT, 200, 0}, INFINITY, "no image plane"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct focused found[FOCUS_SOLUTIONS];
+        struct arena arena = {0};
+        struct error error = {0};
+        CHECK(solve(telephoto, cases[i].gaps, 2, cases[i].plane, cases[i].question, &arena, found,
+                    &error) == 0);
+        bool said = strstr(error.message, cases[i].message) != NULL;
+        CHECK(said);
+        if (!said) {
+            printf("%s: %s\n", cases[i].message, error.message);
+        }
+        arena_free(&arena);
+    }
+}
+
 int main(void)
 {
+    test_all_origins();
+    test_refused();
     test_compute();
     test_media();
     test_whole_lens();

@@ -71,9 +71,9 @@ static void write_chain(const struct link *links, size_t count, char *text, size
     for (size_t i = 0; i < count; i++) {
         const struct link *link = &links[i];
         if (link->has_break) {
-            at += (size_t)snprintf(text + at, size - at, "bend decenter=%.17g,%.17g tilt=%g,%g,%g\n",
-                                   link->before[0], link->before[1], link->before_tilt[0],
-                                   link->before_tilt[1], link->before_tilt[2]);
+            at += (size_t)snprintf(
+                text + at, size - at, "bend decenter=%.17g,%.17g tilt=%g,%g,%g\n", link->before[0],
+                link->before[1], link->before_tilt[0], link->before_tilt[1], link->before_tilt[2]);
         }
         at += (size_t)snprintf(text + at, size - at,
                                "surface - %.17g %s - decenter=%.17g,%.17g tilt=%g,%g\n",
@@ -228,10 +228,12 @@ static void test_normals(void)
         for (size_t k = 0; k < sizeof points / sizeof points[0]; k++) {
             double x = points[k][0], y = points[k][1], h = 1e-3, normal[3];
             double (*sag)(double, double) = cases[i].sag;
-            double sx = (8 * (sag(x + h, y) - sag(x - h, y)) - sag(x + 2 * h, y) +
-                         sag(x - 2 * h, y)) / 12 / h;
-            double sy = (8 * (sag(x, y + h) - sag(x, y - h)) - sag(x, y + 2 * h) +
-                         sag(x, y - 2 * h)) / 12 / h;
+            double sx =
+                (8 * (sag(x + h, y) - sag(x - h, y)) - sag(x + 2 * h, y) + sag(x - 2 * h, y)) / 12 /
+                h;
+            double sy =
+                (8 * (sag(x, y + h) - sag(x, y - h)) - sag(x, y + 2 * h) + sag(x, y - 2 * h)) / 12 /
+                h;
             double length = sqrt(1 + sx * sx + sy * sy);
             const double point[3] = {x, y, sag(x, y)};
             system_normal(&system, 0, point, normal);

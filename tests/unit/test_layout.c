@@ -124,16 +124,15 @@ static void test_ideal(void)
     POINTS(part_of(&drawing, LAYOUT_STOP, 3), 1e-14, "tick", {-1.44, 10}, {1.44, 10});
     POINTS(part_of(&drawing, LAYOUT_AXIAL, 0), 1e-9, "lower ray", {-19.5, -10}, {10, -10},
            {15, -10}, {115, 0});
-    POINTS(part_of(&drawing, LAYOUT_AXIAL, 1), 1e-9, "upper ray", {-19.5, 10}, {10, 10},
-           {15, 10}, {115, 0});
+    POINTS(part_of(&drawing, LAYOUT_AXIAL, 1), 1e-9, "upper ray", {-19.5, 10}, {10, 10}, {15, 10},
+           {115, 0});
     /* 19.5 along a direction of slope 1/5: 19.5/sqrt(1.04) in z */
     const double back = 19.5 / sqrt(1.04);
     const double chief[][2] = {{-back, -back / 5}, {10, 2}, {15, 2}, {115, 20}};
     check_points(part_of(&drawing, LAYOUT_CHIEF, 0), chief, 4, 1e-9, "chief ray");
     for (size_t i = 0; i < 2; i++) {
         double y = i == 0 ? -10 : 10;
-        const double edge[][2] = {
-            {-back, y - back / 5}, {10, y + 2}, {15, y + 2}, {115, 20}};
+        const double edge[][2] = {{-back, y - back / 5}, {10, y + 2}, {15, y + 2}, {115, 20}};
         check_points(part_of(&drawing, LAYOUT_OBLIQUE, i), edge, 4, 1e-9, "oblique ray");
     }
     /* a tenth higher than the rays that arrive */
@@ -183,9 +182,8 @@ static void test_construction(void)
     draw("object inf\nthick 50 50 air 40 hiatus=4\n", &wanted, &arena, &drawing);
     /* 1/50 - 1/120 = 7/600: the image 600/7 behind H', upside down by 5/7 */
     const double image = 4 + 600.0 / 7, y = -10;
-    const double rays[][3][2] = {{{-120, 14}, {0, 14}, {4, 14}},
-                                 {{-120, 14}, {0, y}, {4, y}},
-                                 {{-120, 14}, {0, 0}, {4, 0}}};
+    const double rays[][3][2] = {
+        {{-120, 14}, {0, 14}, {4, 14}}, {{-120, 14}, {0, y}, {4, y}}, {{-120, 14}, {0, 0}, {4, 0}}};
     for (size_t i = 0; i < 3; i++) {
         const double behind[][2] = {{4, rays[i][2][1]}, {image, y}};
         check_points(part_of(&drawing, LAYOUT_GAUSS, 2 * i), rays[i], 3, 1e-12, "to H'");
@@ -367,11 +365,8 @@ static void test_bent(void)
          &(struct wanted){.planes = false}, &arena, &drawing);
     /* the axis shifts by 2 up, then goes down */
     const double more = 0.6 * 30;
-    const double axis[][2] = {{-more, 0},
-                              {0, 0},
-                              {30, 2},
-                              {30 + 20 * c, 2 - 20 * s},
-                              {30 + 60 * c, 2 - 60 * s}};
+    const double axis[][2] = {
+        {-more, 0}, {0, 0}, {30, 2}, {30 + 20 * c, 2 - 20 * s}, {30 + 60 * c, 2 - 60 * s}};
     check_points(part_of(&drawing, LAYOUT_AXIS, 0), axis, 5, 1e-12, "axis");
     const struct layout_frame *frame = &drawing.layout.frames[2];
     CHECK_NEAR(frame->angle, -40 * degree, 1e-15, "both turns");
@@ -443,10 +438,10 @@ static void test_notes(void)
         {"object inf\nthick 100 60 air -\n", "no diameter"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct error error = {0};
-        bool good = try_draw(cases[i].text, &(struct wanted){.planes = false}, &arena, &drawing,
-                             &error);
-        bool said = good ? is_noted(&drawing, cases[i].note)
-                         : strstr(error.message, cases[i].note) != NULL;
+        bool good =
+            try_draw(cases[i].text, &(struct wanted){.planes = false}, &arena, &drawing, &error);
+        bool said =
+            good ? is_noted(&drawing, cases[i].note) : strstr(error.message, cases[i].note) != NULL;
         CHECK(said);
         if (!said) {
             printf("%s\n", cases[i].text);

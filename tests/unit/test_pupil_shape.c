@@ -153,7 +153,8 @@ static double reach_of(const struct disc *A, const struct disc *B, double dx, do
         return *by_first ? px * dx + py * dy : qx * dx + qy * dy;
     }
     double d = hypot(B->x - A->x, B->y - A->y), along = (d * d + A->r * A->r - B->r * B->r) / 2 / d;
-    double ux = (B->x - A->x) / d, uy = (B->y - A->y) / d, aside = sqrt(A->r * A->r - along * along);
+    double ux = (B->x - A->x) / d, uy = (B->y - A->y) / d,
+           aside = sqrt(A->r * A->r - along * along);
     double middle = (A->x + along * ux) * dx + (A->y + along * uy) * dy;
     *by_first = *by_second = true;
     return middle + aside * fabs(dx * uy - dy * ux);
@@ -172,8 +173,8 @@ static struct region region_of(struct disc A, struct disc B)
     static const double ends[PUPIL_ENDS][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     struct region region = {.area = pi * A.r * A.r, .centre = {A.x, A.y}};
     for (int i = 0; i < PUPIL_ENDS; i++) {
-        double far = reach_of(&A, &B, ends[i][0], ends[i][1], &region.by_first[i],
-                              &region.by_second[i]);
+        double far =
+            reach_of(&A, &B, ends[i][0], ends[i][1], &region.by_first[i], &region.by_second[i]);
         *(i < 2 ? &region.high[i] : &region.low[i - 2]) = i < 2 ? far : -far;
     }
     double d = hypot(B.x - A.x, B.y - A.y);
@@ -239,8 +240,8 @@ static void test_skew_field(void)
         const struct field_point field = {FIELD_ANGLE, {t * sin(turn), t * cos(turn)}};
         const struct pupil_shape shape = shape_of(text, field, &arena);
         const double slope[2] = {tan(t) * sin(turn), tan(t) * cos(turn)};
-        const struct region region = region_of(
-            (struct disc){0, 0, STOP}, (struct disc){GAP * slope[0], GAP * slope[1], RIM});
+        const struct region region = region_of((struct disc){0, 0, STOP},
+                                               (struct disc){GAP * slope[0], GAP * slope[1], RIM});
         const double zero[2] = {0, 0}, front[2] = {-GAP * slope[0], -GAP * slope[1]};
         const double lens[2] = {10 * slope[0], 10 * slope[1]};
         CHECK(shape.has_chief && shape.status == RAY_OK && shape.surface == 0);

@@ -172,9 +172,56 @@ static void test_refused(struct arena *arena)
     CHECK(strstr(error.message, "1 to 1e9") != NULL);
 }
 
+/* Rings of 6 i rays at i/k of the radius, evenly from the top clockwise; a fan; a square grid. */
+static void test_places(struct arena *arena)
+{
+    for (size_t rings = 1; rings <= 6; rings++) {
+        size_t count = 1 + 3 * rings * (rings + 1), at = 1;
+        struct sample sample = make(PATTERN_HEXAPOLAR, count, 0, arena);
+        CHECK(sample.count == count && make(PATTERN_HEXAPOLAR, count + 1, 0, arena).count > count);
+        CHECK(sample.points[0].x == 0 && sample.points[0].y == 0);
+        for (size_t i = 1; i <= rings && sample.count == count; i++) {
+            for (size_t k = 0; k < 6 * i; k++, at++) {
+                double degrees = 60 * (double)k / (double)i, r = (double)i / (double)rings;
+                CHECK_NEAR(sample.points[at].x, r * sin(degrees * PI / 180), 1e-15, "ring, x");
+                CHECK_NEAR(sample.points[at].y, r * cos(degrees * PI / 180), 1e-15, "ring, y");
+                CHECK_NEAR(sample.points[at].weight, 1 / (double)count, 1e-17, "ring, weight");
+            }
+        }
+        CHECK(at == count);
+    }
+    /* 11 asked for: twice 2 * 3 + 1, of x first */
+    struct sample fan = make(PATTERN_FAN, 11, 0, arena);
+    CHECK(fan.count == 14);
+    for (int i = 0; i < 14 && fan.count == 14; i++) {
+        double along = (i % 7 - 3) / 3.0;
+        CHECK_NEAR(fan.points[i].x, i < 7 ? along : 0, 1e-16, "fan, x");
+        CHECK_NEAR(fan.points[i].y, i < 7 ? 0 : along, 1e-16, "fan, y");
+        CHECK_NEAR(fan.points[i].weight, 1 / 14.0, 1e-17, "fan, weight");
+    }
+    CHECK(make(PATTERN_FAN, 5, 0, arena).count == 6 && make(PATTERN_FAN, 6, 0, arena).count == 6);
+    CHECK(make(PATTERN_FAN, 7, 0, arena).count == 10);
+    /* sides 2, 4 and 5: of 4 x 4 the corners lie outside, of 5 x 5 too: 0.8^2 + 0.8^2 > 1 */
+    CHECK(make(PATTERN_SQUARE, 4, 0, arena).count == 4);
+    CHECK(make(PATTERN_SQUARE, 12, 0, arena).count == 12);
+    struct sample square = make(PATTERN_SQUARE, 21, 0, arena);
+    size_t at = 0;
+    CHECK(square.count == 21);
+    for (int i = -2; i <= 2 && square.count == 21; i++) {
+        for (int k = -2; k <= 2; k++) {
+            if (i * i + k * k < 8) {
+                CHECK_NEAR(square.points[at].x, 0.4 * k, 1e-16, "grid, x");
+                CHECK_NEAR(square.points[at].y, 0.4 * i, 1e-16, "grid, y");
+                CHECK_NEAR(square.points[at++].weight, 1 / 21.0, 1e-17, "grid, weight");
+            }
+        }
+    }
+}
+
 int main(void)
 {
     struct arena arena = {0};
+    test_places(&arena);
     test_gauss_rule();
     test_gauss_moments(&arena);
     test_weights(&arena);
