@@ -13,7 +13,8 @@ extern const char __ehdr_start[] __attribute__((visibility("hidden")));
 static unsigned char *entered;
 static size_t entered_size;
 
-/* (the harness keeps LENSCALC_ from programs) TESTED_REACH names a file with one byte for every 2^4 bytes of the library */
+/* TESTED_REACH names a file with one byte for every 2^4 bytes of the library (a name that begins
+ * with LENSCALC the harness keeps from programs) */
 __attribute__((constructor, no_instrument_function)) static void open_map(void)
 {
     const char *name = getenv("TESTED_REACH");

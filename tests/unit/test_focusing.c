@@ -56,6 +56,11 @@ static void test_compute(void)
         image_of(&lens, (struct conjugate_ray){{1, 0}, {0, 0}}, &arena);
     CHECK(isinf(far.object) && far.magnification == 0);
     CHECK_RELATIVE(far.image, 100.0, 1e-15, "image of infinity");
+    /* in the lens itself object and image are one, and neither is virtual */
+    const struct conjugate_points there =
+        image_of(&lens, (struct conjugate_ray){{0, 0}, {1, 0}}, &arena);
+    CHECK(there.object == 0 && there.image == 0 && there.magnification == 1);
+    CHECK(!there.object_is_virtual && !there.image_is_virtual);
     const struct conjugate_points focal =
         image_of(&lens, (struct conjugate_ray){{100, 0}, {1, 0}}, &arena);
     CHECK(isinf(focal.image) && isinf(focal.magnification) && focal.angular == 0);

@@ -458,8 +458,8 @@ static void test_cut(void)
     draw("object inf\naperture stop\nfield angle 5.710593137499643\nsurface 1e9 1 1.5/60 16\n"
          "surface 1e9 9 air 16\nstop - 10 air 20\nthick 100 100 air 60\n",
          &(struct wanted){.planes = false}, &arena, &drawing);
-    CHECK(is_noted(&drawing, "cut by the rim of surface 1, not by the stop"));
-    CHECK(is_noted(&drawing, "the oblique bundle is cut by the rims"));
+    CHECK(is_noted(&drawing, "cut by the clear aperture of surface 1, not by the stop"));
+    CHECK(is_noted(&drawing, "the oblique bundle is cut by the clear apertures"));
     CHECK_NEAR(part_of(&drawing, LAYOUT_AXIAL, 1)->y[1], 8, 1e-6, "to the rim");
     CHECK_NEAR(part_of(&drawing, LAYOUT_AXIAL, 0)->y[1], -8, 1e-6, "to the rim");
     /* 1/10 per mm upwards: at most 8 on both faces */
@@ -480,8 +480,33 @@ static void test_cut(void)
     arena_free(&arena);
 }
 
+/* What counts as centred, and whose image plane is drawn. */
+static void test_centred(void)
+{
+    static const struct {
+        const char *text;
+        bool centred;
+        enum plane_kind plane;
+    } cases[] = {
+        {"thick 100 10 air 20\nthick 100 60 air 20\n", true, PLANE_OF_LENS},
+        {"thick 100 10 air 20\nbend tilt=1,0,0\nthick 100 60 air 20\n", false, PLANE_TABLE},
+        {"thick 100 10 air 20\nsurface - 60 air 20 tilt=1,0\n", false, PLANE_TABLE},
+        {"thick 100 10 air 20\nsurface - 60 air 20 decenter=0,1\n", false, PLANE_TABLE},
+        {"thick 100 10 air 20\nsurface - - air 20 decenter=0,1\n", false, PLANE_OF_LENS}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct arena arena = {0};
+        struct lens lens;
+        struct error error;
+        CHECK(lens_read("test", text_of(cases[i].text), NULL, &arena, &lens, &error));
+        CHECK(layout_is_centred(&lens) == cases[i].centred);
+        CHECK(layout_plane(&lens) == cases[i].plane);
+        arena_free(&arena);
+    }
+}
+
 int main(void)
 {
+    test_centred();
     test_ideal();
     test_near();
     test_construction();

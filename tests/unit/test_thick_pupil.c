@@ -1,0 +1,87 @@
+/* tests/unit/test_thick_pupil.c - a pupil fitted to rays, against normal equations in 50 digits. */
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+#include "design/thick.h"
+
+/* x, y, p, q before the lens, place in the stop, weight: near place 7.5, radius 11 (1 + 0.36 s). */
+static const double rays[][7] = {
+    {-0.9181, 1.8429, -0.262, 0.044, -0.26, 0.208, 0.34},
+    {-8.745, 13.5235, 0.337, -0.241, -0.531, 0.991, 1.59},
+    {2.0892, 11.2255, 0.139, -0.349, 0.27, 0.736, 2.11},
+    {5.2713, -6.5634, -0.436, 0.258, 0.182, -0.397, 1.58},
+    {3.3515, 7.1852, 0.219, 0.379, 0.428, 0.842, 1.5},
+    {-13.3128, -11.6362, 0.436, 0.379, -0.805, -0.728, 1.48},
+    {-0.855, -1.0323, 0.127, -0.199, 0.014, -0.228, 1.88},
+    {7.2782, 7.1065, 0.404, 0.182, 0.858, 0.713, 0.74},
+    {7.3984, -1.8938, 0.361, 0.465, 0.809, 0.138, 2.55},
+};
+enum { RAYS = sizeof rays / sizeof rays[0] };
+
+/* place, radius, a, their standard errors, rms; without and with spherical aberration. */
+static const double expected[2][7] = {
+    {7.4110762852291596, 12.003439601296168, 0.0, 0.15419826852047043, 0.085582758923005631, 0.0,
+     0.28318127266702584},
+    {7.44568905253762, 11.170737824961125, 0.31619214900348138, 0.080856662349100411,
+     0.13404786475517306, 0.051567880686313065, 0.14347242720462338},
+};
+
+/* On one side the rays above, on the other all of them 3 times as large. */
+static void check_fit(bool exit, bool aberration)
+{
+    struct arena arena = {0};
+    double column[7][RAYS], larger[2][RAYS];
+    struct thick_pupil pupil;
+    struct error error;
+    for (size_t i = 0; i < RAYS; i++) {
+        for (size_t k = 0; k < 7; k++) {
+            column[k][i] = rays[i][k];
+        }
+        larger[0][i] = 3 * rays[i][0];
+        larger[1][i] = 3 * rays[i][1];
+    }
+    const struct thick_rays all = {.count = RAYS,
+                                   .x = larger[0],
+                                   .y = larger[1],
+                                   .p = column[2],
+                                   .q = column[3],
+                                   .x_out = column[0],
+                                   .y_out = column[1],
+                                   .p_out = column[2],
+                                   .q_out = column[3],
+                                   .stop_x = column[4],
+                                   .stop_y = column[5],
+                                   .weight = column[6]};
+    const double *e = expected[aberration], k = exit ? 1 : 3;
+    CHECK(thick_fit_pupil(&all, exit, aberration, &arena, &pupil, &error));
+    CHECK_NEAR(pupil.place, k * e[0], 1e-12, "place");
+    CHECK_NEAR(pupil.radius, k * e[1], 1e-12, "radius");
+    CHECK_NEAR(pupil.spherical_aberration, e[2], 1e-12, "spherical aberration");
+    CHECK_NEAR(pupil.place_error, k * e[3], 1e-12, "its error");
+    CHECK_NEAR(pupil.radius_error, k * e[4], 1e-12, "its error");
+    CHECK_NEAR(pupil.spherical_aberration_error, e[5], 1e-12, "its error");
+    CHECK_NEAR(pupil.rms, k * e[6], 1e-12, "rms");
+    arena_free(&arena);
+}
+
+/* Rays of the axis alone, parallel: the place is open. */
+static void test_open(void)
+{
+    static const double zero[3] = {0, 0, 0}, x[3] = {1, 2, -3}, stop[3] = {0.1, 0.2, -0.3};
+    const struct thick_rays all = {
+        .count = 3, .x = x, .y = zero, .p = zero, .q = zero, .stop_x = stop, .stop_y = zero};
+    struct arena arena = {0};
+    struct thick_pupil pupil;
+    struct error error = {0};
+    CHECK(!thick_fit_pupil(&all, false, false, &arena, &pupil, &error));
+    CHECK(strstr(error.message, "entrance pupil") != NULL);
+    arena_free(&arena);
+}
+
+int main(void)
+{
+    for (int k = 0; k < 4; k++) {
+        check_fit(k % 2 != 0, k / 2 != 0);
+    }
+    test_open();
+    return check_report();
+}
