@@ -155,8 +155,75 @@ static void test_refusals(void)
     check_refused(data, GLASS_CAUCHY, 0, "twice");
 }
 
+/* Cauchy's formula through scattered indices of unlike deviations: normal equations in 50 digits. */
+static const double scattered_l[] = {0.4, 0.4358, 0.4861, 0.5461, 0.5876, 0.6438, 0.7065, 0.8521};
+static const double scattered_n[] = {1.5268344, 1.5237925, 1.5204176, 1.5177586,
+                                     1.5159822, 1.5141324, 1.51249,   1.5100307};
+static const double scattered_s[] = {0.0003868, 0.0002967, 0.0001366, 0.0001233,
+                                     0.0002107, 0.0002232, 0.0003407, 0.000132};
+enum { SCATTERED = sizeof scattered_l / sizeof scattered_l[0] };
+static const struct dispersion_data scattered = {SCATTERED, scattered_l, scattered_n, scattered_s};
+
+static void test_weighted(void)
+{
+    static const double expected[] = {1.5040961930208215, 0.0045301293123741993,
+                                      -0.00014931354325075516};
+    static const double errors[] = {0.00029338876619530734, 0.00019089251340657098,
+                                    2.8781964061247019e-5};
+    struct arena arena = {0};
+    struct dispersion_fit fit;
+    struct error error;
+    CHECK(dispersion_fit(&scattered, GLASS_CAUCHY, 3, &arena, &fit, &error));
+    for (size_t i = 0; i < 3; i++) {
+        CHECK_RELATIVE(fit.parameters[i], expected[i], 1e-10, "coefficient");
+        CHECK_RELATIVE(fit.summary.standard_error[i], errors[i], 1e-9, "standard error");
+    }
+    CHECK_RELATIVE(fit.rms, 0.00012676768832235572, 1e-9, "rms");
+    CHECK_RELATIVE(fit.largest, 0.0002574590600724621, 1e-9, "largest");
+    arena_free(&arena);
+}
+
+/* Squares of what the fit has left over, each over its deviation. */
+static double cost_of(const struct dispersion_fit *fit, size_t which, double change)
+{
+    struct glass glass = fit->glass;
+    size_t first = glass.count - fit->parameter_count; /* behind the d line of Buchdahl's formula */
+    double sum = 0;
+    glass.coefficients[first + which] = pair_of(fit->parameters[which] + change);
+    for (size_t i = 0; i < SCATTERED; i++) {
+        double off = (glass_n(&glass, scattered_l[i]) - scattered_n[i]) / scattered_s[i];
+        sum += off * off;
+    }
+    return sum;
+}
+
+/* At the end every coefficient stands in the middle of its valley. */
+static void test_valley(void)
+{
+    static const struct {
+        enum glass_formula formula;
+        size_t terms;
+    } cases[] = {{GLASS_SELLMEIER, 1}, {GLASS_CAUCHY, 2},  {GLASS_CAUCHY, 4},
+                 {GLASS_BUCHDAHL, 3},  {GLASS_CONRADY, 3}, {GLASS_SCHOTT, 6}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct arena arena = {0};
+        struct dispersion_fit fit;
+        struct error error;
+        CHECK(dispersion_fit(&scattered, cases[i].formula, cases[i].terms, &arena, &fit, &error));
+        for (size_t j = 0; j < fit.parameter_count; j++) {
+            double h = 0.01 * fit.summary.standard_error[j], here = cost_of(&fit, j, 0);
+            double up = cost_of(&fit, j, h), down = cost_of(&fit, j, -h);
+            CHECK(up > here && down > here);
+            CHECK_NEAR((up - down) / (up + down - 2 * here), 0, 0.02, "the middle");
+        }
+        arena_free(&arena);
+    }
+}
+
 int main(void)
 {
+    test_weighted();
+    test_valley();
     test_recovered();
     test_coefficients();
     test_terms_and_weights();
