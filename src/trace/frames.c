@@ -110,7 +110,9 @@ struct frame system_to_first(const struct system *system, size_t surface)
         }
     }
     if (surface >= lens->surface_count) {
-        double way[3] = {0, 0, system->options.image}, moved[3];
+        /* counted from the last vertex, of a thick lens from H' */
+        double behind = surface_hiatus(&lens->surfaces[last]).hi;
+        double way[3] = {0, 0, system->options.image + behind}, moved[3];
         turn_back(all.turn, way, moved);
         for (int j = 0; j < 3 && !isnan(way[2]) && !system->options.reverse; j++) {
             all.shift[j] += moved[j];

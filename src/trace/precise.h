@@ -306,8 +306,11 @@ static inline bool precise_trace(struct precise_ray *ray, const struct system *s
         }
     }
     if (system->places > count) {
-        REAL n = precise_of(system->n[system->options.reverse ? 0 : count]);
-        ray->x[2] -= (REAL)system->options.image;
+        bool reverse = system->options.reverse;
+        REAL n = precise_of(system->n[reverse ? 0 : count]);
+        /* counted from the last vertex, of a thick lens from H' */
+        const struct surface *last = &system->lens->surfaces[count - 1];
+        ray->x[2] -= (REAL)system->options.image + (reverse ? 0 : precise_of(surface_hiatus(last)));
         precise_advance(ray, -ray->x[2] / ray->p[2], n * n);
     }
     return true;

@@ -252,6 +252,10 @@ static void test_flat(void)
     struct lens lens;
     struct system system;
     double normal[3] = {9, 9, 9}, point[3] = {3, -4, 0.5};
+    /* the image counts from H' */
+    compile("surface - 7 air -\nthick 50 50 air 20 hiatus=-4\n", &arena, &lens, &system, 50);
+    const struct frame image = system_to_first(&system, 2);
+    CHECK(image.shift[2] == 53 && image.shift[0] == 0 && image.turn[8] == 1);
     compile("thick 50 50 air 20\n", &arena, &lens, &system, 50);
     for (size_t i = 0; i < 2; i++) {
         system_normal(&system, i, point, normal);
