@@ -155,7 +155,7 @@ static void test_refusals(void)
     check_refused(data, GLASS_CAUCHY, 0, "twice");
 }
 
-/* Cauchy's formula through scattered indices of unlike deviations: normal equations in 50 digits. */
+/* Cauchy's formula through scattered indices of unlike deviations: 50-digit normal equations. */
 static const double scattered_l[] = {0.4, 0.4358, 0.4861, 0.5461, 0.5876, 0.6438, 0.7065, 0.8521};
 static const double scattered_n[] = {1.5268344, 1.5237925, 1.5204176, 1.5177586,
                                      1.5159822, 1.5141324, 1.51249,   1.5100307};

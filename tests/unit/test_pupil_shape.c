@@ -232,13 +232,16 @@ static void check_chief(const struct ray *chief, const double at[2], const doubl
  */
 static void test_skew_field(void)
 {
-    static const char *text = "object inf\naperture stop\nsurface - 20 air 16\nstop - 10 air 10\n"
-                              "thick 100 100 air -\n";
+    static const char *const texts[] = {"object inf\naperture stop\nsurface - 20 air 16\n"
+                                        "stop - 10 air 10\nthick 100 100 air -\n",
+                                        "object inf\naperture stop\nsurface - 20 air 16\n"
+                                        "stop - 10 air 10\nthick 100 150 1.5 -\n"};
     for (int i = 0; i < 12; i++) {
         struct arena arena = {0};
         double t = (3 + 2 * (i % 5)) * degree, turn = (10 + 30 * i) * degree;
         const struct field_point field = {FIELD_ANGLE, {t * sin(turn), t * cos(turn)}};
-        const struct pupil_shape shape = shape_of(text, field, &arena);
+        const struct pupil_shape shape = shape_of(texts[i % 2], field, &arena);
+        const double n = i % 2 == 0 ? 1 : 1.5; /* behind the lens */
         const double slope[2] = {tan(t) * sin(turn), tan(t) * cos(turn)};
         const struct region region = region_of((struct disc){0, 0, STOP},
                                                (struct disc){GAP * slope[0], GAP * slope[1], RIM});
@@ -247,13 +250,15 @@ static void test_skew_field(void)
         CHECK(shape.has_chief && shape.status == RAY_OK && shape.surface == 0);
         check_extent(&shape.entrance.pupil, &region, 1, zero, "entrance pupil");
         check_extent(&shape.entrance.vertex, &region, 1, front, "at the rim");
+        CHECK_NEAR(shape.exit.pupil.z, -n / 0.09, 1e-12, "n'/z' = 1/100 - 1/10");
         check_extent(&shape.exit.pupil, &region, 1 / 0.9, zero, "exit pupil");
         check_extent(&shape.exit.vertex, &region, 1, lens, "at the lens");
         CHECK_RELATIVE(shape.projected, region.area * cos(t), 1e-6, "projected");
         check_ends(&shape.entrance, &shape, &region, 2, 1);
         check_ends(&shape.exit, &shape, &region, 2, 1);
         check_chief(&shape.entrance.chief, front, slope, 1);
-        check_chief(&shape.exit.chief, lens, (double[2]){0.9 * slope[0], 0.9 * slope[1]}, 1);
+        check_chief(&shape.exit.chief, lens, (double[2]){0.9 / n * slope[0], 0.9 / n * slope[1]},
+                    1);
         /* the stop as the point sees it: what of a shift lies along the beam is not seen */
         double s = sin(t), sx = sin(turn), sy = cos(turn);
         for (size_t k = 0; k < shape.count; k++) {
