@@ -11,15 +11,8 @@ static const double STEEPEST = 2;    /* slope of an edge */
 struct layout_part *layout_add(struct layout *layout, enum layout_kind kind, size_t count,
                                double **z, double **y)
 {
-    if (layout->part_count == layout->part_room) {
-        size_t room = 2 * layout->part_room + 32;
-        struct layout_part *parts = ARENA_ARRAY(layout->arena, room, struct layout_part);
-        for (size_t i = 0; i < layout->part_count; i++) {
-            parts[i] = layout->parts[i];
-        }
-        layout->parts = parts;
-        layout->part_room = room;
-    }
+    layout->parts = arena_grow(layout->arena, layout->parts, layout->part_count, &layout->part_room,
+                               sizeof layout->parts[0]);
     struct layout_part *part = &layout->parts[layout->part_count++];
     *z = ARENA_ARRAY(layout->arena, count, double);
     *y = ARENA_ARRAY(layout->arena, count, double);

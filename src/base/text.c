@@ -27,6 +27,16 @@ bool text_equal(struct text a, const char *b)
     return a.length == length && memcmp(a.start, b, length) == 0;
 }
 
+bool text_identical(struct text a, struct text b)
+{
+    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
+}
+
+int text_order(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
 bool text_same(struct text a, const char *b)
 {
     size_t i = 0;

@@ -26,7 +26,15 @@ static inline int text_shown(struct text text)
     return text.length < 60 ? (int)text.length : 60;
 }
 
+static inline bool char_is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
 bool text_equal(struct text a, const char *b);
+
+/* The same characters in two texts. */
+bool text_identical(struct text a, struct text b);
 
 /* Equal without regard to ASCII case. */
 bool text_same(struct text a, const char *b);
@@ -36,6 +44,9 @@ bool text_same_name(struct text a, struct text b);
 
 /* Does `part` occur in `whole`, by the rules of text_same_name? */
 bool text_contains_name(struct text whole, struct text part);
+
+/* The order of strings for qsort of an array of them. */
+int text_order(const void *a, const void *b);
 
 /* What follows `begin`; its start is null where the text begins otherwise or ends there. */
 struct text text_behind(struct text text, const char *begin);

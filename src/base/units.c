@@ -5,7 +5,6 @@
 #include "base/constants.h"
 
 #include <math.h>
-#include <string.h>
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
@@ -161,7 +160,7 @@ static bool is_spelling(const char *words, struct text name)
     struct text rest = text_of(words != NULL ? words : "");
     while (rest.start != NULL) {
         struct text word = text_cut(&rest, ' ');
-        if (word.length == name.length && memcmp(word.start, name.start, name.length) == 0) {
+        if (text_identical(word, name)) {
             return word.length > 0;
         }
     }

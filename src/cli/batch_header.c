@@ -220,8 +220,7 @@ static bool check_new(const struct batch *batch, const struct batch_column *colu
 {
     for (size_t i = 0; i < batch->column_count; i++) {
         const struct batch_column *other = &batch->columns[i];
-        bool same_name = other->name.length == column->name.length &&
-                         memcmp(other->name.start, column->name.start, column->name.length) == 0;
+        bool same_name = text_identical(other->name, column->name);
         bool same_option = column->option != NULL && column->option == other->option &&
                            !column->is_infinite && !other->is_infinite;
         if (same_name || same_option) {

@@ -72,8 +72,7 @@ static struct batch_column *column_of(const struct batch *batch, struct text key
 {
     for (size_t i = 0; i < batch->column_count; i++) {
         struct batch_column *column = &batch->columns[(guess + i) % batch->column_count];
-        if (column->name.length == key.length &&
-            memcmp(column->name.start, key.start, key.length) == 0) {
+        if (text_identical(column->name, key)) {
             return column;
         }
     }

@@ -18,11 +18,6 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 /* Does it begin as a number does, or as the exponent of one that the end of the line has cut? */
 static bool is_number(struct text line)
 {
@@ -31,9 +26,9 @@ static bool is_number(struct text line)
     char second = text.length > 1 ? text.start[1] : '\0';
     bool is_sign = first == '+' || first == '-' || first == '.';
     bool is_exponent = first == 'e' || first == 'E';
-    return is_digit(first) ||
-           (is_sign && (is_digit(second) || second == '.' || is_blank(second))) ||
-           (is_exponent && (second == '+' || second == '-' || is_digit(second)));
+    return char_is_digit(first) ||
+           (is_sign && (char_is_digit(second) || second == '.' || is_blank(second))) ||
+           (is_exponent && (second == '+' || second == '-' || char_is_digit(second)));
 }
 
 /* Go on to the next line that is not empty if it belongs to this one. */

@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum role { WAVELENGTH, INDEX, DEVIATION, WEIGHT, ROLES };
 
@@ -125,7 +124,9 @@ static int by_wavelength(const void *a, const void *b)
 static bool set_table(const char *source, struct entry *entries, size_t count, struct arena *arena,
                       struct index_table *table, struct error *error)
 {
-    qsort(entries, count, sizeof entries[0], by_wavelength);
+    if (count > 0) {
+        qsort(entries, count, sizeof entries[0], by_wavelength);
+    }
     *table = (struct index_table){count, ARENA_ARRAY(arena, count + 1, double),
                                   ARENA_ARRAY(arena, count + 1, double), NULL};
     if (count > 0 && !isnan(entries[0].deviation)) {
@@ -151,17 +152,13 @@ bool index_table_read(struct lensdb *db, const char *source, struct text content
 {
     struct tsv tsv;
     struct columns columns = {.factor = 1};
-    size_t count = 0, room = 64;
-    struct entry *entries = ARENA_ARRAY(arena, room, struct entry);
+    size_t count = 0, room = 0;
+    struct entry *entries = NULL;
     if (!tsv_open_foreign(&tsv, source, content, error) || !find_columns(&tsv, &columns, error)) {
         return false;
     }
     while (tsv_next(&tsv, error)) {
-        if (count == room) {
-            struct entry *more = ARENA_ARRAY(arena, 2 * room, struct entry);
-            entries = memcpy(more, entries, room * sizeof entries[0]);
-            room *= 2;
-        }
+        entries = arena_grow(arena, entries, count, &room, sizeof entries[0]);
         if (!read_entry(db, &tsv, &columns, &entries[count++], error)) {
             return false;
         }

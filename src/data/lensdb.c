@@ -33,11 +33,6 @@ static bool check_directory(const char *directory, struct error *error)
     return true;
 }
 
-static int by_name(const void *a, const void *b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
 static bool ends_with(const char *name, const char *ending)
 {
     size_t length = strlen(name), last = strlen(ending);
@@ -69,7 +64,7 @@ bool lensdb_list(const struct lensdb *db, const char *folder, const char *ending
     }
     closedir(directory);
     if (count > 0) {
-        qsort(all, count, sizeof all[0], by_name);
+        qsort(all, count, sizeof all[0], text_order);
         all = arena_grow(arena, all, count, &room, sizeof all[0]);
         all[count] = NULL;
         *names = all;

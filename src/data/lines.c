@@ -5,7 +5,6 @@
 #include "base/number.h"
 
 #include <math.h>
-#include <string.h>
 
 /* The table of one place; false with ERROR_NONE if it has none. */
 static bool open_lines(struct lensdb *db, enum lensdb_place place, struct tsv *tsv, size_t *name,
@@ -43,8 +42,7 @@ static bool find_from(struct lensdb *db, enum lensdb_place first, struct text na
         if (open_lines(db, place, &tsv, &column, &nm, error)) {
             while (tsv_next(&tsv, error)) {
                 struct text cell = tsv.cells[column];
-                if (cell.length == name.length &&
-                    memcmp(cell.start, name.start, name.length) == 0) {
+                if (text_identical(cell, name)) {
                     *found = true;
                     return read_line(&tsv, nm, from_nm, wavelength, error);
                 }

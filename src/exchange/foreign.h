@@ -82,6 +82,10 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
                   struct error *error, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 
+/* The same of a file that is being written: it cannot hold something of the lens. */
+#define foreign_lose(job, error, ...)                                                              \
+    foreign_loss((job), NULL, (struct text){NULL, 0}, (error), __VA_ARGS__)
+
 /*
  * List the losses as "FILE:LINE: lost: WHAT", one a line, in the order of the file; those of
  * writing come last.

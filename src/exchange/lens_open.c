@@ -36,11 +36,6 @@ static const char *copy(struct arena *arena, struct text text)
     return arena_string(arena, text.start, text.length);
 }
 
-static int by_name(const void *a, const void *b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
 /* Those of the user, without folder and ending. */
 static bool user_names(const struct lensdb *db, struct arena *arena, const char ***names,
                        size_t *count, struct error *error)
@@ -86,7 +81,7 @@ bool lens_open_names(struct lensdb *db, enum lensdb_place place, struct arena *a
     }
     *names = none;
     if (all != NULL) {
-        qsort(all, count, sizeof all[0], by_name);
+        qsort(all, count, sizeof all[0], text_order);
         *names = all;
     }
     return true;

@@ -18,9 +18,6 @@ struct writer {
     struct error *error;
 };
 
-#define NOWHERE           ((struct text){NULL, 0})
-#define LOSE(writer, ...) foreign_loss((writer)->job, NULL, NOWHERE, (writer)->error, __VA_ARGS__)
-
 static void put(struct writer *writer, const char *string)
 {
     growing_text(&writer->out.text, text_of(string));
@@ -52,13 +49,18 @@ static bool lose_header(struct writer *writer)
         fail(writer->error, ERROR_DATA, "a .dat file has air before the lens");
         return error_locate(writer->error, writer->job->source, 0, 0);
     }
-    return (only_d || LOSE(writer, "a .dat file has no wavelengths" LOSS_INSTEAD "%.10g nm counts",
-                           1000 * lens_primary_wavelength(lens))) &&
-           (lens->object_is_infinite || LOSE(writer, "a .dat file has no object distance")) &&
-           (lens->field_count == 0 || LOSE(writer, "a .dat file has no fields")) &&
+    return (only_d || foreign_lose(writer->job, writer->error,
+                                   "a .dat file has no wavelengths" LOSS_INSTEAD "%.10g nm counts",
+                                   1000 * lens_primary_wavelength(lens))) &&
+           (lens->object_is_infinite ||
+            foreign_lose(writer->job, writer->error, "a .dat file has no object distance")) &&
+           (lens->field_count == 0 ||
+            foreign_lose(writer->job, writer->error, "a .dat file has no fields")) &&
            (lens->aperture_kind == APERTURE_NONE || lens->aperture_kind == APERTURE_STOP ||
-            LOSE(writer, "a .dat file has no aperture but the stop's diameter")) &&
-           (lens->focus == FOCUS_PARAXIAL || LOSE(writer, "a .dat file has no choice of focus"));
+            foreign_lose(writer->job, writer->error,
+                         "a .dat file has no aperture but the stop's diameter")) &&
+           (lens->focus == FOCUS_PARAXIAL ||
+            foreign_lose(writer->job, writer->error, "a .dat file has no choice of focus"));
 }
 
 static bool lose_shape(struct writer *writer, const struct surface *surface, size_t number)
@@ -75,15 +77,19 @@ static bool lose_shape(struct writer *writer, const struct surface *surface, siz
     bool is_displaced = surface->decentre != NULL || surface->coordinate_break != NULL;
     bool aspheric = fabs(surface->conic.value.hi) > 0 || surface->coefficients != 0;
     return (!is_displaced ||
-            LOSE(writer, "surface %zu: its decentre or tilt" LOSS_INSTEAD "left out", number)) &&
+            foreign_lose(writer->job, writer->error,
+                         "surface %zu: its decentre or tilt" LOSS_INSTEAD "left out", number)) &&
            (!aspheric ||
-            LOSE(writer, "surface %zu: an asphere" LOSS_INSTEAD "a sphere stands for it",
-                 number)) &&
+            foreign_lose(writer->job, writer->error,
+                         "surface %zu: an asphere" LOSS_INSTEAD "a sphere stands for it",
+                         number)) &&
            (surface->vary_count == 0 ||
-            LOSE(writer, "surface %zu: its marks for the designer" LOSS_INSTEAD "left out",
-                 number)) &&
+            foreign_lose(writer->job, writer->error,
+                         "surface %zu: its marks for the designer" LOSS_INSTEAD "left out",
+                         number)) &&
            (surface->name == NULL ||
-            LOSE(writer, "surface %zu: its name" LOSS_INSTEAD "left out", number));
+            foreign_lose(writer->job, writer->error,
+                         "surface %zu: its name" LOSS_INSTEAD "left out", number));
 }
 
 /* Digits of a length in mm. */
@@ -99,14 +105,16 @@ static void put_length(struct writer *writer, const struct figure *figure)
 static bool put_radius(struct writer *writer, const struct surface *surface, size_t number)
 {
     if (surface->kind == SURFACE_STOP) {
-        if (!surface->is_stop && !LOSE(writer, "surface %zu: pbrt takes it for a stop", number)) {
+        if (!surface->is_stop && !foreign_lose(writer->job, writer->error,
+                                               "surface %zu: pbrt takes it for a stop", number)) {
             return false;
         }
         put(writer, "0");
         return true;
     }
     if (surface->is_stop &&
-        !LOSE(writer, "surface %zu: a .dat file has no stop on a surface", number)) {
+        !foreign_lose(writer->job, writer->error,
+                      "surface %zu: a .dat file has no stop on a surface", number)) {
         return false;
     }
     if (surface->has_curvature && fabs(surface->curvature.value.hi) > 0) {
@@ -120,10 +128,10 @@ static bool put_radius(struct writer *writer, const struct surface *surface, siz
         return true;
     }
     put(writer, LONG_RADIUS);
-    return LOSE(writer,
-                "surface %zu: a plane is pbrt's stop" LOSS_INSTEAD
-                "a radius of %s mm stands for it",
-                number, LONG_RADIUS);
+    return foreign_lose(writer->job, writer->error,
+                        "surface %zu: a plane is pbrt's stop" LOSS_INSTEAD
+                        "a radius of %s mm stands for it",
+                        number, LONG_RADIUS);
 }
 
 /* The index behind a surface, at the primary wavelength. */
@@ -141,9 +149,11 @@ static bool put_index(struct writer *writer, const struct surface *surface, size
     }
     if (medium->kind == MEDIUM_CONSTANT) {
         index.typed = medium->written;
-    } else if (!LOSE(writer, "surface %zu: of %.*s the index at %.10g nm is kept, no dispersion",
-                     number, (int)(medium->written.length < 60 ? medium->written.length : 60),
-                     medium->written.start, 1000 * wavelength)) {
+    } else if (!foreign_lose(writer->job, writer->error,
+                             "surface %zu: of %.*s the index at %.10g nm is kept, no dispersion",
+                             number,
+                             (int)(medium->written.length < 60 ? medium->written.length : 60),
+                             medium->written.start, 1000 * wavelength)) {
         return false;
     }
     put_figure(writer, &index);
@@ -189,7 +199,8 @@ bool pbrt_write(struct foreign_job *job, const struct lens *lens, struct text *t
         .job = job, .lens = lens_at_position(lens, 0, job->arena), .error = error};
     writing_begin(&writer.out, writer.lens, false, job->arena);
     if (lens->position_count > 1 &&
-        !LOSE(&writer, "a .dat file has one position: the first, '%s'", lens->positions[0])) {
+        !foreign_lose(writer.job, writer.error, "a .dat file has one position: the first, '%s'",
+                      lens->positions[0])) {
         return false;
     }
     if (!lose_header(&writer)) {

@@ -111,11 +111,6 @@ static const struct glass *meaning(const struct foreign_job *job, const char *na
     return found ? lens_glass_of(&medium) : NULL;
 }
 
-static bool is_same(struct text a, struct text b)
-{
-    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
-}
-
 /* The name without '-', '_' and blanks. */
 static const char *bare_name(struct text name, struct arena *arena)
 {
@@ -147,8 +142,8 @@ void writing_glass(const struct writing *writing, const struct foreign_job *job,
     const char *bare = bare_name(*name, writing->arena);
     const struct glass *found = meaning(
         job, arena_printf(writing->arena, "%.*s:%s", (int)catalog->length, catalog->start, bare));
-    if (found != NULL && is_same(found->name, glass->name) &&
-        is_same(found->catalog, glass->catalog)) {
+    if (found != NULL && text_identical(found->name, glass->name) &&
+        text_identical(found->catalog, glass->catalog)) {
         *name = text_of(bare);
     }
 }

@@ -55,12 +55,6 @@ struct surface *lens_build_surface(struct lens_build *build)
     return surface;
 }
 
-static bool is_same_medium(const struct medium *a, const struct medium *b)
-{
-    return a->kind == b->kind && a->written.length == b->written.length &&
-           memcmp(a->written.start, b->written.start, a->written.length) == 0;
-}
-
 void lens_build_stop(struct lens_build *build, size_t index)
 {
     struct lens *lens = build->lens;
@@ -69,7 +63,7 @@ void lens_build_stop(struct lens_build *build, size_t index)
         index > 0 ? &lens->surfaces[index - 1].medium : &lens->object_medium;
     bool bare = surface->kind == SURFACE_REFRACT && surface->is_plane && !surface->has_curvature &&
                 surface->coefficients == 0 && surface->conic.value.hi == 0 &&
-                surface_is_round(surface) && is_same_medium(before, &surface->medium);
+                surface_is_round(surface) && medium_is_same(before, &surface->medium);
     surface->kind = bare ? SURFACE_STOP : surface->kind;
     surface->is_stop = true;
     lens->stop = index;

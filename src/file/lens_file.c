@@ -8,7 +8,6 @@
 #include "file/lens_words.h"
 
 #include <math.h>
-#include <string.h>
 
 const struct file_type lens_file_type = {{"lens", "lenscalc's own"}, ".lens"};
 
@@ -266,8 +265,7 @@ static size_t find_variable(void *context, struct text name)
     struct lens *lens = parser->lens;
     struct arena *arena = parser->words.arena;
     for (size_t i = 0; i < lens->variable_count; i++) {
-        struct text known = lens->variables[i].name;
-        if (known.length == name.length && memcmp(known.start, name.start, name.length) == 0) {
+        if (text_identical(lens->variables[i].name, name)) {
             return i;
         }
     }

@@ -154,17 +154,12 @@ struct pair lens_words_per_length(struct pair value, struct number_scale scale, 
 bool lens_words_figures(struct lens_words *words, struct number_scale scale, const char *what,
                         struct figure **figures, size_t *count, struct error *error)
 {
-    size_t room = 8;
-    *figures = ARENA_ARRAY(words->arena, room, struct figure);
+    size_t room = 0;
+    *figures = NULL;
     *count = 0;
     for (struct text word = lens_words_next(words); word.length > 0 || *count == 0;
          word = lens_words_next(words)) {
-        if (*count == room) {
-            struct figure *more = ARENA_ARRAY(words->arena, 2 * room, struct figure);
-            memcpy(more, *figures, room * sizeof *more);
-            *figures = more;
-            room *= 2;
-        }
+        *figures = arena_grow(words->arena, *figures, *count, &room, sizeof **figures);
         if (!lens_words_figure(words, word, scale, what, &(*figures)[*count], error)) {
             return false;
         }

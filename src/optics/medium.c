@@ -13,6 +13,11 @@ bool medium_is_air(const struct medium *medium)
     return medium->kind == MEDIUM_CONSTANT && medium->index.hi == 1 && medium->index.lo == 0;
 }
 
+bool medium_is_same(const struct medium *a, const struct medium *b)
+{
+    return a->kind == b->kind && text_identical(a->written, b->written);
+}
+
 static struct pair inverse_square(double wavelength)
 {
     return pair_divide(pair_of(1), pair_product(wavelength, wavelength));

@@ -43,6 +43,9 @@ extern const struct medium medium_air;
 
 bool medium_is_air(const struct medium *medium);
 
+/* Are they written alike? */
+bool medium_is_same(const struct medium *a, const struct medium *b);
+
 /*
  * Index of refraction.
  *

@@ -3,14 +3,7 @@
 #include "optics/lens.h"
 #include "optics/parameter.h"
 
-#include <string.h>
-
 enum { MOST_DIGITS = 6 }; /* of the number of a surface */
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
 
 const char *parameter_name(enum parameter_kind kind, int order, struct arena *arena)
 {
@@ -23,7 +16,7 @@ static int order_of(struct text digits)
 {
     int order = 0;
     for (size_t i = 0; i < digits.length; i++) {
-        if (!is_digit(digits.start[i]) || digits.length > 2) {
+        if (!char_is_digit(digits.start[i]) || digits.length > 2) {
             return 0;
         }
         order = 10 * order + (digits.start[i] - '0');
@@ -86,7 +79,7 @@ static const char *nearest_name(struct text name, bool (*takes)(enum parameter_k
 static struct text cut_number(struct text text, struct text *digits)
 {
     size_t length = text.length;
-    while (length > 0 && is_digit(text.start[length - 1])) {
+    while (length > 0 && char_is_digit(text.start[length - 1])) {
         length--;
     }
     *digits = (struct text){text.start + length, text.length - length};

@@ -128,17 +128,6 @@ static struct text repeated_option(const struct column *column)
     return echo || text_equal(first, column->name) ? first : none;
 }
 
-/* Is it a column that --columns names, in whatever unit? */
-static bool is_named(const struct report *report, const struct column *column)
-{
-    for (size_t i = 0; i < report->shown_count; i++) {
-        if (report->shown[i].column == column) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* People see what makes one row differ from the next, before what --columns names. */
 static void add_varied(struct report *report, const struct selection *selection)
 {
@@ -150,7 +139,7 @@ static void add_varied(struct report *report, const struct selection *selection)
         const struct column *column = &report->sheet->columns[i];
         struct text option = repeated_option(column);
         const char *name = arena_string(report->arena, option.start, option.length);
-        if (option.length > 0 && !text_equal(before, name) && !is_named(report, column) &&
+        if (option.length > 0 && !text_equal(before, name) && !report_shows(report, column) &&
             selection->varied(selection->asked, name)) {
             all[count++] = show_usual(column, report->arena);
             before = option;

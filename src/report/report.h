@@ -65,6 +65,17 @@ struct report {
     void *state;           /* the format's own */
 };
 
+/* Is it among the columns of the rows? */
+static inline bool report_shows(const struct report *report, const struct column *column)
+{
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (report->shown[i].column == column) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* The columns to print, and which options shape them. */
 struct selection {
     const char *columns; /* --columns, or null for the usual ones */

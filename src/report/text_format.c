@@ -372,16 +372,6 @@ static void write_line(struct report *report, const char *line)
     }
 }
 
-static bool is_shown(const struct report *report, const struct column *column)
-{
-    for (size_t i = 0; i < report->shown_count; i++) {
-        if (report->shown[i].column == column) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* What the symbols mean that stand in the head. */
 static void write_legend(struct report *report)
 {
@@ -419,7 +409,7 @@ static void write_all_notes(struct report *report)
 {
     for (size_t i = 0; i < report->sheet->column_count; i++) {
         const struct column *column = &report->sheet->columns[i];
-        if ((column->flags & COLUMN_NOTE) != 0 && !is_shown(report, column)) {
+        if ((column->flags & COLUMN_NOTE) != 0 && !report_shows(report, column)) {
             write_notes(report, column);
         }
     }

@@ -6,16 +6,6 @@
 
 #include <string.h>
 
-static int shown(struct text text)
-{
-    return text.length < 60 ? (int)text.length : 60;
-}
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 bool codev_catalog(struct codev *codev, int what, struct error *error)
 {
     struct commands *commands = &codev->commands;
@@ -76,20 +66,13 @@ bool codev_private_glass(struct codev *codev, struct error *error)
 {
     struct commands *commands = &codev->commands;
     size_t count = commands->count - 1;
-    if (codev->private_count == codev->private_room) {
-        size_t room = 2 * codev->private_room + 8;
-        struct codev_private *more = ARENA_ARRAY(commands->job->arena, room, struct codev_private);
-        if (codev->private_count > 0) {
-            memcpy(more, codev->privates, codev->private_count * sizeof *more);
-        }
-        codev->privates = more;
-        codev->private_room = room;
-    }
+    codev->privates = arena_grow(commands->job->arena, codev->privates, codev->private_count,
+                                 &codev->private_room, sizeof codev->privates[0]);
     struct codev_private *one = &codev->privates[codev->private_count++];
     *one = (struct codev_private){commands->words[0], NULL};
     const struct command_word first = commands_word(commands, 1);
     bool is_formula =
-        first.text.length > 0 && !is_digit(first.text.start[0]) && first.text.start[0] != '.';
+        first.text.length > 0 && !char_is_digit(first.text.start[0]) && first.text.start[0] != '.';
     if (is_formula) {
         return true; /* refused where a surface has it */
     }
@@ -128,7 +111,7 @@ static const char *medium_of_code(struct text code, struct arena *arena)
         if (code.start[i] == '.') {
             point = i;
             dots++;
-        } else if (!is_digit(code.start[i])) {
+        } else if (!char_is_digit(code.start[i])) {
             return NULL;
         }
     }
@@ -177,7 +160,7 @@ bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, str
     if (own != NULL && own->medium == NULL) {
         return commands_fail(&codev->commands, &surface->glass, error,
                              "the glass '%.*s' has a formula that lenscalc does not know",
-                             shown(text), text.start);
+                             text_shown(text), text.start);
     }
     const char *made = own != NULL ? own->medium : medium_of_numbers(text, arena);
     made = made != NULL ? made : medium_of_code(text, arena);
@@ -197,7 +180,7 @@ bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, str
     }
     if (error->code == ERROR_NONE) {
         commands_fail(&codev->commands, &surface->glass, error, "glass '%.*s' is in no catalogue",
-                      shown(text), text.start);
+                      text_shown(text), text.start);
     }
     return false;
 }

@@ -47,11 +47,6 @@ bool codev_is_zero(const struct codev *codev, size_t first)
     return true;
 }
 
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 static bool is_quote(char c)
 {
     return c == '\'' || c == '"';
@@ -62,7 +57,7 @@ static bool read_number(struct text text, size_t *number)
 {
     size_t value = 0;
     for (size_t i = 0; i < text.length; i++) {
-        if (!is_digit(text.start[i]) || value > 100000) {
+        if (!char_is_digit(text.start[i]) || value > 100000) {
             return false;
         }
         value = 10 * value + (size_t)(text.start[i] - '0');
@@ -119,9 +114,9 @@ static char qualifier_kind(const struct command_word *word)
     }
     char second = word->text.start[1];
     if (letter == 's') {
-        return is_digit(second) || word->text.length == 2 || is_quote(second) ? 's' : 0;
+        return char_is_digit(second) || word->text.length == 2 || is_quote(second) ? 's' : 0;
     }
-    return is_digit(second) && strchr("zfw", letter) != NULL ? letter : 0;
+    return char_is_digit(second) && strchr("zfw", letter) != NULL ? letter : 0;
 }
 
 bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers,

@@ -20,11 +20,6 @@ struct output {
     size_t own_count;
 };
 
-static bool lose(const struct output *output, struct error *error, const char *what)
-{
-    return foreign_loss(output->job, NULL, (struct text){"", 0}, error, "%s", what);
-}
-
 static void put(struct output *output, struct text text)
 {
     growing_text(&output->writing.text, text);
@@ -65,15 +60,9 @@ static bool put_text(struct output *output, const char *name, const char *string
     put(output, text);
     put_string(output, quote);
     put_string(output, "\n");
-    return !has_lost ||
-           lose(output, error,
-                "a text with both kinds of quotes" LOSS_INSTEAD "the double ones are left out");
-}
-
-static bool is_same_medium(const struct medium *a, const struct medium *b)
-{
-    return a->written.length == b->written.length &&
-           memcmp(a->written.start, b->written.start, a->written.length) == 0;
+    return !has_lost || foreign_lose(output->job, error,
+                                     "a text with both kinds of quotes" LOSS_INSTEAD
+                                     "the double ones are left out");
 }
 
 /* nd = 1.ddd and Vd = vv.v as ddd.vvv; empty where nd or Vd do not fit. */
@@ -120,7 +109,7 @@ static bool put_medium(struct output *output, const struct medium *medium, struc
         return true;
     }
     for (size_t i = 0; i < output->own_count; i++) {
-        if (is_same_medium(output->own[i], medium)) {
+        if (medium_is_same(output->own[i], medium)) {
             growing_format(&output->writing.text, "'N%zu'", i + 1);
             return true;
         }
@@ -134,9 +123,9 @@ static bool put_medium(struct output *output, const struct medium *medium, struc
     put(output, index);
     put_string(output, ":");
     put(output, abbe);
-    return lose(output, error,
-                "a glass whose nd is not from 1 to 2 or whose Vd is not from 0 to "
-                "100 has no code" LOSS_INSTEAD "it is written nd:Vd");
+    return foreign_lose(output->job, error,
+                        "a glass whose nd is not from 1 to 2 or whose Vd is not from 0 to "
+                        "100 has no code" LOSS_INSTEAD "it is written nd:Vd");
 }
 
 /* A table of indices or one index for all light, as a glass of the file's own catalogue. */
@@ -173,7 +162,7 @@ static void add_own(struct output *output, const struct medium *medium)
     bool own =
         (medium->kind == MEDIUM_CONSTANT && !medium_is_air(medium)) || medium->kind == MEDIUM_TABLE;
     for (size_t i = 0; i < output->own_count && own; i++) {
-        own = !is_same_medium(output->own[i], medium);
+        own = !medium_is_same(output->own[i], medium);
     }
     if (own) {
         output->own[output->own_count++] = medium;
@@ -218,7 +207,8 @@ static bool put_pupil(struct output *output, struct error *error)
     struct figure pupil = {.variable = LENS_NONE};
     put_string(output, CODEV_KEEP_NOTE CODEV_STOP_RULES "\n");
     if (!writing_pupil(&output->writing, 0, &pupil)) {
-        return lose(output, error, "an aperture that is ruled by a stop without a pupil");
+        return foreign_lose(output->job, error,
+                            "an aperture that is ruled by a stop without a pupil");
     }
     put_command(output, "EPD", pupil.typed);
     return true;
@@ -249,9 +239,10 @@ static bool put_aperture(struct output *output, struct error *error)
         return true;
     }
     if (kind == APERTURE_FNUMBER && !lens->object_is_infinite &&
-        !lose(output, error,
-              "the f-number of a lens with a near object" LOSS_INSTEAD "CODE V takes it as the "
-              "working one")) {
+        !foreign_lose(output->job, error,
+                      "the f-number of a lens with a near object" LOSS_INSTEAD
+                      "CODE V takes it as the "
+                      "working one")) {
         return false;
     }
     const struct figure figure = lens->apertures != NULL ? lens->apertures[0] : lens->aperture;
@@ -382,7 +373,8 @@ static bool put_asphere(struct output *output, const struct surface *surface, st
     bool is_odd = shape == &odd_shape;
     bool conic = surface->conic.value.hi != 0 || surface->conic.typed.start != NULL;
     if (is_odd && !surface_is_round(surface)) {
-        return lose(output, error, "CODE V has no cylinder with the coefficient A2 or odd ones");
+        return foreign_lose(output->job, error,
+                            "CODE V has no cylinder with the coefficient A2 or odd ones");
     }
     if (shape != NULL) {
         put_string(output, shape->head);
@@ -430,7 +422,8 @@ static bool put_details(struct output *output, const struct surface *surface, st
                          surface->decentre != NULL);
     }
     if (surface->vary_count > 0 &&
-        !lose(output, error, "marks for the designer (R~, t~)" LOSS_INSTEAD "left out")) {
+        !foreign_lose(output->job, error,
+                      "marks for the designer (R~, t~)" LOSS_INSTEAD "left out")) {
         return false;
     }
     return put_asphere(output, surface, error);
@@ -536,8 +529,8 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
     }
     put_string(&output, lens->focus == FOCUS_PARAXIAL ? "  PIM\nSI 0.0 0.0\n" : "SI 0.0 0.0\n");
     if ((lens->focus == FOCUS_BEST &&
-         !lose(&output, error,
-               "the best focus" LOSS_INSTEAD "the image lies at the last thickness")) ||
+         !foreign_lose(output.job, error,
+                       "the best focus" LOSS_INSTEAD "the image lies at the last thickness")) ||
         !put_positions(&output, error)) {
         return false;
     }

@@ -116,11 +116,6 @@ static bool is_number(struct text text)
                                   text.start + text.length;
 }
 
-static bool is_same(struct text a, struct text b)
-{
-    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
-}
-
 /* {0.58756um 1.6201, 0.48613um 1.6272}, or one number where all are the same. */
 static const char *table_of(const struct oslo *oslo, size_t first, size_t count)
 {
@@ -131,7 +126,7 @@ static const char *table_of(const struct oslo *oslo, size_t first, size_t count)
     const char *table = "{";
     for (size_t i = 0; i < count; i++) {
         const struct text wave = oslo->wave_count > 0 ? oslo->waves[i] : text_of(usual[i]);
-        same = same && is_same(words[i].text, words[0].text);
+        same = same && text_identical(words[i].text, words[0].text);
         table = arena_printf(arena, "%s%s%.*sum %.*s", table, i > 0 ? ", " : "", (int)wave.length,
                              wave.start, (int)words[i].text.length, words[i].text.start);
     }

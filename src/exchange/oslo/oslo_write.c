@@ -18,11 +18,6 @@ struct output {
     size_t number; /* of the present surface; the object is 0 */
 };
 
-static bool lose(const struct output *output, struct error *error, const char *what)
-{
-    return foreign_loss(output->job, NULL, (struct text){"", 0}, error, "%s", what);
-}
-
 static void put_string(struct output *output, const char *string)
 {
     growing_text(&output->writing.text, text_of(string));
@@ -50,8 +45,8 @@ static bool put_text(struct output *output, const char *name, const char *string
     put_string(output, " \"");
     growing_text(&output->writing.text, text);
     put_string(output, "\"");
-    return !has_lost ||
-           lose(output, error, "double quotes inside of a text" LOSS_INSTEAD "left out");
+    return !has_lost || foreign_lose(output->job, error,
+                                     "double quotes inside of a text" LOSS_INSTEAD "left out");
 }
 
 static bool put_aperture(struct output *output, struct error *error)
@@ -69,20 +64,22 @@ static bool put_aperture(struct output *output, struct error *error)
     if (lens->aperture_kind == APERTURE_FNUMBER) {
         put_command(output, "FNO", writing_length(&output->writing, &figure, 0));
         return lens->object_is_infinite ||
-               lose(output, error,
-                    "the f-number of a lens with a near object" LOSS_INSTEAD "OSLO takes it as "
-                    "the working one");
+               foreign_lose(output->job, error,
+                            "the f-number of a lens with a near object" LOSS_INSTEAD
+                            "OSLO takes it as "
+                            "the working one");
     }
     if (!lens->object_is_infinite) {
-        return lose(output, error,
-                    "the aperture of a lens with a finite object: OSLO wants its "
-                    "NA, write 'aperture na'");
+        return foreign_lose(output->job, error,
+                            "the aperture of a lens with a finite object: OSLO wants its "
+                            "NA, write 'aperture na'");
     }
     if (lens->aperture_kind == APERTURE_STOP) {
         put_string(output, OSLO_KEEP_NOTE OSLO_STOP_RULES "\n");
         figure = (struct figure){.variable = LENS_NONE};
         if (!writing_pupil(&output->writing, 0, &figure)) {
-            return lose(output, error, "an aperture that is ruled by a stop without a pupil");
+            return foreign_lose(output->job, error,
+                                "an aperture that is ruled by a stop without a pupil");
         }
     }
     put_command(output, "EBR", decimal_half(length_of(output, &figure), arena));
@@ -164,7 +161,7 @@ static bool put_header(struct output *output, struct error *error)
         }
         put_string(output, "\n");
     }
-    return lens->note_count <= 10 || lose(output, error, "more than ten notes");
+    return lens->note_count <= 10 || foreign_lose(output->job, error, "more than ten notes");
 }
 
 /* Indices at the wavelengths of a table, or of the lens. */
@@ -275,7 +272,8 @@ static bool put_shape(struct output *output, const struct surface *surface, stru
     }
     put_coefficients(output, surface);
     return surface_is_round(surface) ||
-           lose(output, error, "a cylinder" LOSS_INSTEAD "written as curved in both sections");
+           foreign_lose(output->job, error,
+                        "a cylinder" LOSS_INSTEAD "written as curved in both sections");
 }
 
 static void put_next(struct output *output)
@@ -336,7 +334,8 @@ static bool put_surface(struct output *output, size_t index, struct error *error
                          surface->decentre != NULL);
     }
     return surface->vary_count == 0 ||
-           lose(output, error, "marks for the designer (R~, t~)" LOSS_INSTEAD "left out");
+           foreign_lose(output->job, error,
+                        "marks for the designer (R~, t~)" LOSS_INSTEAD "left out");
 }
 
 static void put_waves(struct output *output)
@@ -364,13 +363,14 @@ static bool check_losses(struct output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
     return (lens->stop != LENS_NONE ||
-            lose(output, error,
-                 "the lens has no stop" LOSS_INSTEAD "OSLO takes its first surface")) &&
+            foreign_lose(output->job, error,
+                         "the lens has no stop" LOSS_INSTEAD "OSLO takes its first surface")) &&
            (lens->position_count == 0 ||
-            lose(output, error, "the positions but the first: write them one by one")) &&
+            foreign_lose(output->job, error,
+                         "the positions but the first: write them one by one")) &&
            (lens->focus != FOCUS_BEST ||
-            lose(output, error,
-                 "the best focus" LOSS_INSTEAD "the image lies at the last thickness"));
+            foreign_lose(output->job, error,
+                         "the best focus" LOSS_INSTEAD "the image lies at the last thickness"));
 }
 
 bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,

@@ -21,15 +21,8 @@ static bool read_surf(struct zemax_file *file, struct text keyword, struct error
         return lens_words_fail(&line->words, keyword, error, "more than %d surfaces",
                                ZEMAX_SURFACES);
     }
-    if (file->surface_count == file->surface_room) {
-        size_t room = 2 * file->surface_room + 16;
-        struct zemax_surface *more = ARENA_ARRAY(file->job->arena, room, struct zemax_surface);
-        if (file->surface_count > 0) {
-            memcpy(more, file->surfaces, file->surface_count * sizeof *more);
-        }
-        file->surfaces = more;
-        file->surface_room = room;
-    }
+    file->surfaces = arena_grow(file->job->arena, file->surfaces, file->surface_count,
+                                &file->surface_room, sizeof file->surfaces[0]);
     file->surfaces[file->surface_count++] = (struct zemax_surface){.surf = line};
     return true;
 }

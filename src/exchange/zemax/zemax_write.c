@@ -11,7 +11,6 @@
 #include "file/lens_unit.h"
 
 #include <math.h>
-#include <string.h>
 
 enum { MOST_FIELDS = 12, MOST_WAVES = 24 };
 
@@ -58,8 +57,9 @@ static bool put_fields(struct zemax_writer *writer, struct error *error)
     size_t waves = lens->wavelength_count > 0 ? lens->wavelength_count : 1;
     size_t count = lens->field_count < MOST_FIELDS ? lens->field_count : MOST_FIELDS;
     if (count < lens->field_count &&
-        !zemax_lose(writer, error, "more than %d fields" LOSS_INSTEAD "those beyond are left out",
-                    MOST_FIELDS)) {
+        !foreign_lose(writer->job, error,
+                      "more than %d fields" LOSS_INSTEAD "those beyond are left out",
+                      MOST_FIELDS)) {
         return false;
     }
     growing_format(&writer->out, "FTYP %d 0 %zu %zu 0 0 0\r\n", types[lens->field_kind],
@@ -102,9 +102,9 @@ static bool put_waves(struct zemax_writer *writer, struct error *error)
     }
     growing_string(&writer->out, "PWAV 1\r\n");
     return lens->wavelength_count <= MOST_WAVES ||
-           zemax_lose(writer, error,
-                      "more than %d wavelengths" LOSS_INSTEAD "those beyond are left out",
-                      MOST_WAVES);
+           foreign_lose(writer->job, error,
+                        "more than %d wavelengths" LOSS_INSTEAD "those beyond are left out",
+                        MOST_WAVES);
 }
 
 static bool put_header(struct zemax_writer *writer, struct error *error)
@@ -218,6 +218,6 @@ bool zemax_write(struct foreign_job *job, const struct lens *lens, struct text *
     put_positions(&writer);
     *text = growing_done(&writer.out);
     return lens->focus != FOCUS_BEST ||
-           zemax_lose(&writer, error,
-                      "the best focus" LOSS_INSTEAD "the image lies at the last thickness");
+           foreign_lose(writer.job, error,
+                        "the best focus" LOSS_INSTEAD "the image lies at the last thickness");
 }

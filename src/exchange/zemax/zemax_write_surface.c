@@ -72,11 +72,6 @@ static void put_curvature(struct zemax_writer *writer, const struct figure *curv
     growing_text(&writer->out, figure.typed);
 }
 
-static bool same_text(struct text a, struct text b)
-{
-    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
-}
-
 /* CATALOG and NAME of a glass as its catalogue spells them. */
 static void split_glass(const struct medium *medium, struct text *catalog, struct text *name)
 {
@@ -98,7 +93,7 @@ void zemax_note_catalog(struct zemax_writer *writer, const struct medium *medium
     }
     split_glass(medium, &catalog, &name);
     for (size_t i = 0; i < writer->catalog_count; i++) {
-        if (same_text(writer->catalogs[i], catalog)) {
+        if (text_identical(writer->catalogs[i], catalog)) {
             return;
         }
     }
@@ -129,7 +124,7 @@ static bool check_homonym(struct zemax_writer *writer, const struct medium *medi
     for (size_t i = 0; i < writer->catalog_count && job->glasses != NULL; i++) {
         struct medium other = {.kind = MEDIUM_GLASS};
         struct error ignored;
-        if (same_text(writer->catalogs[i], catalog)) {
+        if (text_identical(writer->catalogs[i], catalog)) {
             return true;
         }
         other.written =
@@ -138,10 +133,10 @@ static bool check_homonym(struct zemax_writer *writer, const struct medium *medi
         const struct glass_abbe abbe = abbe_of(medium);
         if (job->glasses->find(job->glasses->context, &other, &ignored) &&
             foreign_agrees(&other, abbe.nd, abbe.Vd)) {
-            return zemax_lose(writer, error,
-                              "the glass %.*s:%.*s: the file would be read with that of %.*s",
-                              (int)catalog.length, catalog.start, (int)name.length, name.start,
-                              (int)writer->catalogs[i].length, writer->catalogs[i].start);
+            return foreign_lose(writer->job, error,
+                                "the glass %.*s:%.*s: the file would be read with that of %.*s",
+                                (int)catalog.length, catalog.start, (int)name.length, name.start,
+                                (int)writer->catalogs[i].length, writer->catalogs[i].start);
         }
     }
     return true;
@@ -167,9 +162,9 @@ static bool put_table(struct zemax_writer *writer, const struct medium *medium, 
     char text[PAIR_LENGTH];
     char *end = pair_write_shortest(text, index, NUMBER_UNSCALED);
     put_model(writer, (struct text){text, (size_t)(end - text)}, text_of("0"));
-    return zemax_lose(writer, error,
-                      "a medium given by a table" LOSS_INSTEAD "its index at %.6g um stands for it",
-                      primary);
+    return foreign_lose(
+        writer->job, error,
+        "a medium given by a table" LOSS_INSTEAD "its index at %.6g um stands for it", primary);
 }
 
 bool zemax_put_medium(struct zemax_writer *writer, const struct medium *medium, struct error *error)
@@ -194,8 +189,8 @@ bool zemax_put_medium(struct zemax_writer *writer, const struct medium *medium, 
         growing_format(&writer->out, " 0 0 %.8g %.8g 0 0 0 0 0 0\r\n", abbe_of(medium).nd,
                        abbe_of(medium).Vd);
         return (memchr(name.start, ' ', name.length) == NULL ||
-                zemax_lose(writer, error, "the glass '%.*s': its name has a blank",
-                           (int)name.length, name.start)) &&
+                foreign_lose(writer->job, error, "the glass '%.*s': its name has a blank",
+                             (int)name.length, name.start)) &&
                check_homonym(writer, medium, error);
     }
 }
@@ -336,10 +331,10 @@ static bool put_shape(struct zemax_writer *writer, const struct surface *surface
         put_coefficients(writer, surface);
     }
     return !cylinder || (surface->coefficients == 0 && !(cross && has_conic)) ||
-           zemax_lose(writer, error,
-                      "surface %zu: a cylinder with aspheric terms" LOSS_INSTEAD
-                      "they are left out",
-                      number);
+           foreign_lose(writer->job, error,
+                        "surface %zu: a cylinder with aspheric terms" LOSS_INSTEAD
+                        "they are left out",
+                        number);
 }
 
 static void put_thickness(struct zemax_writer *writer, const struct surface *surface, bool last)
@@ -373,8 +368,8 @@ static bool check_surface(struct zemax_writer *writer, const struct surface *sur
                           struct error *error)
 {
     return surface->vary_count == 0 ||
-           zemax_lose(writer, error,
-                      "surface %zu: the marks of what may vary" LOSS_INSTEAD "left out", number);
+           foreign_lose(writer->job, error,
+                        "surface %zu: the marks of what may vary" LOSS_INSTEAD "left out", number);
 }
 
 bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *error)

@@ -21,10 +21,6 @@ struct zemax_writer {
     size_t *own_places; /* and with its diameter */
 };
 
-/* Record that the file cannot hold something of the lens. */
-#define zemax_lose(writer, error, ...)                                                             \
-    foreign_loss((writer)->job, NULL, (struct text){NULL, 0}, (error), __VA_ARGS__)
-
 /* Keep the catalogue of a medium for the list of them. */
 void zemax_note_catalog(struct zemax_writer *writer, const struct medium *medium);
 
