@@ -86,6 +86,12 @@ BROKEN = {
     "a question that costs every start": (
         change("base/number.c", ("a + 1", 'a + __builtin_cpu_supports("avx2")')),
         "src/base/number.c:6: '__builtin_cpu_supports' in a numeric folder"),
+    "an extension of C": (
+        change("photo/dof.c", ("    return", "    __typeof__(a) b = a;\n    return")),
+        "src/photo/dof.c:6: __typeof__ is no C17, and not used here"),
+    "an extension in a file that has none": (
+        change("photo/dof.c", ("return a", "return __builtin_ctzll(8ULL) + a")),
+        "src/photo/dof.c:6: __builtin_ctzll is no C17, and not used here"),
     "an option below cli": (
         change("photo/dof.h",
                ("int dof", '#define DOF_ASKS "too wide: \\"less\\" " "--aperture"\nint dof')),

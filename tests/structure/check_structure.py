@@ -53,6 +53,14 @@ FORBIDDEN_CALLS = re.compile(
     r"abort|getenv|setlocale|signal|system|fork|__builtin_cpu_supports)\s*\(|"
     r"\b(stdin|stdout|stderr|FILE)\b")
 ALLOWED_CALLS = {"base/arena.c": {"abort"}, "base/processor.h": {"__builtin_cpu_supports"}}
+# What gcc and clang add to C17, and what of it README says is used, with the files of the rare ones.
+EXTENSIONS = re.compile(r"__attribute__\(\((\w+)|(__builtin_\w+|__int128|__typeof__|__asm__|\btypeof|"
+                        r"\basm|__thread|__extension__|\balloca)\b")
+USED_EXTENSIONS = {"format": None, "noinline": None, "always_inline": None, "target": None,
+                   "vector_size": "optics/paraxial.c", "__builtin_fma": "optics/",
+                   "__builtin_clzll": "base/", "__builtin_ctzll": "base/",
+                   "__builtin_bswap64": "base/", "__int128": "base/", "__extension__": "base/",
+                   "__builtin_cpu_supports": "base/"}
 # Object -> symbols that may be writable data: none. Const tables of pointers lie in .data.rel.ro,
 # which is read-only once the program is loaded; nm calls it "d", objdump names the section.
 WRITABLE = {
@@ -181,6 +189,16 @@ def check_calls(checks, path, text):
             if word not in ALLOWED_CALLS.get(inside, ()):
                 found.append(f"{path}:{number}: '{word}' in a numeric folder")
     checks.check(not found, "; ".join(found[:5]))
+
+
+def check_extensions(checks, path, text):
+    inside = os.path.relpath(path, "src")
+    for number, line in enumerate(blank_comments(text).split("\n"), 1):
+        for match in EXTENSIONS.finditer(line):
+            word = match[1] or match[2]
+            place = USED_EXTENSIONS.get(word, "nowhere")
+            checks.check(place is None or inside.startswith(place),
+                         f"{path}:{number}: {word} is no C17, and not used here")
 
 
 def check_options(checks, sources):
@@ -394,6 +412,7 @@ def check_tree(checks, build):
         if path in sources:
             check_includes(checks, path, text)
             check_calls(checks, path, text)
+            check_extensions(checks, path, text)
         if path in sources and path.endswith(".h"):
             check_parameters(checks, path, text)
     check_options(checks, sources)
