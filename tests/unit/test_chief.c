@@ -4,6 +4,7 @@
 #include "check.h"
 #include "file/lens_file.h"
 #include "trace/chief.h"
+#include "trace/clear.h"
 
 static const double degree = RADIANS_PER_DEGREE;
 
@@ -151,8 +152,106 @@ static void test_lost(void)
     }
 }
 
+static void find_aperture(struct opened *opened)
+{
+    struct error error;
+    const struct aperture_setting setting = {APERTURE_STOP, 12};
+    CHECK(first_order_aperture(&opened->first, &opened->object, &setting, FIELD_NONE, 0, &error));
+}
+
+/*
+ * A stop 8 mm behind an ideal lens of f = 40: its image from the front is 10 behind the lens, 5/4
+ * as large. A ray through a point of that is a straight line in front of the lens.
+ */
+static void test_entrance(void)
+{
+    static const char *const texts[] = {
+        "object inf\naperture stop\nthick 40 8 air -\nstop - 30 air 12\n",
+        "object 70\naperture stop\nthick 40 8 air -\nstop - 30 air 12\n",
+        "object inf\naperture stop\nthick 40 40 air -\nstop - 30 air 12\n",
+        "object inf\nthick 40 40 air -\nthick 50 8 air -\n"};
+    static const double fields[][2] = {{0, 0}, {0.1, -0.2}, {0.3, 0.2}};
+    struct arena arena = {0};
+    struct opened opened;
+    struct error error = {0};
+    struct beam beam;
+    struct ray ray;
+    for (size_t i = 0; i < 6; i++) {
+        open_text(texts[i % 2], &arena, &opened);
+        double scale = i % 2 == 0 ? 1 : 40, point[2];
+        const struct field_point field = {i % 2 == 0 ? FIELD_ANGLE : FIELD_HEIGHT,
+                                          {scale * fields[i / 2][0], scale * fields[i / 2][1]}};
+        CHECK(beam_of_field(&field, &opened.object, &opened.first, &beam, &error));
+        find_aperture(&opened);
+        CHECK(aim_at_entrance(&beam, &opened.first, 0.5, -0.75, &ray, &error));
+        at_plane(&ray, 10, point);
+        CHECK_NEAR(point[0], 0.5 * 7.5, 1e-13, "in the pupil");
+        CHECK_NEAR(point[1], -0.75 * 7.5, 1e-13, "in the pupil");
+        /* where to look first: the pupil's centre, and a radius along x as the beam sees it */
+        const struct clear_guess guess = clear_guess_of(&opened.system, &beam, &opened.first);
+        const struct ray centre = beam_ray(&beam, guess.centre[0], guess.centre[1]);
+        double to[2][2];
+        at_plane(&centre, 10, point);
+        CHECK_NEAR(hypot(point[0], point[1]), 0, 1e-13, "centre of the pupil");
+        beam_place(&beam, (double[3]){0, 0, 10}, to[0]);
+        beam_place(&beam, (double[3]){7.5, 0, 10}, to[1]);
+        CHECK_NEAR(guess.radius, hypot(to[1][0] - to[0][0], to[1][1] - to[0][1]), 1e-13, "radius");
+        CHECK(guess.radius < 7.6 && guess.radius > 5);
+    }
+    /* at 90 degrees, with the pupil at infinity, with none */
+    const double across[2] = {0, 90.5 * degree}, ahead[2] = {0, 0.1};
+    beam = beam_from_infinity(across, 1);
+    CHECK(!aim_at_entrance(&beam, &opened.first, 0, 0, &ray, &error));
+    CHECK(strstr(error.message, "90 deg or more") != NULL);
+    beam = beam_from_infinity(ahead, 1);
+    open_text(texts[2], &arena, &opened);
+    opened.first.entrance_diameter = 5;
+    CHECK(!aim_at_entrance(&beam, &opened.first, 0, 0, &ray, &error));
+    CHECK(strstr(error.message, "infinitely far") != NULL);
+    open_text(texts[3], &arena, &opened);
+    CHECK(!aim_at_entrance(&beam, &opened.first, 0, 0, &ray, &error));
+    CHECK(strstr(error.message, "no entrance pupil") != NULL);
+    arena_free(&arena);
+}
+
+/* From another ray than the chief ray: points of the stop are reached all the same. */
+static void test_open_at(void)
+{
+    static const double at[2] = {-13, 5}, points[][2] = {{0, 0}, {0.5, -0.75}, {-1, 0}};
+    struct arena arena = {0};
+    struct opened opened;
+    struct aim aim;
+    struct error error;
+    double middle[2], point[2];
+    open_text("object inf\naperture stop\nsurface - 30 air 50\nstop - 10 air 10\n", &arena,
+              &opened);
+    CHECK(open_aim(&opened, 0.3, -0.2, &arena, &aim, &error));
+    CHECK(aim.centre[0] == 0 && aim.centre[1] == 0);
+    CHECK(aim_open_at(&aim, at));
+    struct ray ray = beam_ray(&aim.beam, at[0], at[1]);
+    at_plane(&ray, 30, middle);
+    CHECK_NEAR(aim.centre[0], middle[0], 1e-13, "where it crosses the stop");
+    CHECK_NEAR(aim.centre[1], middle[1], 1e-13, "where it crosses the stop");
+    CHECK(aim.chief[0] == at[0] && aim.chief[1] == at[1]);
+    for (size_t i = 0; i < 3; i++) {
+        ray = aim_ray(&aim, points[i][0], points[i][1]);
+        CHECK(ray.status == RAY_OK);
+        at_plane(&ray, 30, point);
+        CHECK_NEAR(point[0], 5 * points[i][0], 1e-9, "aimed");
+        CHECK_NEAR(point[1], 5 * points[i][1], 1e-9, "aimed");
+    }
+    open_text("object inf\naperture stop\nsurface 9 30 air 18\nstop - 10 air 10\n", &arena,
+              &opened);
+    CHECK(open_aim(&opened, 0, 0.1, &arena, &aim, &error));
+    CHECK(!aim_open_at(&aim, (double[2]){0, 20}));
+    CHECK(aim_open_at(&aim, (double[2]){0, 2}));
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_entrance();
+    test_open_at();
     test_straight();
     test_lost();
     return check_report();

@@ -168,6 +168,11 @@ static void check_warnings(void)
     }
     CHECK(read_text("aperture stop\nsurface 20 1 1.5 - stop\n", &arena, &lens, &error));
     CHECK(!lens_check(&lens, &arena, &warnings, &error) && error.code == ERROR_DATA);
+    CHECK(read_text("surface 20 1 1.5 9 stop\nsurface - 1 1.5 9\nsurface 20 1 1.5 9\n", &arena,
+                    &lens, &error));
+    lens.surfaces[2].is_stop = true;
+    CHECK(!lens_check(&lens, &arena, &warnings, &error));
+    CHECK_TEXT(error.message, "two stops: surfaces 1 and 3");
     arena_free(&arena);
 }
 
