@@ -240,6 +240,7 @@ static void test_refusals(void)
         {{50, no, 0.03, inf, 1}, {no, inf, no, no, no}, ERROR_DOMAIN, "distance inf"},
         {{no, 4, 0.03, inf, 1}, {no, no, no, no, 0.1}, ERROR_DOMAIN, "distance inf"},
         {{50, no, 0, 2000, 1}, {1900, no, no, no, no}, ERROR_DOMAIN, "above 0 mm"},
+        {{50, 4, 0, no, 1}, {no, no, 1000, no, no}, ERROR_DOMAIN, "above 0 mm"},
         {{50, no, 0.03, 2000, 0}, {1900, no, no, no, no}, ERROR_DOMAIN, "pupil"},
         {{50, no, 0.03, 40, 1}, {35, no, no, no, no}, ERROR_DOMAIN, "no real image"},
         {{50, no, 0.03, no, 1}, {no, 500, 600, no, no}, ERROR_DOMAIN, "below the far limit"},

@@ -189,7 +189,8 @@ static void test_fields_in_object(void)
 static void test_fields_asked(void)
 {
     static const struct setup_field asked[] = {{{FIELD_ANGLE, {0, 0.1}}, 1},
-                                               {{FIELD_ANGLE, {0, -0.2}}, 3}};
+                                               {{FIELD_ANGLE, {0, -0.2}}, 3},
+                                               {{FIELD_HEIGHT, {0, -9}}, 9}}; /* not asked for */
     static const enum field_policy policies[] = {FIELDS_ALL, FIELDS_SPREAD, FIELDS_LARGEST};
     struct arena arena = {0};
     struct setup_question question = question_of("field angle 0 30\n" THIN("100"), &arena);
