@@ -4,6 +4,7 @@
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
+#include "two_discs.h"
 
 static const double pi = PI, degree = RADIANS_PER_DEGREE;
 static const double STOP = 5, RIM = 8, GAP = 20; /* mm */
@@ -129,64 +130,6 @@ static void test_exit(void)
     CHECK_RELATIVE(shape.exit.pupil.area, 25 * pi / 0.81, 2e-4, "its area, a polygon of 512");
     CHECK_RELATIVE(shape.exit.vertex.area, 25 * pi, 2e-4, "at the lens as wide as the beam");
     arena_free(&arena);
-}
-
-/* Two holes in a row as one sees them: the part of disc A that lies in disc B. */
-struct disc {
-    double x, y, r;
-};
-
-struct region {
-    double high[2], low[2], area, centre[2];
-    bool by_first[PUPIL_ENDS], by_second[PUPIL_ENDS]; /* whose rim is the end; a corner: both */
-};
-
-/* How far the region reaches in the direction (dx, dy). */
-static double reach_of(const struct disc *A, const struct disc *B, double dx, double dy,
-                       bool *by_first, bool *by_second)
-{
-    double px = A->x + A->r * dx, py = A->y + A->r * dy;
-    double qx = B->x + B->r * dx, qy = B->y + B->r * dy;
-    *by_first = hypot(px - B->x, py - B->y) <= B->r;
-    *by_second = hypot(qx - A->x, qy - A->y) <= A->r;
-    if (*by_first || *by_second) {
-        return *by_first ? px * dx + py * dy : qx * dx + qy * dy;
-    }
-    double d = hypot(B->x - A->x, B->y - A->y), along = (d * d + A->r * A->r - B->r * B->r) / 2 / d;
-    double ux = (B->x - A->x) / d, uy = (B->y - A->y) / d,
-           aside = sqrt(A->r * A->r - along * along);
-    double middle = (A->x + along * ux) * dx + (A->y + along * uy) * dy;
-    *by_first = *by_second = true;
-    return middle + aside * fabs(dx * uy - dy * ux);
-}
-
-/* A segment of a disc on the side of the angle 0, beyond the chord at the distance `at`. */
-static double segment(double r, double at, double *moment)
-{
-    double angle = acos(at / r), sine = sin(angle);
-    *moment = 2 * r * r * r * sine * sine * sine / 3;
-    return r * r * (angle - sine * cos(angle));
-}
-
-static struct region region_of(struct disc A, struct disc B)
-{
-    static const double ends[PUPIL_ENDS][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    struct region region = {.area = pi * A.r * A.r, .centre = {A.x, A.y}};
-    for (int i = 0; i < PUPIL_ENDS; i++) {
-        double far =
-            reach_of(&A, &B, ends[i][0], ends[i][1], &region.by_first[i], &region.by_second[i]);
-        *(i < 2 ? &region.high[i] : &region.low[i - 2]) = i < 2 ? far : -far;
-    }
-    double d = hypot(B.x - A.x, B.y - A.y);
-    if (d > B.r - A.r) {
-        double along = (d * d + A.r * A.r - B.r * B.r) / 2 / d, first, second;
-        double a = segment(A.r, along, &first), b = segment(B.r, d - along, &second);
-        double off = (first + d * b - second) / (a + b);
-        region.area = a + b;
-        region.centre[0] = A.x + off * (B.x - A.x) / d;
-        region.centre[1] = A.y + off * (B.y - A.y) / d;
-    }
-    return region;
 }
 
 /* The extent is the region, scaled about the origin by m and moved. */
