@@ -7,7 +7,7 @@
 #   fuzz       long fuzzing: SECONDS=600 JOBS=2      clean      remove build/
 #   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1
 #   coverage   lines and branches that the fast tests reach, by folder
-#   mutate     is a changed sign noticed? COUNT=60 SEED=1
+#   mutate     is a changed sign noticed? COUNT=60 SEED=1,2,3
 #   cross      build for aarch64, run the command-line tests under qemu
 
 PREFIX  = /usr/local
