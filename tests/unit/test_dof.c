@@ -413,8 +413,32 @@ static void test_equal(void)
     CHECK(!dof_equal(&a, 0, &b, &error));
 }
 
+/*
+ * Reciprocal limits by what a pupil of diameter f/N at q = f (1 - 1/P) blurs: a point at x draws a
+ * disc (f/N)(s - x)/(x - q) in the plane in focus, and m times that on the film.
+ */
+static void test_vergences(void)
+{
+    static const double settings[][5] = {{50, 4, 0.03, 2000, 1},
+                                         {85, 1.4, 0.02, 900, 0.7},
+                                         {24, 11, 0.03, 5000, 2.5},
+                                         {100, 8, 0.1, 300, 0.5},
+                                         {35, 16, 0.03, 40000, 1.6}};
+    static const double fnumbers[] = {1, 2.8, 22};
+    for (size_t i = 0; i < 3 * sizeof settings / sizeof settings[0]; i++) {
+        const double *row = settings[i / 3];
+        double f = row[0], c = row[2], s = row[3], P = row[4], N = fnumbers[i % 3], near, far;
+        const struct dof_setting setting = {f, row[1], c, s, P};
+        double m = f / (s - f), D = f / N, q = f * (1 - 1 / P);
+        dof_vergences(&setting, N, &near, &far);
+        CHECK_RELATIVE(near, (m * D + c) / (m * D * s + c * q), 1e-14, "near");
+        CHECK_NEAR(far, (m * D - c) / (m * D * s - c * q), 1e-14 / f, "far");
+    }
+}
+
 int main(void)
 {
+    test_vergences();
     test_truth();
     test_thin();
     test_properties();

@@ -294,8 +294,67 @@ static void test_refused(void)
     }
 }
 
+static size_t find(const char *text, struct conjugate_question question,
+                   struct conjugate_points points[2], struct error *error)
+{
+    struct arena arena = {0};
+    struct lens lens;
+    struct paraxial_system system;
+    struct paraxial_trace trace;
+    struct conjugate_ray rays[2];
+    open_text(text, &arena, &lens);
+    CHECK(paraxial_compile(&lens, 0.55, SECTION_Y, &arena, &system, error));
+    paraxial_trace(&system, &trace);
+    size_t count = conjugate_find(&system, &trace, &question, rays, error);
+    for (size_t i = 0; i < count; i++) {
+        conjugate_compute(&system, &trace, &rays[i], &points[i]);
+    }
+    arena_free(&arena);
+    return count;
+}
+
+/*
+ * Kepler's telescope, f1 = 100 and f2 = 50: m = -1/2 everywhere, x' = 75 - x/4 behind the last
+ * lens, and from object to image 150 + 75 + 3 x/4. With equal lenses it is 400 wherever x is.
+ * An ordinary lens of 100 has 450 from object to image at x = 150 and 300.
+ */
+static void test_total(void)
+{
+    static const char *kepler = "thick 100 150 air -\nthick 50 75 air -\n";
+    struct conjugate_points found[2];
+    struct error error = {0};
+    struct conjugate_question question = {CONJUGATE_OBJECT, CONJUGATE_FROM_SENSOR, 525, 0};
+    CHECK(find(kepler, question, found, &error) == 1);
+    CHECK_RELATIVE(found[0].object, 400.0, 1e-14, "object");
+    CHECK_RELATIVE(found[0].image, -25.0, 1e-13, "image, virtual");
+    CHECK_RELATIVE(found[0].magnification, -0.5, 1e-15, "magnification");
+    CHECK_RELATIVE(found[0].angular, -2.0, 1e-15, "angular magnification");
+    CHECK(found[0].image_is_virtual && !found[0].object_is_virtual);
+    CHECK(find("thick 100 200 air -\nthick 100 100 air -\n", question, found, &error) == 0);
+    CHECK(strstr(error.message, "same distance from object to image, 400 mm") != NULL);
+    question = (struct conjugate_question){CONJUGATE_MAGNIFICATION, 0, 0, -2};
+    CHECK(find(kepler, question, found, &error) == 0);
+    CHECK(strstr(error.message, "magnification -0.5 wherever") != NULL);
+    CHECK(find(single, question, found, &error) == 1);
+    CHECK_RELATIVE(found[0].object, 150.0, 1e-15, "1 + 1/|m| focal lengths");
+    question = (struct conjugate_question){CONJUGATE_OBJECT, CONJUGATE_FROM_SENSOR, 450, 0};
+    CHECK(find(single, question, found, &error) == 2);
+    CHECK_RELATIVE(found[0].object, 300.0, 1e-15, "the smaller image first");
+    CHECK_RELATIVE(found[1].object, 150.0, 1e-15, "then the larger");
+    question.distance = 399;
+    CHECK(find(single, question, found, &error) == 0);
+    CHECK(strstr(error.message, "0 mm or less, or 400 mm or more") != NULL);
+    question.distance = 400;
+    CHECK(find(single, question, found, &error) == 1 && found[0].magnification == -1);
+    question.distance = INFINITY;
+    CHECK(find(single, question, found, &error) == 1);
+    CHECK(isinf(found[0].object) && isinf(found[0].total));
+    CHECK_RELATIVE(found[0].image, 100.0, 1e-15, "in the focus");
+}
+
 int main(void)
 {
+    test_total();
     test_all_origins();
     test_refused();
     test_compute();

@@ -1,4 +1,4 @@
-/* tests/unit/test_thick_pupil.c - a pupil fitted to rays, against normal equations in 50 digits. */
+/* tests/unit/test_thick_pupil.c - a pupil fitted to rays by normal equations; errors of rays. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "design/thick.h"
@@ -77,8 +77,63 @@ static void test_open(void)
     arena_free(&arena);
 }
 
+/*
+ * Rays of one slope through an ideal lens in air, f = 50, H at 4 and H' at -3, as they are and
+ * shifted by known amounts: x_out - 3 u' is the height at H, x + 4 u.
+ */
+static void test_errors(void)
+{
+    enum { COUNT = 3 };
+    static const double x[COUNT] = {1, -2, 0.5}, y[COUNT] = {3, 0.25, -4};
+    static const double p[COUNT] = {0.1, -0.05, 0}, q[COUNT] = {0.02, 0.2, -0.1};
+    static const double off_x[COUNT] = {0.3, -0.1, 0}, off_p[COUNT] = {0.01, 0.02, -0.05};
+    static const double weight[COUNT] = {1, 2, 5}, plane = 20;
+    static const size_t group[COUNT] = {0, 1, 1};
+    const struct thick_lens lenses[2] = {{.focal = 50,
+                                          .front = 4,
+                                          .rear = -3,
+                                          .index_object = 1,
+                                          .index_image = 1,
+                                          .object = INFINITY},
+                                         {.focal = 40,
+                                          .front = 4,
+                                          .rear = -3,
+                                          .index_object = 1,
+                                          .index_image = 1,
+                                          .object = INFINITY}};
+    double x_out[COUNT], y_out[COUNT], p_out[COUNT], q_out[COUNT], dx[COUNT], dy[COUNT];
+    double sum = 0;
+    for (int i = 0; i < COUNT; i++) {
+        double h = x[i] + 4 * p[i], k = y[i] + 4 * q[i], f = group[i] == 0 ? 50 : 40;
+        p_out[i] = p[i] - h / f + off_p[i];
+        q_out[i] = q[i] - k / f;
+        x_out[i] = h + 3 * (p_out[i] - off_p[i]) + off_x[i];
+        y_out[i] = k + 3 * q_out[i] - 0.125;
+        double far = off_x[i] + plane * off_p[i];
+        sum += weight[i] * (far * far + 0.125 * 0.125);
+    }
+    struct thick_rays all = {.count = COUNT,
+                             .x = x,
+                             .y = y,
+                             .p = p,
+                             .q = q,
+                             .x_out = x_out,
+                             .y_out = y_out,
+                             .p_out = p_out,
+                             .q_out = q_out,
+                             .weight = weight,
+                             .group = group};
+    CHECK_NEAR(thick_errors(&all, lenses, plane, dx, dy), sqrt(sum / 8), 1e-14, "rms");
+    for (int i = 0; i < COUNT; i++) {
+        CHECK_NEAR(dx[i], -(off_x[i] + plane * off_p[i]), 1e-14, "dx");
+        CHECK_NEAR(dy[i], 0.125, 1e-14, "dy");
+    }
+    CHECK_NEAR(thick_errors(&all, lenses, plane, NULL, NULL), sqrt(sum / 8), 1e-14, "rms alone");
+}
+
 int main(void)
 {
+    test_errors();
     for (int k = 0; k < 4; k++) {
         check_fit(k % 2 != 0, k / 2 != 0);
     }
