@@ -62,7 +62,8 @@ struct foreign_format {
      */
     bool (*write)(struct foreign_job *job, const struct lens *lens, struct text *text,
                   struct error *error);
-    bool has_thick; /* it can hold a thick lens among the surfaces */
+    bool has_thick;    /* it can hold a thick lens among the surfaces */
+    bool has_settings; /* and what the positions set anew: struct lens_setting, stops, lights */
 };
 
 /*

@@ -99,6 +99,23 @@ static const char *endings_with_thick(struct arena *arena)
     return endings;
 }
 
+/* What the positions set anew, where the file has no words for it. */
+static bool lose_settings(struct foreign_job *job, const struct foreign_format *format,
+                          const struct lens *lens, struct error *error)
+{
+    struct arena *arena = job->arena;
+    const char *all = lens->stops != NULL ? " stop" : "";
+    all = lens->lights != NULL ? arena_printf(arena, "%s wavelength", all) : all;
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        all =
+            arena_printf(arena, "%s %s", all, parameter_write(lens->settings[i].parameter, arena));
+    }
+    return all[0] == '\0' || foreign_loss(job, NULL, (struct text){NULL, 0}, error,
+                                          "what the positions set anew in a %s file:%s" LOSS_INSTEAD
+                                          "the first position's stands",
+                                          format->type.ending, all);
+}
+
 bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
                    const struct lens *lens, struct text *text, struct error *error)
 {
@@ -109,5 +126,6 @@ bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
                         format->type.ending, endings_with_thick(job->arena));
         }
     }
-    return format->write(job, lens, text, error);
+    return (format->has_settings || lose_settings(job, format, lens, error)) &&
+           format->write(job, lens, text, error);
 }

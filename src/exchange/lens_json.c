@@ -5,6 +5,7 @@
 #include "base/constants.h"
 #include "base/number.h"
 #include "exchange/writing.h"
+#include "file/lens_setting.h"
 
 #include <math.h>
 #include <string.h>
@@ -353,6 +354,54 @@ static void put_strings(struct writer *writer, const char *key, const char *cons
     put(writer, "]");
 }
 
+/* {"name":"R3","values":[...]}, as the lines with `set` of a .lens file; null is a plane's R. */
+static void put_setting_values(struct writer *writer, const struct lens_setting *one)
+{
+    const struct parameter parameter = one->parameter;
+    bool angle = (parameter_type(parameter.kind)->is & PARAMETER_IS_ANGLE) != 0;
+    for (size_t p = 0; p < writer->positions; p++) {
+        put(writer, p > 0 ? "," : "");
+        if (one->media != NULL) {
+            put_text(writer, one->media[p].written);
+        } else {
+            put_value(writer, &one->figures[p], angle ? RADIANS_PER_DEGREE : 1);
+        }
+    }
+}
+
+static void put_settings(struct writer *writer, struct arena *arena)
+{
+    const struct lens *lens = writer->lens;
+    const char *between = "";
+    put_key(writer, "settings");
+    put(writer, "[");
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        const struct lens_setting *one = &lens->settings[i];
+        growing_format(&writer->out.text, "%s{\"name\":\"%s\",\"values\":[", between,
+                       parameter_write(one->parameter, arena));
+        put_setting_values(writer, one);
+        put(writer, "]}");
+        between = ",";
+    }
+    if (lens->stops != NULL) {
+        growing_format(&writer->out.text, "%s{\"name\":\"stop\",\"values\":[", between);
+        for (size_t p = 0; p < writer->positions; p++) {
+            growing_format(&writer->out.text, "%s%zu", p > 0 ? "," : "", lens->stops[p] + 1);
+        }
+        put(writer, "]}");
+        between = ",";
+    }
+    if (lens->lights != NULL) {
+        growing_format(&writer->out.text, "%s{\"name\":\"wavelength\",\"values\":[", between);
+        for (size_t p = 0; p < writer->positions; p++) {
+            put(writer, p > 0 ? "," : "");
+            put_string(writer, lens_light_write(&lens->lights[p], arena));
+        }
+        put(writer, "]}");
+    }
+    put(writer, "]");
+}
+
 static void put_header(struct writer *writer)
 {
     const struct lens *lens = writer->lens;
@@ -383,6 +432,9 @@ static bool write_json(struct foreign_job *job, const struct lens *lens, struct 
     struct writer writer = {.lens = lens, .positions = lens->position_count};
     writing_begin(&writer.out, lens, true, job->arena);
     put_header(&writer);
+    if (lens->setting_count > 0 || lens->stops != NULL || lens->lights != NULL) {
+        put_settings(&writer, job->arena);
+    }
     put(&writer, "\n,\"surfaces\":[");
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (!put_surface(&writer, i, error)) {
@@ -410,4 +462,5 @@ const struct foreign_format lens_json_format = {
     .read = lens_json_read,
     .write = write_json,
     .has_thick = true,
+    .has_settings = true,
 };

@@ -352,13 +352,17 @@ static bool read_words(struct json_reading *reading, const struct json_value *ro
 static bool read_root(struct json_reading *reading, const struct json_value *root,
                       struct error *error)
 {
-    static const char *const keys[] = {"lens",           "source",        "kind",
-                                       "notes",          "positions",     "unit",
-                                       "wavelengths",    "object_mm",     "fields",
-                                       "object_medium",  "field_kind",    "object_is_infinite",
-                                       "aperture",       "aperture_kind", "focus",
-                                       "stop_surface",   "stated_efl_mm", "stated_bfl_mm",
-                                       "stated_fnumber", "surfaces",      NULL};
+    static const char *const keys[] = {"lens",           "source",
+                                       "kind",           "notes",
+                                       "positions",      "unit",
+                                       "wavelengths",    "object_mm",
+                                       "fields",         "object_medium",
+                                       "field_kind",     "object_is_infinite",
+                                       "aperture",       "aperture_kind",
+                                       "focus",          "stop_surface",
+                                       "stated_efl_mm",  "stated_bfl_mm",
+                                       "stated_fnumber", "surfaces",
+                                       "settings",       NULL};
     struct lens *lens = reading->build.lens;
     return json_check_keys(reading, root, keys, error) && read_words(reading, root, error) &&
            read_unit(reading, json_item(root, "unit"), error) &&
@@ -372,7 +376,8 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
            read_focus(reading, json_item(root, "focus"), error) &&
            read_stated(reading, root, error) &&
            read_surfaces(reading, json_item(root, "surfaces"), error) &&
-           check_stop(reading, json_item(root, "stop_surface"), error);
+           check_stop(reading, json_item(root, "stop_surface"), error) &&
+           json_read_settings(reading, json_item(root, "settings"), error);
 }
 
 static bool refuse(struct json_reading *reading, struct error *error)

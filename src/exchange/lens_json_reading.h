@@ -76,4 +76,8 @@ bool json_read_medium(struct json_reading *reading, const struct json_value *val
 bool json_read_surface(struct json_reading *reading, const struct json_value *object,
                        struct error *error);
 
+/* What the positions set anew; the lens has its surfaces, and its stop if it has one. */
+bool json_read_settings(struct json_reading *reading, const struct json_value *value,
+                        struct error *error);
+
 #endif

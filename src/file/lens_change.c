@@ -62,18 +62,38 @@ static void change_figure(const struct change *change, int power, struct figure 
     write_digits(change, power, figure);
 }
 
-static const struct figure *change_all(const struct change *change, const struct figure *figures,
-                                       size_t count)
+/* A list of numbers of the dimension length^power. */
+static const struct figure *change_list(const struct change *change, int power,
+                                        const struct figure *figures, size_t count)
 {
-    if (figures == NULL) {
-        return NULL;
+    if (figures == NULL || power == 0) {
+        return figures;
     }
     struct figure *copy = ARENA_ARRAY(change->arena, count, struct figure);
     for (size_t i = 0; i < count; i++) {
         copy[i] = figures[i];
-        change_figure(change, 1, &copy[i]);
+        change_figure(change, power, &copy[i]);
     }
     return copy;
+}
+
+static const struct figure *change_all(const struct change *change, const struct figure *figures,
+                                       size_t count)
+{
+    return change_list(change, 1, figures, count);
+}
+
+static void change_settings(const struct change *change, struct lens *lens)
+{
+    struct lens_setting *copy =
+        ARENA_ARRAY(change->arena, lens->setting_count, struct lens_setting);
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        const struct parameter one = lens->settings[i].parameter;
+        copy[i] = lens->settings[i];
+        copy[i].figures = change_list(change, parameter_length(one.kind, one.order),
+                                      copy[i].figures, lens->position_count);
+    }
+    lens->settings = copy;
 }
 
 static const struct vary *change_varies(const struct change *change, const struct surface *surface)
@@ -134,6 +154,7 @@ static void change_system(const struct change *change, struct lens *lens)
         variables[i].values = change_all(change, lens->variables[i].values, positions);
     }
     lens->variables = variables;
+    change_settings(change, lens);
 }
 
 static const struct lens *changed(const struct change *change, const struct lens *lens)
@@ -171,6 +192,10 @@ const struct lens *lens_one_position(const struct lens *lens, size_t position, s
     copy->position_count = 0;
     copy->variables = NULL;
     copy->variable_count = 0;
+    copy->settings = NULL;
+    copy->setting_count = 0;
+    copy->stops = NULL;
+    copy->lights = NULL;
     copy->objects = NULL;
     copy->apertures = NULL;
     for (int i = 0; i < STATED_COUNT; i++) {

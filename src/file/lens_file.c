@@ -3,6 +3,7 @@
 #include "file/lens_file.h"
 
 #include "base/constants.h"
+#include "file/lens_setting.h"
 #include "file/lens_surface.h"
 #include "file/lens_unit.h"
 #include "file/lens_words.h"
@@ -23,7 +24,9 @@ struct parser {
     struct text aperture_word;
     struct lens_words aperture_line;
     struct lens_words *variable_lines; /* where each variable was first used */
-    unsigned given;                    /* keywords that may stand once */
+    struct lens_words *settings;       /* lines with `set`, from behind that word on */
+    size_t setting_count, setting_room;
+    unsigned given; /* keywords that may stand once */
 };
 
 static const char *rest_string(struct parser *parser)
@@ -143,19 +146,6 @@ static bool read_object(struct parser *parser, struct error *error)
     return end_of_line(parser, error);
 }
 
-/* Ask the catalogues for a glass. */
-static bool find_glass(struct parser *parser, struct medium *medium, struct error *error)
-{
-    const struct glass_source *glasses = parser->glasses;
-    if (medium->kind != MEDIUM_GLASS || glasses == NULL || medium->glass_index != NULL ||
-        glasses->find(glasses->context, medium, error)) {
-        return true;
-    }
-    const struct error found = *error;
-    lens_words_fail(&parser->words, medium->written, error, "%s", found.message);
-    return error_hint(error, "%s", found.hint);
-}
-
 static bool read_medium(struct parser *parser, struct error *error)
 {
     if (parser->lens->surface_count > 0) {
@@ -164,7 +154,8 @@ static bool read_medium(struct parser *parser, struct error *error)
     }
     struct medium *medium = &parser->lens->object_medium;
     return lens_words_medium(&parser->words, lens_words_next(&parser->words), medium, error) &&
-           find_glass(parser, medium, error) && end_of_line(parser, error);
+           lens_words_glass(&parser->words, parser->glasses, medium, error) &&
+           end_of_line(parser, error);
 }
 
 static bool read_field(struct parser *parser, struct error *error)
@@ -379,6 +370,16 @@ static bool read_let(struct parser *parser, struct error *error)
     return check_count(parser, name, count, error);
 }
 
+/* The surfaces may still follow. */
+static bool keep_setting(struct parser *parser, struct error *error)
+{
+    (void)error;
+    parser->settings = arena_grow(parser->words.arena, parser->settings, parser->setting_count,
+                                  &parser->setting_room, sizeof parser->settings[0]);
+    parser->settings[parser->setting_count++] = parser->words;
+    return true;
+}
+
 static bool read_stated(struct parser *parser, struct error *error)
 {
     static const char *const names[STATED_COUNT] = {"efl", "bfl", "fnumber"};
@@ -420,7 +421,7 @@ static bool add_surface(struct parser *parser, enum surface_kind kind, struct er
                                            .variable = find_variable,
                                            .context = parser};
     if (!lens_surface_read(&parser->words, &line, surface, error) ||
-        !find_glass(parser, &surface->medium, error)) {
+        !lens_words_glass(&parser->words, parser->glasses, &surface->medium, error)) {
         return false;
     }
     surface->coordinate_break = parser->coordinate_break;
@@ -479,6 +480,7 @@ static const struct {
     {"medium", 0, read_medium},
     {"position", 0, read_positions},
     {"let", 0, read_let},
+    {"set", 0, keep_setting},
     {"stated", 16, read_stated},
     {"surface", 0, read_surface},
     {"stop", 0, read_stop},
@@ -524,7 +526,7 @@ static bool read_line(struct parser *parser, struct error *error)
 /* What only the whole file shows. */
 static bool finish(struct parser *parser, struct error *error)
 {
-    const struct lens *lens = parser->lens;
+    struct lens *lens = parser->lens;
     if (lens->surface_count == 0) {
         fail(error, ERROR_DATA, "the file has no surface");
         return error_locate(error, parser->words.source, 0, 0);
@@ -543,29 +545,9 @@ static bool finish(struct parser *parser, struct error *error)
         return lens_words_fail(&parser->aperture_line, parser->aperture_word, error,
                                "'aperture stop' wants a stop, and the lens has none");
     }
-    return true;
-}
-
-/*
- * Control characters but tabs and line ends have no place in a prescription, and would reach the
- * terminal with its title: those of ASCII, and U+0080 to U+009F.
- */
-static bool refuse_controls(const char *source, struct text content, struct error *error)
-{
-    long line = 1;
-    size_t begin = 0;
-    for (size_t i = 0; i < content.length; i++) {
-        unsigned char c = (unsigned char)content.start[i];
-        unsigned char next = i + 1 < content.length ? (unsigned char)content.start[i + 1] : 0;
-        bool wide = c == 0xc2 && next >= 0x80 && next < 0xa0;
-        if (wide || c == 0x7f || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) {
-            fail(error, ERROR_DATA, "not plain text: the control character U+%04X",
-                 wide ? next : c);
-            return error_locate(error, source, line, i - begin + 1);
-        }
-        if (c == '\n') {
-            line++;
-            begin = i + 1;
+    for (size_t i = 0; i < parser->setting_count; i++) {
+        if (!lens_setting_read(&parser->settings[i], parser->glasses, lens, error)) {
+            return false;
         }
     }
     return true;
@@ -581,7 +563,7 @@ bool lens_read(const char *source, struct text content, const struct glass_sourc
                           .object_medium = medium_air,
                           .stop = LENS_NONE};
     if (!lens_words_open(&parser.words, source, content, arena, error) ||
-        !refuse_controls(source, content, error)) {
+        !lens_words_plain(source, content, error)) {
         return false;
     }
     while (lens_words_line(&parser.words)) {

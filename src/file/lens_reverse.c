@@ -287,6 +287,11 @@ static bool check(const struct turn *turn, struct error *error)
                     "{reverse}: object or aperture change between the positions: choose one with "
                     "{position}");
     }
+    if (from->setting_count > 0 || from->stops != NULL) {
+        return fail(error, ERROR_DOMAIN,
+                    "{reverse}: the positions set what belongs to single surfaces: choose one with "
+                    "{position}");
+    }
     for (size_t i = 0; i < from->surface_count; i++) {
         const struct surface *surface = &from->surfaces[i];
         bool varies =

@@ -315,3 +315,24 @@ bool lens_words_vector(const struct lens_words *words, struct text text,
     }
     return true;
 }
+
+bool lens_words_plain(const char *source, struct text content, struct error *error)
+{
+    long line = 1;
+    size_t begin = 0;
+    for (size_t i = 0; i < content.length; i++) {
+        unsigned char c = (unsigned char)content.start[i];
+        unsigned char next = i + 1 < content.length ? (unsigned char)content.start[i + 1] : 0;
+        bool wide = c == 0xc2 && next >= 0x80 && next < 0xa0;
+        if (wide || c == 0x7f || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) {
+            fail(error, ERROR_DATA, "not plain text: the control character U+%04X",
+                 wide ? next : c);
+            return error_locate(error, source, line, i - begin + 1);
+        }
+        if (c == '\n') {
+            line++;
+            begin = i + 1;
+        }
+    }
+    return true;
+}

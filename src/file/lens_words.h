@@ -32,6 +32,14 @@ bool lens_words_open(struct lens_words *words, const char *source, struct text c
                      struct arena *arena, struct error *error);
 
 /*
+ * Control characters but tabs and line ends have no place in a prescription, and would reach the
+ * terminal with its title: those of ASCII, and U+0080 to U+009F.
+ *
+ * Errors    ERROR_DATA with line and column
+ */
+bool lens_words_plain(const char *source, struct text content, struct error *error);
+
+/*
  * Go to the next line that has words; false at the end. CRLF and comments are passed over; of
  * another program's file `comment` is set after lens_words_open.
  */

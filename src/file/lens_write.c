@@ -1,6 +1,6 @@
 /* file/lens_write.c - a lens as a .lens file. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lens_file.h"
+#include "file/lens_setting.h"
 #include "optics/growing.h"
 
 #include "base/constants.h"
@@ -247,6 +247,42 @@ static void put_header(struct writer *writer)
     put_line(writer, "focus", focuses[lens->focus]);
 }
 
+/* What the positions set anew. */
+static void put_settings(struct writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    struct arena *arena = writer->arena;
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        const struct lens_setting *one = &lens->settings[i];
+        const struct parameter parameter = one->parameter;
+        const char *begin =
+            arena_printf(arena, "set %s", parameter_write(parameter, writer->arena));
+        if (one->media == NULL) {
+            bool angle = (parameter_type(parameter.kind)->is & PARAMETER_IS_ANGLE) != 0;
+            int length = parameter_length(parameter.kind, parameter.order);
+            put_figures(writer, begin, one->figures, lens->position_count,
+                        angle ? RADIANS_PER_DEGREE : pow(writer->unit, length));
+            continue;
+        }
+        put_string(writer, begin);
+        for (size_t p = 0; p < lens->position_count; p++) {
+            put(writer, " ", 1);
+            put(writer, one->media[p].written.start, one->media[p].written.length);
+        }
+        put(writer, "\n", 1);
+    }
+    for (size_t p = 0; p < lens->position_count && lens->stops != NULL; p++) {
+        put_string(writer,
+                   arena_printf(arena, "%s %zu%s", p == 0 ? "set stop" : "", lens->stops[p] + 1,
+                                p + 1 == lens->position_count ? "\n" : ""));
+    }
+    for (size_t p = 0; p < lens->position_count && lens->lights != NULL; p++) {
+        put_string(writer, arena_printf(arena, "%s %s%s", p == 0 ? "set wavelength" : "",
+                                        lens_light_write(&lens->lights[p], arena),
+                                        p + 1 == lens->position_count ? "\n" : ""));
+    }
+}
+
 static void put_positions(struct writer *writer)
 {
     static const char *const stated[] = {"stated efl", "stated bfl", "stated fnumber"};
@@ -268,6 +304,7 @@ static void put_positions(struct writer *writer)
         put_figures(writer, arena_printf(writer->arena, "let %.*s", (int)name.length, name.start),
                     lens->variables[i].values, count, writer->unit);
     }
+    put_settings(writer);
     if (lens->objects != NULL) {
         put_figures(writer, "let object", lens->objects, count, writer->unit);
     }

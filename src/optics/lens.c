@@ -14,6 +14,30 @@ static void substitute(const struct lens *lens, struct figure *figure, size_t po
     }
 }
 
+static void make_setting(struct lens *lens, const struct lens_setting *setting, size_t position,
+                         struct arena *arena)
+{
+    const struct parameter *one = &setting->parameter;
+    if (setting->media != NULL) {
+        parameter_put_medium(lens, one->surface, &setting->media[position]);
+    } else {
+        parameter_put(&lens->surfaces[one->surface], one->kind, one->order,
+                      setting->figures[position], arena);
+    }
+}
+
+/* A plane that was only the stop stays as a plane. */
+static void move_stop(struct lens *lens, size_t stop)
+{
+    struct surface *from = &lens->surfaces[lens->stop];
+    if (stop != lens->stop) {
+        from->is_stop = false;
+        from->kind = from->kind == SURFACE_STOP ? SURFACE_REFRACT : from->kind;
+        lens->surfaces[stop].is_stop = true;
+        lens->stop = stop;
+    }
+}
+
 const struct lens *lens_at_position(const struct lens *lens, size_t position, struct arena *arena)
 {
     if (lens->position_count == 0) {
@@ -30,6 +54,18 @@ const struct lens *lens_at_position(const struct lens *lens, size_t position, st
             substitute(lens, &copy->surfaces[i].focal, position);
             substitute(lens, &copy->surfaces[i].hiatus, position);
         }
+    }
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        make_setting(copy, &lens->settings[i], position, arena);
+    }
+    copy->settings = NULL;
+    copy->setting_count = 0;
+    if (lens->stops != NULL) {
+        move_stop(copy, lens->stops[position]);
+    }
+    if (lens->lights != NULL) {
+        copy->wavelengths = lens->lights[position].wavelengths;
+        copy->wavelength_count = lens->lights[position].count;
     }
     if (lens->objects != NULL) {
         copy->object = lens->objects[position];
@@ -253,9 +289,6 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
     if (lens->surface_count == 0) {
         return fail(error, ERROR_DATA, "the lens has no surface");
     }
-    if (!check_stop(lens, error)) {
-        return false;
-    }
     size_t positions = lens->position_count > 0 ? lens->position_count : 1;
     for (size_t i = 0; i < positions; i++) {
         struct check check = {lens_at_position(lens, i, arena), arena, warnings,
@@ -263,7 +296,7 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
         for (size_t j = 0; j < lens->surface_count; j++) {
             check.has_thick = check.has_thick || surface_has(&lens->surfaces[j], SURFACE_HAS_FOCAL);
         }
-        if (!check_position(&check, error)) {
+        if (!check_stop(check.lens, error) || !check_position(&check, error)) {
             return false;
         }
     }

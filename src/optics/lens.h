@@ -27,6 +27,22 @@ struct lens_variable {
     const struct figure *values; /* one a position */
 };
 
+/*
+ * What the positions set anew of a surface: a number, or the medium behind it. The surface itself
+ * has what the first position has.
+ */
+struct lens_setting {
+    struct parameter parameter;
+    const struct figure *figures; /* one a position; null where media are set */
+    const struct medium *media;   /* of PARAMETER_GLASS, one a position */
+};
+
+/* The wavelengths of one position, the primary first. */
+struct lens_light {
+    struct lens_wavelength *wavelengths;
+    size_t count;
+};
+
 /* What the source says the lens has; one value a position, or none. */
 enum { STATED_EFL, STATED_BFL, STATED_FNUMBER, STATED_COUNT };
 
@@ -53,14 +69,18 @@ struct lens {
     size_t position_count; /* 0: there is only one, without a name */
     struct lens_variable *variables;
     size_t variable_count;
-    const struct figure *objects;   /* let object: one a position, inf is infinite; or null */
-    const struct figure *apertures; /* let aperture: of the kind aperture_kind; or null */
+    struct lens_setting *settings; /* each parameter once */
+    size_t setting_count;
+    const size_t *stops;             /* the stop, one a position; or null: it is one surface */
+    const struct lens_light *lights; /* the wavelengths, one a position; or null */
+    const struct figure *objects;    /* let object: one a position, inf is infinite; or null */
+    const struct figure *apertures;  /* let aperture: of the kind aperture_kind; or null */
     const struct figure *stated[STATED_COUNT]; /* null = not stated */
     size_t stated_count[STATED_COUNT];         /* 1 or one a position */
 };
 
 /*
- * The lens in one of its positions: variables replaced by their numbers.
+ * The lens in one of its positions: variables replaced by their numbers, settings made.
  *
  * Given     position  0 .. position_count - 1; 0 where the lens has only one
  */

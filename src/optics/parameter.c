@@ -294,6 +294,23 @@ static bool check_medium(const struct medium *medium, struct parameter parameter
                 parameter.kind == PARAMETER_INDEX ? "a number or nd/Vd" : "nd/Vd");
 }
 
+/* Do the positions set it, or one that stands for the same? */
+static bool is_set(const struct lens *lens, struct parameter parameter)
+{
+    const struct row *row = &rows[parameter.kind];
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        const struct parameter *one = &lens->settings[i].parameter;
+        bool same = one->kind == parameter.kind && one->order == parameter.order;
+        bool curve = row->type.basis == PARAMETER_CURVATURE &&
+                     rows[one->kind].type.basis == PARAMETER_CURVATURE;
+        bool medium = row->stored == NULL && rows[one->kind].stored == NULL;
+        if (one->surface == parameter.surface && (same || curve || medium)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool parameter_check(const struct lens *lens, struct parameter parameter, struct error *error)
 {
     const struct row *row = &rows[parameter.kind];
@@ -309,6 +326,10 @@ bool parameter_check(const struct lens *lens, struct parameter parameter, struct
     const struct surface *surface = &lens->surfaces[parameter.surface];
     if (!parameter_suits(parameter.kind, surface)) {
         return fail(error, ERROR_DOMAIN, "surface %zu has no %s to vary", number, words);
+    }
+    if (is_set(lens, parameter)) {
+        return fail(error, ERROR_DOMAIN, "the %s of surface %zu is another in every position",
+                    words, number);
     }
     if (row->stored == NULL) {
         return check_medium(&surface->medium, parameter, error);
@@ -368,20 +389,25 @@ static struct medium medium_with(const struct medium *from, enum parameter_kind 
     return to;
 }
 
+void parameter_put_medium(struct lens *lens, size_t surface, const struct medium *medium)
+{
+    if (surface == LENS_NONE) {
+        lens->object_medium = *medium;
+    } else {
+        lens->surfaces[surface].medium = *medium;
+    }
+    for (size_t i = surface + 1; i < lens->surface_count && surface_reflects(&lens->surfaces[i]);
+         i++) {
+        lens->surfaces[i].medium = *medium;
+    }
+}
+
 static void set_medium(struct lens *lens, struct parameter parameter, double value,
                        struct arena *arena)
 {
     const struct medium to =
         medium_with(medium_of(lens, parameter.surface), parameter.kind, value, arena);
-    size_t i = parameter.surface + 1;
-    if (parameter.surface == LENS_NONE) {
-        lens->object_medium = to;
-    } else {
-        lens->surfaces[parameter.surface].medium = to;
-    }
-    for (; i < lens->surface_count && surface_reflects(&lens->surfaces[i]); i++) {
-        lens->surfaces[i].medium = to;
-    }
+    parameter_put_medium(lens, parameter.surface, &to);
 }
 
 void parameter_set(struct lens *lens, struct parameter parameter, double value, struct arena *arena)

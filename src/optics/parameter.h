@@ -12,6 +12,7 @@
 
 struct figure;
 struct lens;
+struct medium;
 struct surface;
 
 /*
@@ -131,6 +132,9 @@ const struct figure *parameter_figure(const struct surface *surface, enum parame
  */
 void parameter_put(struct surface *surface, enum parameter_kind kind, int order,
                    struct figure figure, struct arena *arena);
+
+/* The medium behind a surface (LENS_NONE: before the first), and so behind mirrors after it. */
+void parameter_put_medium(struct lens *lens, size_t surface, const struct medium *medium);
 
 /*
  * Has the lens this, as a number of its own?

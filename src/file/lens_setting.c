@@ -1,0 +1,317 @@
+/* file/lens_setting.c - what the positions of a .lens file set anew: the lines with `set`. */
+/* SPDX-License-Identifier: MIT */
+#include "file/lens_setting.h"
+
+#include "base/constants.h"
+
+#include <math.h>
+#include <string.h>
+
+bool lens_words_glass(const struct lens_words *words, const struct glass_source *glasses,
+                      struct medium *medium, struct error *error)
+{
+    if (medium->kind != MEDIUM_GLASS || glasses == NULL || medium->glass_index != NULL ||
+        glasses->find(glasses->context, medium, error)) {
+        return true;
+    }
+    const struct error found = *error;
+    lens_words_fail(words, medium->written, error, "%s", found.message);
+    return error_hint(error, "%s", found.hint);
+}
+
+static bool is_same_medium(const struct medium *a, const struct medium *b)
+{
+    return a->kind == b->kind && a->written.length == b->written.length &&
+           memcmp(a->written.start, b->written.start, a->written.length) == 0;
+}
+
+static bool is_same_value(const struct figure *a, const struct figure *b)
+{
+    return a->value.hi == b->value.hi && a->value.lo == b->value.lo;
+}
+
+/* Why the first value is not what the surface has; null where it is. */
+static const char *against_surface(const struct surface *surface,
+                                   const struct lens_setting *setting, struct arena *arena)
+{
+    const struct parameter *one = &setting->parameter;
+    const char *name = parameter_write(*one, arena);
+    if (setting->media != NULL) {
+        return surface_reflects(surface) || surface->kind == SURFACE_STOP
+                   ? arena_printf(arena, "%s: a mirror or a stop has no glass of its own", name)
+               : is_same_medium(&setting->media[0], &surface->medium)
+                   ? NULL
+                   : arena_printf(arena, "%s: the first position has not the medium of its surface",
+                                  name);
+    }
+    const struct figure *figure = parameter_figure(surface, one->kind, one->order);
+    bool plane = one->kind == PARAMETER_RADIUS && surface->is_plane && !surface->has_curvature &&
+                 isinf(setting->figures[0].value.hi);
+    if (figure == NULL && !plane) {
+        return arena_printf(arena, "%s: its surface has no number of this kind to set", name);
+    }
+    if (figure != NULL && figure->variable != LENS_NONE) {
+        return arena_printf(arena, "%s is a variable, which has its numbers by 'let'", name);
+    }
+    return plane || is_same_value(figure, &setting->figures[0])
+               ? NULL
+               : arena_printf(arena, "%s: the first position has not the number of its surface",
+                              name);
+}
+
+static bool is_same_parameter(struct parameter a, struct parameter b)
+{
+    return a.surface == b.surface && a.kind == b.kind && a.order == b.order;
+}
+
+const char *lens_setting_add(struct lens *lens, struct lens_setting setting, struct arena *arena)
+{
+    const struct parameter one = setting.parameter;
+    const char *name = parameter_write(one, arena);
+    if (one.surface >= lens->surface_count) {
+        return arena_printf(arena, "%s: the lens has %zu surfaces", name, lens->surface_count);
+    }
+    const struct surface *surface = &lens->surfaces[one.surface];
+    if (!parameter_suits(one.kind, surface)) {
+        return arena_printf(arena, "%s: its surface has no %s", name,
+                            parameter_type(one.kind)->words);
+    }
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        if (is_same_parameter(lens->settings[i].parameter, one)) {
+            return arena_printf(arena, "%s is set twice", name);
+        }
+    }
+    const char *against = against_surface(surface, &setting, arena);
+    if (against != NULL) {
+        return against;
+    }
+    struct lens_setting *all = ARENA_ARRAY(arena, lens->setting_count + 1, struct lens_setting);
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        all[i] = lens->settings[i];
+    }
+    all[lens->setting_count++] = setting;
+    lens->settings = all;
+    return NULL;
+}
+
+const char *lens_setting_stops(struct lens *lens, const size_t *stops, struct arena *arena)
+{
+    for (size_t i = 0; i < lens->position_count; i++) {
+        if (stops[i] >= lens->surface_count) {
+            return arena_printf(arena, "stop: the lens has %zu surfaces", lens->surface_count);
+        }
+    }
+    if (lens->stops != NULL || lens->stop != stops[0]) {
+        return lens->stops != NULL ? "stop is set twice"
+                                   : "stop: in the first position it is not the surface that "
+                                     "bears the word stop";
+    }
+    lens->stops = stops;
+    return NULL;
+}
+
+const char *lens_setting_lights(struct lens *lens, const struct lens_light *lights)
+{
+    const struct lens_light *first = &lights[0];
+    bool same = first->count == lens->wavelength_count;
+    for (size_t i = 0; same && i < first->count; i++) {
+        const struct lens_wavelength *a = &first->wavelengths[i], *b = &lens->wavelengths[i];
+        same = a->wavelength == b->wavelength && a->weight == b->weight;
+    }
+    if (lens->lights != NULL || !same) {
+        return lens->lights != NULL ? "wavelength is set twice"
+                                    : "wavelength: the first position has not those of the lens";
+    }
+    lens->lights = lights;
+    return NULL;
+}
+
+/* Says what lens_setting_ functions answered. */
+static bool report(const struct lens_words *words, struct text name, const char *why,
+                   struct error *error)
+{
+    return why == NULL || lens_words_fail(words, name, error, "%s", why);
+}
+
+/* The next value of the line: there is one for each position and no more. */
+static bool next_value(struct lens_words *words, const struct lens *lens, size_t at,
+                       struct text *word, struct error *error)
+{
+    *word = lens_words_next(words);
+    if ((word->length > 0) == (at < lens->position_count)) {
+        return true;
+    }
+    return lens_words_fail(words, *word, error, "one value for each of the %zu positions",
+                           lens->position_count);
+}
+
+static bool read_number(struct lens_words *words, struct text word, struct parameter parameter,
+                        struct figure *figure, struct error *error)
+{
+    const struct parameter_type *type = parameter_type(parameter.kind);
+    int length = parameter_length(parameter.kind, parameter.order);
+    bool flat = text_equal(word, "inf") || text_equal(word, "-inf") || text_equal(word, "-");
+    if (parameter.kind == PARAMETER_RADIUS && flat) {
+        *figure = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
+        return true;
+    }
+    *figure = (struct figure){.variable = LENS_NONE};
+    if (!lens_words_figure(words, word, length == 1 ? words->scale : NUMBER_UNSCALED, type->words,
+                           figure, error)) {
+        return false;
+    }
+    if (length < 0) {
+        figure->value = lens_words_per_length(figure->value, words->scale, -length);
+    }
+    if ((type->is & PARAMETER_IS_ANGLE) != 0) {
+        figure->value = pair_multiply(figure->value, pair_of(RADIANS_PER_DEGREE));
+    }
+    return (parameter.kind != PARAMETER_RADIUS && parameter.kind != PARAMETER_FOCAL) ||
+           figure->value.hi != 0 || lens_words_fail(words, word, error, "the %s is 0", type->words);
+}
+
+static bool read_figures(struct lens_words *words, struct text name, struct lens_setting setting,
+                         struct lens *lens, struct error *error)
+{
+    struct figure *figures = ARENA_ARRAY(words->arena, lens->position_count, struct figure);
+    struct text word;
+    for (size_t i = 0; i <= lens->position_count; i++) {
+        if (!next_value(words, lens, i, &word, error) ||
+            (i < lens->position_count &&
+             !read_number(words, word, setting.parameter, &figures[i], error))) {
+            return false;
+        }
+    }
+    setting.figures = figures;
+    return report(words, name, lens_setting_add(lens, setting, words->arena), error);
+}
+
+static bool read_media(struct lens_words *words, struct text name, struct lens_setting setting,
+                       const struct glass_source *glasses, struct lens *lens, struct error *error)
+{
+    struct medium *media = ARENA_ARRAY(words->arena, lens->position_count, struct medium);
+    struct text word;
+    for (size_t i = 0; i <= lens->position_count; i++) {
+        if (!next_value(words, lens, i, &word, error) ||
+            (i < lens->position_count && !(lens_words_medium(words, word, &media[i], error) &&
+                                           lens_words_glass(words, glasses, &media[i], error)))) {
+            return false;
+        }
+    }
+    setting.media = media;
+    return report(words, name, lens_setting_add(lens, setting, words->arena), error);
+}
+
+static bool read_stops(struct lens_words *words, struct text name, struct lens *lens,
+                       struct error *error)
+{
+    size_t *stops = ARENA_ARRAY(words->arena, lens->position_count, size_t);
+    struct text word;
+    for (size_t i = 0; i <= lens->position_count; i++) {
+        struct figure number = {.variable = LENS_NONE};
+        if (!next_value(words, lens, i, &word, error)) {
+            return false;
+        }
+        if (i == lens->position_count) {
+            break;
+        }
+        if (!lens_words_figure(words, word, NUMBER_UNSCALED, "surface", &number, error)) {
+            return false;
+        }
+        double value = number.value.hi;
+        if (!(value >= 1 && value <= (double)lens->surface_count && value == floor(value))) {
+            return lens_words_fail(words, word, error, "surfaces have the numbers 1 to %zu",
+                                   lens->surface_count);
+        }
+        stops[i] = (size_t)value - 1;
+    }
+    return report(words, name, lens_setting_stops(lens, stops, words->arena), error);
+}
+
+const char *lens_light_write(const struct lens_light *light, struct arena *arena)
+{
+    const char *all = "";
+    for (size_t i = 0; i < light->count; i++) {
+        const struct lens_wavelength *one = &light->wavelengths[i];
+        struct text weight = one->weight_typed;
+        all = arena_printf(arena, "%s%s%.*s%s%.*s", all, i > 0 ? "," : "", (int)one->typed.length,
+                           one->typed.start, weight.start != NULL ? ":" : "", (int)weight.length,
+                           weight.start != NULL ? weight.start : "");
+    }
+    return all;
+}
+
+bool lens_light_read(const struct lens_words *words, struct text list, struct lens_light *light,
+                     struct error *error)
+{
+    size_t room = 0;
+    *light = (struct lens_light){NULL, 0};
+    while (list.start != NULL) {
+        struct text weight = text_cut(&list, ','), name = text_cut(&weight, ':');
+        struct figure figure = {.value = {1, 0}};
+        light->wavelengths = arena_grow(words->arena, light->wavelengths, light->count, &room,
+                                        sizeof light->wavelengths[0]);
+        struct lens_wavelength *one = &light->wavelengths[light->count++];
+        *one = (struct lens_wavelength){.typed = name, .weight_typed = weight};
+        if (!lens_words_wavelength(words, name, &one->wavelength, error) ||
+            (weight.start != NULL &&
+             !lens_words_figure(words, weight, NUMBER_UNSCALED, "weight", &figure, error))) {
+            return false;
+        }
+        if (!(figure.value.hi >= 0)) {
+            return lens_words_fail(words, weight, error, "a weight is not below 0");
+        }
+        one->weight = figure.value.hi;
+    }
+    return true;
+}
+
+static bool read_lights(struct lens_words *words, struct text name, struct lens *lens,
+                        struct error *error)
+{
+    struct lens_light *lights = ARENA_ARRAY(words->arena, lens->position_count, struct lens_light);
+    struct text word;
+    for (size_t i = 0; i <= lens->position_count; i++) {
+        if (!next_value(words, lens, i, &word, error)) {
+            return false;
+        }
+        if (i < lens->position_count && !lens_light_read(words, word, &lights[i], error)) {
+            return false;
+        }
+    }
+    return report(words, name, lens_setting_lights(lens, lights), error);
+}
+
+bool lens_setting_takes(enum parameter_kind kind)
+{
+    return kind != PARAMETER_INDEX && kind != PARAMETER_ABBE;
+}
+
+bool lens_setting_read(struct lens_words *words, const struct glass_source *glasses,
+                       struct lens *lens, struct error *error)
+{
+    struct text name = lens_words_next(words);
+    struct lens_setting setting = {.figures = NULL};
+    if (lens->position_count == 0) {
+        return lens_words_fail(words, name, error, "'set' wants a line with 'position' before it");
+    }
+    if (text_equal(name, "stop")) {
+        return read_stops(words, name, lens, error);
+    }
+    if (text_equal(name, "wavelength")) {
+        return read_lights(words, name, lens, error);
+    }
+    if (!parameter_read(name, lens_setting_takes, &setting.parameter, error)) {
+        const struct error found = *error;
+        lens_words_fail(words, name, error, "%s", found.message);
+        return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
+    }
+    if (!lens_setting_takes(setting.parameter.kind)) {
+        return lens_words_fail(words, name, error,
+                               "the positions set a medium as a whole: glass%zu 1.5/60 1.6/40",
+                               setting.parameter.surface + 1);
+    }
+    return setting.parameter.kind == PARAMETER_GLASS
+               ? read_media(words, name, setting, glasses, lens, error)
+               : read_figures(words, name, setting, lens, error);
+}

@@ -1,0 +1,43 @@
+/* file/lens_setting.h - what the positions of a .lens file set anew: the lines with `set`. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_FILE_LENS_SETTING_H
+#define LENSCALC_FILE_LENS_SETTING_H
+
+#include "file/lens_file.h"
+#include "file/lens_words.h"
+
+/*
+ * Read what follows the word `set`: R3 50 52, glass2 N-BK7 N-SF5, stop 3 4, wavelength d,F,C e.
+ *
+ * Given     words  the line; the lens has all its surfaces and positions
+ * Errors    ERROR_DATA with line and column: no such surface or number, one value too few or many,
+ *           a first value that is not that of the surface's own line, and what a cell would refuse
+ */
+bool lens_setting_read(struct lens_words *words, const struct glass_source *glasses,
+                       struct lens *lens, struct error *error);
+
+/* All kinds but the index and the Abbe number, for which the medium is set as a whole. */
+bool lens_setting_takes(enum parameter_kind kind);
+
+/*
+ * Put a setting into the lens.
+ *
+ * Given     setting  one value a position
+ * Result    null, or in words why the lens cannot have it
+ */
+const char *lens_setting_add(struct lens *lens, struct lens_setting setting, struct arena *arena);
+
+/* The same of the surfaces that are the stop, from 0, and of wavelengths. */
+const char *lens_setting_stops(struct lens *lens, const size_t *stops, struct arena *arena);
+const char *lens_setting_lights(struct lens *lens, const struct lens_light *lights);
+
+/* The wavelengths of a position as one word, "d,F:0.5,656.3nm", and back. */
+bool lens_light_read(const struct lens_words *words, struct text list, struct lens_light *light,
+                     struct error *error);
+const char *lens_light_write(const struct lens_light *light, struct arena *arena);
+
+/* A medium of a catalogue gets its glass; false with the reason at the word. */
+bool lens_words_glass(const struct lens_words *words, const struct glass_source *glasses,
+                      struct medium *medium, struct error *error);
+
+#endif
