@@ -161,17 +161,6 @@ static void halve(const struct probe *probe, double radius, int axis, bool mirro
     }
 }
 
-/* On the axis of a round lens the edges aside are those up and down, turned. */
-static void turn_edges(struct clear_cross *cross)
-{
-    for (size_t i = 0; i < 4; i += 2) {
-        const struct clear_edge *edge = &cross->ends[i + 1];
-        cross->ends[i] = *edge;
-        cross->ends[i].at[0] = edge->at[1];
-        cross->ends[i].at[1] = 0;
-    }
-}
-
 void clear_across(const struct system *system, const struct beam *beam,
                   const struct clear_guess *guess, bool is_round, struct arena *arena,
                   struct clear_cross *cross)
@@ -179,7 +168,7 @@ void clear_across(const struct system *system, const struct beam *beam,
     const struct probe probe = {system, beam, rays_new(arena, RAYS_BLOCK)};
     /* to the bit only where the axes of the beam are those of the lens */
     const bool x = beam->axis[0] != 0, y = beam->axis[1] != 0;
-    const bool mirrors = is_round && !(x && y), is_axial = is_round && !x && !y;
+    const bool aside = is_round && !(x && y), upwards = is_round && !x && !y;
     *cross = (struct clear_cross){.is_empty = false};
     cross->is_empty = !probe_inside(&probe, guess, cross->centre);
     if (cross->is_empty) {
@@ -191,10 +180,6 @@ void clear_across(const struct system *system, const struct beam *beam,
     } else {
         halve(&probe, guess->radius, 0, false, cross);
     }
-    halve(&probe, guess->radius, 1, is_axial && cross->centre[1] == 0, cross);
-    if (is_axial && cross->centre[0] == 0 && cross->centre[1] == 0) {
-        turn_edges(cross);
-    } else {
-        halve(&probe, guess->radius, 0, mirrors && cross->centre[0] == 0, cross);
-    }
+    halve(&probe, guess->radius, 1, upwards && cross->centre[1] == 0, cross);
+    halve(&probe, guess->radius, 0, aside && cross->centre[0] == 0, cross);
 }

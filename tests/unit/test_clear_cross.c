@@ -10,7 +10,7 @@
 
 static const double degree = RADIANS_PER_DEGREE;
 
-/* A lens, and what its rims let through of a beam. */
+/* A lens, and what its rims let through of a beam; looked for from a ray so much aside, mm. */
 struct crossed {
     struct lens lens;
     struct system system;
@@ -18,7 +18,7 @@ struct crossed {
     struct clear_cross cross;
 };
 
-static void cross(struct crossed *crossed, double x, double y, struct arena *arena)
+static void cross(struct crossed *crossed, double x, double y, double aside, struct arena *arena)
 {
     struct error error;
     struct first_order first;
@@ -31,17 +31,18 @@ static void cross(struct crossed *crossed, double x, double y, struct arena *are
     CHECK(first_order_of_lens(&crossed->lens, wavelength, SECTION_Y, arena, &first, &error));
     CHECK(beam_of_field(&field, &object, &first, &crossed->beam, &error));
     struct clear_guess guess = clear_guess_of(&crossed->system, &crossed->beam, &first);
+    guess.centre[0] += aside;
     clear_across(&crossed->system, &crossed->beam, &guess, lens_is_round(&crossed->lens), arena,
                  &crossed->cross);
     CHECK(!crossed->cross.is_empty);
 }
 
-static void cross_text(struct crossed *crossed, const char *text, double x, double y,
+static void cross_text(struct crossed *crossed, const char *text, double t, double aside,
                        struct arena *arena)
 {
     struct error error;
     CHECK(lens_read("test", text_of(text), NULL, arena, &crossed->lens, &error));
-    cross(crossed, x, y, arena);
+    cross(crossed, 0, t, aside, arena);
 }
 
 /* In order: towards +a, +b, -a, -b. */
@@ -64,7 +65,7 @@ static void test_holes(struct arena *arena)
         cross_text(&crossed,
                    "lens two\nobject inf\naperture stop\nsurface - 20 air 10\nstop - 10 air 8\n"
                    "surface - 10 air -\n",
-                   0, t, arena);
+                   t, t % 4 == 0 ? 0 : 0.5, arena);
         const struct clear_cross *cross = &crossed.cross;
         const double c = cos(t * degree), ends[4] = {x, high * c, -x, low * c};
         check_ends(cross, ends, "two holes");
@@ -77,18 +78,26 @@ static void test_holes(struct arena *arena)
 /* A hole beside the axis: no edge mirrors another. */
 static void test_beside(struct arena *arena)
 {
+    static const struct {
+        const char *decenter;
+        double ends[4];
+    } holes[] = {{"1,-2", {4, 1, -2, -5}}, {"1,0", {4, 3, -2, -3}}, {"0,-2", {3, 1, -3, -5}}};
     static struct crossed crossed;
-    cross_text(&crossed,
-               "lens hole\nobject inf\naperture stop\nsurface - 20 air -\n"
-               "stop - 10 air 6 decenter=1,-2\nsurface - 10 air -\n",
-               0, 0, arena);
-    const struct clear_cross *cross = &crossed.cross;
-    const double ends[4] = {4, 1, -2, -5};
-    for (size_t i = 0; i < 4; i++) {
-        CHECK_NEAR(cross->ends[i].at[i % 2], ends[i], 4e-15, "a hole beside the axis");
+    char text[200];
+    for (size_t k = 0; k < sizeof holes / sizeof holes[0]; k++) {
+        snprintf(text, sizeof text,
+                 "lens hole\nobject inf\naperture stop\nsurface - 20 air -\n"
+                 "stop - 10 air 6 decenter=%s\nsurface - 10 air -\n",
+                 holes[k].decenter);
+        cross_text(&crossed, text, 0, 0, arena);
+        const struct clear_cross *cross = &crossed.cross;
+        const double *ends = holes[k].ends;
+        for (size_t i = 0; i < 4; i++) {
+            CHECK_NEAR(cross->ends[i].at[i % 2], ends[i], 4e-15, "a hole beside the axis");
+        }
+        CHECK_NEAR(cross->centre[0], (ends[0] + ends[2]) / 2, 4e-15, "its middle");
+        CHECK_NEAR(cross->centre[1], (ends[1] + ends[3]) / 2, 4e-15, "its middle");
     }
-    CHECK_NEAR(cross->centre[0], 1, 4e-15, "a hole beside the axis: the middle");
-    CHECK_NEAR(cross->centre[1], -2, 4e-15, "a hole beside the axis: the middle");
 }
 
 /*
@@ -132,7 +141,7 @@ static void test_last(const char *name, struct arena *arena)
     struct error error;
     for (int t = 0; t < 3; t++) {
         CHECK(lens_open(&db, text_of(name), arena, &crossed.lens, &error));
-        cross(&crossed, t == 2 ? 3 : 0, 5 * t, arena);
+        cross(&crossed, t == 2 ? 3 : 0, 5 * t, 0, arena);
         for (size_t i = 0; i < 4; i++) {
             const struct clear_edge *edge = &crossed.cross.ends[i];
             double out[2] = {edge->at[0], edge->at[1]};
@@ -143,43 +152,82 @@ static void test_last(const char *name, struct arena *arena)
     }
 }
 
-/* The place is a cubic of the value: the estimate is the root, 10, and the places are about it. */
-static void test_spread(void)
+/* Places lie in parts 2^-power of the way to either neighbour about the estimate. */
+static void check_about(const double *places, const double around[3], const int *powers,
+                        size_t half, const char *what)
 {
-    const struct spread_point points[] = {{2, -2}, {9, -1}, {11, 1}, {18, 2}};
-    double places[8];
-    spread_places(points, 4, 2, 8, places);
-    const int powers[4] = {3, 10, 23, 40};
-    for (int i = 0; i < 4; i++) {
-        CHECK_NEAR(places[i], 10 - ldexp(1, -powers[i]), 4e-15, "below the root");
-        CHECK_NEAR(places[7 - i], 10 + ldexp(1, -powers[i]), 4e-15, "above the root");
+    for (size_t i = 0; i < half; i++) {
+        double part = ldexp(1, -powers[i]);
+        CHECK_NEAR(places[i], around[1] - part * (around[1] - around[0]), 8e-15, what);
+        CHECK_NEAR(places[2 * half - 1 - i], around[1] + part * (around[2] - around[1]), 8e-15,
+                   what);
     }
-    /* a straight line by two points; equal parts where a value is not known, or of the same sign */
-    const struct spread_point two[] = {{0, -1}, {8, 3}}, same[] = {{0, -1}, {9, -3}};
-    const struct spread_point blind[] = {{0, -1}, {9, NAN}};
+}
+
+/*
+ * The place is a cubic of the value, 10 + 2 v + v^2 + v^3: the estimate is the root, 10, where the
+ * secant has 10.75. Points farther off, which are not on it, do not count.
+ */
+static void test_estimate(void)
+{
+    static const int eight[] = {3, 10, 23, 40}, sixteen[] = {1, 3, 6, 10, 16, 23, 31, 40};
+    const struct spread_point points[] = {{-100, -7}, {2, -2}, {9.125, -0.5},
+                                          {14, 1},    {26, 2}, {90, 2.5}};
+    double places[17] = {0};
+    spread_places(points, 6, 3, 8, places);
+    check_about(places, (double[]){9.125, 10, 14}, eight, 4, "cubic");
+    spread_places(points + 1, 4, 2, 16, places);
+    check_about(places, (double[]){9.125, 10, 14}, sixteen, 8, "cubic, sixteen places");
+    CHECK(places[16] == 0);
+    /* at either end there are but three: 5 + v + v^2/4, and 5 + v - v^2/4 */
+    const struct spread_point first[] = {{4.25, -1}, {6.25, 1}, {8, 2}};
+    const struct spread_point last[] = {{2, -2}, {3.75, -1}, {5.75, 1}};
+    spread_places(first, 3, 1, 8, places);
+    check_about(places, (double[]){4.25, 5, 6.25}, eight, 4, "square, at the beginning");
+    spread_places(last, 3, 2, 8, places);
+    check_about(places, (double[]){3.75, 5, 5.75}, eight, 4, "square, at the end");
+    /* by two points a straight line */
+    const struct spread_point two[] = {{0, -1}, {8, 3}};
     spread_places(two, 2, 1, 8, places);
-    CHECK_NEAR(places[0], 2 - 0.25, 1e-15, "line");
-    CHECK_NEAR(places[7], 2 + 0.75, 1e-15, "line");
-    for (int k = 0; k < 2; k++) {
-        spread_places(k == 0 ? same : blind, 2, 1, 8, places);
+    check_about(places, (double[]){0, 2, 8}, eight, 4, "line");
+    /* polynomials that leave the bracket on either side: the secant */
+    const struct spread_point below[] = {{0, -1.01}, {1, -1}, {2, 3}, {3, 3.01}};
+    const struct spread_point above[] = {{0, -3.01}, {1, -3}, {2, 1}, {3, 1.01}};
+    spread_places(below, 4, 2, 8, places);
+    check_about(places, (double[]){1, 1.25, 2}, eight, 4, "secant, nearer to the beginning");
+    spread_places(above, 4, 2, 8, places);
+    check_about(places, (double[]){1, 1.75, 2}, eight, 4, "secant, nearer to the end");
+}
+
+/* Equal parts where a value is not known, where both have one sign, and at rounding. */
+static void test_parts(void)
+{
+    const struct spread_point all[][2] = {
+        {{0, -1}, {9, -3}}, {{0, 1}, {9, 3}}, {{0, -1}, {9, NAN}}, {{0, -INFINITY}, {9, 1}}};
+    double places[9] = {0};
+    for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
+        spread_places(all[k], 2, 1, 8, places);
         for (int i = 0; i < 8; i++) {
             CHECK_NEAR(places[i], i + 1, 2e-15, "equal parts");
         }
+        CHECK(places[8] == 0);
     }
-    /* and at rounding */
-    const struct spread_point close[] = {{1, -1}, {1 + 9 * 0x1p-51, 1}};
-    spread_places(close, 2, 1, 8, places);
-    CHECK(places[0] == 1 + 0x1p-51 && places[7] == 1 + 8 * 0x1p-51);
-    /* a polynomial that leaves the bracket: the secant */
-    const struct spread_point wild[] = {{0, -1.01}, {1, -1}, {2, 1}, {30, 1.01}};
-    spread_places(wild, 4, 2, 8, places);
-    CHECK(places[3] < 1.5 && 1.5 < places[4] && places[4] - places[3] < 1e-11);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        /* 27 and 72 steps of 2.2e-16: 0.6e-14 and 1.6e-14 */
+        struct spread_point close[] = {{sign, -1}, {sign + 27 * 0x1p-52, 1}};
+        spread_places(close, 2, 1, 8, places);
+        CHECK(places[0] == sign + 3 * 0x1p-52 && places[7] == sign + 24 * 0x1p-52);
+        close[1].at = sign + 72 * 0x1p-52;
+        spread_places(close, 2, 1, 8, places);
+        CHECK(places[3] == sign + 36 * 0x1p-52 && places[4] == sign + 36 * 0x1p-52);
+    }
 }
 
 int main(void)
 {
     struct arena arena = {0};
-    test_spread();
+    test_estimate();
+    test_parts();
     test_holes(&arena);
     test_beside(&arena);
     test_lost(&arena);
