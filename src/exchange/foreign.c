@@ -34,6 +34,16 @@ const char *foreign_unit_word(const struct foreign_unit *units, const char *unit
     return units->word;
 }
 
+/* Take a mark out of a text. */
+static bool take_mark(char *text, const char *mark)
+{
+    char *at = strchr(text, mark[0]);
+    if (at != NULL) {
+        memmove(at, at + 1, strlen(at));
+    }
+    return at != NULL;
+}
+
 bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struct text word,
                   struct error *error, const char *format, ...)
 {
@@ -42,9 +52,13 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
+    bool of_power = take_mark(message, LOSS_OF_POWER);
     char *instead = strrchr(message, LOSS_INSTEAD[0]);
     if (instead != NULL) {
         *instead++ = '\0';
+    }
+    if (of_power && job->lost_power == NULL) {
+        job->lost_power = arena_string(job->arena, message, strlen(message));
     }
     if (job->lossy) {
         add_loss(job, words != NULL ? words->number : 0,
@@ -59,6 +73,17 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
         error_locate(error, job->source, 0, 0);
     }
     return error_hint(error, "{lossy} leaves it out and lists what is lost");
+}
+
+void foreign_mark_power(const struct foreign_job *job, struct lens_build *build)
+{
+    if (job->lost_power != NULL) {
+        struct text text = text_of(arena_printf(
+            job->arena, "the focal length may not be that of %s, where this is lost: %s",
+            job->source, job->lost_power));
+        lens_build_note(build, text);
+        build->lens->lost_power = lens_build_string(build, text);
+    }
 }
 
 /* By lines, those that were written last; the order of the list where they are equal. */

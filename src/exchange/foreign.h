@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/file_type.h"
 #include "base/text.h"
+#include "file/lens_build.h"
 #include "file/lens_file.h"
 #include "file/lens_words.h"
 #include "optics/growing.h"
@@ -29,6 +30,7 @@ struct foreign_job {
     bool lossy;                         /* losses are listed; else the first one is an error */
     struct foreign_loss *losses;
     size_t loss_count, loss_room;
+    const char *lost_power; /* the first loss that bends light; null = none */
 };
 
 /* What a program calls a unit of length: of several words for one, it writes the first. */
@@ -73,6 +75,12 @@ struct foreign_format {
 #define LOSS_INSTEAD "\v"
 
 /*
+ * Anywhere in the text: what is lost bends light. Then the focal length may not be that of the
+ * file, and no solve follows rays: the numbers that the file has for them stand.
+ */
+#define LOSS_OF_POWER "\a"
+
+/*
  * Record that something is lost; never drop or replace anything without it.
  *
  * Given     words, word  where it stands (a line's words, and the word); words null: nowhere
@@ -86,6 +94,9 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
 /* The same of a file that is being written: it cannot hold something of the lens. */
 #define foreign_lose(job, error, ...)                                                              \
     foreign_loss((job), NULL, (struct text){NULL, 0}, (error), __VA_ARGS__)
+
+/* Where what is lost bends light: a warning of the lens, and a note that files keep. */
+void foreign_mark_power(const struct foreign_job *job, struct lens_build *build);
 
 /*
  * List the losses as "FILE:LINE: lost: WHAT", one a line, in the order of the file; those of

@@ -143,6 +143,13 @@ static bool check_move(const struct sequence *sequence, const struct sequence_su
     return true;
 }
 
+/* A decentred one is none, where its decentre is lost. */
+static bool has_circle(const struct sequence_surface *from)
+{
+    return from->diameter.typed.start != NULL && from->diameter.value.hi != 0 &&
+           !from->has_lost_aperture;
+}
+
 /* The surface, and behind a bend a plane that turns the axis. */
 static bool put_surface(const struct sequence *sequence, size_t index, size_t *lens_index,
                         struct error *error)
@@ -171,7 +178,7 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     }
     const char *name = arena_printf(arena, "d%zu", *lens_index + 1);
     struct figure thickness = cell(sequence, name, &zero, from->thicknesses, from->extra);
-    surface->has_diameter = from->diameter.typed.start != NULL && from->diameter.value.hi != 0;
+    surface->has_diameter = has_circle(from);
     if (surface->has_diameter) {
         name = arena_printf(arena, "a%zu", *lens_index + 1);
         surface->diameter = cell(sequence, name, &from->diameter, from->diameters, pair_of(0));
@@ -275,6 +282,15 @@ static bool put_image(const struct sequence *sequence, bool is_solved, struct er
     return true;
 }
 
+/* Does the last solve bring the marginal ray to the axis, with no light lost on its way? */
+static bool is_focus(const struct sequence *sequence, const struct sequence_surface *last)
+{
+    const struct sequence_solve *solve = &last->thickness_solve;
+    bool is_kept = sequence->job->lost_power != NULL && last->thickness.typed.start != NULL;
+    return !is_kept && solve->is_set && !solve->of_angle && solve->ray == SOLVE_MARGINAL &&
+           solve->target.value.hi == 0 && last->extra.hi == 0;
+}
+
 bool sequence_finish(struct sequence *sequence, struct error *error)
 {
     const struct commands *commands = sequence->commands;
@@ -300,10 +316,10 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
         }
     }
     struct sequence_solve *solve = &last->thickness_solve;
-    bool is_solved = solve->is_set && !solve->of_angle && solve->ray == SOLVE_MARGINAL &&
-                     solve->target.value.hi == 0 && last->extra.hi == 0;
+    bool is_solved = is_focus(sequence, last);
     if (is_solved && last->thickness.typed.start != NULL) {
         solve->is_set = false; /* 'focus paraxial' solves it whenever it is asked for */
     }
+    foreign_mark_power(sequence->job, sequence->build);
     return put_image(sequence, is_solved, error) && sequence_solve_all(sequence, indices, error);
 }

@@ -65,6 +65,7 @@ struct sequence_surface {
     enum curved curved;
     bool is_special; /* its coefficients are those of CODE V's SPS ODD */
     bool is_stop;
+    bool has_lost_aperture; /* its decentre is lost: no centred one may stand for it */
     const char *name;
     enum sequence_move move;
     bool turns_first;                /* before it is shifted, and about z first */

@@ -108,22 +108,37 @@ static bool set_curvature(const struct solving *solving, const struct figure *va
     return true;
 }
 
+/* The number of the file stands; false with ERROR_NONE, or the error where that is refused. */
+static bool keep(const struct solving *solving, const char *why, struct error *error)
+{
+    const struct lens_words place =
+        commands_place(solving->sequence->commands, &solving->solve->at);
+    return foreign_loss(solving->sequence->job, &place, solving->solve->at.text, error,
+                        "a solve: %s" LOSS_INSTEAD "the number of the file stands", why) &&
+           (error->code = ERROR_NONE, false);
+}
+
+/* Does the file have a number for it? */
+static bool is_stored(const struct solving *solving)
+{
+    const struct sequence_surface *from = solving->from;
+    return (solving->is_thickness ? from->thickness : from->curve).typed.start != NULL;
+}
+
 /* Result: false with ERROR_NONE where the stored number stands, as a loss that is listed. */
 static bool apply(const struct solving *solving, bool *near, struct error *error)
 {
     size_t positions = solving->sequence->build->lens->position_count;
     size_t count = positions > 0 ? positions : 1;
     struct figure *values = ARENA_ARRAY(solving->sequence->job->arena, count, struct figure);
+    if (solving->sequence->job->lost_power != NULL && is_stored(solving)) {
+        return keep(solving, "it follows rays through what is lost", error);
+    }
     for (size_t i = 0; i < count; i++) {
         struct pair value;
         if (!solve_one(solving, i, &value, error)) {
             const struct error found = *error;
-            const struct lens_words place =
-                commands_place(solving->sequence->commands, &solving->solve->at);
-            return foreign_loss(solving->sequence->job, &place, solving->solve->at.text, error,
-                                "a solve: %s" LOSS_INSTEAD "the number of the file stands",
-                                found.message) &&
-                   (error->code = ERROR_NONE, false);
+            return keep(solving, found.message, error);
         }
         values[i] = figure_solved(solving, value);
     }

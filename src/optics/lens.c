@@ -289,6 +289,9 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
     if (lens->surface_count == 0) {
         return fail(error, ERROR_DATA, "the lens has no surface");
     }
+    if (lens->lost_power != NULL) {
+        warnings->texts[warnings->count++] = lens->lost_power;
+    }
     size_t positions = lens->position_count > 0 ? lens->position_count : 1;
     for (size_t i = 0; i < positions; i++) {
         struct check check = {lens_at_position(lens, i, arena), arena, warnings,

@@ -77,6 +77,7 @@ struct lens {
     const struct figure *apertures;  /* let aperture: of the kind aperture_kind; or null */
     const struct figure *stated[STATED_COUNT]; /* null = not stated */
     size_t stated_count[STATED_COUNT];         /* 1 or one a position */
+    const char *lost_power; /* what bends light in a file that it was read from; null = all kept */
 };
 
 /*

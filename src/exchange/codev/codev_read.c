@@ -40,19 +40,25 @@ static bool lose_unless_zero(struct codev *codev, int what, struct error *error)
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
-    return codev_is_zero(codev, qualifiers.next) ||
-           commands_lose(&codev->commands, error, "%s", reasons[what]);
+    if (codev_is_zero(codev, qualifiers.next)) {
+        return true;
+    }
+    if (codev->sequence.count > 0 && (text_same(codev->commands.words[0].text, "ADX") ||
+                                      text_same(codev->commands.words[0].text, "ADY"))) {
+        codev->sequence.surfaces[qualifiers.surface].has_lost_aperture = true;
+    }
+    return commands_lose(&codev->commands, error, "%s", reasons[what]);
 }
 
 static bool lose(struct codev *codev, int what, struct error *error)
 {
     static const char *const reasons[] = {
         "a rectangular or elliptic aperture",
-        "a toric, anamorphic or special surface",
-        "a diffractive surface",
+        "a toric, anamorphic or special surface" LOSS_OF_POWER,
+        "a diffractive surface" LOSS_OF_POWER,
         "a shift or turn that is undone or related to another surface",
-        "a thermal environment",
-        "an index that is changed"};
+        "a thermal environment" LOSS_OF_POWER,
+        "an index that is changed" LOSS_OF_POWER};
     return commands_lose(&codev->commands, error, "%s", reasons[what]);
 }
 

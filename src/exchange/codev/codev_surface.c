@@ -283,7 +283,8 @@ bool codev_special(struct codev *codev, int what, struct error *error)
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
     surface->is_special = text_same(kind.text, "ODD");
     if (!surface->is_special) {
-        return commands_lose(&codev->commands, error, "a surface of a shape that lenscalc has not");
+        return commands_lose(&codev->commands, error,
+                             "a surface of a shape that lenscalc has not" LOSS_OF_POWER);
     }
     if (qualifiers.next + 1 < codev->commands.count &&
         !commands_figure(&codev->commands, qualifiers.next + 1, plain, "radius", &radius, error)) {

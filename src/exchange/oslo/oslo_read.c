@@ -309,14 +309,14 @@ static bool read_nothing(struct oslo *oslo, int what, struct error *error)
 
 static bool lose(struct oslo *oslo, int what, struct error *error)
 {
-    static const char *const reasons[] = {"a perfect lens",
-                                          "a grating",
+    static const char *const reasons[] = {"a perfect lens" LOSS_OF_POWER,
+                                          "a grating" LOSS_OF_POWER,
                                           "coordinates of another surface",
                                           "a zoom configuration",
-                                          "a toric surface",
+                                          "a toric surface" LOSS_OF_POWER,
                                           "an aperture that is no circle",
                                           "rays that leave the object in parallel",
-                                          "an index that changes inside of the glass",
+                                          "an index that changes inside of the glass" LOSS_OF_POWER,
                                           "a solve that is not known"};
     return commands_lose(&oslo->commands, error, "%s", reasons[what]);
 }

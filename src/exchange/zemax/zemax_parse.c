@@ -80,6 +80,9 @@ static bool read_other_aperture(struct zemax_file *file, struct text keyword, st
     if (decentre && zemax_number(line, 0) == 0 && zemax_number(line, 1) == 0) {
         return true;
     }
+    bool blocks = text_same(keyword, "OBSC") || text_same(keyword, "SQOB") ||
+                  text_same(keyword, "ELOB") || text_same(keyword, "SPID");
+    surface_of(file)->has_lost_aperture = surface_of(file)->has_lost_aperture || !blocks;
     return zemax_loss(
         file, line, error,
         "%.4s: apertures are round and centred here, and nothing is obscured" LOSS_INSTEAD

@@ -38,6 +38,7 @@ struct zemax_surface {
     struct text comment;
     bool is_stop;
     bool has_free_curvature; /* its solve is lost, the file's number stands */
+    bool has_lost_aperture;  /* no clear one may stand for it */
 };
 
 /* An operand of the multiple configurations: THIC 4 2 1.5 */

@@ -285,6 +285,7 @@ static bool read(struct foreign_job *job, struct text content, struct lens *lens
         return false;
     }
     set_focus(&file);
+    foreign_mark_power(job, &file.build);
     return true;
 }
 

@@ -52,6 +52,8 @@ static struct figure rounded(const struct solving *solving, struct pair value)
     return figure_rounded(value, solving->unit, solving->file->job->arena);
 }
 
+static const char through_loss[] = "follows rays through what is lost";
+
 /* The number that stands in the file is kept, and the solve is lost, once. */
 static bool keep(struct solving *solving, size_t at, const struct zemax_line *line, const char *why,
                  struct error *error)
@@ -90,6 +92,9 @@ static bool marginal(struct solving *solving, size_t at, const struct zemax_line
     struct solve_state state;
     if (zemax_number(line, 1) != 0) {
         return keep(solving, at, line, "follows a real ray", error);
+    }
+    if (solving->file->job->lost_power != NULL) {
+        return keep(solving, at, line, through_loss, error);
     }
     bool done = false;
     if (!follow(solving, at, line, SOLVE_MARGINAL, &state, &done, error)) {
@@ -169,9 +174,12 @@ static const struct {
 
 bool zemax_focuses(const struct zemax_file *file)
 {
-    const struct zemax_line *solve = file->surfaces[file->surface_count - 2].solve;
-    return solve != NULL && text_same(solve->keyword, "MAZH") && zemax_number(solve, 0) == 0 &&
-           zemax_number(solve, 1) == 0;
+    const struct zemax_surface *last = &file->surfaces[file->surface_count - 2];
+    const struct zemax_line *solve = last->solve;
+    bool is_stored =
+        file->job->lost_power != NULL && last->thickness != NULL && last->thickness->count > 0;
+    return !is_stored && solve != NULL && text_same(solve->keyword, "MAZH") &&
+           zemax_number(solve, 0) == 0 && zemax_number(solve, 1) == 0;
 }
 
 /* The last solve only says where the image is: the file's number stays beside it. */
@@ -289,6 +297,10 @@ static bool solved_curvature(struct solving *solving, size_t at, int code, struc
 {
     const struct zemax_line *line = solving->file->surfaces[at].curvature;
     *kept = false;
+    if (is_of_ray(code) && solving->file->job->lost_power != NULL) {
+        *kept = keep(solving, at, line, through_loss, error);
+        return false;
+    }
     if (is_of_ray(code)) {
         struct solve_state state;
         bool chief = code == CHIEF_ANGLE || code == CHIEF_NORMAL;

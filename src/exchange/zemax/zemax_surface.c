@@ -115,7 +115,7 @@ static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line
     }
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
     return zemax_loss(file, line, error,
-                      "the glass '%.*s' of nd %g and Vd %g is in %s" LOSS_INSTEAD
+                      "the glass '%.*s' of nd %g and Vd %g is in %s" LOSS_OF_POWER LOSS_INSTEAD
                       "nd and Vd stand for it",
                       length, line->keyword.start, zemax_number(line, 2), zemax_number(line, 3),
                       catalog_list(file)) ||
@@ -150,7 +150,8 @@ bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
     bool offset = zemax_number(line, 0) == 4;
     for (size_t i = 8; offset && i < line->count; i++) {
         if (line->numbers[i].value.hi != 0 &&
-            !zemax_loss(file, line, error, "a glass with an offset of its index or dispersion")) {
+            !zemax_loss(file, line, error,
+                        "a glass with an offset of its index or dispersion" LOSS_OF_POWER)) {
             return false;
         }
     }
@@ -284,9 +285,9 @@ static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
         other = other || parameter(file, at, i).value.hi != 0;
     }
     bool both = radius.value.hi != 0 && (!to->is_plane || to->has_curvature);
-    if ((both || other) &&
-        !zemax_loss(file, file->surfaces[at].type, error,
-                    "a toroid" LOSS_INSTEAD "its y-z section stands for it, as a cylinder")) {
+    if ((both || other) && !zemax_loss(file, file->surfaces[at].type, error,
+                                       "a toroid" LOSS_OF_POWER LOSS_INSTEAD
+                                       "its y-z section stands for it, as a cylinder")) {
         return false;
     }
     to->curved = CURVED_Y;
@@ -326,7 +327,7 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
                                "each other");
     }
     return foreign_loss(file->job, &from->type->words, type, error,
-                        "a surface of the type %.*s" LOSS_INSTEAD
+                        "a surface of the type %.*s" LOSS_OF_POWER LOSS_INSTEAD
                         "its standard form with curvature and conic stands for it",
                         (int)(type.length < 20 ? type.length : 20), type.start);
 }
@@ -387,13 +388,25 @@ static bool check_pickups(struct zemax_file *file, size_t at, struct error *erro
     return true;
 }
 
-/* Twice the semi-diameter, or a circular aperture's radius. */
+/*
+ * The radius of a circular aperture, else the semi-diameter; null where there is none. Of an
+ * aperture that is lost (it is decentred, or no circle) only an automatic semi-diameter stands: it
+ * surrounds the beam, and clips nothing that the aperture lets through.
+ */
+static const struct figure *radius_of(const struct zemax_surface *from)
+{
+    const struct figure *half = from->diameter != NULL ? &from->diameter->numbers[0] : NULL;
+    if (from->has_lost_aperture) {
+        return zemax_number(from->diameter, 1) == 0 ? half : NULL;
+    }
+    return from->clear != NULL ? &from->clear->numbers[1] : half;
+}
+
+/* Twice the radius. */
 static void set_diameter(struct zemax_file *file, const struct zemax_surface *from,
                          struct surface *to)
 {
-    const struct figure *radius = from->clear != NULL      ? &from->clear->numbers[1]
-                                  : from->diameter != NULL ? &from->diameter->numbers[0]
-                                                           : NULL;
+    const struct figure *radius = radius_of(from);
     if (radius != NULL && radius->value.hi > 0) {
         struct pair twice = {2 * radius->value.hi, 2 * radius->value.lo};
         to->diameter =

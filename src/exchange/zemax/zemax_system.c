@@ -182,7 +182,7 @@ static bool read_environment(struct zemax_file *file, struct text keyword, struc
     return zemax_number(line, 2) == 0 || usual ||
            zemax_loss(file, line, error,
                       "indices at %.6g C and %.6g atmospheres: lenscalc has those of 20 C "
-                      "and 1 atmosphere" LOSS_INSTEAD "they stand for them",
+                      "and 1 atmosphere" LOSS_OF_POWER LOSS_INSTEAD "they stand for them",
                       zemax_number(line, 0), zemax_number(line, 1));
 }
 
