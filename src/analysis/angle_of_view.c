@@ -323,6 +323,8 @@ static bool open_outlook(const struct view_question *question, struct arena *are
     if (outlook->system == NULL) {
         return false;
     }
+    /* what stands in the middle of a telescope leaves it its field of view */
+    outlook->system = system_outer(outlook->system);
     if (outlook->system->stop == LENS_NONE) {
         return fail(error, ERROR_DOMAIN, "the lens has no stop: it has no chief rays");
     }

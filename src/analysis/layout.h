@@ -20,6 +20,7 @@ enum layout_kind {
     LAYOUT_ARROW,    /* object or image; the last point is the tip */
     LAYOUT_HATCH,    /* strokes behind a mirror */
     LAYOUT_MIRROR,
+    LAYOUT_BLOCK, /* along a surface, where an aperture blocks light */
     LAYOUT_STOP,
     LAYOUT_IMAGE,
     LAYOUT_PLANE, /* a principal plane, from bottom to top */

@@ -3,6 +3,7 @@
 #include "analysis/layout.h"
 
 #include "base/constants.h"
+#include "optics/aperture.h"
 
 enum { SAMPLES = 48, HATCHES = 28 };
 static const double THINNEST = 0.12; /* edge of an element, against its middle */
@@ -190,7 +191,9 @@ static bool find_diameters(struct layout *layout, struct error *error)
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
         double y = layout->marginal[i].y, bar = layout->chief[i].y;
+        double stated = aperture_reach(surface);
         layout->semi[i] = surface->has_diameter ? surface->diameter.value.hi / 2
+                          : isfinite(stated)    ? stated
                                                 : fabs(y) + (isfinite(bar) ? fabs(bar) : 0);
         if (!layout->is_drawn[i]) {
             continue;
@@ -200,11 +203,11 @@ static bool find_diameters(struct layout *layout, struct error *error)
                  i + 1);
             return error_hint(error, "state diameters or an aperture in the file, or give -N");
         }
-        guessed += !surface->has_diameter;
+        guessed += isfinite(stated) ? 0 : 1;
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (layout->is_drawn[i]) {
-            shrink(layout, i, !lens->surfaces[i].has_diameter);
+            shrink(layout, i, !isfinite(aperture_reach(&lens->surfaces[i])));
             layout->size = fmax(layout->size, layout->semi[i]);
         }
     }
@@ -286,6 +289,84 @@ static void add_element(struct layout *layout, size_t i)
     part->glass = find_glass(layout, layout->setup->lens->surfaces[i].medium.written);
 }
 
+/* -------- what apertures leave -------- */
+
+/* Between two heights of a surface, in the plane of the drawing. */
+struct stretch {
+    double low, high;
+};
+enum { STRETCHES = 16, STRETCH_STEPS = 600 };
+
+static bool passes_at(const struct layout *layout, const struct aperture_form *forms, size_t count,
+                      double h)
+{
+    bool y = layout->setup->section == SECTION_Y;
+    for (size_t i = 0; i < count; i++) {
+        if (!aperture_passes(&forms[i], y ? 0 : h, y ? h : 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The stretches from one height up to another where the apertures pass, or where they do not. */
+static size_t find_stretches(const struct layout *layout, size_t surface, bool passing,
+                             struct stretch whole, struct stretch *stretches)
+{
+    const struct surface *one = &layout->setup->lens->surfaces[surface];
+    const size_t count = one->aperture_count;
+    struct aperture_form *forms = ARENA_ARRAY(layout->arena, count, struct aperture_form);
+    double step = (whole.high - whole.low) / STRETCH_STEPS, before = whole.low;
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        forms[i] = aperture_form_of(&one->apertures[i], layout->arena);
+    }
+    bool is = passes_at(layout, forms, count, before) == passing;
+    stretches[0].low = before;
+    for (int k = 1; k <= STRETCH_STEPS && found < STRETCHES; k++) {
+        double here = k == STRETCH_STEPS ? whole.high : whole.low + k * step, low = before;
+        bool will = passes_at(layout, forms, count, here) == passing;
+        for (double high = here; will != is && high - low > 1e-9 * step;) {
+            double middle = (low + high) / 2;
+            bool still = (passes_at(layout, forms, count, middle) == passing) == is;
+            *(still ? &low : &high) = middle;
+        }
+        if (is && !will) {
+            stretches[found++].high = low;
+        } else if (will && !is) {
+            stretches[found].low = low;
+        }
+        is = will;
+        before = here;
+    }
+    if (is && found < STRETCHES) {
+        stretches[found++].high = whole.high;
+    }
+    return found;
+}
+
+/* Where apertures of a surface that is no mirror block light. */
+static void add_blocks(struct layout *layout, size_t i)
+{
+    const struct surface *surface = &layout->setup->lens->surfaces[i];
+    struct stretch stretches[STRETCHES];
+    double semi = layout->is_drawn[i] || surface->has_diameter ? layout->semi[i] : layout->size;
+    if (surface->aperture_count == 0 || surface_reflects(surface)) {
+        return;
+    }
+    size_t count = find_stretches(layout, i, false, (struct stretch){-semi, semi}, stretches);
+    for (size_t k = 0; k < count; k++) {
+        double *z, *y, low = stretches[k].low, high = stretches[k].high;
+        layout_add(layout, LAYOUT_BLOCK, SAMPLES + 1, &z, &y);
+        for (int j = 0; j <= SAMPLES; j++) {
+            y[j] = low + (high - low) * j / SAMPLES;
+            z[j] = layout->vertex[i] + sag(layout, i, y[j]);
+            put(layout, i, &z[j], &y[j]);
+            reach(layout, z[j]);
+        }
+    }
+}
+
 /* The beam that comes back through a mirror's middle needs a hole there. */
 static double find_hole(const struct layout *layout, size_t mirror)
 {
@@ -307,32 +388,44 @@ static double find_hole(const struct layout *layout, size_t mirror)
     return layout->is_centred && hole < 0.7 * layout->semi[mirror] ? hole : 0;
 }
 
+/* One piece of a mirror, with strokes behind it. */
+static void add_mirror_piece(struct layout *layout, size_t i, double from, double to)
+{
+    double depth = 0.035 * layout->size, *z, *y, *hatch_z, *hatch_y;
+    layout_add(layout, LAYOUT_MIRROR, SAMPLES + 1, &z, &y);
+    for (int k = 0; k <= SAMPLES; k++) {
+        y[k] = from + (to - from) * k / SAMPLES;
+        z[k] = layout->vertex[i] + sag(layout, i, y[k]);
+        put(layout, i, &z[k], &y[k]);
+        reach(layout, z[k]);
+    }
+    int strokes = (int)fmax(3, HATCHES * fabs(to - from) / layout->size);
+    layout_add(layout, LAYOUT_HATCH, 3 * (size_t)strokes, &hatch_z, &hatch_y);
+    for (int k = 0; k < strokes; k++) {
+        double h = from + (to - from) * (k + 0.5) / strokes;
+        double at = layout->vertex[i] + sag(layout, i, h);
+        hatch_z[3 * k] = at;
+        hatch_y[3 * k] = h;
+        hatch_z[3 * k + 1] = at + depth * layout->direction[i];
+        hatch_y[3 * k + 1] = h - 0.8 * depth;
+        put(layout, i, &hatch_z[3 * k], &hatch_y[3 * k]);
+        put(layout, i, &hatch_z[3 * k + 1], &hatch_y[3 * k + 1]);
+        hatch_z[3 * k + 2] = hatch_y[3 * k + 2] = NAN;
+    }
+}
+
 static void add_mirror(struct layout *layout, size_t i)
 {
     double semi = layout->semi[i], hole = find_hole(layout, i);
-    double depth = 0.035 * layout->size;
-    for (int side = -1; side <= 1; side += 2) {
-        double *z, *y, *hatch_z, *hatch_y;
-        layout_add(layout, LAYOUT_MIRROR, SAMPLES + 1, &z, &y);
-        for (int k = 0; k <= SAMPLES; k++) {
-            y[k] = side * (hole + (semi - hole) * k / SAMPLES);
-            z[k] = layout->vertex[i] + sag(layout, i, y[k]);
-            put(layout, i, &z[k], &y[k]);
-            reach(layout, z[k]);
-        }
-        int strokes = (int)fmax(3, HATCHES * (semi - hole) / layout->size);
-        layout_add(layout, LAYOUT_HATCH, 3 * (size_t)strokes, &hatch_z, &hatch_y);
-        for (int k = 0; k < strokes; k++) {
-            double h = side * (hole + (semi - hole) * (k + 0.5) / strokes);
-            double at = layout->vertex[i] + sag(layout, i, h);
-            hatch_z[3 * k] = at;
-            hatch_y[3 * k] = h;
-            hatch_z[3 * k + 1] = at + depth * layout->direction[i];
-            hatch_y[3 * k + 1] = h - 0.8 * depth;
-            put(layout, i, &hatch_z[3 * k], &hatch_y[3 * k]);
-            put(layout, i, &hatch_z[3 * k + 1], &hatch_y[3 * k + 1]);
-            hatch_z[3 * k + 2] = hatch_y[3 * k + 2] = NAN;
-        }
+    struct stretch stretches[STRETCHES];
+    if (layout->setup->lens->surfaces[i].aperture_count == 0) {
+        add_mirror_piece(layout, i, -hole, -semi);
+        add_mirror_piece(layout, i, hole, semi);
+        return;
+    }
+    size_t count = find_stretches(layout, i, true, (struct stretch){-semi, semi}, stretches);
+    for (size_t k = 0; k < count; k++) {
+        add_mirror_piece(layout, i, stretches[k].low, stretches[k].high);
     }
 }
 
@@ -404,6 +497,7 @@ bool layout_lens(struct layout *layout, struct error *error)
         if (surface_has(&lens->surfaces[i], SURFACE_HAS_FOCAL)) {
             add_thick(layout, i);
         }
+        add_blocks(layout, i);
     }
     if (!(layout->left <= layout->right)) {
         return fail(error, ERROR_DOMAIN, "nothing to draw: the lens has no glass and no mirror");

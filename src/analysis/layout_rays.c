@@ -1,6 +1,7 @@
 /* analysis/layout_rays.c - exact rays through the drawn lens, clipped. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/layout.h"
+#include "optics/aperture.h"
 #include "trace/aim.h"
 #include "trace/clear_cross.h"
 #include "trace/follow.h"
@@ -178,7 +179,7 @@ static size_t cutting(const struct beams *beams, const struct bundle *bundle)
         const struct clear_edge *edge = edge_of(beams, bundle, side);
         size_t i = edge->surface - 1;
         if (edge->status == RAY_CLIPPED && i < lens->surface_count && i != lens->stop &&
-            lens->surfaces[i].has_diameter) {
+            isfinite(aperture_reach(&lens->surfaces[i]))) {
             return i;
         }
     }
@@ -295,7 +296,8 @@ bool layout_rays(struct layout *layout, struct error *error)
     struct beams beams;
     bool has_clear_aperture = isfinite(first->stop_radius) || isfinite(first->entrance_diameter);
     for (size_t i = 0; i < setup->lens->surface_count; i++) {
-        has_clear_aperture = has_clear_aperture || setup->lens->surfaces[i].has_diameter;
+        has_clear_aperture =
+            has_clear_aperture || isfinite(aperture_reach(&setup->lens->surfaces[i]));
     }
     if (!has_clear_aperture) {
         layout_note(layout, "no rays: the lens states no aperture (give -N)");

@@ -4,10 +4,12 @@
 
 #include "analysis/contour.h"
 #include "analysis/folding.h"
+#include "analysis/pupil_cut.h"
 #include "trace/aim.h"
 #include "trace/clear.h"
 #include "trace/dispatch.h"
 #include "trace/sample.h"
+#include "trace/spans.h"
 
 #include <math.h>
 
@@ -228,10 +230,13 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
     gauss_rule(POINTS, x, w);
     for (size_t i = 0; i < clear->arm_count; i++) {
         const double *edge = clear->arms[i].edge.at, *c = clear->centre;
+        const struct spans *spans = clear->arms[i].spans;
         double arm[2] = {edge[0] - c[0], edge[1] - c[1]}, along = 0;
-        for (size_t k = 0; k < POINTS; k++) {
-            const double at[2] = {c[0] + x[k] * arm[0], c[1] + x[k] * arm[1]};
-            along += w[k] * x[k] * weight(beam, at, what, z);
+        for (size_t k = 0; k < POINTS * spans->count; k++) {
+            double low = spans->low[k / POINTS], width = spans->high[k / POINTS] - low;
+            double t = low + width * x[k % POINTS];
+            const double at[2] = {c[0] + t * arm[0], c[1] + t * arm[1]};
+            along += width * w[k % POINTS] * t * weight(beam, at, what, z);
         }
         sum += 2 * along * clear->arms[i].area;
     }
@@ -337,6 +342,28 @@ static void fill_side(const struct clear_pupil *clear, const struct ray *rays, b
     }
 }
 
+/* Areas and centroids of one side, less what is dark within the edges. */
+static void cut_side(const struct pupil_question *question, const struct clear_pupil *clear,
+                     size_t to, double light_direction, struct arena *arena,
+                     struct pupil_side *side)
+{
+    struct pupil_extent *const extents[] = {&side->pupil, &side->vertex};
+    for (size_t i = 0; i < 2; i++) {
+        const struct cut_plane plane = {question->open, question->beam, to, extents[i]->z,
+                                        light_direction};
+        if (isnan(extents[i]->area)) {
+            continue;
+        }
+        struct cut_extent cut = pupil_cut(&plane, clear, arena);
+        double small = 1e-9 * (extents[i]->high[1] - extents[i]->low[1]);
+        extents[i]->area = cut.area;
+        for (int k = 0; k < 2; k++) {
+            /* what symmetry makes 0 */
+            extents[i]->centre[k] = fabs(cut.centre[k]) < small ? 0 : cut.centre[k];
+        }
+    }
+}
+
 /* The limits of a side that the beam does not cross: by the beam's own directions. */
 static void limit_by_beam(const struct clear_pupil *clear, struct pupil_side *side)
 {
@@ -386,6 +413,32 @@ static void explain_loss(const struct pupil_question *question, const double at[
     shape->surface = ray_block_surface(work.blocks, 0);
 }
 
+/* Areas by integrals over the beam: on its own side, on both where something is cut out. */
+static void fill_areas(const struct pupil_question *question, const struct clear_pupil *clear,
+                       const double light_direction[2], struct arena *arena,
+                       struct pupil_shape *shape)
+{
+    const struct beam *beam = question->beam;
+    const double side = question->open->options.reverse ? -1 : 1;
+    struct pupil_side *own = side < 0 ? &shape->exit : &shape->entrance;
+    shape->projected = clear->area;
+    shape->obstruction = clear->is_cut ? 1 - clear->area / clear->within : (double)NAN;
+    shape->cosine_area = integrate(beam, clear, COSINES, 0);
+    if (clear->is_cut) {
+        struct pupil_side *other = side < 0 ? &shape->entrance : &shape->exit;
+        cut_side(question, clear, 0, side * light_direction[side < 0], arena, own);
+        cut_side(question, clear, question->open->places, side * light_direction[side > 0], arena,
+                 other);
+        return;
+    }
+    if (!isnan(own->pupil.area)) {
+        own->pupil.area = integrate(beam, clear, IN_PLANE, own->pupil.z);
+    }
+    if (!isnan(own->vertex.area)) {
+        own->vertex.area = integrate(beam, clear, IN_PLANE, 0);
+    }
+}
+
 bool pupil_shape(const struct pupil_question *question, struct arena *arena,
                  struct pupil_shape *shape, struct error *error)
 {
@@ -418,7 +471,6 @@ bool pupil_shape(const struct pupil_question *question, struct arena *arena,
     const struct ray *in = trace_edges(question, &clear, middle, 0, arena);
     const struct ray *out = trace_edges(question, &clear, middle, open->places, arena);
     double light_direction[2] = {1, question->first->index_image < 0 ? -1 : 1};
-    struct pupil_side *own = reverse ? &shape->exit : &shape->entrance;
     fill_side(&clear, reverse ? out : in, shape->has_chief, question->first->entrance_pupil,
               reverse ? -light_direction[0] : light_direction[0], arena, &shape->entrance);
     fill_side(&clear, reverse ? in : out, shape->has_chief, question->first->exit_pupil,
@@ -428,13 +480,6 @@ bool pupil_shape(const struct pupil_question *question, struct arena *arena,
     limit_by_beam(&clear, &shape->entrance);
     limit_by_beam(&clear, &shape->exit);
     fill_stop(question, &clear, middle, arena, shape);
-    shape->projected = clear.area;
-    shape->cosine_area = integrate(beam, &clear, COSINES, 0);
-    if (!isnan(own->pupil.area)) {
-        own->pupil.area = integrate(beam, &clear, IN_PLANE, own->pupil.z);
-    }
-    if (!isnan(own->vertex.area)) {
-        own->vertex.area = integrate(beam, &clear, IN_PLANE, 0);
-    }
+    fill_areas(question, &clear, light_direction, arena, shape);
     return true;
 }

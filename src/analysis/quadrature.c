@@ -4,10 +4,15 @@
 
 #include "base/constants.h"
 #include "trace/dispatch.h"
+#include "trace/probe.h"
+#include "trace/spans.h"
 
 #include <math.h>
 
 enum { DIRECTIONS = 32, GRID = 24, CORNERS = 8, CORNER_ROUNDS = 5, CORNER_STEPS = 4, STRIDES = 8 };
+
+/* Where apertures are listed. */
+enum { MORE_DIRECTIONS = 256, MORE_CORNERS = 64 };
 
 /* Shares of the stop's radius: how far off an edge may be, and the step of differences. */
 static const double roughly = 1e-6, finely = 1e-11, step = 1e-5;
@@ -26,54 +31,69 @@ enum { NOTHING = 0, STOP = 1 }; /* else by surface and status */
 /* What is clear, as a star about `centre`. Angles count from v towards u. */
 struct star {
     double centre[2];
-    double corners[CORNERS]; /* rad, ascending */
+    double corners[MORE_CORNERS]; /* rad, ascending */
     size_t corner_count;
 };
 
 /* One block of rays. */
-struct probe {
+struct trial {
     const struct stop_beam *beam;
-    size_t stop; /* the place behind the stop; 0 = there is none */
+    const struct system *system; /* of the edge: unobstructed */
+    size_t stop;                 /* the place behind the stop; 0 = there is none */
     struct rays work;
+    struct probe probe; /* for what cuts within */
+    bool is_listed;     /* some surface has apertures beside its diameter */
 };
 
-static struct probe probe_open(const struct stop_beam *beam, struct arena *arena)
+static struct trial trial_open(const struct stop_beam *beam, struct arena *arena)
 {
     bool has_stop = !isnan(beam->radius);
-    return (struct probe){beam, has_stop ? system_place(beam->system, beam->system->stop) + 1 : 0,
-                          rays_new(arena, RAYS_BLOCK)};
+    return (struct trial){.beam = beam,
+                          .system = system_outer(beam->system),
+                          .stop = has_stop ? system_place(beam->system, beam->system->stop) + 1 : 0,
+                          .work = rays_new(arena, RAYS_BLOCK),
+                          .probe = probe_open(beam->system, beam->beam, arena),
+                          .is_listed = beam->system->clips != NULL};
+}
+
+/* From u, v to the coordinates in the beam. */
+static void to_beam(const struct stop_beam *beam, double u, double v, double at[2])
+{
+    at[0] = beam->origin[0] + u * beam->axes[0] + v * beam->axes[1];
+    at[1] = beam->origin[1] + u * beam->axes[2] + v * beam->axes[3];
 }
 
 static struct ray start_of(const struct stop_beam *beam, double u, double v)
 {
-    return beam_ray(beam->beam, beam->origin[0] + u * beam->axes[0] + v * beam->axes[1],
-                    beam->origin[1] + u * beam->axes[2] + v * beam->axes[3]);
+    double at[2];
+    to_beam(beam, u, v, at);
+    return beam_ray(beam->beam, at[0], at[1]);
 }
 
 /* Up to 128 rays to the stop; there they stand in the block. */
-static void go_to_stop(const struct probe *probe, const struct pupil_point *points, size_t count)
+static void go_to_stop(const struct trial *trial, const struct pupil_point *points, size_t count)
 {
-    const struct stop_beam *beam = probe->beam;
+    const struct stop_beam *beam = trial->beam;
     for (size_t i = 0; i < count; i++) {
         struct ray ray = start_of(beam, points[i].x, points[i].y);
-        rays_set(&probe->work, i, beam->system->index_first, &ray);
+        rays_set(&trial->work, i, beam->system->index_first, &ray);
     }
-    rays_trace_part(beam->system, 0, probe->stop, &probe->work, NULL);
+    rays_trace_part(trial->system, 0, trial->stop, &trial->work, NULL);
 }
 
 /* What stops up to 128 rays. */
-static void try_points(const struct probe *probe, const struct pupil_point *points, size_t count,
+static void try_points(const struct trial *trial, const struct pupil_point *points, size_t count,
                        size_t *limits)
 {
-    const struct stop_beam *beam = probe->beam;
-    const struct ray_block *block = probe->work.blocks;
-    go_to_stop(probe, points, count);
+    const struct stop_beam *beam = trial->beam;
+    const struct ray_block *block = trial->work.blocks;
+    go_to_stop(trial, points, count);
     for (size_t i = 0; i < count; i++) {
-        double x = probe->stop > 0 ? block->x[i] / beam->radius : points[i].x;
-        double y = probe->stop > 0 ? block->y[i] / beam->radius : points[i].y;
+        double x = trial->stop > 0 ? block->x[i] / beam->radius : points[i].x;
+        double y = trial->stop > 0 ? block->y[i] / beam->radius : points[i].y;
         limits[i] = x * x + y * y > 1 ? STOP : NOTHING;
     }
-    rays_trace_part(beam->system, probe->stop, beam->system->places, &probe->work, NULL);
+    rays_trace_part(trial->system, trial->stop, trial->system->places, &trial->work, NULL);
     for (size_t i = 0; i < count; i++) {
         enum ray_status status = ray_block_status(block, i);
         if (limits[i] == NOTHING && status != RAY_OK) {
@@ -94,7 +114,7 @@ struct bracket {
 };
 
 /* Outwards step by step, so that a narrow gap is not passed over: brackets in up to 128 ways. */
-static void bracket_edges(const struct probe *probe, const double centre[2], const double *angles,
+static void bracket_edges(const struct trial *trial, const double centre[2], const double *angles,
                           size_t count, struct bracket *brackets, struct edge *edges)
 {
     struct pupil_point points[RAYS_BLOCK];
@@ -112,7 +132,7 @@ static void bracket_edges(const struct probe *probe, const double centre[2], con
         for (size_t k = 0; k < open; k++) {
             points[k] = point_at(centre, angles[which[k]], far);
         }
-        try_points(probe, points, open, limits);
+        try_points(trial, points, open, limits);
         for (size_t k = 0; k < open; k++) {
             size_t i = which[k];
             brackets[i].dark = far;
@@ -127,13 +147,13 @@ static void bracket_edges(const struct probe *probe, const double centre[2], con
 }
 
 /* Edges in up to 128 directions, bisected together. */
-static void bisect(const struct probe *probe, const double centre[2], const double *angles,
+static void bisect(const struct trial *trial, const double centre[2], const double *angles,
                    size_t count, double tolerance, struct edge *edges)
 {
     struct pupil_point points[RAYS_BLOCK];
     struct bracket brackets[RAYS_BLOCK];
     size_t limits[RAYS_BLOCK];
-    bracket_edges(probe, centre, angles, count, brackets, edges);
+    bracket_edges(trial, centre, angles, count, brackets, edges);
     for (bool wide = true; wide;) {
         wide = false;
         for (size_t i = 0; i < count; i++) {
@@ -141,7 +161,7 @@ static void bisect(const struct probe *probe, const double centre[2], const doub
             points[i] = point_at(centre, angles[i], middle);
             wide = wide || brackets[i].dark - brackets[i].clear > tolerance;
         }
-        try_points(probe, points, count, limits);
+        try_points(trial, points, count, limits);
         for (size_t i = 0; i < count; i++) {
             double middle = (brackets[i].clear + brackets[i].dark) / 2;
             if (limits[i] == NOTHING) {
@@ -157,17 +177,62 @@ static void bisect(const struct probe *probe, const double centre[2], const doub
     }
 }
 
-static void find_edges(const struct probe *probe, const double centre[2], const double *angles,
+static void find_edges(const struct trial *trial, const double centre[2], const double *angles,
                        size_t count, double tolerance, struct edge *edges)
 {
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
-        bisect(probe, centre, angles + done, here, tolerance, edges + done);
+        bisect(trial, centre, angles + done, here, tolerance, edges + done);
+    }
+}
+
+/* What is clear of lines to edges. */
+static void find_spans(const struct trial *trial, const double centre[2], const double *angles,
+                       const struct edge *edges, size_t count, struct spans *spans)
+{
+    double from[2], ends[RAYS_BLOCK][2];
+    to_beam(trial->beam, centre[0], centre[1], from);
+    for (size_t done = 0; done < count; done += RAYS_BLOCK) {
+        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        for (size_t i = 0; i < here; i++) {
+            struct pupil_point point = point_at(centre, angles[done + i], edges[done + i].radius);
+            to_beam(trial->beam, point.x, point.y, ends[i]);
+            spans[done + i] = spans_whole;
+        }
+        if (trial->probe.full != NULL) {
+            spans_find(&trial->probe, from, (const double(*)[2])ends, here, spans + done);
+        }
+    }
+}
+
+/* Edges to compare with each other: their limits say which piece of an aperture ends them too. */
+static void find_limits(const struct trial *trial, const double centre[2], const double *angles,
+                        size_t count, struct edge *edges)
+{
+    find_edges(trial, centre, angles, count, roughly, edges);
+    for (size_t done = 0; done < count && trial->is_listed; done += RAYS_BLOCK) {
+        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        double at[RAYS_BLOCK][2];
+        struct clear_edge ends[RAYS_BLOCK];
+        struct spans spans[RAYS_BLOCK];
+        for (size_t i = 0; i < here; i++) {
+            const struct edge *edge = &edges[done + i];
+            struct pupil_point point = point_at(centre, angles[done + i], edge->radius);
+            to_beam(trial->beam, point.x, point.y, at[i]);
+            ends[i] = (struct clear_edge){.status = (enum ray_status)(edge->limit % 8),
+                                          .surface = edge->limit / 8};
+        }
+        probe_parts(&trial->probe, (const double(*)[2])at, here, ends);
+        find_spans(trial, centre, angles + done, edges + done, here, spans);
+        for (size_t i = 0; i < here; i++) {
+            size_t *limit = &edges[done + i].limit;
+            *limit = (*limit * 1000003 + ends[i].part) * 1000003 + spans[i].part;
+        }
     }
 }
 
 /* The points of a grid that are clear: their centroid, and which is nearest to it. */
-static bool search_grid(const struct probe *probe, double centre[2])
+static bool search_grid(const struct trial *trial, double centre[2])
 {
     struct pupil_point points[GRID * GRID];
     size_t limits[GRID * GRID], count = 0;
@@ -178,7 +243,7 @@ static bool search_grid(const struct probe *probe, double centre[2])
     }
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
-        try_points(probe, points + done, here, limits + done);
+        try_points(trial, points + done, here, limits + done);
     }
     double sum[2] = {0, 0}, best = INFINITY;
     size_t clear = 0;
@@ -201,27 +266,27 @@ static bool search_grid(const struct probe *probe, double centre[2])
     return clear > 0;
 }
 
-static bool find_centre(const struct probe *probe, double centre[2])
+static bool find_centre(const struct trial *trial, double centre[2])
 {
     const struct pupil_point middle = {0, 0, 0};
     size_t limit;
     centre[0] = centre[1] = 0;
-    try_points(probe, &middle, 1, &limit);
-    return limit == NOTHING || search_grid(probe, centre);
+    try_points(trial, &middle, 1, &limit);
+    return limit == NOTHING || search_grid(trial, centre);
 }
 
 /* Narrow all brackets that hold a corner, each where the clear aperture it begins with ends. */
-static void narrow(const struct probe *probe, const double centre[2], const size_t *begins,
+static void narrow(const struct trial *trial, const double centre[2], const size_t *begins,
                    size_t count, double *low, double *high)
 {
-    double angles[RAYS_BLOCK];
-    struct edge edges[RAYS_BLOCK];
+    double angles[MORE_CORNERS * CORNER_STEPS];
+    struct edge edges[MORE_CORNERS * CORNER_STEPS];
     for (size_t i = 0; i < count * CORNER_STEPS; i++) {
         size_t k = i / CORNER_STEPS;
         double share = (double)(i % CORNER_STEPS + 1) / (CORNER_STEPS + 1);
         angles[i] = low[k] + share * (high[k] - low[k]);
     }
-    find_edges(probe, centre, angles, count * CORNER_STEPS, roughly, edges);
+    find_limits(trial, centre, angles, count * CORNER_STEPS, edges);
     for (size_t k = 0; k < count; k++) {
         for (size_t j = 0; j < CORNER_STEPS; j++) {
             size_t i = k * CORNER_STEPS + j;
@@ -234,28 +299,30 @@ static void narrow(const struct probe *probe, const double centre[2], const size
     }
 }
 
-static void find_corners(const struct probe *probe, struct star *star)
+static void find_corners(const struct trial *trial, struct star *star)
 {
-    double angles[DIRECTIONS], low[CORNERS], high[CORNERS];
-    struct edge edges[DIRECTIONS];
-    size_t begins[CORNERS], count = 0;
-    for (size_t i = 0; i < DIRECTIONS; i++) {
-        angles[i] = 2 * PI * ((double)i + 0.5) / DIRECTIONS;
+    const size_t directions = trial->is_listed ? MORE_DIRECTIONS : DIRECTIONS;
+    const size_t most = trial->is_listed ? MORE_CORNERS : CORNERS;
+    double angles[MORE_DIRECTIONS], low[MORE_CORNERS], high[MORE_CORNERS];
+    struct edge edges[MORE_DIRECTIONS];
+    size_t begins[MORE_CORNERS], count = 0;
+    for (size_t i = 0; i < directions; i++) {
+        angles[i] = 2 * PI * ((double)i + 0.5) / (double)directions;
     }
-    find_edges(probe, star->centre, angles, DIRECTIONS, roughly, edges);
-    for (size_t i = 0; i < DIRECTIONS; i++) {
-        if (edges[i].limit == edges[(i + 1) % DIRECTIONS].limit) {
+    find_limits(trial, star->centre, angles, directions, edges);
+    for (size_t i = 0; i < directions; i++) {
+        if (edges[i].limit == edges[(i + 1) % directions].limit) {
             continue;
         }
-        if (count == CORNERS) {
+        if (count == most) {
             return;
         }
         begins[count] = edges[i].limit;
         low[count] = angles[i];
-        high[count++] = angles[i] + 2 * PI / DIRECTIONS;
+        high[count++] = angles[i] + 2 * PI / (double)directions;
     }
     for (int round = 0; round < CORNER_ROUNDS && count > 0; round++) {
-        narrow(probe, star->centre, begins, count, low, high);
+        narrow(trial, star->centre, begins, count, low, high);
     }
     for (size_t k = 0; k < count; k++) {
         star->corners[k] = (low[k] + high[k]) / 2;
@@ -292,12 +359,12 @@ static size_t spread(const struct star *star, size_t arms, struct arena *arena, 
  * From u, v to the stop's own coordinates, with the area of the stop that an area of u, v fills:
  * four rays about each point.
  */
-static void map_to_stop(const struct probe *probe, struct sample *sample)
+static void map_to_stop(const struct trial *trial, struct sample *sample)
 {
     enum { EACH = 5, AT_ONCE = RAYS_BLOCK / EACH };
     static const double steps[EACH][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
     struct pupil_point points[RAYS_BLOCK];
-    const struct ray_block *block = probe->work.blocks;
+    const struct ray_block *block = trial->work.blocks;
     for (size_t done = 0; done < sample->count; done += AT_ONCE) {
         size_t here = sample->count - done < AT_ONCE ? sample->count - done : AT_ONCE;
         for (size_t i = 0; i < here * EACH; i++) {
@@ -305,10 +372,10 @@ static void map_to_stop(const struct probe *probe, struct sample *sample)
             points[i].x = at->x + step * steps[i % EACH][0];
             points[i].y = at->y + step * steps[i % EACH][1];
         }
-        go_to_stop(probe, points, here * EACH);
+        go_to_stop(trial, points, here * EACH);
         for (size_t i = 0; i < here; i++) {
             const double *x = block->x + i * EACH, *y = block->y + i * EACH;
-            double unit = probe->beam->radius, slope = 1 / (2 * step * unit);
+            double unit = trial->beam->radius, slope = 1 / (2 * step * unit);
             double area =
                 ((x[1] - x[2]) * (y[3] - y[4]) - (x[3] - x[4]) * (y[1] - y[2])) * slope * slope;
             sample->points[done + i] = (struct pupil_point){
@@ -317,38 +384,68 @@ static void map_to_stop(const struct probe *probe, struct sample *sample)
     }
 }
 
+/* Lines from the centre to the edge that points are put on. */
+struct arms {
+    const double *centre, *angles, *shares;
+    const struct edge *edges;
+    const struct spans *spans;
+    size_t count;
+};
+
+/* Gauss's points in r^2 of all clear parts of the arms, one ring of the arms after the other. */
+static void put_points(const struct stop_beam *beam, const struct arms *arms, size_t rings,
+                       struct arena *arena, struct quadrature *all)
+{
+    double *r2 = ARENA_ARRAY(arena, rings, double), *w = ARENA_ARRAY(arena, rings, double);
+    size_t count = 0, most = 0;
+    for (size_t k = 0; k < arms->count; k++) {
+        count += rings * arms->spans[k].count;
+        most = arms->spans[k].count > most ? arms->spans[k].count : most;
+    }
+    all->sample.points = ARENA_ARRAY(arena, count, struct pupil_point);
+    all->rays = rays_new(arena, count);
+    gauss_rule(rings, r2, w);
+    for (size_t i = 0; i < rings * most * arms->count; i++) {
+        size_t k = i % arms->count, ring = i / arms->count % rings;
+        size_t span = i / arms->count / rings;
+        const struct spans *spans = &arms->spans[k];
+        if (span >= spans->count) {
+            continue;
+        }
+        double radius = arms->edges[k].radius, low = spans->low[span], high = spans->high[span];
+        double width2 = (high - low) * (high + low), t = sqrt(low * low + width2 * r2[ring]);
+        struct pupil_point point = point_at(arms->centre, arms->angles[k], radius * t);
+        struct ray ray = start_of(beam, point.x, point.y);
+        point.weight = w[ring] * arms->shares[k] * radius * radius * width2;
+        rays_set(&all->rays, all->sample.count, beam->system->index_first, &ray);
+        all->sample.points[all->sample.count++] = point;
+    }
+}
+
 struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena)
 {
-    const struct probe probe = probe_open(beam, arena);
+    const struct trial trial = trial_open(beam, arena);
     struct star star = {.corner_count = 0};
-    struct quadrature all = {.is_empty = !find_centre(&probe, star.centre)};
+    struct quadrature all = {.is_empty = !find_centre(&trial, star.centre)};
     if (all.is_empty) {
         return all;
     }
-    find_corners(&probe, &star);
+    find_corners(&trial, &star);
     size_t rings = 1;
     while (rings * (2 * rings + 1) < rays) {
         rings++;
     }
-    double *r2 = ARENA_ARRAY(arena, rings, double), *w = ARENA_ARRAY(arena, rings, double);
     double *angles, *shares;
     size_t arms = spread(&star, 2 * rings + 1, arena, &angles, &shares);
     struct edge *edges = ARENA_ARRAY(arena, arms, struct edge);
-    all.sample.points = ARENA_ARRAY(arena, rings * arms, struct pupil_point);
-    all.rays = rays_new(arena, rings * arms);
-    gauss_rule(rings, r2, w);
-    find_edges(&probe, star.centre, angles, arms, finely, edges);
-    for (size_t i = 0; i < rings * arms; i++) {
-        size_t ring = i / arms, k = i % arms;
-        double radius = edges[k].radius;
-        struct pupil_point point = point_at(star.centre, angles[k], radius * sqrt(r2[ring]));
-        struct ray ray = start_of(beam, point.x, point.y);
-        point.weight = w[ring] * shares[k] * radius * radius;
-        rays_set(&all.rays, i, beam->system->index_first, &ray);
-        all.sample.points[all.sample.count++] = point;
-    }
-    if (probe.stop > 0) {
-        map_to_stop(&probe, &all.sample);
+    struct spans *spans = ARENA_ARRAY(arena, arms, struct spans);
+    find_edges(&trial, star.centre, angles, arms, finely, edges);
+    find_spans(&trial, star.centre, angles, edges, arms, spans);
+    const struct arms all_arms = {star.centre, angles, shares, edges, spans, arms};
+    put_points(beam, &all_arms, rings, arena, &all);
+    all.is_empty = all.sample.count == 0;
+    if (trial.stop > 0) {
+        map_to_stop(&trial, &all.sample);
     }
     return all;
 }

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "optics/lens.h"
 
+#include "optics/aperture.h"
 #include "optics/wavelength.h"
 
 #include <math.h>
@@ -161,6 +162,11 @@ static bool check_numbers(const struct surface *surface, size_t number, struct e
         return fail(error, ERROR_DATA, "surface %zu has the diameter %.6g: it must be above 0",
                     number, surface->diameter.value.hi);
     }
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        if (!aperture_check(&surface->apertures[i], error)) {
+            return error_prefix(error, "surface %zu: ", number);
+        }
+    }
     const struct medium *medium = &surface->medium;
     bool has_index = medium->kind == MEDIUM_CONSTANT || medium->kind == MEDIUM_MODEL;
     if (has_index && !(medium->index.hi > 0)) {
@@ -277,6 +283,11 @@ bool lens_is_round(const struct lens *lens)
         if (surface->decentre != NULL || surface->coordinate_break != NULL ||
             !surface_is_round(surface)) {
             return false;
+        }
+        for (size_t k = 0; k < surface->aperture_count; k++) {
+            if (!aperture_is_round(&surface->apertures[k])) {
+                return false;
+            }
         }
     }
     return true;

@@ -62,6 +62,8 @@ struct vary {
     struct figure low, high;
 };
 
+struct aperture;
+
 struct surface {
     enum surface_kind kind;
     enum curved curved;
@@ -83,7 +85,9 @@ struct surface {
     struct medium medium;                /* after the surface */
     const struct displacement *decentre; /* this surface only; null = centred */
     const struct displacement
-        *coordinate_break; /* `bend` of files: the axis before it; null = none */
+        *coordinate_break;            /* `bend` of files: the axis before it; null = none */
+    const struct aperture *apertures; /* beside the diameter: optics/aperture.h; null = none */
+    size_t aperture_count;
     const struct vary *varies;
     size_t vary_count;
     const char *name; /* null = none */

@@ -5,6 +5,7 @@
 #include "base/constants.h"
 #include "trace/probe.h"
 #include "trace/sample.h"
+#include "trace/spans.h"
 
 #include <math.h>
 
@@ -102,6 +103,7 @@ static void find_ends(const struct probe *probe, const double centre[2], double 
     for (size_t i = 0; i < count; i++) {
         edges[i].at[0] = centre[0] + spans[i].low * way[i][0];
         edges[i].at[1] = centre[1] + spans[i].low * way[i][1];
+        edges[i].part = 0;
     }
 }
 
@@ -110,6 +112,28 @@ struct star {
     double centre[2], stretch[2]; /* mm; the larger stretch is 1 */
     double radius;                /* about its size, mm */
 };
+
+/* What ends the rays more closely than a surface does, and what they meet on their way. */
+static void tell_parts(const struct probe *probe, const struct star *star, size_t count,
+                       struct clear_edge *edges)
+{
+    double at[RAYS_BLOCK][2];
+    struct spans spans[RAYS_BLOCK];
+    if (probe->system->clips == NULL) {
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        at[i][0] = edges[i].at[0];
+        at[i][1] = edges[i].at[1];
+    }
+    probe_parts(probe, (const double(*)[2])at, count, edges);
+    if (probe->full != NULL) {
+        spans_find(probe, star->centre, (const double(*)[2])at, count, spans);
+        for (size_t i = 0; i < count; i++) {
+            edges[i].part = edges[i].part * 1000003 + spans[i].part;
+        }
+    }
+}
 
 static void bisect(const struct probe *probe, const struct star *star, const double *angles,
                    size_t count, struct clear_edge *edges)
@@ -191,19 +215,20 @@ struct corner {
 
 static bool is_same_edge(const struct clear_edge *a, const struct clear_edge *b)
 {
-    return a->surface == b->surface && a->status == b->status;
+    return a->surface == b->surface && a->status == b->status && a->part == b->part;
 }
 
-/* Where the limiting surface changes; returns CLEAR_CORNERS + 1 if that is more often. */
-static size_t find_changes(const struct clear_edge *edges, size_t count, struct corner *corners)
+/* Where the limiting surface changes; returns most + 1 if that is more often. */
+static size_t find_changes(const struct clear_edge *edges, size_t count, size_t most,
+                           struct corner *corners)
 {
     size_t found = 0;
-    for (size_t i = 0; i < count && found <= CLEAR_CORNERS; i++) {
+    for (size_t i = 0; i < count && found <= most; i++) {
         const struct clear_edge *next = &edges[(i + 1) % count];
         if (is_same_edge(&edges[i], next)) {
             continue;
         }
-        if (found < CLEAR_CORNERS) {
+        if (found < most) {
             corners[found] =
                 (struct corner){angle_of(i, count), angle_of(i + 1, count), edges[i], *next};
         }
@@ -217,7 +242,7 @@ static void close_corners(const struct probe *probe, const struct star *star,
                           struct corner *corners, size_t count)
 {
     const size_t parts = RAYS_BLOCK / count;
-    double angles[RAYS_BLOCK];
+    double angles[RAYS_BLOCK] = {0};
     struct clear_edge edges[RAYS_BLOCK];
     /* from 2 pi/64 to 1e-7 and less */
     int turns = (int)ceil(log(1e6) / log((double)parts + 1));
@@ -228,6 +253,7 @@ static void close_corners(const struct probe *probe, const struct star *star,
             angles[i] = corner->low + share * (corner->high - corner->low);
         }
         bisect(probe, star, angles, count * parts, edges);
+        tell_parts(probe, star, count * parts, edges);
         for (size_t i = 0; i < count * parts; i++) {
             struct corner *corner = &corners[i / parts];
             if (angles[i] < corner->low || angles[i] > corner->high) {
@@ -242,6 +268,49 @@ static void close_corners(const struct probe *probe, const struct star *star,
             }
         }
     }
+}
+
+/*
+ * Corners with another one behind them before the next direction that was looked in: those of the
+ * arms of a spider lie close together. Returns how many corners there are then, in their order.
+ */
+static size_t part_corners(const struct probe *probe, const struct star *star,
+                           const struct clear_edge *edges, size_t directions,
+                           struct corner *corners, size_t count)
+{
+    enum { ROUNDS = 6 };
+    size_t first = 0;
+    for (int round = 0; round < ROUNDS && probe->system->clips != NULL; round++) {
+        struct corner more[CLEAR_CUTS];
+        size_t found = 0;
+        for (size_t i = first; i < count && count + found < CLEAR_CUTS; i++) {
+            size_t next = (size_t)ceil((corners[i].high + PI / 2) / (2 * PI) * (double)directions);
+            const struct clear_edge *edge = &edges[next % directions];
+            if (!is_same_edge(&corners[i].after, edge) &&
+                angle_of(next, directions) > corners[i].high) {
+                more[found++] = (struct corner){corners[i].high, angle_of(next, directions),
+                                                corners[i].after, *edge};
+            }
+        }
+        if (found == 0) {
+            break;
+        }
+        close_corners(probe, star, more, found);
+        for (size_t i = 0; i < found; i++) {
+            corners[count + i] = more[i];
+        }
+        first = count;
+        count += found;
+    }
+    for (size_t i = 1; i < count; i++) {
+        struct corner corner = corners[i];
+        size_t k = i;
+        for (; k > 0 && corners[k - 1].low > corner.low; k--) {
+            corners[k] = corners[k - 1];
+        }
+        corners[k] = corner;
+    }
+    return count;
 }
 
 /* Gauss's points between the corners. */
@@ -261,9 +330,14 @@ static void put_arcs(const struct probe *probe, const struct star *star,
             double from = (corners[arc].low + corners[arc].high) / 2;
             const struct corner *next = &corners[(arc + 1) % count];
             double to = (next->low + next->high) / 2 + (arc + 1 == count ? 2 * PI : 0);
-            angles[i] = from + x[k] * (to - from);
+            double share = x[k], slope = 1;
+            if (pupil->is_cut) {
+                share = (1 - cos(PI * x[k])) / 2;
+                slope = PI / 2 * sin(PI * x[k]);
+            }
+            angles[i] = from + share * (to - from);
             widths[arc] = to - from;
-            arms[done + i].area = w[k] * (to - from);
+            arms[done + i].area = w[k] * slope * (to - from);
         }
         bisect(probe, star, angles, here, edges);
         for (size_t i = 0; i < here; i++) {
@@ -287,22 +361,50 @@ static void put_circle(struct arena *arena, struct clear_pupil *pupil)
 {
     struct clear_arm *arms = ARENA_ARRAY(arena, pupil->edge_count, struct clear_arm);
     for (size_t i = 0; i < pupil->edge_count; i++) {
-        arms[i] = (struct clear_arm){pupil->edges[i], 2 * PI / (double)pupil->edge_count};
+        arms[i] = (struct clear_arm){pupil->edges[i], 2 * PI / (double)pupil->edge_count, NULL};
     }
     pupil->arms = arms;
     pupil->arm_count = pupil->edge_count;
+}
+
+/* What is clear of each arm. */
+static void cut_arms(const struct probe *probe, const struct star *star, struct arena *arena,
+                     struct clear_pupil *pupil)
+{
+    double(*at)[2] = arena_array(arena, pupil->arm_count, sizeof *at);
+    struct spans *spans = ARENA_ARRAY(arena, pupil->arm_count, struct spans);
+    for (size_t i = 0; i < pupil->arm_count; i++) {
+        at[i][0] = pupil->arms[i].edge.at[0];
+        at[i][1] = pupil->arms[i].edge.at[1];
+        pupil->arms[i].spans = pupil->is_cut ? &spans[i] : &spans_whole;
+    }
+    if (pupil->is_cut) {
+        spans_find(probe, star->centre, (const double(*)[2])at, pupil->arm_count, spans);
+    }
+}
+
+/* The share of an arm's area that is clear. */
+static double clear_share(const struct spans *spans)
+{
+    double share = 0;
+    for (size_t i = 0; i < spans->count; i++) {
+        double low = spans->low[i], high = spans->high[i];
+        share += (high - low) * (high + low);
+    }
+    return share;
 }
 
 /* From angles to areas: r^2/2 of each, in stretched coordinates. */
 static void sum_area(const struct star *star, struct clear_pupil *pupil)
 {
     struct clear_arm *arms = pupil->arms;
-    pupil->area = 0;
+    pupil->area = pupil->within = 0;
     for (size_t i = 0; i < pupil->arm_count; i++) {
         double x = (arms[i].edge.at[0] - star->centre[0]) / star->stretch[0];
         double y = (arms[i].edge.at[1] - star->centre[1]) / star->stretch[1];
         arms[i].area *= star->stretch[0] * star->stretch[1] * (x * x + y * y) / 2;
-        pupil->area += arms[i].area;
+        pupil->area += arms[i].area * clear_share(arms[i].spans);
+        pupil->within += arms[i].area;
     }
 }
 
@@ -310,16 +412,20 @@ static void sum_area(const struct star *star, struct clear_pupil *pupil)
 static void measure(const struct probe *probe, const struct star *star, struct arena *arena,
                     struct clear_pupil *pupil)
 {
-    struct corner corners[CLEAR_CORNERS];
-    size_t count = find_changes(pupil->edges, pupil->edge_count, corners);
+    struct corner corners[CLEAR_CUTS];
+    size_t most = probe->system->clips != NULL ? CLEAR_CUTS : CLEAR_CORNERS;
+    size_t count = find_changes(pupil->edges, pupil->edge_count, most, corners);
     /* a surface that is the last in no direction but one has no arc of its own */
-    if (count >= 2 && count <= CLEAR_CORNERS) {
+    if (count >= 2 && count <= most) {
         close_corners(probe, star, corners, count);
+        count = part_corners(probe, star, pupil->edges, pupil->edge_count, corners, count);
         put_arcs(probe, star, corners, count, arena, pupil);
     } else {
         put_circle(arena, pupil);
     }
+    cut_arms(probe, star, arena, pupil);
     sum_area(star, pupil);
+    pupil->is_empty = !(pupil->area > 0);
     for (int k = 0; k < 4; k++) {
         int axis = k % 2;
         double sign = k < 2 ? 1 : -1;
@@ -370,10 +476,11 @@ void clear_find(const struct system *system, const struct beam *beam,
                 struct clear_pupil *pupil)
 {
     enum { FITS = 12 };
-    const struct probe probe = {system, beam, rays_new(arena, RAYS_BLOCK)};
+    const struct probe probe = probe_open(system, beam, arena);
     struct star star = {.stretch = {1, 1}, .radius = guess->radius};
     struct clear_edge *edges = ARENA_ARRAY(arena, directions, struct clear_edge);
-    *pupil = (struct clear_pupil){.edges = edges, .edge_count = directions};
+    *pupil = (struct clear_pupil){
+        .is_cut = probe.full != NULL, .edges = edges, .edge_count = directions};
     pupil->is_empty = !probe_inside(&probe, guess, star.centre);
     if (pupil->is_empty) {
         return;
@@ -387,6 +494,10 @@ void clear_find(const struct system *system, const struct beam *beam,
         }
     }
     find_edges(&probe, &star, directions, edges);
+    for (size_t done = 0; done < directions; done += RAYS_BLOCK) {
+        size_t here = directions - done < RAYS_BLOCK ? directions - done : RAYS_BLOCK;
+        tell_parts(&probe, &star, here, edges + done);
+    }
     for (int k = 0; k < 2; k++) {
         pupil->centre[k] = star.centre[k];
     }

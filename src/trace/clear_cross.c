@@ -3,6 +3,7 @@
 #include "trace/clear_cross.h"
 
 #include "trace/probe.h"
+#include "trace/spans.h"
 #include "trace/spread.h"
 
 #include <math.h>
@@ -161,11 +162,29 @@ static void halve(const struct probe *probe, double radius, int axis, bool mirro
     }
 }
 
+/* What is cut out within the edges may reach as far as they do: the last rays that pass. */
+static void draw_in(const struct probe *probe, struct clear_cross *cross)
+{
+    double ends[4][2];
+    struct spans spans[4];
+    for (size_t i = 0; i < 4; i++) {
+        ends[i][0] = cross->ends[i].at[0];
+        ends[i][1] = cross->ends[i].at[1];
+    }
+    spans_find(probe, cross->centre, (const double(*)[2])ends, 4, spans);
+    for (size_t i = 0; i < 4; i++) {
+        double far = spans[i].count > 0 ? spans[i].high[spans[i].count - 1] : 1;
+        for (int k = 0; k < 2 && far < 1; k++) {
+            cross->ends[i].at[k] = cross->centre[k] + far * (ends[i][k] - cross->centre[k]);
+        }
+    }
+}
+
 void clear_across(const struct system *system, const struct beam *beam,
                   const struct clear_guess *guess, bool is_round, struct arena *arena,
                   struct clear_cross *cross)
 {
-    const struct probe probe = {system, beam, rays_new(arena, RAYS_BLOCK)};
+    const struct probe probe = probe_open(system, beam, arena);
     /* to the bit only where the axes of the beam are those of the lens */
     const bool x = beam->axis[0] != 0, y = beam->axis[1] != 0;
     const bool aside = is_round && !(x && y), upwards = is_round && !x && !y;
@@ -182,4 +201,7 @@ void clear_across(const struct system *system, const struct beam *beam,
     }
     halve(&probe, guess->radius, 1, upwards && cross->centre[1] == 0, cross);
     halve(&probe, guess->radius, 0, aside && cross->centre[0] == 0, cross);
+    if (probe.full != NULL) {
+        draw_in(&probe, cross);
+    }
 }

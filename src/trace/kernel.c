@@ -1,5 +1,6 @@
 /* trace/kernel.c - exact rays: lane loops, compiled once for each instruction set. */
 /* SPDX-License-Identifier: MIT */
+#include "trace/clip.h"
 #include "trace/lanes.h"
 
 #include <stdint.h>
@@ -189,6 +190,9 @@ INLINE void take(struct ray_block *block, const struct step *s, bool path)
     case STEP_ODD:
         NAME(kernel_asphere, KERNEL)(block, s, path);
         break;
+    }
+    if (s->clip != NULL) {
+        clip_block(s, KERNEL_LANES, block);
     }
 }
 

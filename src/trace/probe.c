@@ -2,9 +2,18 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/probe.h"
 
+#include "trace/clip.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
+
+struct probe probe_open(const struct system *clipped, const struct beam *beam, struct arena *arena)
+{
+    return (struct probe){.system = system_outer(clipped),
+                          .full = clipped->outer != NULL ? clipped : NULL,
+                          .beam = beam,
+                          .work = rays_new(arena, RAYS_BLOCK)};
+}
 
 void probe_try(const struct probe *probe, const double (*at)[2], size_t count)
 {
@@ -19,16 +28,33 @@ bool probe_passes_one(const struct probe *probe, const double at[2])
     return probe_passes(probe, 0);
 }
 
-/* r^2/a^2 - 1 in the surface's own frame. */
-static double excess_at(const struct system *system, size_t surface, const struct ray_block *block,
-                        size_t lane, double clear)
+/* Where a ray meets a surface, in its own frame. */
+static void meeting(const struct system *system, size_t surface, const struct ray_block *block,
+                    size_t lane, double point[3])
 {
-    double point[3] = {block->x[lane], block->y[lane], block->z[lane]};
+    point[0] = block->x[lane];
+    point[1] = block->y[lane];
+    point[2] = block->z[lane];
     if (system->lens->surfaces[surface].decentre != NULL) {
         system_to_own(system, surface, point);
     }
-    double x = point[0] / clear, y = point[1] / clear;
-    return x * x + y * y - 1;
+}
+
+static const struct clip *clip_at(const struct system *system, size_t surface)
+{
+    bool has = system->clips != NULL && surface < system->lens->surface_count;
+    return has ? system->clips[surface] : NULL;
+}
+
+/* r^2/a^2 - 1, or that of the apertures if it is more; a clear radius may be infinite. */
+static double excess_at(const struct system *system, size_t surface, const struct ray_block *block,
+                        size_t lane, double clear)
+{
+    double point[3];
+    meeting(system, surface, block, lane, point);
+    double x = point[0] / clear, y = point[1] / clear, excess = x * x + y * y - 1;
+    const struct clip *clip = clip_at(system, surface);
+    return clip != NULL ? fmax(excess, clip_excess(clip, point[0], point[1], NULL)) : excess;
 }
 
 static bool is_listed(const size_t *surfaces, size_t surface)
@@ -37,6 +63,12 @@ static bool is_listed(const size_t *surfaces, size_t surface)
         surfaces++;
     }
     return surfaces == NULL || *surfaces == surface;
+}
+
+/* Does a surface with this clear radius say anything? */
+static bool is_limited(const struct system *system, size_t surface, double clear)
+{
+    return isfinite(clear) || clip_at(system, surface) != NULL;
 }
 
 void probe_excess(const struct probe *probe, const size_t *surfaces, const double (*at)[2],
@@ -66,7 +98,7 @@ void probe_excess(const struct probe *probe, const size_t *surfaces, const doubl
             if (!isfinite(block->x[i]) || !isfinite(block->y[i])) {
                 excess[i] = PROBE_LOST * (double)(system->places - place) +
                             PROBE_LOST * 0.5 * (1 - 1 / (2 + excess[i]));
-            } else if (isfinite(clear)) {
+            } else if (looks && is_limited(system, surface, clear)) {
                 double here = excess_at(system, surface, block, i, clear);
                 /* beyond any reason: but a ray that arrives is still better than a lost one */
                 excess[i] = here > excess[i] ? fmin(here, 0.5 * PROBE_LOST) : excess[i];
@@ -162,15 +194,24 @@ static bool descend(const struct probe *probe, struct patch *patch)
     return patch->best <= 0;
 }
 
+/* How far from the vertex light passes a surface, mm; infinite where nothing says so. */
+static double reach_of(const struct system *system, size_t surface)
+{
+    double clear = system_clear_radius(system, surface);
+    return clip_at(system, surface) != NULL
+               ? fmin(clear, aperture_reach(&system->lens->surfaces[surface]))
+               : clear;
+}
+
 /* The clear aperture of the first surface, or the largest there is, as the beam sees it. */
 static struct patch first_surface(const struct probe *probe)
 {
     const struct system *system = probe->system;
     const size_t first = system_surface(system, 0);
-    double radius = system_clear_radius(system, first), edge[2];
+    double radius = reach_of(system, first), edge[2];
     struct patch patch = {.half = 0};
     for (size_t i = 0; i < system->lens->surface_count && !isfinite(radius); i++) {
-        double clear = system_clear_radius(system, i);
+        double clear = reach_of(system, i);
         radius = isfinite(clear) ? clear : radius;
     }
     if (!isfinite(radius)) {
@@ -246,4 +287,57 @@ bool probe_inside(const struct probe *probe, const struct clear_guess *guess, do
         return probe_passes_one(probe, inside);
     }
     return false;
+}
+
+void probe_parts(const struct probe *probe, const double (*at)[2], size_t count,
+                 struct clear_edge *edges)
+{
+    const struct system *system = probe->system;
+    const struct rays rays = {probe->work.blocks, count};
+    beam_fill(probe->beam, at, count, rays.blocks);
+    for (size_t i = 0; i < count; i++) {
+        edges[i].part = 0;
+    }
+    for (size_t place = 0; place < system->places; place++) {
+        size_t surface = system_surface(system, place);
+        const struct clip *clip = clip_at(system, surface);
+        double clear = clip != NULL ? system_clear_radius(system, surface) : 0, point[3];
+        rays_trace_part(system, place, place + 1, &rays, NULL);
+        for (size_t i = 0; i < count && clip != NULL; i++) {
+            if (edges[i].surface == surface + 1 && edges[i].status == RAY_CLIPPED) {
+                size_t part = 0;
+                meeting(system, surface, probe->work.blocks, i, point);
+                double x = point[0] / clear, y = point[1] / clear;
+                bool listed = clip_excess(clip, point[0], point[1], &part) > x * x + y * y - 1;
+                edges[i].part = listed ? part : 0;
+            }
+        }
+    }
+}
+
+void probe_depth(const struct probe *probe, const double (*at)[2], size_t count, double *depth,
+                 size_t *part)
+{
+    const struct system *system = probe->full;
+    const struct rays rays = {probe->work.blocks, count};
+    beam_fill(probe->beam, at, count, rays.blocks);
+    for (size_t i = 0; i < count; i++) {
+        depth[i] = -INFINITY;
+        part[i] = 0;
+    }
+    for (size_t place = 0; place < system->places; place++) {
+        size_t surface = system_surface(system, place);
+        const struct clip *clip = clip_at(system, surface);
+        rays_trace_part(system, place, place + 1, &rays, NULL);
+        for (size_t i = 0; i < count && clip != NULL && clip->inner_count > 0; i++) {
+            double point[3];
+            size_t piece = 0;
+            meeting(system, surface, probe->work.blocks, i, point);
+            double here = clip_depth(clip, point[0], point[1], &piece);
+            if (here > depth[i]) {
+                depth[i] = here;
+                part[i] = (surface + 1) * 1048576 + piece;
+            }
+        }
+    }
 }

@@ -13,10 +13,16 @@
 
 /* What is tried, and one block to try it in. */
 struct probe {
-    const struct system *system; /* with clip */
+    const struct system *system; /* with clip, unobstructed */
+    const struct system *full;   /* with what cuts within; null: nothing does */
     const struct beam *beam;
     struct rays work;
 };
+
+/*
+ * Given     clipped  compiled with clip
+ */
+struct probe probe_open(const struct system *clipped, const struct beam *beam, struct arena *arena);
 
 /* Trace up to RAYS_BLOCK rays of the beam; their fate stays in the block. */
 void probe_try(const struct probe *probe, const double (*at)[2], size_t count);
@@ -54,5 +60,24 @@ bool probe_passes_one(const struct probe *probe, const double at[2]);
  *           smaller than a grid's step behind surfaces that everything about them misses
  */
 bool probe_inside(const struct probe *probe, const struct clear_guess *guess, double inside[2]);
+
+/*
+ * Which piece of an aperture's edge rays are nearest to that end at it.
+ *
+ * Given     at     up to RAYS_BLOCK rays that pass
+ *           edges  what ends them: receives `part`, 0 where no list of apertures does
+ */
+void probe_parts(const struct probe *probe, const double (*at)[2], size_t count,
+                 struct clear_edge *edges);
+
+/*
+ * How far within something that blocks rays come: the largest clip_depth of all surfaces.
+ *
+ * Given     at     up to RAYS_BLOCK rays; probe->full is not null
+ *           depth  receives it: 0 and less passes
+ *           part   a number of the piece of an edge that decides
+ */
+void probe_depth(const struct probe *probe, const double (*at)[2], size_t count, double *depth,
+                 size_t *part);
 
 #endif

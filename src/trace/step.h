@@ -56,6 +56,7 @@ struct step {
     /* STEP_THICK, with `coefficient` as d1 .. d3: slopes behind are ratio (u + w d) - bend h, with
        w = u - h near_object; the ray goes on at z = leave */
     double ratio, bend, near_object, leave;
+    const struct clip *clip; /* beside clear2; null = nothing (trace/clip.h) */
 };
 
 /*

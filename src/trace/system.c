@@ -3,6 +3,7 @@
 #include "trace/system.h"
 
 #include "optics/first_order.h"
+#include "trace/clip.h"
 #include "trace/frames.h"
 #include "trace/step.h"
 
@@ -264,6 +265,7 @@ static void put_surface(struct writing *writing, size_t place)
     set_start(step, surface);
     set_media(step, system->n[reverse ? i + 1 : i], system->n[reverse ? i : i + 1]);
     set_codes(step, place, i);
+    step->clip = system->clips != NULL ? system->clips[i] : NULL;
     step->action = action_of(surface, step);
     step->direction = system->direction[i];
     if (reverse && !surface_reflects(surface)) {
@@ -296,6 +298,34 @@ static void put_image(struct writing *writing)
     step->direction = reverse ? -1 : system->direction[last];
 }
 
+/* The apertures of all surfaces, and the system without those that cut within. */
+static bool add_clips(struct arena *arena, struct system *system, struct error *error)
+{
+    const struct lens *lens = system->lens;
+    struct system_options options = system->options;
+    enum clip_way way = options.unobstructed ? CLIP_HULLS : CLIP_ALL;
+    const struct clip **clips = NULL;
+    bool cuts = false;
+    for (size_t i = 0; i < lens->surface_count && options.clip; i++) {
+        if (lens->surfaces[i].aperture_count == 0) {
+            continue;
+        }
+        if (clips == NULL) {
+            clips = ARENA_ARRAY(arena, lens->surface_count, const struct clip *);
+        }
+        clips[i] = clip_of(&lens->surfaces[i], way, arena);
+        cuts = cuts || (way == CLIP_ALL && clip_cuts(&lens->surfaces[i], arena));
+    }
+    system->clips = clips;
+    if (!cuts) {
+        return true;
+    }
+    struct system *outer = ARENA_NEW(arena, struct system);
+    options.unobstructed = true;
+    system->outer = outer;
+    return system_compile(lens, system->wavelength, &options, arena, outer, error);
+}
+
 bool system_compile(const struct lens *lens, double wavelength,
                     const struct system_options *options, struct arena *arena,
                     struct system *system, struct error *error)
@@ -305,7 +335,7 @@ bool system_compile(const struct lens *lens, double wavelength,
     *system = (struct system){
         .lens = lens, .options = *options, .stop = lens->stop, .wavelength = wavelength, .n = n};
     if (!find_indices(lens, wavelength, n, error) ||
-        !find_stop_radius(lens, arena, system, error)) {
+        !find_stop_radius(lens, arena, system, error) || !add_clips(arena, system, error)) {
         return false;
     }
     for (size_t i = 0; i < count && options->reverse; i++) {

@@ -60,12 +60,14 @@
  */
 struct system_options {
     bool clip;          /* clear apertures and the stop lose rays; else they only limit in name */
+    bool unobstructed;  /* what blocks loses none, and what passes counts as convex */
     bool path;          /* count the optical path */
     bool reverse;       /* light from the image side */
     double image;       /* a plane this far behind the last vertex, mm; NaN = none */
     double stop_radius; /* mm; NaN = what the lens says of its aperture */
 };
 
+struct clip;
 struct step;
 
 struct system {
@@ -81,7 +83,15 @@ struct system {
     double index_last;    /* */
     const struct pair *n; /* lens->surface_count + 1: before the first, after each; all positive */
     const double *direction; /* of the light at each surface, lens order: +1 or -1 along z */
+    const struct clip *const *clips; /* of each surface, null = none; null: there is none at all */
+    const struct system *outer;      /* the same unobstructed; null: nothing obstructs this one */
 };
+
+/* The system whose light has one edge and nothing dark within it. */
+static inline const struct system *system_outer(const struct system *system)
+{
+    return system->outer != NULL ? system->outer : system;
+}
 
 /* No clipping, no path, forward, no image plane. */
 struct system_options system_options_default(void);

@@ -43,7 +43,7 @@ struct row {
     double field, object, height, film;
     double z, x_min, x_max, y_min, y_max, x, y, area;
     double vertex_x_min, vertex_x_max, vertex_y_min, vertex_y_max, vertex_area;
-    double projected, fraction, projected_fraction, irradiance, illumination;
+    double projected, obstruction, fraction, projected_fraction, irradiance, illumination;
     double vignetting[PUPIL_ENDS];
     long limit[PUPIL_ENDS], lost;
     double chief_x, chief_y, chief_z, cos_x, cos_y, cos_z;
@@ -106,6 +106,8 @@ static const struct column columns[] = {
      .help = "area there, mm^2"},
     {AREA(projected, COLUMN_HIDDEN), .name = "projected_mm2", .label = "projected",
      .help = "area across the beam at the vertex, mm^2: of fields of 90 deg and more too"},
+    {PLAIN(obstruction, COLUMN_SPARSE), .name = "obstruction", .label = "obstructed",
+     .help = "share of that area within the edge that apertures block; absent where nothing may"},
     {PLAIN(fraction, COLUMN_BRIEF), .name = "fraction", .label = "fraction",
      .help = "area over that of the point on the axis"},
     {PLAIN(projected_fraction, COLUMN_HIDDEN), .name = "projected_fraction",
@@ -196,6 +198,7 @@ static struct row row_of(const struct pupil_case *point)
         .object = point->object,
         .height = point->height,
         .film = point->film,
+        .obstruction = shape->is_empty ? (double)NAN : shape->obstruction,
         .status = shape->is_empty                               ? ray_status_name(shape->status)
                   : shape->status == RAY_OK && shape->has_chief ? "ok"
                                                                 : "chief_lost",
