@@ -64,8 +64,9 @@ struct foreign_format {
      */
     bool (*write)(struct foreign_job *job, const struct lens *lens, struct text *text,
                   struct error *error);
-    bool has_thick;    /* it can hold a thick lens among the surfaces */
-    bool has_settings; /* and what the positions set anew: struct lens_setting, stops, lights */
+    bool has_thick;     /* it can hold a thick lens among the surfaces */
+    bool has_settings;  /* and what the positions set anew: struct lens_setting, stops, lights */
+    bool has_apertures; /* `write` keeps the apertures of surfaces, or says which it cannot */
 };
 
 /*

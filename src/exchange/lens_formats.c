@@ -126,6 +126,13 @@ bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
                         format->type.ending, endings_with_thick(job->arena));
         }
     }
+    for (size_t i = 0; i < lens->surface_count && !format->has_apertures; i++) {
+        if (lens->surfaces[i].aperture_count > 0 &&
+            !foreign_loss(job, NULL, (struct text){NULL, 0}, error,
+                          "surface %zu: what passes or is blocked beside its diameter", i + 1)) {
+            return false;
+        }
+    }
     return (format->has_settings || lose_settings(job, format, lens, error)) &&
            format->write(job, lens, text, error);
 }

@@ -6,6 +6,7 @@
 #include "base/number.h"
 #include "exchange/writing.h"
 #include "file/lens_setting.h"
+#include "optics/aperture.h"
 
 #include <math.h>
 #include <string.h>
@@ -308,6 +309,43 @@ static void put_thick(struct writer *writer, const struct surface *surface)
     put(writer, "]");
 }
 
+static void put_aperture(struct writer *writer, const struct aperture *aperture)
+{
+    const struct aperture_traits *traits = &aperture_shapes[aperture->shape];
+    put(writer, "{\"shape\":");
+    put_string(writer, traits->word);
+    put_key(writer, "blocks");
+    put(writer, aperture->blocks ? "true" : "false");
+    put_key(writer, "size_mm");
+    put_values(writer, aperture->size, (size_t)aperture_sizes(aperture->shape), 1);
+    if (traits->has_arms) {
+        growing_format(&writer->out.text, ",\"arms\":%u", aperture->arms);
+    }
+    for (size_t i = 0; i < aperture->point_count; i++) {
+        put(writer, i == 0 ? ",\"points_mm\":[" : ",");
+        put_values(writer, aperture->points[i], 2, 1);
+    }
+    put(writer, aperture->point_count > 0 ? "]" : "");
+    put_key(writer, "decenter_mm");
+    put_values(writer, aperture->decenter, 2, 1);
+    put_key(writer, "turn_deg");
+    put_value(writer, &aperture->turn, RADIANS_PER_DEGREE);
+    put(writer, "}");
+}
+
+static void put_apertures(struct writer *writer, const struct surface *surface)
+{
+    if (surface->aperture_count == 0) {
+        return;
+    }
+    put_key(writer, "apertures");
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        put(writer, i == 0 ? "[" : ",");
+        put_aperture(writer, &surface->apertures[i]);
+    }
+    put(writer, "]");
+}
+
 static bool put_surface(struct writer *writer, size_t i, struct error *error)
 {
     const struct surface *surface = &writer->lens->surfaces[i];
@@ -337,6 +375,7 @@ static bool put_surface(struct writer *writer, size_t i, struct error *error)
     }
     put_displacement(writer, "moved", surface->decentre);
     put_displacement(writer, "bend_before", surface->coordinate_break);
+    put_apertures(writer, surface);
     put_varies(writer, surface);
     put(writer, "}");
     return true;
@@ -463,4 +502,5 @@ const struct foreign_format lens_json_format = {
     .write = write_json,
     .has_thick = true,
     .has_settings = true,
+    .has_apertures = true,
 };

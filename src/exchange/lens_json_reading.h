@@ -72,6 +72,10 @@ bool json_check_count(struct json_reading *reading, const struct json_value *val
 bool json_read_medium(struct json_reading *reading, const struct json_value *value,
                       struct medium *medium, struct error *error);
 
+/* The list of apertures of a surface. */
+bool json_read_apertures(struct json_reading *reading, const struct json_value *value,
+                         struct surface *surface, struct error *error);
+
 /* One surface more of the lens. */
 bool json_read_surface(struct json_reading *reading, const struct json_value *object,
                        struct error *error);

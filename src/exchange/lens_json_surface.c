@@ -344,6 +344,7 @@ static bool read_beside(struct json_reading *reading, const struct json_value *o
            read_displacement(reading, json_item(object, "moved"), 2, &surface->decentre, error) &&
            read_displacement(reading, json_item(object, "bend_before"), 3,
                              &surface->coordinate_break, error) &&
+           json_read_apertures(reading, json_item(object, "apertures"), surface, error) &&
            read_varies(reading, json_item(object, "vary"), surface, error) &&
            read_thick(reading, object, surface, error);
 }
@@ -351,27 +352,17 @@ static bool read_beside(struct json_reading *reading, const struct json_value *o
 bool json_read_surface(struct json_reading *reading, const struct json_value *object,
                        struct error *error)
 {
-    static const char *const keys[] = {"surface",
-                                       "kind",
-                                       "is_stop",
-                                       "name",
-                                       "radius_mm",
-                                       "radius_is_infinite",
-                                       "medium",
-                                       "thickness_mm",
-                                       "curvature_per_mm",
-                                       "index",
-                                       "diameter_mm",
-                                       "conic",
-                                       "cylinder",
-                                       "moved",
-                                       "bend_before",
-                                       "coefficients_mm",
-                                       "vary",
-                                       "focal_mm",
-                                       "hiatus_mm",
-                                       "distortion",
-                                       NULL};
+    static const char *const keys[] = {"surface",          "kind",
+                                       "is_stop",          "name",
+                                       "radius_mm",        "radius_is_infinite",
+                                       "medium",           "thickness_mm",
+                                       "curvature_per_mm", "index",
+                                       "diameter_mm",      "conic",
+                                       "cylinder",         "moved",
+                                       "bend_before",      "apertures",
+                                       "coefficients_mm",  "vary",
+                                       "focal_mm",         "hiatus_mm",
+                                       "distortion",       NULL};
     struct lens *lens = reading->build.lens;
     if (object->kind != JSON_OBJECT) {
         return json_wrong(reading, object, error, "a surface is an object");

@@ -4,6 +4,7 @@
 
 #include "file/lens_build.h"
 #include "file/lens_unit.h"
+#include "optics/aperture.h"
 
 #include <math.h>
 #include <string.h>
@@ -113,6 +114,31 @@ static const struct vary *change_varies(const struct change *change, const struc
     return copy;
 }
 
+static void change_pair(const struct change *change, struct figure pair[2])
+{
+    change_figure(change, 1, &pair[0]);
+    change_figure(change, 1, &pair[1]);
+}
+
+static const struct aperture *change_apertures(const struct change *change,
+                                               const struct surface *surface)
+{
+    struct aperture *copy = ARENA_ARRAY(change->arena, surface->aperture_count, struct aperture);
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        const size_t count = surface->apertures[i].point_count;
+        struct figure(*points)[2] = arena_array(change->arena, count, sizeof *points);
+        copy[i] = surface->apertures[i];
+        change_pair(change, copy[i].size);
+        change_pair(change, copy[i].decenter);
+        for (size_t k = 0; k < count; k++) {
+            memcpy(points[k], copy[i].points[k], sizeof points[k]);
+            change_pair(change, points[k]);
+        }
+        copy[i].points = (const struct figure(*)[2])points;
+    }
+    return copy;
+}
+
 static void change_surface(const struct change *change, struct surface *surface)
 {
     for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
@@ -128,6 +154,7 @@ static void change_surface(const struct change *change, struct surface *surface)
         change_figure(change, 1, &surface->diameter);
     }
     surface->varies = change_varies(change, surface);
+    surface->apertures = change_apertures(change, surface);
 }
 
 static void change_system(const struct change *change, struct lens *lens)

@@ -3,6 +3,7 @@
 #include "file/lens_file.h"
 
 #include "base/constants.h"
+#include "file/lens_aperture.h"
 #include "file/lens_setting.h"
 #include "file/lens_surface.h"
 #include "file/lens_unit.h"
@@ -18,7 +19,7 @@ struct parser {
     struct lens *lens;
     const struct glass_source *glasses;
     struct surface *surfaces;
-    size_t surface_room, note_room, variable_room;
+    size_t surface_room, note_room, variable_room, aperture_room;
     const struct displacement *coordinate_break; /* of the next surface */
     struct text stop_word;                       /* where the stop was named, and in which line */
     struct text aperture_word;
@@ -426,6 +427,7 @@ static bool add_surface(struct parser *parser, enum surface_kind kind, struct er
     }
     surface->coordinate_break = parser->coordinate_break;
     parser->coordinate_break = NULL;
+    parser->aperture_room = 0;
     lens->surface_count++;
     if (surface->is_stop) {
         if (lens->stop != LENS_NONE) {
@@ -450,6 +452,24 @@ static bool read_stop(struct parser *parser, struct error *error)
 static bool read_thick(struct parser *parser, struct error *error)
 {
     return add_surface(parser, SURFACE_THICK, error);
+}
+
+static bool add_aperture(struct parser *parser, bool blocks, struct error *error)
+{
+    struct lens *lens = parser->lens;
+    bool is_below = lens->surface_count > 0 && parser->coordinate_break == NULL;
+    struct surface *above = is_below ? &lens->surfaces[lens->surface_count - 1] : NULL;
+    return lens_aperture_read(&parser->words, blocks, above, &parser->aperture_room, error);
+}
+
+static bool read_pass(struct parser *parser, struct error *error)
+{
+    return add_aperture(parser, false, error);
+}
+
+static bool read_block(struct parser *parser, struct error *error)
+{
+    return add_aperture(parser, true, error);
 }
 
 static bool read_coordinate_break(struct parser *parser, struct error *error)
@@ -486,6 +506,8 @@ static const struct {
     {"stop", 0, read_stop},
     {"thick", 0, read_thick},
     {"bend", 0, read_coordinate_break},
+    {"pass", 0, read_pass},
+    {"block", 0, read_block},
 };
 
 /* Not the beginning of a line: one of the table may have been meant. */

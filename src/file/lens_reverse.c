@@ -1,8 +1,10 @@
 /* file/lens_reverse.c - a lens turned around. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "file/lens_build.h"
 #include "file/lens_change.h"
 #include "file/lens_unit.h"
+#include "optics/aperture.h"
 #include "optics/first_order.h"
 
 #include <math.h>
@@ -179,6 +181,34 @@ static void turn_numbers(const struct turn *turn, struct surface *surface)
     }
 }
 
+/*
+ * Half a turn about y: x changes its sign, and angles theirs. An odd number of arms then points the
+ * other way.
+ */
+static const struct aperture *turn_apertures(const struct turn *turn, const struct surface *surface)
+{
+    struct arena *arena = turn->arena;
+    struct aperture *copy = ARENA_ARRAY(arena, surface->aperture_count, struct aperture);
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        const size_t count = surface->apertures[i].point_count;
+        struct figure(*points)[2] = arena_array(arena, count, sizeof *points);
+        copy[i] = surface->apertures[i];
+        copy[i].decenter[0] = negative(copy[i].decenter[0], arena);
+        copy[i].turn = negative(copy[i].turn, arena);
+        for (size_t k = 0; k < count; k++) {
+            memcpy(points[k], copy[i].points[k], sizeof points[k]);
+            points[k][0] = negative(points[k][0], arena);
+        }
+        copy[i].points = (const struct figure(*)[2])points;
+        if (copy[i].arms % 2 != 0) {
+            struct pair degrees = pair_divide(copy[i].turn.value, pair_of(RADIANS_PER_DEGREE));
+            copy[i].turn = figure_rounded(pair_add(pair_of(180), degrees), NUMBER_UNSCALED, arena);
+            copy[i].turn.value = pair_multiply(copy[i].turn.value, pair_of(RADIANS_PER_DEGREE));
+        }
+    }
+    return copy;
+}
+
 static void add_surface(struct turn *turn, size_t index)
 {
     const struct lens *from = turn->from;
@@ -187,6 +217,7 @@ static void add_surface(struct turn *turn, size_t index)
     to->medium = index > 0 ? from->surfaces[index - 1].medium : from->object_medium;
     to->coordinate_break = NULL;
     turn_numbers(turn, to);
+    to->apertures = turn->flips ? turn_apertures(turn, to) : to->apertures;
     to->varies = NULL;
     to->vary_count = 0;
     add_marks(turn, to, &from->surfaces[index], OWNED_BY_SURFACE);

@@ -4,6 +4,7 @@
 #include "optics/growing.h"
 
 #include "base/constants.h"
+#include "file/lens_aperture.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
@@ -163,6 +164,10 @@ static void put_surface(struct writer *writer, const struct surface *surface)
     put_cell(writer, surface->has_diameter, &surface->diameter);
     put_extras(writer, surface);
     put(writer, "\n", 1);
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        lens_aperture_write(&surface->apertures[i], lens_unit_scale(writer->lens->unit),
+                            &writer->text);
+    }
 }
 
 /* `keyword     text`, where there is a text. */
