@@ -278,6 +278,15 @@ static void test_elements(void)
     CHECK_NEAR(drawing.layout.left, 0, 1e-15, "from the first vertex");
     CHECK_NEAR(drawing.layout.right, 20 + sphere(90, 9), 1e-12, "to the last edge");
     CHECK(count_of(&drawing, LAYOUT_AXIAL) == 0);
+    /* without thickness a glass gives the face behind it no room */
+    draw("object inf\naperture epd 9\nsurface - 0 1.5168/64 30\nsurface - 3 1.62/36 20\n"
+         "surface - 5 air 28\n",
+         &(struct wanted){.no_rays = true}, &arena, &drawing);
+    CHECK(drawing.layout.semi[1] == 10);
+    draw("object inf\naperture epd 9\nsurface - 3 1.5168/64 30\nsurface - 0 1.62/36 20\n"
+         "surface - 5 air 28\n",
+         &(struct wanted){.no_rays = true}, &arena, &drawing);
+    CHECK(drawing.layout.semi[1] == 10);
     arena_free(&arena);
 }
 

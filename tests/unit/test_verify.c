@@ -90,8 +90,36 @@ static struct ray start_at(double x, double y, double ux, double uy, double towa
         .point = {x, y, 0}, .cosine = {ux / length, uy / length, towards / length}, .path = 3};
 }
 
+/* What is not finite is lost, at the latest at the last surface of the part that is traced. */
+static void test_overflow(void)
+{
+    struct arena arena = {0};
+    struct lens lens;
+    struct system system;
+    struct error error;
+    struct system_options options = system_options_default();
+    options.path = true;
+    CHECK(lens_read("t.lens",
+                    text_of("surface 50 5 1.5 -\nsurface - 5 air -\nsurface 50 3 1.6 -\n"
+                            "surface - 9 air -\n"),
+                    NULL, &arena, &lens, &error));
+    CHECK(system_compile(&lens, 0.55, &options, &arena, &system, &error));
+    for (size_t to = 1; to <= 4; to++) {
+        struct rays rays = rays_new(&arena, 1);
+        struct ray start = start_at(1, 2, 0, 0, 1);
+        start.path = INFINITY;
+        rays_set(&rays, 0, 1, &start);
+        rays_trace_part(&system, 0, to, &rays, NULL);
+        const struct ray end = rays_get(&rays, 0, 1);
+        CHECK(end.status == RAY_MISS && end.surface == to);
+        CHECK(isnan(end.point[0]) && isnan(end.cosine[2]) && isnan(end.path));
+    }
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_overflow();
     static const double places[][4] = {
         {0, 0, 0, 0},          {0, 0, 0.1, -0.05},       {3, -2, 0, 0},
         {-1.5, 4, 0.08, 0.12}, {0.25, -0.5, -0.2, 0.15}, {5, 7, -0.1, -0.2},
