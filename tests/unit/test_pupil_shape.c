@@ -257,6 +257,31 @@ static void test_from_film(void)
     }
 }
 
+/* Farther and farther aside, until the two holes only just overlap; the chief ray is in none. */
+static void test_narrow(void)
+{
+    static const char *text = "object inf\naperture stop\nsurface - 20 air 16\nstop - 10 air 10\n"
+                              "thick 100 100 air -\n";
+    static const double shifts[] = {8.5, 10, 12, 12.7, 12.97, 12.999, 13.001, 15};
+    for (size_t i = 0; i < sizeof shifts / sizeof shifts[0]; i++) {
+        struct arena arena = {0};
+        double t = atan(shifts[i] / GAP), turn = 0.3 + 2.1 * (double)i;
+        const struct field_point field = {FIELD_ANGLE, {t * sin(turn), t * cos(turn)}};
+        const struct pupil_shape shape = shape_of(text, field, &arena);
+        CHECK(shape.is_empty == (shifts[i] > 13));
+        CHECK(shape.has_chief && shape.status == RAY_CLIPPED && shape.surface == 1);
+        if (!shape.is_empty) {
+            const struct region region =
+                region_of((struct disc){0, 0, STOP},
+                          (struct disc){shifts[i] * sin(turn), shifts[i] * cos(turn), RIM});
+            CHECK_RELATIVE(shape.entrance.pupil.area, region.area, 1e-6, "area");
+            CHECK_NEAR(shape.entrance.pupil.centre[0], region.centre[0], 1e-5, "centroid");
+            CHECK_NEAR(shape.entrance.pupil.centre[1], region.centre[1], 1e-5, "centroid");
+        }
+        arena_free(&arena);
+    }
+}
+
 /* Nothing arrives: the surface that is in the way of the chief ray. No stop, no radius: refused. */
 static void test_nothing(void)
 {
@@ -275,6 +300,7 @@ int main(void)
     test_skew_field();
     test_from_film();
     test_nothing();
+    test_narrow();
     test_cats_eye();
     test_near_object();
     test_exit();
