@@ -90,6 +90,7 @@ static void start(struct error *error, enum error_code code, const char *format,
     error->hint[0] = '\0';
     error->in_hint.count = 0;
     compose(error->message, sizeof error->message, &error->in_message, format, arguments);
+    error->more = NULL;
 }
 
 bool fail(struct error *error, enum error_code code, const char *format, ...)

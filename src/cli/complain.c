@@ -27,6 +27,9 @@ void error_print(const struct error *error, const char *command)
     if (error->caret > 0) {
         fprintf(stderr, "    %s\n    %*s\n", error->text, error->caret, "^");
     }
+    if (error->more != NULL) {
+        fputs(error->more, stderr);
+    }
     if (error->hint[0] != '\0') {
         fprintf(stderr, "    %s\n", error->hint);
     }

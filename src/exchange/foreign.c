@@ -11,11 +11,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void add_loss(struct foreign_job *job, long line, const char *what)
+/* Take a mark out of a text. */
+static bool take_mark(char *text, const char *mark)
 {
-    job->losses = arena_grow(job->arena, job->losses, job->loss_count, &job->loss_room,
-                             sizeof job->losses[0]);
-    job->losses[job->loss_count++] = (struct foreign_loss){line, what};
+    char *at = strchr(text, mark[0]);
+    if (at != NULL) {
+        memmove(at, at + 1, strlen(at));
+    }
+    return at != NULL;
 }
 
 const char *foreign_unit_named(const struct foreign_unit *units, struct text word)
@@ -34,16 +37,6 @@ const char *foreign_unit_word(const struct foreign_unit *units, const char *unit
     return units->word;
 }
 
-/* Take a mark out of a text. */
-static bool take_mark(char *text, const char *mark)
-{
-    char *at = strchr(text, mark[0]);
-    if (at != NULL) {
-        memmove(at, at + 1, strlen(at));
-    }
-    return at != NULL;
-}
-
 bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struct text word,
                   struct error *error, const char *format, ...)
 {
@@ -53,6 +46,7 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     bool of_power = take_mark(message, LOSS_OF_POWER);
+    bool vignettes = take_mark(message, LOSS_VIGNETTES), mute = take_mark(message, LOSS_IS_MUTE);
     char *instead = strrchr(message, LOSS_INSTEAD[0]);
     if (instead != NULL) {
         *instead++ = '\0';
@@ -60,19 +54,21 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
     if (of_power && job->lost_power == NULL) {
         job->lost_power = arena_string(job->arena, message, strlen(message));
     }
-    if (job->lossy) {
-        add_loss(job, words != NULL ? words->number : 0,
-                 arena_printf(job->arena, "%s%s%s", message, instead != NULL ? "; " : "",
-                              instead != NULL ? instead : ""));
-        return true;
-    }
+    job->losses = arena_grow(job->arena, job->losses, job->loss_count, &job->loss_room,
+                             sizeof job->losses[0]);
+    struct foreign_loss *loss = &job->losses[job->loss_count++];
+    *loss = (struct foreign_loss){.effect = vignettes ? LOSS_OF_VIGNETTING
+                                            : mute    ? LOSS_OF_NOTHING
+                                                      : LOSS_OF_RAYS,
+                                  .message = arena_string(job->arena, message, strlen(message)),
+                                  .word = word};
+    loss->what =
+        instead != NULL ? arena_printf(job->arena, "%s; %s", message, instead) : loss->message;
     if (words != NULL) {
-        lens_words_fail(words, word, error, "cannot be kept: %s", message);
-    } else {
-        fail(error, ERROR_DATA, "cannot be kept: %s", message);
-        error_locate(error, job->source, 0, 0);
+        loss->line = words->number;
+        loss->line_of = *words;
     }
-    return error_hint(error, "{lossy} leaves it out and lists what is lost");
+    return true;
 }
 
 void foreign_mark_power(const struct foreign_job *job, struct lens_build *build)
@@ -110,14 +106,120 @@ static const char *printable(const char *words, struct arena *arena)
     return copy;
 }
 
-void foreign_losses(const struct foreign_job *job, struct growing *list)
+/* The worst first, and equal ones together. */
+static int by_effect(const void *a, const void *b)
+{
+    const struct foreign_loss *left = *(const struct foreign_loss *const *)a;
+    const struct foreign_loss *right = *(const struct foreign_loss *const *)b;
+    int words = strcmp(left->message, right->message);
+    if (left->effect != right->effect) {
+        return left->effect < right->effect ? -1 : 1;
+    }
+    return words != 0 ? words : by_line(a, b);
+}
+
+static const struct foreign_loss **sorted(const struct foreign_job *job,
+                                          int (*order)(const void *, const void *))
 {
     const struct foreign_loss **losses =
         ARENA_ARRAY(job->arena, job->loss_count, const struct foreign_loss *);
     for (size_t i = 0; i < job->loss_count; i++) {
         losses[i] = &job->losses[i];
     }
-    qsort(losses, job->loss_count, sizeof losses[0], by_line);
+    if (job->loss_count > 0) {
+        qsort(losses, job->loss_count, sizeof losses[0], order);
+    }
+    return losses;
+}
+
+/* The same loss in several lines. */
+struct same_losses {
+    const struct foreign_loss *const *first;
+    size_t count;
+};
+
+static int by_first(const void *a, const void *b)
+{
+    const struct same_losses *left = a, *right = b;
+    if (left->first[0]->effect != right->first[0]->effect) {
+        return left->first[0]->effect < right->first[0]->effect ? -1 : 1;
+    }
+    return by_line(left->first, right->first);
+}
+
+/* All losses, each once: those that change most first, then in the order of the file. */
+static struct same_losses *same_losses(const struct foreign_job *job, size_t *count)
+{
+    const struct foreign_loss **losses = sorted(job, by_effect);
+    struct same_losses *all = ARENA_ARRAY(job->arena, job->loss_count, struct same_losses);
+    *count = 0;
+    for (size_t i = 0; i < job->loss_count; i++) {
+        struct same_losses *last = *count > 0 ? &all[*count - 1] : NULL;
+        if (last != NULL && last->first[0]->effect == losses[i]->effect &&
+            strcmp(last->first[0]->message, losses[i]->message) == 0) {
+            last->count++;
+        } else {
+            all[(*count)++] = (struct same_losses){&losses[i], 1};
+        }
+    }
+    qsort(all, *count, sizeof all[0], by_first);
+    return all;
+}
+
+/* "FILE:12,15,18: WHAT" under the head of what they change; `after` of the first are known. */
+static const char *list_of(const struct foreign_job *job, const struct same_losses *all,
+                           size_t count, size_t after)
+{
+    static const char *const changes[LOSS_EFFECTS] = {[LOSS_OF_RAYS] = "rays",
+                                                      [LOSS_OF_VIGNETTING] = "vignetting",
+                                                      [LOSS_OF_NOTHING] = "nothing"};
+    struct growing list = {.arena = job->arena};
+    enum loss_effect head = LOSS_EFFECTS;
+    for (size_t i = 0; i < count; i++, after = 0) {
+        if (all[i].count == after) {
+            continue;
+        }
+        if (all[i].first[0]->effect != head) {
+            head = all[i].first[0]->effect;
+            growing_format(&list, "    cannot be kept either, and changes %s:\n", changes[head]);
+        }
+        growing_format(&list, "      %s", job->source);
+        for (size_t k = after; k < all[i].count && all[i].first[k]->line > 0; k++) {
+            growing_format(&list, "%c%ld", k == after ? ':' : ',', all[i].first[k]->line);
+        }
+        growing_string(&list, ": ");
+        growing_string(&list, printable(all[i].first[0]->message, job->arena));
+        growing_string(&list, "\n");
+    }
+    return list.length > 0 ? arena_string(job->arena, list.data, list.length) : NULL;
+}
+
+bool foreign_settle(const struct foreign_job *job, bool done, struct error *error)
+{
+    if (job->lossy || job->loss_count == 0) {
+        return done;
+    }
+    size_t count;
+    const struct same_losses *all = same_losses(job, &count);
+    if (!done) {
+        error->more = list_of(job, all, count, 0);
+        return false;
+    }
+    const struct foreign_loss *first = all[0].first[0];
+    if (first->line > 0) {
+        lens_words_fail(&first->line_of, first->word, error, "cannot be kept: %s", first->message);
+    } else {
+        fail(error, ERROR_DATA, "cannot be kept: %s", first->message);
+        error_locate(error, job->source, 0, 0);
+    }
+    error->more = list_of(job, all, count, 1);
+    return error_hint(error, "{lossy} leaves %s out and lists what is lost",
+                      job->loss_count > 1 ? "them" : "it");
+}
+
+void foreign_losses(const struct foreign_job *job, struct growing *list)
+{
+    const struct foreign_loss **losses = sorted(job, by_line);
     for (size_t i = 0; i < job->loss_count; i++) {
         growing_string(list, job->source);
         if (losses[i]->line > 0) {

@@ -16,10 +16,22 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* What is not as the file means it where a loss is left out, the worst first. */
+enum loss_effect {
+    LOSS_OF_RAYS,       /* where rays go */
+    LOSS_OF_VIGNETTING, /* which of them pass, and their weights */
+    LOSS_OF_NOTHING,    /* no number */
+    LOSS_EFFECTS
+};
+
 /* Something that a lens of lenscalc, or the other program's file, cannot hold. */
 struct foreign_loss {
     long line;        /* in the file read; 0 = written, or not of one line */
     const char *what; /* one line, in the arena */
+    enum loss_effect effect;
+    const char *message;       /* without what is done instead */
+    struct lens_words line_of; /* for messages, where `line` is not 0 */
+    struct text word;
 };
 
 /* One file being read or written. */
@@ -27,7 +39,7 @@ struct foreign_job {
     const char *source; /* for messages */
     struct arena *arena;
     const struct glass_source *glasses; /* null: named glasses stay unresolved */
-    bool lossy;                         /* losses are listed; else the first one is an error */
+    bool lossy;                         /* losses are listed; else they are an error together */
     struct foreign_loss *losses;
     size_t loss_count, loss_room;
     const char *lost_power; /* the first loss that bends light; null = none */
@@ -75,6 +87,10 @@ struct foreign_format {
  */
 #define LOSS_INSTEAD "\v"
 
+/* Anywhere in the text: what is lost moves no ray, or changes no number at all. */
+#define LOSS_VIGNETTES "\f"
+#define LOSS_IS_MUTE   "\b"
+
 /*
  * Anywhere in the text: what is lost bends light. Then the focal length may not be that of the
  * file, and no solve follows rays: the numbers that the file has for them stand.
@@ -86,7 +102,8 @@ struct foreign_format {
  *
  * Given     words, word  where it stands (a line's words, and the word); words null: nowhere
  *           format       what is lost; LOSS_INSTEAD and what stands for it, if anything does
- * Result    lossy: true, and the loss is in the list; else false with ERROR_DATA and a hint
+ * Result    true: the loss is in the list, and reading goes on so that all are found.
+ *           foreign_settle says what becomes of them
  */
 bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struct text word,
                   struct error *error, const char *format, ...)
@@ -98,6 +115,16 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
 
 /* Where what is lost bends light: a warning of the lens, and a note that files keep. */
 void foreign_mark_power(const struct foreign_job *job, struct lens_build *build);
+
+/*
+ * The end of reading or writing a file.
+ *
+ * Given     done  it has gone well but for what is lost
+ * Result    done, where nothing is lost or the job is lossy
+ * Errors    ERROR_DATA: the loss that changes most, at its place, and all others in error->more;
+ *           these too where it has not gone well
+ */
+bool foreign_settle(const struct foreign_job *job, bool done, struct error *error);
 
 /*
  * List the losses as "FILE:LINE: lost: WHAT", one a line, in the order of the file; those of

@@ -85,7 +85,7 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
              format->type.word.word);
         return error_locate(error, job->source, 0, 0);
     }
-    return format->read(job, text, lens, error);
+    return foreign_settle(job, format->read(job, text, lens, error), error);
 }
 
 static const char *endings_with_thick(struct arena *arena)
@@ -129,10 +129,12 @@ bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
     for (size_t i = 0; i < lens->surface_count && !format->has_apertures; i++) {
         if (lens->surfaces[i].aperture_count > 0 &&
             !foreign_loss(job, NULL, (struct text){NULL, 0}, error,
-                          "surface %zu: what passes or is blocked beside its diameter", i + 1)) {
+                          "surface %zu: what passes or is blocked beside its diameter"
+ LOSS_VIGNETTES, i + 1)) {
             return false;
         }
     }
-    return (format->has_settings || lose_settings(job, format, lens, error)) &&
-           format->write(job, lens, text, error);
+    bool done = (format->has_settings || lose_settings(job, format, lens, error)) &&
+                format->write(job, lens, text, error);
+    return foreign_settle(job, done, error);
 }

@@ -24,7 +24,8 @@ static void write_all(struct foreign_job *job, const struct lens *lens)
         if ((*format)->write == NULL) {
             continue;
         }
-        if (!(*format)->write(job, lens, &text, &error)) {
+        job->loss_count = 0;
+        if (!foreign_write(job, *format, lens, &text, &error)) {
             require_sound(&error);
         } else if ((*format)->read != NULL && !(*format)->read(job, text, &again, &error)) {
             require_sound(&error);

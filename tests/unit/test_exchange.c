@@ -105,7 +105,7 @@ static void check_round_trip(const char *format_name, bool all_positions,
         bool read = lens_open(&fixture.db, text_of(*list), &fixture.arena, &lens, &error);
         struct foreign_job job = {
             .source = *list, .arena = &fixture.arena, .glasses = &fixture.glasses};
-        bool written = read && format->write(&job, &lens, &text, &error);
+        bool written = read && foreign_write(&job, format, &lens, &text, &error);
         CHECK(read);
         if (!written) { /* it says what the format has no words for, and writes it if allowed */
             bool known = false;
@@ -118,7 +118,7 @@ static void check_round_trip(const char *format_name, bool all_positions,
             CHECK(known);
             CHECK(error.code == ERROR_DATA && error.hint[0] != '\0');
             job.lossy = true;
-            CHECK(format->write(&job, &lens, &text, &error) && job.loss_count > 0);
+            CHECK(foreign_write(&job, format, &lens, &text, &error) && job.loss_count > 0);
             CHECK(read_text(&fixture, "again", text, true, &again, &losses, &error));
             arena_free(&fixture.arena);
             continue;
