@@ -176,7 +176,7 @@ static const struct refusal losses[] = {
     {"FTYP 0 0 2 1", "@FTYP 4 0 2 1", "fields of the kind 4", "left out"},
     {"XFLN 0 0", "XFLN 0 @5", "field 2 lies beside the y-z plane: lenscalc has no such field",
      "left out"},
-    {"NAME", "VDYN 0 @0.1\nNAME", "VDYN: lenscalc has no vignetting factors and no apodised pupil",
+    {"NAME", "VDYN 0 @0.1\nNAME", "VDYN: vignetting factors of the fields",
      ""},
     {"NAME", "@ENVD 40 1 1\nNAME",
      "indices at 40 C and 1 atmospheres: lenscalc has those of 20 C and 1 atmosphere",

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_EXCHANGE_ZEMAX_ZEMAX_KEYWORD_H
 #define LENSCALC_EXCHANGE_ZEMAX_ZEMAX_KEYWORD_H
 
+#include "exchange/word_table.h"
 #include "exchange/zemax/zemax_parse.h"
 
 /* Reads the present line of the file; `keyword` is the word itself. */
@@ -13,12 +14,21 @@ struct zemax_keyword {
     zemax_read_function *read;
 };
 
+/* Where words stand, as the table of them has it. */
+#define ZEMAX_IN_SYSTEM         "system"
+#define ZEMAX_IN_SURFACE        "surface"
+#define ZEMAX_IN_CONFIGURATIONS "configurations"
+#define ZEMAX_IN_TAIL           "behind"
+
+/* Every word that is known. Those that are kept or lost have a reader, or are lost by their group. */
+extern const struct word_group zemax_words[];
+
 /* Lines before the surfaces, and those behind them, which begin the line. */
 extern const struct zemax_keyword zemax_system_keywords[];
 extern const struct zemax_keyword zemax_tail_keywords[];
 
-/* Does the word behind the surfaces begin an operand of the merit function? */
-bool zemax_is_operand(struct text word);
+/* A line of the multiple configurations; what the table has not is lost where it changes. */
+bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct error *error);
 
 /* The present line with its numbers, in the unit `scale`. */
 struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,

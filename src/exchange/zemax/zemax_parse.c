@@ -27,11 +27,20 @@ static bool read_surf(struct zemax_file *file, struct text keyword, struct error
     return true;
 }
 
+/* What no lens of lenscalc can be is said before all else. */
 static bool read_type(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    (void)error;
-    surface_of(file)->type = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return true;
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    surface_of(file)->type = line;
+    if (text_same(line->first, "NONSEQCO")) {
+        return lens_words_fail(&line->words, line->first, error,
+                               "a non-sequential group: lenscalc has lenses whose surfaces follow "
+                               "each other");
+    }
+    return !text_same(line->first, "USERSURF") ||
+           lens_words_fail(&line->words, line->first, error,
+                           "a surface computed by a program (DLL) of the user's, which the file "
+                           "does not hold");
 }
 
 static bool read_curvature(struct zemax_file *file, struct text keyword, struct error *error)
@@ -70,7 +79,7 @@ static bool read_clear(struct zemax_file *file, struct text keyword, struct erro
     }
     return line->numbers[0].value.hi == 0 ||
            zemax_loss(file, line, error,
-                      "an aperture with a hole" LOSS_INSTEAD "the hole is left out");
+                      "an aperture with a hole" LOSS_VIGNETTES LOSS_INSTEAD "the hole is left out");
 }
 
 static bool read_other_aperture(struct zemax_file *file, struct text keyword, struct error *error)
@@ -85,8 +94,8 @@ static bool read_other_aperture(struct zemax_file *file, struct text keyword, st
     surface_of(file)->has_lost_aperture = surface_of(file)->has_lost_aperture || !blocks;
     return zemax_loss(
         file, line, error,
-        "%.4s: apertures are round and centred here, and nothing is obscured" LOSS_INSTEAD
-        "left out",
+        "%.4s: apertures are round and centred here, and nothing is obscured" LOSS_VIGNETTES
+            LOSS_INSTEAD "left out",
         keyword.start);
 }
 
@@ -175,58 +184,31 @@ static bool read_solve(struct zemax_file *file, struct text keyword, struct erro
     return true;
 }
 
-static const struct zemax_keyword surface_keywords[] = {
-    {"TYPE", read_type},
-    {"CURV", read_curvature},
-    {"DISZ", read_thickness},
-    {"CONI", read_conic},
-    {"DIAM", read_diameter},
-    {"GLAS", read_glass},
-    {"STOP", read_stop},
-    {"COMM", read_comment},
-    {"COAT", read_coating},
-    {"PARM", read_numbered},
-    {"XDAT", read_numbered},
-    {"PPAR", read_numbered},
-    {"MAZH", read_solve},
-    {"PZUP", read_solve},
-    {"TCOM", read_solve},
-    {"TOLE", read_solve},
-    {"EDGE", read_solve},
-    {"CLAP", read_clear},
-    {"FLAP", read_clear},
-    {"SQAP", read_other_aperture},
-    {"ELAP", read_other_aperture},
-    {"OBSC", read_other_aperture},
-    {"SQOB", read_other_aperture},
-    {"ELOB", read_other_aperture},
-    {"SPID", read_other_aperture},
-    {"USAP", read_other_aperture},
-    {"UDAD", read_other_aperture},
-    {"OBDC", read_other_aperture},
-    {NULL, NULL},
-};
-
-/*
- * What says nothing about the lens: versions, drawing, ray aiming, polarisation, the editor's
- * colours, mechanical edges, marks of the optimiser, tolerances and file names.
- */
-static const char *const no_lens[] = {
-    "VERS", "PFIL", "LANG", "RAIM", "PUSH", "SDMA", "OMMA", "ROPD", "HYPR", "PICB", "FWGN",
-    "FWGT", "POLS", "GLRS", "GSTD", "NSCD", "COFN", "LUID", "AUTH", "IWDP", "DBDT", "STUD",
-    "EFFL", "OPDX", "EERA", "FIMP", "HIDE", "MIRR", "SLAB", "SSID", "POPS", "MEMA", "OEMA",
-    "VDSZ", "VCON", "VPAR", "TOL",  "MOFF", "BLNK", "DMFS", "CONF", "PUPD", "ISNA", "ZVDX",
-    "ZVDY", "ZVCX", "ZVCY", "ZVAN", "FVDX", "FVDY", "FVCX", "FVCY", "FVAN"};
-
-static bool is_no_lens(struct text word)
+/* SCBD which .. : what is shifted and turned before or behind the surface. */
+static bool read_shift(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    for (size_t i = 0; i < sizeof no_lens / sizeof no_lens[0]; i++) {
-        if (text_same(word, no_lens[i])) {
-            return true;
-        }
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    bool none = true;
+    for (size_t i = 1; i < line->count; i++) {
+        none = none && line->numbers[i].value.hi == 0;
     }
-    return false;
+    return none || zemax_loss(file, line, error,
+                              "SCBD: a surface that is shifted or turned beside what coordinate "
+                              "breaks say");
 }
+
+static const struct zemax_keyword surface_keywords[] = {
+    {"TYPE", read_type},           {"CURV", read_curvature},      {"DISZ", read_thickness},
+    {"CONI", read_conic},          {"DIAM", read_diameter},       {"GLAS", read_glass},
+    {"STOP", read_stop},           {"COMM", read_comment},        {"COAT", read_coating},
+    {"PARM", read_numbered},       {"XDAT", read_numbered},       {"PPAR", read_numbered},
+    {"MAZH", read_solve},          {"PZUP", read_solve},          {"TCOM", read_solve},
+    {"TOLE", read_solve},          {"EDGE", read_solve},          {"CLAP", read_clear},
+    {"FLAP", read_clear},          {"SQAP", read_other_aperture}, {"ELAP", read_other_aperture},
+    {"OBSC", read_other_aperture}, {"SQOB", read_other_aperture}, {"ELOB", read_other_aperture},
+    {"SPID", read_other_aperture}, {"USAP", read_other_aperture}, {"UDAD", read_other_aperture},
+    {"OBDC", read_other_aperture}, {"SCBD", read_shift},          {NULL, NULL},
+};
 
 static const struct zemax_keyword *find(const struct zemax_keyword *table, struct text word)
 {
@@ -252,11 +234,102 @@ static const struct zemax_keyword *find_keyword(const struct zemax_file *file, s
     return keyword;
 }
 
+/* Are there numbers on the line, and all of them 0? `first` receives the first that is not. */
+static bool is_zero(const struct zemax_line *line, struct text *first)
+{
+    *first = line->keyword;
+    for (size_t i = 0; i < line->count; i++) {
+        if (line->numbers[i].value.hi != 0) {
+            *first = line->numbers[i].typed;
+            return false;
+        }
+    }
+    return line->count > 0;
+}
+
+/* A word of the table that has no reader. */
+static bool pass_over(struct zemax_file *file, const struct word_group *group, struct text word,
+                      struct error *error)
+{
+    const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
+    struct text at;
+    return group->fate == WORD_HARMLESS || (is_zero(line, &at) && !text_same(word, "CHZH")) ||
+           foreign_loss(file->job, &line->words, at, error, "%.4s: %s%s", word.start, group->what,
+                        group->vignettes ? LOSS_VIGNETTES : "");
+}
+
+/* Every line of the merit function has the same form: a word, two integers and six numbers. */
+static bool is_like_operand(const struct zemax_line *line)
+{
+    return line->keyword.length == 4 && line->count >= 8;
+}
+
+static bool is_like_setting(const struct zemax_file *file, const struct zemax_line *line)
+{
+    double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
+    return file->has_configurations && line->count >= 2 && surface >= 0 &&
+           surface <= ZEMAX_SURFACES && configuration >= 1 &&
+           configuration <= (double)file->configurations;
+}
+
+/* A word that is not in the table. Where all its numbers are 0, it says that something is off. */
+static bool read_unknown(struct zemax_file *file, struct text word, bool behind,
+                         struct error *error)
+{
+    const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
+    int length = (int)(word.length < 40 ? word.length : 40);
+    struct text at;
+    if (behind && is_like_setting(file, line)) {
+        return zemax_read_setting(file, word, error);
+    }
+    if (behind && !file->has_configurations && is_like_operand(line)) {
+        file->in_tail = true;
+        return true;
+    }
+    if (!behind && is_zero(line, &at)) {
+        file->zeros = arena_grow(file->job->arena, file->zeros, file->zero_count, &file->zero_room,
+                                 sizeof file->zeros[0]);
+        file->zeros[file->zero_count++] = line;
+        return true;
+    }
+    return zemax_loss(file, line, error, "unknown word '%.*s'", length, word.start);
+}
+
+/*
+ * Unknown words whose numbers are all 0: flags that are off. If it were a solve, the file has its
+ * answer as a number, but for one configuration only.
+ */
+static bool pass_zeros(struct zemax_file *file, struct error *error)
+{
+    bool done = true;
+    for (size_t i = 0; i < file->zero_count && done; i++) {
+        const struct zemax_line *line = file->zeros[i];
+        struct text word = line->keyword;
+        int length = (int)(word.length < 40 ? word.length : 40);
+        if (file->configurations > 1) {
+            done = zemax_loss(file, line, error, "unknown word '%.*s'", length, word.start);
+        } else {
+            zemax_remark(file, "line %ld: %.*s is unknown; its numbers are 0, it was passed over",
+                         line->words.number, length, word.start);
+        }
+    }
+    return done;
+}
+
+/* What stands behind the surfaces and has no reader. */
+static const struct word_group *group_behind(struct text word)
+{
+    const struct word_group *group = word_group_of(zemax_words, ZEMAX_IN_CONFIGURATIONS, word);
+    return group != NULL ? group : word_group_of(zemax_words, ZEMAX_IN_TAIL, word);
+}
+
 static bool read_line(struct zemax_file *file, struct error *error)
 {
     struct text word = lens_words_next(&file->words);
     bool indented = word.start > file->words.line.start, in_surface = file->surface_count > 0;
+    bool behind = in_surface && !indented;
     const struct zemax_keyword *keyword = find_keyword(file, word, indented);
+    const struct word_group *group = behind ? group_behind(word) : NULL;
     if (text_same(word, "SURF")) {
         return read_surf(file, word, error);
     }
@@ -267,13 +340,13 @@ static bool read_line(struct zemax_file *file, struct error *error)
     if (keyword != NULL) {
         return keyword->read(file, word, error);
     }
-    bool behind = in_surface && !indented;
-    if (is_no_lens(word) || (behind && zemax_is_operand(word))) {
-        file->in_tail = file->in_tail || behind;
-        return true;
+    if (group != NULL) {
+        file->in_tail = true;
+        return group->fate == WORD_HARMLESS || zemax_read_setting(file, word, error);
     }
-    return foreign_loss(file->job, &file->words, word, error, "unknown word '%.*s'",
-                        (int)(word.length < 40 ? word.length : 40), word.start);
+    group = word_group_of(zemax_words, NULL, word);
+    return group != NULL ? pass_over(file, group, word, error)
+                         : read_unknown(file, word, behind, error);
 }
 
 /* A picked-up glass is that of an earlier surface: GLAS name 2 surface .. */
@@ -287,7 +360,7 @@ static bool pick_up_glasses(struct zemax_file *file, struct error *error)
         }
         if (!(from >= 0 && from < (double)i)) {
             if (!zemax_loss(file, line, error,
-                            "a glass that follows no earlier surface" LOSS_INSTEAD
+                            "a glass that follows no earlier surface" LOSS_IS_MUTE LOSS_INSTEAD
                             "the file's glass stands")) {
                 return false;
             }
@@ -322,5 +395,5 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
         fail(error, ERROR_DATA, "the file has no surface between object and image");
         return error_locate(error, file->job->source, 0, 0);
     }
-    return pick_up_glasses(file, error);
+    return pass_zeros(file, error) && pick_up_glasses(file, error);
 }

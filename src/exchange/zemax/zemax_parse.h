@@ -59,6 +59,9 @@ struct zemax_file {
     struct zemax_surface *surfaces;
     size_t surface_count, surface_room;
     bool in_tail; /* behind the surfaces: merit function, tolerances, configurations */
+    const struct zemax_line **zeros; /* unknown words whose numbers are all 0 */
+    size_t zero_count, zero_room;
+    bool has_configurations; /* MNUM has been */
     struct text catalogs[ZEMAX_CATALOGS];
     size_t catalog_count;
     const struct zemax_line *aperture, *fields, *x, *y; /* ENPD .., FTYP, XFLN, YFLN */

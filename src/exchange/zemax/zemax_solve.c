@@ -65,7 +65,7 @@ static bool keep(struct solving *solving, size_t at, const struct zemax_line *li
         surface->solve = NULL;
     }
     return zemax_loss(solving->file, line, error,
-                      "a solve that %s" LOSS_INSTEAD "the file's number stands", why);
+                      "a solve that %s" LOSS_IS_MUTE LOSS_INSTEAD "the file's number stands", why);
 }
 
 /* The ray at a surface; false where the solve is kept, with an error if that is refused. */

@@ -321,11 +321,6 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
         }
     }
     struct text type = from->type->first;
-    if (text_same(type, "NONSEQCO")) {
-        return lens_words_fail(&from->type->words, type, error,
-                               "a non-sequential group: lenscalc has lenses whose surfaces follow "
-                               "each other");
-    }
     return foreign_loss(file->job, &from->type->words, type, error,
                         "a surface of the type %.*s" LOSS_OF_POWER LOSS_INSTEAD
                         "its standard form with curvature and conic stands for it",
@@ -367,20 +362,20 @@ static bool check_pickups(struct zemax_file *file, size_t at, struct error *erro
     const struct zemax_surface *from = &file->surfaces[at];
     if (is_diameter_astray(file, at) &&
         !zemax_loss(file, from->diameter, error,
-                    "a semi-diameter that follows another number" LOSS_INSTEAD
+                    "a semi-diameter that follows another number" LOSS_IS_MUTE LOSS_INSTEAD
                     "the file's number stands")) {
         return false;
     }
     if (zemax_number(from->conic, 1) > 1 &&
         !zemax_loss(file, from->conic, error,
-                    "a conic that follows another number" LOSS_INSTEAD
+                    "a conic that follows another number" LOSS_IS_MUTE LOSS_INSTEAD
                     "the file's number stands")) {
         return false;
     }
     for (size_t i = 0; i < ZEMAX_PARAMETERS; i++) {
         if (is_parameter_astray(from->pickups[i], at) &&
             !zemax_loss(file, from->pickups[i], error,
-                        "a parameter that follows no earlier surface" LOSS_INSTEAD
+                        "a parameter that follows no earlier surface" LOSS_IS_MUTE LOSS_INSTEAD
                         "the file's number stands")) {
             return false;
         }

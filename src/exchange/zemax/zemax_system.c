@@ -160,18 +160,13 @@ static bool read_primary(struct zemax_file *file, struct text keyword, struct er
     return true;
 }
 
-/* Numbers that change nothing where they are 0. */
-static bool read_zeros(struct zemax_file *file, struct text keyword, struct error *error)
+/* GFAC type factor: 0 is an even pupil, as is a Gaussian, 1, of the factor 0. */
+static bool read_apodisation(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    for (size_t i = 0; i < line->count; i++) {
-        if (line->numbers[i].value.hi != 0) {
-            return foreign_loss(file->job, &line->words, line->numbers[i].typed, error,
-                                "%.4s: lenscalc has no vignetting factors and no apodised pupil",
-                                keyword.start);
-        }
-    }
-    return true;
+    double type = zemax_number(line, 0);
+    return type == 0 || (type == 1 && zemax_number(line, 1) == 0) ||
+           zemax_loss(file, line, error, "GFAC: lenscalc has no apodised pupil" LOSS_VIGNETTES);
 }
 
 /* ENVD temperature pressure adjust */
@@ -187,18 +182,27 @@ static bool read_environment(struct zemax_file *file, struct text keyword, struc
 }
 
 const struct zemax_keyword zemax_system_keywords[] = {
-    {"MODE", read_mode},        {"UNIT", read_unit},
-    {"NAME", read_name},        {"NOTE", read_note},
-    {"GCAT", read_catalogs},    {"ENPD", read_aperture},
-    {"FNUM", read_aperture},    {"OBNA", read_aperture},
-    {"FLOA", read_aperture},    {"FTYP", read_fields},
-    {"XFLN", read_x},           {"XFLD", read_x},
-    {"YFLN", read_y},           {"YFLD", read_y},
-    {"WAVM", read_wave},        {"WAVL", read_waves},
-    {"WAVN", read_waves},       {"WWGT", read_waves},
-    {"WWGN", read_waves},       {"PWAV", read_primary},
-    {"VDXN", read_zeros},       {"VDYN", read_zeros},
-    {"VCXN", read_zeros},       {"VCYN", read_zeros},
-    {"VANN", read_zeros},       {"GFAC", read_zeros},
-    {"ENVD", read_environment}, {NULL, NULL},
+    {"MODE", read_mode},
+    {"UNIT", read_unit},
+    {"NAME", read_name},
+    {"NOTE", read_note},
+    {"GCAT", read_catalogs},
+    {"ENPD", read_aperture},
+    {"FNUM", read_aperture},
+    {"OBNA", read_aperture},
+    {"FLOA", read_aperture},
+    {"FTYP", read_fields},
+    {"XFLN", read_x},
+    {"XFLD", read_x},
+    {"YFLN", read_y},
+    {"YFLD", read_y},
+    {"WAVM", read_wave},
+    {"WAVL", read_waves},
+    {"WAVN", read_waves},
+    {"WWGT", read_waves},
+    {"WWGN", read_waves},
+    {"PWAV", read_primary},
+    {"GFAC", read_apodisation},
+    {"ENVD", read_environment},
+    {NULL, NULL},
 };
