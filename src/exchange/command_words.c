@@ -217,6 +217,18 @@ bool commands_figure(const struct commands *commands, size_t word, struct number
     return lens_words_figure(&place, found.text, scale, what, figure, error);
 }
 
+bool commands_object(const struct commands *commands, size_t word, struct figure *figure,
+                     struct error *error)
+{
+    const struct text text = commands_word(commands, word).text;
+    if (!text_same(text, "INF") && !text_same(text, "INFINITY")) {
+        return commands_figure(commands, word, commands->scale, "thickness", figure, error);
+    }
+    static const char far[] = "1e20"; /* as both programs write it */
+    *figure = (struct figure){.typed = text_of(far), .variable = LENS_NONE};
+    return pair_read(far, far + strlen(far), commands->scale, &figure->value) != NULL;
+}
+
 bool commands_end(const struct commands *commands, size_t word, struct error *error)
 {
     if (word >= commands->count) {

@@ -76,6 +76,13 @@ bool commands_lose(const struct commands *commands, struct error *error, const c
 bool commands_figure(const struct commands *commands, size_t word, struct number_scale scale,
                      const char *what, struct figure *figure, struct error *error);
 
+/*
+ * The distance of an object: `inf` and `infinity` too, which become as far as the grammar's
+ * infinity. Errors as commands_figure
+ */
+bool commands_object(const struct commands *commands, size_t word, struct figure *figure,
+                     struct error *error);
+
 /* Nothing may follow from this word on. */
 bool commands_end(const struct commands *commands, size_t word, struct error *error);
 

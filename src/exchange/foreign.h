@@ -56,6 +56,8 @@ const char *foreign_unit_named(const struct foreign_unit *units, struct text wor
 /* The word for a unit; null: the program has none. */
 const char *foreign_unit_word(const struct foreign_unit *units, const char *unit);
 
+struct word_group;
+
 /* A kind of file. `read` or `write` is null where it does not exist. */
 struct foreign_format {
     struct file_type type; /* "zmx", "Zemax OpticStudio", ".zmx" */
@@ -79,6 +81,7 @@ struct foreign_format {
     bool has_thick;     /* it can hold a thick lens among the surfaces */
     bool has_settings;  /* and what the positions set anew: struct lens_setting, stops, lights */
     bool has_apertures; /* `write` keeps the apertures of surfaces, or says which it cannot */
+    const struct word_group *words; /* what becomes of each word when it is read; null: not told */
 };
 
 /*

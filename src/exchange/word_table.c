@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/word_table.h"
 
+#include "exchange/foreign.h"
+
 #include <string.h>
 
 const char *word_fate_name(enum word_fate fate)
@@ -46,6 +48,13 @@ const struct word_group *word_group_of(const struct word_group *table, const cha
         }
     }
     return NULL;
+}
+
+const char *word_group_marks(const struct word_group *group)
+{
+    return (group->flags & WORD_VIGNETTES) != 0   ? LOSS_VIGNETTES
+           : (group->flags & WORD_HAS_POWER) != 0 ? LOSS_OF_POWER
+                                                  : "";
 }
 
 bool word_table_next(struct word_entry *entry)

@@ -15,13 +15,19 @@ enum word_fate {
     WORD_REFUSED   /* the file is refused even where losses are allowed */
 };
 
+enum word_flag {
+    WORD_VIGNETTES = 1, /* as a loss it moves no ray: it only stops them or changes their weights */
+    WORD_COUNTS_AT_0 = 2, /* lost even where its numbers are 0 */
+    WORD_HAS_POWER = 4    /* as a loss it may change the focal length */
+};
+
 /* Words of one meaning and one fate. */
 struct word_group {
     enum word_fate fate;
     const char *place; /* in the file: "system", "surface" .. */
     const char *what;  /* "colours of the editor" */
     const char *words; /* separated by blanks; null ends a table */
-    bool vignettes;    /* as a loss it moves no ray: it only stops them or changes their weights */
+    unsigned flags;    /* enum word_flag */
 };
 
 /* "kept", "harmless", "lost", "refused" */
@@ -34,6 +40,9 @@ const char *word_fate_name(enum word_fate fate);
  */
 const struct word_group *word_group_of(const struct word_group *table, const char *place,
                                        struct text word);
+
+/* The marks of foreign_loss that its flags ask for, to stand in the text of a loss. */
+const char *word_group_marks(const struct word_group *group);
 
 /* One word of a table. */
 struct word_entry {

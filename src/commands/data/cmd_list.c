@@ -12,6 +12,7 @@ static const struct word topic_words[] = {
     {"glasses", "optical glasses and plastics of all catalogues"},
     {"stops", "labels of f-numbers, times and ISO, with exact values"},
     {"units", "units of every dimension"},
+    {"keywords", "words of other programs' lens files, and what becomes of them"},
     {"commands", "commands of this program"},
     {"options", "options of every command"},
     {NULL, NULL},
@@ -19,8 +20,9 @@ static const struct word topic_words[] = {
 
 /* In the order of topic_words. */
 static const struct topic *const topics[] = {
-    &topic_lenses,  &topic_formats, &topic_cameras, &topic_films,    &topic_scenes,  &topic_filters,
-    &topic_glasses, &topic_stops,   &topic_units,   &topic_commands, &topic_options,
+    &topic_lenses, &topic_formats,  &topic_cameras,  &topic_films,
+    &topic_scenes, &topic_filters,  &topic_glasses,  &topic_stops,
+    &topic_units,  &topic_keywords, &topic_commands, &topic_options,
 };
 
 static const struct option options[] = {
@@ -33,6 +35,7 @@ static const struct option options[] = {
              "catalogue of "
              "glasses, series of "
              "stops, dimension of units, "
+             "format of keywords, "
              "group of commands, command of options"},
 };
 

@@ -5,6 +5,7 @@
 
 #include "exchange/foreign.h"
 #include "exchange/sequence.h"
+#include "exchange/word_table.h"
 
 extern const struct foreign_format codev_format;
 
@@ -92,8 +93,11 @@ struct codev_key {
 };
 struct codev_key codev_key(struct text word);
 
-/* Is the key one of a list? */
-bool codev_is_in(const char (*list)[4], size_t count, const char *key);
+/* Every command, by its first three letters, and what becomes of it. */
+extern const struct word_group codev_words[];
+
+/* The group of a command; null: it is unknown. */
+const struct word_group *codev_group(struct text word);
 
 /* One number of each position behind `ZOO NAME`, or a single one with Zk. */
 bool codev_values(struct codev *codev, const struct codev_qualifiers *qualifiers,

@@ -23,43 +23,40 @@ static bool read_nothing(struct codev *codev, int what, struct error *error)
     return true;
 }
 
-static bool refuse_macro(struct codev *codev, int what, struct error *error)
+static bool refuse_macro(struct codev *codev, struct error *error)
 {
-    (void)what;
     return commands_fail(&codev->commands, &codev->commands.words[0], error,
                          "a command of a macro: lenscalc reads lens data and runs no macros");
 }
 
-/* What changes the light, but not where its numbers are 0. */
-static bool lose_unless_zero(struct codev *codev, int what, struct error *error)
+/* A command that is lost by its group, but where its numbers are 0. */
+static bool lose(struct codev *codev, const struct word_group *group, struct error *error)
 {
-    static const char *const reasons[] = {"vignetting factors", "a shifted or turned aperture",
-                                          "a Fresnel surface of this base",
-                                          "an offset of the point about which a surface turns"};
     struct codev_qualifiers qualifiers;
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
-    if (codev_is_zero(codev, qualifiers.next)) {
+    if ((group->flags & WORD_COUNTS_AT_0) == 0 && codev_is_zero(codev, qualifiers.next)) {
         return true;
     }
     if (codev->sequence.count > 0 && (text_same(codev->commands.words[0].text, "ADX") ||
                                       text_same(codev->commands.words[0].text, "ADY"))) {
         codev->sequence.surfaces[qualifiers.surface].has_lost_aperture = true;
     }
-    return commands_lose(&codev->commands, error, "%s", reasons[what]);
+    return commands_lose(&codev->commands, error, "%s%s", group->what, word_group_marks(group));
 }
 
-static bool lose(struct codev *codev, int what, struct error *error)
+/* TEM 20 and PRE 760: where indices are measured. */
+static bool read_environment(struct codev *codev, int what, struct error *error)
 {
-    static const char *const reasons[] = {
-        "a rectangular or elliptic aperture",
-        "a toric, anamorphic or special surface" LOSS_OF_POWER,
-        "a diffractive surface" LOSS_OF_POWER,
-        "a shift or turn that is undone or related to another surface",
-        "a thermal environment" LOSS_OF_POWER,
-        "an index that is changed" LOSS_OF_POWER};
-    return commands_lose(&codev->commands, error, "%s", reasons[what]);
+    const struct number_scale plain = {1, 0};
+    const struct command_word word = commands_word(&codev->commands, 1);
+    double value = -1;
+    const char *end = word.text.start + word.text.length;
+    bool usual = codev->commands.count == 2 &&
+                 number_read(word.text.start, end, plain, &value) == end && value == what;
+    return usual || commands_lose(&codev->commands, error, "%s" LOSS_OF_POWER,
+                                  codev_group(codev->commands.words[0].text)->what);
 }
 
 /* Commands and what tells relatives apart; the first three letters count. */
@@ -128,41 +125,9 @@ static const struct {
     {"PRV", codev_catalog, 'P', false},
     {"PWL", codev_catalog, 'W', false},
     {"END", codev_catalog, 'P', false},
-    {"VUX", lose_unless_zero, 0, false},
-    {"VLX", lose_unless_zero, 0, false},
-    {"VUY", lose_unless_zero, 0, false},
-    {"VLY", lose_unless_zero, 0, false},
-    {"ADX", lose_unless_zero, 1, false},
-    {"ADY", lose_unless_zero, 1, false},
-    {"ARO", lose_unless_zero, 1, false},
-    {"CUF", lose_unless_zero, 2, false},
-    {"XOD", lose_unless_zero, 3, false},
-    {"YOD", lose_unless_zero, 3, false},
-    {"ZOD", lose_unless_zero, 3, false},
-    {"REX", lose, 0, false},
-    {"REY", lose, 0, false},
-    {"ELX", lose, 0, false},
-    {"ELY", lose, 0, false},
-    {"XTO", lose, 1, false},
-    {"YTO", lose, 1, false},
-    {"AAS", lose, 1, false},
-    {"DIF", lose, 2, false},
-    {"HOR", lose, 2, false},
-    {"HWL", lose, 2, false},
-    {"HCT", lose, 2, false},
-    {"HCO", lose, 2, false},
-    {"REV", lose, 3, false},
-    {"RET", lose, 3, false},
-    {"GLB", lose, 3, false},
-    {"TEM", lose, 4, false},
-    {"PRE", lose, 4, false},
-    {"INC", lose, 5, false},
+    {"TEM", read_environment, 20, false},
+    {"PRE", read_environment, 760, false},
 };
-
-/* Beginnings of macros; these are refused even where losses are allowed. */
-static const char macros[][4] = {"IN",  "OUT", "LCL", "GBL", "FOR", "IF",  "ELS", "WHI",
-                                 "UNT", "EVA", "RUN", "WRI", "WRT", "GOT", "RFD", "NUM",
-                                 "STR", "AUT", "FCT", "ROW", "BUF", "DO",  "INS", "DEL"};
 
 static bool is_surface_line(struct text word)
 {
@@ -196,11 +161,12 @@ static bool run_command(struct codev *codev, struct error *error)
         }
         return keywords[i].run(codev, keywords[i].what, error);
     }
-    if (is_macro || codev_is_in(macros, sizeof macros / sizeof macros[0], key.letters)) {
-        return refuse_macro(codev, 0, error);
+    const struct word_group *group = codev_group(word->text);
+    if (is_macro || (group != NULL && group->fate == WORD_REFUSED)) {
+        return refuse_macro(codev, error);
     }
-    return codev_is_harmless(word->text) ||
-           commands_lose(&codev->commands, error, "an unknown command");
+    return group == NULL ? commands_lose(&codev->commands, error, "an unknown command")
+                         : group->fate == WORD_HARMLESS || lose(codev, group, error);
 }
 
 /* The unit may stand behind the lengths that it is of. */
@@ -297,4 +263,5 @@ static bool codev_is_like(struct text content)
 const struct foreign_format codev_format = {.type = {{"seq", "CODE V"}, ".seq"},
                                             .is_like = codev_is_like,
                                             .read = codev_read,
-                                            .write = codev_write};
+                                            .write = codev_write,
+                                            .words = codev_words};

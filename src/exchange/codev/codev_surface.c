@@ -87,7 +87,9 @@ bool codev_surface(struct codev *codev, int what, struct error *error)
     if (!check_place(codev, error) ||
         !commands_figure(commands, 1, codev->radius_mode ? commands->scale : plain,
                          codev->radius_mode ? "radius" : "curvature", &curve, error) ||
-        !commands_figure(commands, 2, commands->scale, "thickness", &thickness, error)) {
+        !(codev->sequence.count == 0
+              ? commands_object(commands, 2, &thickness, error)
+              : commands_figure(commands, 2, commands->scale, "thickness", &thickness, error))) {
         return false;
     }
     codev->surface = codev->sequence.count;
@@ -203,6 +205,10 @@ bool codev_thickness(struct codev *codev, int what, struct error *error)
     if (qualifiers.zoom > 0) {
         return codev_values(codev, &qualifiers, &surface->thickness, &surface->thicknesses, false,
                             error);
+    }
+    if (surface == &codev->sequence.surfaces[0]) {
+        return commands_object(&codev->commands, qualifiers.next, &surface->thickness, error) &&
+               commands_end(&codev->commands, qualifiers.next + 1, error);
     }
     return read_value(codev, codev->commands.scale, "thickness", &qualifiers, &surface->thickness,
                       error);
@@ -406,7 +412,7 @@ bool codev_aperture(struct codev *codev, int what, struct error *error)
     for (; at < commands->count; at++) {
         enum aperture_word kind = aperture_word(commands->words[at].text);
         if (kind == APERTURE_HOLE) {
-            return commands_lose(&codev->commands, error, "an obscuration or hole");
+            return commands_lose(&codev->commands, error, "an obscuration or hole" LOSS_VIGNETTES);
         }
         if (kind == APERTURE_RADIUS) {
             break;

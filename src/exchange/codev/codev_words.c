@@ -4,13 +4,52 @@
 
 #include <string.h>
 
-/* Displays, tolerances, variables of the optimiser, bookkeeping. */
-static const char harmless[][4] = {
-    "GO",  "INI", "CCY", "CCX", "THC", "CUC", "GLC", "KC",  "AC",  "BC",  "CC",  "DC",
-    "EC",  "FC",  "GC",  "HC",  "JC",  "XDC", "YDC", "ZDC", "ADC", "BDC", "CDC", "DER",
-    "CLS", "UID", "WTF", "DOR", "POL", "CA",  "CUM", "THM", "CAX", "COM", "HCC", "DSX",
-    "DSY", "BTX", "BTY", "DLF", "DLT", "DLR", "DLN", "DLV", "TIR", "CMP", "SD",  "MFL",
-    "CWL", "INT", "RMX", "DEL", "CIN", "TOL", "DPT", "FVR", "SAV", "LDM", "PTB",
+/* The first three letters of each command count. */
+const struct word_group codev_words[] = {
+    {WORD_KEPT, "system", "radii or curvatures, unit, title, private catalogues of glasses",
+     "RDM LEN DIM TIT PRV PWL END", 0},
+    {WORD_KEPT, "system", "wavelengths, their weights and the reference", "WL WTW REF", 0},
+    {WORD_KEPT, "system", "aperture", "EPD FNO NAO NA", 0},
+    {WORD_KEPT, "system", "fields", "XAN YAN XOB YOB XIM YIM XRI YRI", 0},
+    {WORD_KEPT, "system", "positions", "ZOO", 0},
+    {WORD_KEPT, "surface", "surfaces, the stop and labels", "S SO SI STO SLB", 0},
+    {WORD_KEPT, "surface", "curvature, conic, distance and material",
+     "RDY CUY RDX CUX K THI GLA RMD", 0},
+    {WORD_KEPT, "surface", "shape and its coefficients",
+     "SPH CON ASP CYL A B C D E F G H J SPS SCO", 0},
+    {WORD_KEPT, "surface", "circular apertures", "CIR", 0},
+    {WORD_KEPT, "surface", "decentres, tilts, return and bend", "XDE YDE ZDE ADE BDE CDE DAR BEN",
+     0},
+    {WORD_KEPT, "surface", "paraxial image, pick-ups and solves", "PIM PIK HMY HCY UMY UCY", 0},
+    {WORD_LOST, "system", "vignetting factors", "VUX VLX VUY VLY", WORD_VIGNETTES},
+    {WORD_LOST, "system", "an apodised pupil", "PUI PUX PUY", WORD_VIGNETTES},
+    {WORD_LOST, "system", "a thermal environment", "TEM PRE", WORD_COUNTS_AT_0},
+    {WORD_LOST, "surface", "a rectangular or elliptic aperture", "REX REY ELX ELY",
+     WORD_VIGNETTES | WORD_COUNTS_AT_0},
+    {WORD_LOST, "surface", "a shifted or turned aperture", "ADX ADY ARO", WORD_VIGNETTES},
+    {WORD_LOST, "surface", "a toric, anamorphic or special surface", "XTO YTO AAS",
+     WORD_COUNTS_AT_0 | WORD_HAS_POWER},
+    {WORD_LOST, "surface", "a Fresnel surface of this base", "CUF", 0},
+    {WORD_LOST, "surface", "a diffractive surface", "DIF HOR HWL HCT HCO",
+     WORD_COUNTS_AT_0 | WORD_HAS_POWER},
+    {WORD_LOST, "surface", "an offset of the point about which a surface turns", "XOD YOD ZOD", 0},
+    {WORD_LOST, "surface", "a shift or turn that is undone or related to another surface",
+     "REV RET GLB", WORD_COUNTS_AT_0},
+    {WORD_LOST, "surface", "a measured deformation", "INT", WORD_COUNTS_AT_0},
+    {WORD_LOST, "surface", "an index that is changed", "INC", WORD_COUNTS_AT_0 | WORD_HAS_POWER},
+    {WORD_HARMLESS, "system", "the end, the author, what is drawn and in which colours",
+     "GO INI UID CLS COM SAV LDM DER DOR", 0},
+    {WORD_HARMLESS, "system", "weights of the fields and positions", "WTF", 0},
+    {WORD_HARMLESS, "system", "polarised light, coatings", "POL MFL CWL TIR PTB", 0},
+    {WORD_HARMLESS, "surface", "what the optimiser may vary or keeps together",
+     "CCY CCX THC CUC GLC KC AC BC CC DC EC FC GC HC JC XDC YDC ZDC ADC BDC CDC HCC", 0},
+    {WORD_HARMLESS, "surface", "tolerances and compensators",
+     "TOL CMP DLF DLT DLR DLN DLV DSX DSY BTX BTY CUM THM CAX RMX CIN DPT FVR", 0},
+    {WORD_HARMLESS, "surface", "rims for drawings and weights", "CA SD", 0},
+    {WORD_REFUSED, "system", "commands of a macro",
+     "IN OUT LCL GBL FOR IF ELS WHI UNT EVA RUN WRI WRT GOT RFD NUM STR AUT FCT ROW BUF DO INS DEL",
+     0},
+    {WORD_KEPT, NULL, NULL, NULL, 0},
 };
 
 struct codev_key codev_key(struct text word)
@@ -21,16 +60,6 @@ struct codev_key codev_key(struct text word)
         key.letters[i] = c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
     }
     return key;
-}
-
-bool codev_is_in(const char (*list)[4], size_t count, const char *key)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (strcmp(list[i], key) == 0) {
-            return true;
-        }
-    }
-    return false;
 }
 
 bool codev_is_zero(const struct codev *codev, size_t first)
@@ -149,8 +178,14 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
     return true;
 }
 
-bool codev_is_harmless(struct text word)
+const struct word_group *codev_group(struct text word)
 {
     const struct codev_key key = codev_key(word);
-    return codev_is_in(harmless, sizeof harmless / sizeof harmless[0], key.letters);
+    return word_group_of(codev_words, NULL, text_of(key.letters));
+}
+
+bool codev_is_harmless(struct text word)
+{
+    const struct word_group *group = codev_group(word);
+    return group != NULL && group->fate == WORD_HARMLESS;
 }

@@ -126,6 +126,10 @@ static bool read_curve(struct oslo *oslo, int what, struct error *error)
 static bool read_thickness(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
+    if (oslo->surface == 0) {
+        return commands_object(&oslo->commands, 1, &present(oslo)->thickness, error) &&
+               commands_end(&oslo->commands, 2, error);
+    }
     return read_one(oslo, oslo->commands.scale, "thickness", &present(oslo)->thickness, error);
 }
 
@@ -307,26 +311,36 @@ static bool read_nothing(struct oslo *oslo, int what, struct error *error)
     return true;
 }
 
-static bool lose(struct oslo *oslo, int what, struct error *error)
+/* A command that is lost by its group, but where its only number is 0. */
+static bool lose(struct oslo *oslo, const struct word_group *group, struct error *error)
 {
-    static const char *const reasons[] = {"a perfect lens" LOSS_OF_POWER,
-                                          "a grating" LOSS_OF_POWER,
-                                          "coordinates of another surface",
-                                          "a zoom configuration",
-                                          "a toric surface" LOSS_OF_POWER,
-                                          "an aperture that is no circle",
-                                          "rays that leave the object in parallel",
-                                          "an index that changes inside of the glass" LOSS_OF_POWER,
-                                          "a solve that is not known"};
-    return commands_lose(&oslo->commands, error, "%s", reasons[what]);
+    struct figure figure;
+    bool checked = (group->flags & WORD_COUNTS_AT_0) == 0;
+    if (checked && !read_one(oslo, plain, "value", &figure, error)) {
+        return false;
+    }
+    return (checked && figure.value.hi == 0) ||
+           commands_lose(&oslo->commands, error, "%s%s", group->what, word_group_marks(group));
 }
 
-/* What is lost only where it is another number than the usual one. */
-static bool lose_unless_zero(struct oslo *oslo, int what, struct error *error)
+/* TEM 20 and PRE 1: where indices are measured. */
+static bool read_environment(struct oslo *oslo, int usual, struct error *error)
 {
     struct figure figure;
     return read_one(oslo, plain, "value", &figure, error) &&
-           (figure.value.hi == 0 || lose(oslo, what, error));
+           (figure.value.hi == usual ||
+            commands_lose(&oslo->commands, error,
+                          "indices at another temperature or pressure than 20 C and 1 "
+                          "atmosphere"));
+}
+
+/* TELE OFF and 0 are what is usual. */
+static bool read_switch(struct oslo *oslo, int what, struct error *error)
+{
+    const struct text word = commands_word(&oslo->commands, 1).text;
+    (void)what;
+    return text_same(word, "OFF") || text_equal(word, "0") ||
+           commands_lose(&oslo->commands, error, "rays that leave the object in parallel");
 }
 
 static const struct {
@@ -378,30 +392,9 @@ static const struct {
     {"END", read_end, 0},
     {"RST", read_set, 0},
     {"F", oslo_point, 0},
-    {"PFL", lose, 0},
-    {"PFM", lose, 0},
-    {"GSP", lose, 1},
-    {"GOR", lose, 1},
-    {"GC", lose, 2},
-    {"TOX", lose_unless_zero, 2},
-    {"TOY", lose_unless_zero, 2},
-    {"TOZ", lose_unless_zero, 2},
-    {"CFG", lose, 3},
-    {"CVX", lose_unless_zero, 4},
-    {"RDX", lose_unless_zero, 4},
-    {"APN", lose_unless_zero, 5},
-    {"GRT", lose, 7},
-    {"GRD", lose, 7},
-    {"PI", lose, 8},
-    {"PIC", lose, 8},
-    {"EC", lose, 8},
-    {"APA", lose, 8},
-};
-
-/* Notes of the designer, displays, tolerances, operands. */
-static const char *const harmless[] = {
-    "DES",  "DLID", "WRSP", "TCE", "DSP",  "DRW", "NOT",  "LID",  "SUR", "APCK", "TEM", "PRE",
-    "TELE", "SDAD", "IMD",  "EVZ", "DLAP", "RFS", "OPDM", "WARM", "ASI", "PLT",  "TOL",
+    {"TEM", read_environment, 20},
+    {"PRE", read_environment, 1},
+    {"TELE", read_switch, 0},
 };
 
 static bool run_numbered(struct oslo *oslo, struct text name, bool *known, struct error *error)
@@ -452,12 +445,9 @@ static bool run_command(struct oslo *oslo, struct error *error)
     if (known) {
         return true;
     }
-    for (size_t i = 0; i < sizeof harmless / sizeof harmless[0]; i++) {
-        if (text_same(word->text, harmless[i])) {
-            return true;
-        }
-    }
-    return commands_lose(&oslo->commands, error, "an unknown command");
+    const struct word_group *group = word_group_of(oslo_words, NULL, word->text);
+    return group == NULL ? commands_lose(&oslo->commands, error, "an unknown command")
+                         : group->fate == WORD_HARMLESS || lose(oslo, group, error);
 }
 
 /* The unit may stand behind lengths. */
@@ -583,4 +573,5 @@ static bool oslo_is_like(struct text content)
 const struct foreign_format oslo_format = {.type = {{"len", "OSLO"}, ".len"},
                                            .is_like = oslo_is_like,
                                            .read = oslo_read,
-                                           .write = oslo_write};
+                                           .write = oslo_write,
+                                           .words = oslo_words};

@@ -4,6 +4,7 @@
 #define LENSCALC_EXCHANGE_OSLO_OSLO_READING_H
 
 #include "exchange/sequence.h"
+#include "exchange/word_table.h"
 
 enum { OSLO_MOST_WAVES = 100 };
 
@@ -28,6 +29,9 @@ struct oslo {
     size_t wave_count, weight_count;
     struct text glasses[SEQUENCE_MOST]; /* CATALOG:NAME that lenscalc has kept, or empty */
 };
+
+/* Every command and what becomes of it. */
+extern const struct word_group oslo_words[];
 
 /* GLA NAME, GLA MOD NAME n n n, GLA 1.5, GLA MOD 1.5 60 */
 bool oslo_glass(struct oslo *oslo, int what, struct error *error);

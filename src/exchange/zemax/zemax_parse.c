@@ -253,9 +253,10 @@ static bool pass_over(struct zemax_file *file, const struct word_group *group, s
 {
     const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
     struct text at;
-    return group->fate == WORD_HARMLESS || (is_zero(line, &at) && !text_same(word, "CHZH")) ||
+    return group->fate == WORD_HARMLESS ||
+           (is_zero(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0) ||
            foreign_loss(file->job, &line->words, at, error, "%.4s: %s%s", word.start, group->what,
-                        group->vignettes ? LOSS_VIGNETTES : "");
+                        (group->flags & WORD_VIGNETTES) != 0 ? LOSS_VIGNETTES : "");
 }
 
 /* Every line of the merit function has the same form: a word, two integers and six numbers. */

@@ -1,6 +1,7 @@
 /* exchange/zemax/zemax_read.c - a .zmx file as a lens: system data, positions, solves. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax.h"
+#include "exchange/zemax/zemax_keyword.h"
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_surface.h"
 
@@ -317,4 +318,5 @@ const struct foreign_format zemax_format = {
     .is_like = is_like,
     .read = read,
     .write = zemax_write,
+    .words = zemax_words,
 };

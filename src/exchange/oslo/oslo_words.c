@@ -1,0 +1,38 @@
+/* exchange/oslo/oslo_words.c - every command of an OSLO file, and what becomes of it. */
+/* SPDX-License-Identifier: MIT */
+#include "exchange/oslo/oslo_reading.h"
+
+const struct word_group oslo_words[] = {
+    {WORD_KEPT, "system", "begin, unit, end", "LEN UNI END", 0},
+    {WORD_KEPT, "system", "aperture", "EBR NAO FNO FNB", 0},
+    {WORD_KEPT, "system", "field and its points", "ANG OBH GIH RST F", 0},
+    {WORD_KEPT, "system", "wavelengths and their weights, also with numbers (WV1)", "WV WW", 0},
+    {WORD_KEPT, "system", "notes, with numbers (SNO1)", "SNO", 0},
+    {WORD_KEPT, "surface", "the next surface, the stop", "NXT AST", 0},
+    {WORD_KEPT, "surface", "curvature, conic, distance and material", "RD CV CC TH AIR RFL RFH GLA",
+     0},
+    {WORD_KEPT, "surface", "aspheres; AS has a number behind it", "AD AE AF AG ASP AS", 0},
+    {WORD_KEPT, "surface", "circular apertures", "AP", 0},
+    {WORD_KEPT, "surface", "decentres, tilts, their order, bend and return",
+     "DCX DCY DCZ TLA TLB TLC DT BEN RCO", 0},
+    {WORD_KEPT, "surface", "solves and pick-ups", "PY PYC PU PUC PK", 0},
+    {WORD_LOST, "system", "indices at another temperature or pressure than 20 C and 1 atmosphere",
+     "TEM PRE", WORD_COUNTS_AT_0},
+    {WORD_LOST, "system", "rays that leave the object in parallel", "TELE", WORD_COUNTS_AT_0},
+    {WORD_LOST, "system", "a zoom configuration", "CFG", WORD_COUNTS_AT_0},
+    {WORD_LOST, "surface", "a perfect lens", "PFL PFM", WORD_COUNTS_AT_0 | WORD_HAS_POWER},
+    {WORD_LOST, "surface", "a grating", "GSP GOR", WORD_COUNTS_AT_0 | WORD_HAS_POWER},
+    {WORD_LOST, "surface", "coordinates of another surface", "GC", WORD_COUNTS_AT_0},
+    {WORD_LOST, "surface", "coordinates of another surface", "TOX TOY TOZ", 0},
+    {WORD_LOST, "surface", "a toric surface", "CVX RDX", WORD_HAS_POWER},
+    {WORD_LOST, "surface", "an aperture that is no circle", "APN", WORD_VIGNETTES},
+    {WORD_LOST, "surface", "an index that changes inside of the glass", "GRT GRD",
+     WORD_COUNTS_AT_0 | WORD_HAS_POWER},
+    {WORD_LOST, "surface", "a solve that is not known", "PI PIC EC APA", WORD_COUNTS_AT_0},
+    {WORD_HARMLESS, "system", "the designer, the program, displays and warnings",
+     "DES DLID LID NOT WRSP DSP DRW WARM PLT DLAP", 0},
+    {WORD_HARMLESS, "system", "how results are computed and shown",
+     "RFS OPDM SDAD EVZ IMD ASI APCK SUR", 0},
+    {WORD_HARMLESS, "surface", "expansion of the glass and tolerances", "TCE TOL", 0},
+    {WORD_KEPT, NULL, NULL, NULL, 0},
+};
