@@ -146,7 +146,7 @@ static bool read_wavelength(const struct reader *reader, const struct option *op
         return error_hint(error, "a wavelength is 550, 550nm, 0.55um, or a line: d F C e g ...");
     }
     if (!(value.wavelength >= WAVELENGTH_SHORTEST && value.wavelength <= WAVELENGTH_LONGEST)) {
-        return fail(error, ERROR_DOMAIN, "%s %s is out of range: it must be 1 nm to 1 mm",
+        return fail(error, ERROR_DOMAIN, "%s %s is out of range: it must be 1 nm to 100 mm",
                     CALLED(option), value.name);
     }
     *(struct wavelength_value *)member = value;

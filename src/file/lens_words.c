@@ -193,7 +193,8 @@ bool lens_words_wavelength(const struct lens_words *words, struct text text, dou
             if (*wavelength >= WAVELENGTH_SHORTEST && *wavelength <= WAVELENGTH_LONGEST) {
                 return true;
             }
-            return lens_words_fail(words, text, error, "the wavelength is not within 1 nm to 1 mm");
+            return lens_words_fail(words, text, error,
+                                   "the wavelength is not within 1 nm to 100 mm");
         }
     }
     lens_words_fail(words, text_between(behind, end), error,

@@ -12,8 +12,8 @@
 #define WAVELENGTH_C_PRIME 0.6438469
 #define WAVELENGTH_C       0.6562725
 
-/* What is beyond is a mistake of the unit: 1 nm to 1 mm. */
+/* What is beyond is a mistake of the unit: 1 nm to 100 mm. */
 #define WAVELENGTH_SHORTEST 0.001
-#define WAVELENGTH_LONGEST  1000.0
+#define WAVELENGTH_LONGEST  100000.0
 
 #endif

@@ -251,7 +251,7 @@ static const struct refusal errors[] = {
     {"TITLE 'Singlet'", "DIM @F", "the unit is one of M, C, I", NULL},
     {"TITLE 'Singlet'", "DIM M @I", "'I' does not belong here", NULL},
     {"TITLE 'Singlet'", "RDM Y @1", "'1' does not belong here", NULL},
-    {"WL 587.5618", "WL @0.5876", "the wavelength is not within 1 nm to 1 mm", NULL},
+    {"WL 587.5618", "WL @0.5876", "the wavelength is not within 1 nm to 100 mm", NULL},
     {"WL 587.5618", "WL 587.6 @red", "the wavelength 'red' is no number", NULL},
     {"WL 587.5618", "WL 587.6\nWTW @-1", "a weight is not below 0", NULL},
     {"WL 587.5618", "WL 587.6\nREF @0", "the number of the wavelength is a whole number from 1 on",

@@ -180,7 +180,7 @@ static const struct refusal errors[] = {
     {"EBR 5", "UNI @mm", "the unit in mm 'mm' is no number", NULL},
     {"ANG 10", "ANG @x", "the field 'x' is no number", NULL},
     {"ANG 10", "ANG @-181", "a field angle is not beyond 180 degrees", NULL},
-    {"WV 0.5875618", "WV 0.55 @550000", "the wavelength is not within 1 nm to 1 mm", NULL},
+    {"WV 0.5875618", "WV 0.55 @550000", "the wavelength is not within 1 nm to 100 mm", NULL},
     {"WV 0.5875618", "WV 0.55\nWW @-1", "a weight is not below 0", NULL},
     {"WV 0.5875618", "WV 0.55\n@WV3 0.5", "number 3 behind 1 wavelengths", NULL},
     {"WV 0.5875618", "WV 0.55\nWV2 @red", "the wavelength 'red' is no number", NULL},

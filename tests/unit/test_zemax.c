@@ -51,11 +51,11 @@ static void check_errors(void)
     } cases[] = {
         {"MODE NSC\nSURF 0\n", 1, 6, "non-sequential"},
         {HEAD OBJECT IMAGE("1"), 0, 0, "no surface between"},
-        {HEAD "SURF 0\nSURF 2\n", 4, 1, "SURF 1 is expected"},
+        {HEAD "SURF 0\nSURF 0\n", 4, 1, "SURF 1 is expected"},
         {HEAD "WXYZ 1\n" SINGLET, 3, 1, "unknown word 'WXYZ'"},
         {HEAD "ENPD x\n" SINGLET, 3, 6, "wants a number"},
         {HEAD "ENPD 0\n" SINGLET, 3, 6, "above 0"},
-        {HEAD "WAVM 1 5500 1\n" SINGLET, 3, 8, "0.001 to 1000 um"},
+        {HEAD "WAVM 1 550000 1\n" SINGLET, 3, 8, "0.001 to 100000 um"},
         {HEAD "WAVM 2 0.55 1\n" SINGLET, 0, 0, "wavelength 1 is missing"},
         {HEAD "VCYN 0 0.1\n" SINGLET, 3, 8, "vignetting factors of the fields"},
         {HEAD "ENVD 40 1 1\n" SINGLET, 3, 1, "20 C and 1 atmosphere"},

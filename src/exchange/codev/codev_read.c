@@ -137,11 +137,21 @@ static bool is_surface_line(struct text word)
            (word.length == 1 || named || (second >= '0' && second <= '9'));
 }
 
+/* A command without a reader: the table says what becomes of it. */
+static bool run_group(struct codev *codev, struct text word, struct error *error)
+{
+    const struct word_group *group = codev_group(word);
+    if (word.start[0] == '^' || (group != NULL && group->fate == WORD_REFUSED)) {
+        return refuse_macro(codev, error);
+    }
+    return group == NULL ? commands_lose(&codev->commands, error, "an unknown command")
+                         : group->fate == WORD_HARMLESS || lose(codev, group, error);
+}
+
 static bool run_command(struct codev *codev, struct error *error)
 {
     const struct command_word *word = &codev->commands.words[0];
     const struct codev_key key = codev_key(word->text);
-    bool is_macro = word->text.length > 0 && word->text.start[0] == '^';
     if (codev->in_catalog && strcmp(key.letters, "PWL") != 0 && strcmp(key.letters, "END") != 0) {
         return codev_private_glass(codev, error);
     }
@@ -161,12 +171,7 @@ static bool run_command(struct codev *codev, struct error *error)
         }
         return keywords[i].run(codev, keywords[i].what, error);
     }
-    const struct word_group *group = codev_group(word->text);
-    if (is_macro || (group != NULL && group->fate == WORD_REFUSED)) {
-        return refuse_macro(codev, error);
-    }
-    return group == NULL ? commands_lose(&codev->commands, error, "an unknown command")
-                         : group->fate == WORD_HARMLESS || lose(codev, group, error);
+    return run_group(codev, word->text, error);
 }
 
 /* The unit may stand behind the lengths that it is of. */

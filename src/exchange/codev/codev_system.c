@@ -98,9 +98,10 @@ bool codev_waves(struct codev *codev, int what, struct error *error)
                              what == 'L' ? "wavelength" : "weight", &figure, error)) {
             return false;
         }
-        if (!(figure.value.hi >= (what == 'L' ? 1 : 0) && figure.value.hi <= 1e6)) {
+        if (!(figure.value.hi >= (what == 'L' ? 1 : 0) &&
+              figure.value.hi <= (what == 'L' ? 1e8 : 1e6))) {
             return commands_fail(commands, &words[i], error,
-                                 what == 'L' ? "the wavelength is not within 1 nm to 1 mm"
+                                 what == 'L' ? "the wavelength is not within 1 nm to 100 mm"
                                              : "a weight is not below 0");
         }
     }

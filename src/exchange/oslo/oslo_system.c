@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/oslo/oslo_reading.h"
 #include "file/decimal.h"
+#include "optics/wavelength.h"
 
 #include "base/constants.h"
 #include "file/lens_unit.h"
@@ -39,13 +40,15 @@ static bool check_wave(struct oslo *oslo, size_t word, bool is_weight, struct er
                          error)) {
         return false;
     }
-    if (is_weight ? figure.value.hi >= 0 : figure.value.hi >= 0.001 && figure.value.hi <= 1000) {
+    if (is_weight
+            ? figure.value.hi >= 0
+            : figure.value.hi >= WAVELENGTH_SHORTEST && figure.value.hi <= WAVELENGTH_LONGEST) {
         return true;
     }
     const struct command_word at = commands_word(&oslo->commands, word);
     return commands_fail(&oslo->commands, &at, error,
                          is_weight ? "a weight is not below 0"
-                                   : "the wavelength is not within 1 nm to 1 mm");
+                                   : "the wavelength is not within 1 nm to 100 mm");
 }
 
 static bool read_list(struct oslo *oslo, bool is_weight, struct error *error)

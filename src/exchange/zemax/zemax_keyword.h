@@ -20,7 +20,7 @@ struct zemax_keyword {
 #define ZEMAX_IN_CONFIGURATIONS "configurations"
 #define ZEMAX_IN_TAIL           "behind"
 
-/* Every word that is known. Those that are kept or lost have a reader, or are lost by their group. */
+/* Every word that is known. What is kept has a reader; what is lost may have one. */
 extern const struct word_group zemax_words[];
 
 /* Lines before the surfaces, and those behind them, which begin the line. */

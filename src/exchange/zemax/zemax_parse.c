@@ -13,9 +13,13 @@ static struct zemax_surface *surface_of(struct zemax_file *file)
 static bool read_surf(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    if (zemax_number(line, 0) != (double)file->surface_count || line->count == 0) {
-        return lens_words_fail(&line->words, keyword, error, "SURF %zu is expected here",
-                               file->surface_count);
+    size_t expected = file->surface_count > 0 ? surface_of(file)->number + 1 : 0;
+    double number = zemax_number(line, 0);
+    bool is_next = number == (double)expected;
+    bool is_later =
+        expected > 0 && number > (double)expected && number < 1e6 && number == floor(number);
+    if (!(is_next || is_later) || line->count == 0) {
+        return lens_words_fail(&line->words, keyword, error, "SURF %zu is expected here", expected);
     }
     if (file->surface_count == ZEMAX_SURFACES) {
         return lens_words_fail(&line->words, keyword, error, "more than %d surfaces",
@@ -23,7 +27,9 @@ static bool read_surf(struct zemax_file *file, struct text keyword, struct error
     }
     file->surfaces = arena_grow(file->job->arena, file->surfaces, file->surface_count,
                                 &file->surface_room, sizeof file->surfaces[0]);
-    file->surfaces[file->surface_count++] = (struct zemax_surface){.surf = line};
+    file->has_gaps = file->has_gaps || is_later;
+    file->surfaces[file->surface_count++] =
+        (struct zemax_surface){.surf = line, .number = (size_t)number};
     return true;
 }
 
@@ -350,12 +356,60 @@ static bool read_line(struct zemax_file *file, struct error *error)
                          : read_unknown(file, word, behind, error);
 }
 
+/* What follows another surface, by its number in the file. */
+static bool lose_reference(struct zemax_file *file, const struct zemax_line **line,
+                           struct error *error)
+{
+    const struct zemax_line *lost = *line;
+    *line = NULL;
+    return zemax_loss(file, lost, error,
+                      "what follows another surface, in a file whose surface numbers have "
+                      "gaps" LOSS_IS_MUTE LOSS_INSTEAD "the file's number stands");
+}
+
+/* Solves and pick-ups of a surface, in a file whose surface numbers have gaps. */
+static bool lose_references(struct zemax_file *file, struct zemax_surface *surface,
+                            struct error *error)
+{
+    bool follows = surface->solve != NULL && !text_same(surface->solve->keyword, "MAZH") &&
+                   !text_same(surface->solve->keyword, "EDGE");
+    if (follows && !lose_reference(file, &surface->solve, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < ZEMAX_PARAMETERS; i++) {
+        if (surface->pickups[i] != NULL && !lose_reference(file, &surface->pickups[i], error)) {
+            return false;
+        }
+    }
+    const struct zemax_line *curvature = surface->curvature;
+    surface->has_free_curvature = zemax_number(curvature, 1) >= 2;
+    return !surface->has_free_curvature || lose_reference(file, &curvature, error);
+}
+
+/* Numbers of surfaces where some are left out: the places of the surfaces, or a loss. */
+static bool close_gaps(struct zemax_file *file, struct error *error)
+{
+    for (size_t i = 0; i < file->surface_count; i++) {
+        if (!lose_references(file, &file->surfaces[i], error)) {
+            return false;
+        }
+    }
+    for (struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
+        size_t at = 0;
+        while (at < file->surface_count && (long)file->surfaces[at].number != one->surface) {
+            at++;
+        }
+        one->surface = (long)at;
+    }
+    return true;
+}
+
 /* A picked-up glass is that of an earlier surface: GLAS name 2 surface .. */
 static bool pick_up_glasses(struct zemax_file *file, struct error *error)
 {
     for (size_t i = 0; i < file->surface_count; i++) {
         const struct zemax_line *line = file->surfaces[i].glass;
-        double from = zemax_number(line, 1);
+        double from = file->has_gaps ? -1 : zemax_number(line, 1);
         if (zemax_number(line, 0) != 2) {
             continue;
         }
@@ -396,5 +450,6 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
         fail(error, ERROR_DATA, "the file has no surface between object and image");
         return error_locate(error, file->job->source, 0, 0);
     }
-    return pass_zeros(file, error) && pick_up_glasses(file, error);
+    return pass_zeros(file, error) && (!file->has_gaps || close_gaps(file, error)) &&
+           pick_up_glasses(file, error);
 }

@@ -29,6 +29,7 @@ struct zemax_line {
 
 /* A surface. A line that the file does not have is null. */
 struct zemax_surface {
+    size_t number; /* SURF */
     const struct zemax_line *surf, *type, *curvature, *thickness, *conic, *diameter, *glass;
     const struct zemax_line *clear; /* CLAP */
     const struct zemax_line *solve; /* of the thickness */
@@ -58,7 +59,8 @@ struct zemax_file {
     struct lens_words words;
     struct zemax_surface *surfaces;
     size_t surface_count, surface_room;
-    bool in_tail; /* behind the surfaces: merit function, tolerances, configurations */
+    bool has_gaps; /* some numbers of surfaces are left out */
+    bool in_tail;  /* behind the surfaces: merit function, tolerances, configurations */
     const struct zemax_line **zeros; /* unknown words whose numbers are all 0 */
     size_t zero_count, zero_room;
     bool has_configurations; /* MNUM has been */

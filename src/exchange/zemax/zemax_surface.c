@@ -457,22 +457,32 @@ static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
     return true;
 }
 
-/* A plane that does nothing but carry a coordinate break. */
-static void flush_break(struct zemax_file *file)
+/* A plane that does nothing but carry a coordinate break, if there is one. */
+static void add_plane(struct zemax_file *file)
 {
-    if (file->coordinate_break != NULL) {
-        const struct medium before = medium_before(file->build.lens);
-        struct surface *to = lens_build_surface(&file->build);
-        to->medium = before;
-        to->coordinate_break = file->coordinate_break;
-        file->coordinate_break = NULL;
+    const struct medium before = medium_before(file->build.lens);
+    struct surface *to = lens_build_surface(&file->build);
+    to->medium = before;
+    to->coordinate_break = file->coordinate_break;
+    file->coordinate_break = NULL;
+}
+
+/* Does the break neither shift nor turn? */
+static bool is_null(struct zemax_file *file, size_t at)
+{
+    bool null = true;
+    for (size_t i = 1; i <= 5; i++) {
+        null = null && parameter(file, at, i).value.hi == 0;
     }
+    return null;
 }
 
 /* A coordinate break waits for its surface. */
 static void hold_break(struct zemax_file *file, const struct displacement *coordinate_break)
 {
-    flush_break(file);
+    if (file->coordinate_break != NULL) {
+        add_plane(file);
+    }
     file->coordinate_break = coordinate_break;
 }
 
@@ -494,6 +504,9 @@ static void add_break(struct zemax_file *file, size_t at)
     struct arena *arena = file->job->arena;
     bool reversed = parameter(file, at, 6).value.hi != 0;
     struct displacement *coordinate_break = NULL;
+    if (is_null(file, at)) {
+        return;
+    }
     for (int i = 0; i < 4; i++) {
         int part = parts[reversed][i];
         bool shift = part == 1;
@@ -535,10 +548,8 @@ bool zemax_surfaces(struct zemax_file *file, struct error *error)
                 places[i] = LENS_NONE;
                 continue;
             }
-            flush_break(file);
-            if (lens->surface_count > 0) {
-                set_comment(file, &file->surfaces[i], &lens->surfaces[lens->surface_count - 1]);
-            }
+            add_plane(file);
+            set_comment(file, &file->surfaces[i], &lens->surfaces[lens->surface_count - 1]);
         } else if (!add_surface(file, i, error)) {
             return false;
         }

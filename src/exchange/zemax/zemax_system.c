@@ -3,6 +3,8 @@
 #include "exchange/zemax/zemax_keyword.h"
 #include "file/lens_unit.h"
 
+#include "optics/wavelength.h"
+
 #include <math.h>
 
 const struct foreign_unit zemax_units[] = {
@@ -113,9 +115,9 @@ static bool read_wave(struct zemax_file *file, struct text keyword, struct error
         return lens_words_fail(&line->words, line->keyword, error,
                                "WAVM wants the number, the wavelength and its weight");
     }
-    if (!(wavelength >= 0.001 && wavelength <= 1000)) {
+    if (!(wavelength >= WAVELENGTH_SHORTEST && wavelength <= WAVELENGTH_LONGEST)) {
         return lens_words_fail(&line->words, line->numbers[1].typed, error,
-                               "the wavelength is not within 0.001 to 1000 um");
+                               "the wavelength is not within 0.001 to 100000 um");
     }
     size_t at = (size_t)number - 1;
     const struct figure one = {.value = {1, 0}, .variable = LENS_NONE};
@@ -136,9 +138,9 @@ static bool read_waves(struct zemax_file *file, struct text keyword, struct erro
     }
     for (size_t i = 0; i < line->count; i++) {
         double value = line->numbers[i].value.hi;
-        if (!weights && !(value >= 0.001 && value <= 1000)) {
+        if (!weights && !(value >= WAVELENGTH_SHORTEST && value <= WAVELENGTH_LONGEST)) {
             return lens_words_fail(&line->words, line->numbers[i].typed, error,
-                                   "the wavelength is not within 0.001 to 1000 um");
+                                   "the wavelength is not within 0.001 to 100000 um");
         }
         *(weights ? &file->weights[i] : &file->waves[i]) = line->numbers[i];
         if (!weights && file->weights[i].typed.start == NULL) {
