@@ -201,10 +201,11 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
     }
     size_t count;
     const struct same_losses *all = same_losses(job, &count);
-    if (!done) {
+    if (!done && error->line > 0) {
         error->more = list_of(job, all, count, 0);
         return false;
     }
+    const char *then = done ? NULL : arena_printf(job->arena, "    and then: %s\n", error->message);
     const struct foreign_loss *first = all[0].first[0];
     if (first->line > 0) {
         lens_words_fail(&first->line_of, first->word, error, "cannot be kept: %s", first->message);
@@ -213,6 +214,10 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
         error_locate(error, job->source, 0, 0);
     }
     error->more = list_of(job, all, count, 1);
+    if (then != NULL) { /* what has no place may well follow from what is left out */
+        error->more = ARENA_JOIN(job->arena, error->more != NULL ? error->more : "", then);
+        return false;
+    }
     return error_hint(error, "{lossy} leaves %s out and lists what is lost",
                       job->loss_count > 1 ? "them" : "it");
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""tests/documents/accept.py - rewrite the outputs of all examples in README and man pages.
+"""tests/documents/accept.py - rewrite the outputs of all examples in README and man pages, and the
+tables of keywords.
 
 The conventions are those of check_documents.py. The difference is to be reviewed like any other:
 this pins how things look, never what is true. Usage: tests/documents/accept.py BUILD [FILE...]
@@ -15,6 +16,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from check_documents import NOT_RUN, examples_of, page_blocks, readme_blocks
+import keyword_tables
 from harness import ROOT, Program
 
 
@@ -52,6 +54,10 @@ def rewrite(program, path):
 def main():
     os.chdir(ROOT)
     program = Program(sys.argv[1])
+    with open(keyword_tables.PAGE, encoding="utf-8") as file:
+        text, _ = keyword_tables.rewritten(program, file.read())
+    with open(keyword_tables.PAGE, "w", encoding="utf-8") as file:
+        file.write(text)
     for path in sys.argv[2:] or ["README"] + sorted(glob.glob("man/*.[157]")):
         rewrite(program, path)
 

@@ -15,6 +15,7 @@ Conventions of README and man/*.[157]:
   name them in a section COMMON OPTIONS too.
 - Pages: every command has man/lenscalc-COMMAND.1; those of the group "tool" (help, completion) may
   stand in lenscalc(1) alone.
+- Keywords: lenscalc-convert.1 has the tables of `lenscalc list keywords`, see keyword_tables.py.
 - Bibliography: lenscalc.7 has a section BIBLIOGRAPHY; a source is a .TP followed by a line that
   begins with its key in brackets: .B [Ray02]. Every [Key] cited in src, man and lensdb (a capital,
   letters, then two digits of a year and perhaps a letter) must be there.
@@ -30,7 +31,9 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import keyword_tables
 from harness import ROOT, Checks, Program
 
 KEY = re.compile(r"\[([A-Z][A-Za-z]*[0-9]{2}[a-z]?)\]")
@@ -252,6 +255,15 @@ def check_keys(checks):
                                                     f"{bibliography}")
 
 
+def check_keywords(checks, program):
+    with open(keyword_tables.PAGE, encoding="utf-8") as file:
+        text = file.read()
+    wanted, kinds = keyword_tables.rewritten(program, text)
+    checks.check(kinds == ["zmx", "seq", "len"], f"{keyword_tables.PAGE}: tables of {kinds}")
+    checks.check(wanted == text, f"{keyword_tables.PAGE}: a table of keywords is not that of "
+                                 "'lenscalc list keywords': make accept")
+
+
 def main():
     os.chdir(ROOT)
     checks, program = Checks(), Program(sys.argv[1])
@@ -271,6 +283,7 @@ def main():
     check_words(checks, program, commands)
     check_help(checks, program, commands)
     check_keys(checks)
+    check_keywords(checks, program)
     checks.finish()
 
 
