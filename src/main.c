@@ -60,5 +60,5 @@ int main(int argc, char **argv)
     if (database != NULL && database[0] == '\0') {
         database = NULL;
     }
-    return command_execute(command, argc, argv, database);
+    return command_execute(command_asked(command, argc - 2, argv + 2), argc, argv, database);
 }

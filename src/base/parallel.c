@@ -4,41 +4,99 @@
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <unistd.h>
 
 struct loop {
-    parallel_function *function;
+    parallel_work *work;
     void *context;
     size_t count, piece;
     atomic_size_t next;
 };
 
+/* What one thread knows. */
+struct worker {
+    struct loop *loop;
+    size_t thread;
+    struct arena *arena;
+};
+
 static void *take_pieces(void *argument)
 {
-    struct loop *loop = argument;
+    const struct worker *worker = argument;
+    struct loop *loop = worker->loop;
     for (;;) {
         size_t begin = atomic_fetch_add(&loop->next, loop->piece);
         if (begin >= loop->count) {
             return NULL;
         }
         size_t left = loop->count - begin;
-        loop->function(loop->context, begin, begin + (left < loop->piece ? left : loop->piece));
+        const struct parallel_piece piece = {.begin = begin,
+                                             .end =
+                                                 begin + (left < loop->piece ? left : loop->piece),
+                                             .number = begin / loop->piece,
+                                             .thread = worker->thread,
+                                             .arena = worker->arena};
+        loop->work(loop->context, &piece);
     }
+}
+
+/* `arenas` is null where the work needs none. */
+static void run(int threads, struct loop *loop, struct arena *arenas)
+{
+    pthread_t others[PARALLEL_MOST];
+    struct worker workers[PARALLEL_MOST];
+    size_t pieces = loop->count / loop->piece + (loop->count % loop->piece != 0), started = 0;
+    size_t most = threads > PARALLEL_MOST ? PARALLEL_MOST : threads > 1 ? (size_t)threads : 1;
+    for (size_t i = 0; i < most; i++) {
+        workers[i] = (struct worker){loop, i, arenas != NULL ? &arenas[i] : NULL};
+    }
+    for (size_t i = 1; i < most && i < pieces; i++) {
+        if (pthread_create(&others[started], NULL, take_pieces, &workers[i]) == 0) {
+            started++;
+        }
+    }
+    take_pieces(&workers[0]);
+    for (size_t i = 0; i < started; i++) {
+        pthread_join(others[i], NULL);
+    }
+}
+
+/* A loop that needs neither arenas nor numbers. */
+struct plain {
+    parallel_function *function;
+    void *context;
+};
+
+static void call_function(void *context, const struct parallel_piece *piece)
+{
+    const struct plain *plain = context;
+    plain->function(plain->context, piece->begin, piece->end);
 }
 
 void parallel_for(int threads, size_t count, size_t piece, parallel_function *function,
                   void *context)
 {
-    struct loop loop = {.function = function, .context = context, .count = count, .piece = piece};
-    pthread_t others[PARALLEL_MOST];
-    size_t pieces = count / piece + (count % piece != 0), started = 0;
-    int most = threads > PARALLEL_MOST ? PARALLEL_MOST : threads;
-    for (int i = 1; i < most && (size_t)i < pieces; i++) {
-        if (pthread_create(&others[started], NULL, take_pieces, &loop) == 0) {
-            started++;
-        }
-    }
-    take_pieces(&loop);
-    for (size_t i = 0; i < started; i++) {
-        pthread_join(others[i], NULL);
+    struct plain plain = {function, context};
+    struct loop loop = {.work = call_function, .context = &plain, .count = count, .piece = piece};
+    run(threads, &loop, NULL);
+}
+
+int parallel_threads(long asked)
+{
+    long cores = asked > 0 ? asked : sysconf(_SC_NPROCESSORS_ONLN);
+    return cores < 1 ? 1 : cores > PARALLEL_MOST ? PARALLEL_MOST : (int)cores;
+}
+
+void parallel_pieces(struct parallel *parallel, size_t count, size_t piece, parallel_work *work,
+                     void *context)
+{
+    struct loop loop = {.work = work, .context = context, .count = count, .piece = piece};
+    run(parallel->threads, &loop, parallel->arenas);
+}
+
+void parallel_free(struct parallel *parallel)
+{
+    for (size_t i = 0; i < PARALLEL_MOST; i++) {
+        arena_free(&parallel->arenas[i]);
     }
 }

@@ -70,6 +70,13 @@ static bool unknown(const struct arguments *arguments, struct text name, const c
                         arguments->command->name, why);
         }
     }
+    const struct command *other = arguments->command->other;
+    for (size_t i = 1; other != NULL && i < other->option_count; i++) {
+        if (is_called(&other->options[i], name)) {
+            return fail(error, ERROR_USAGE, "--%s wants --%s", other->options[i].name,
+                        other->options[0].name);
+        }
+    }
     for (size_t i = 0; i < arguments->count; i++) {
         nearest_offer(&nearest, text_of(arguments->all[i].option->name));
     }
@@ -167,7 +174,7 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
             argument->text = word;
             return true;
         }
-        if ((flags & (OPTION_REST | OPTION_MANY)) != 0) {
+        if ((flags & (OPTION_REST | OPTION_MANY | OPTION_TOGETHER)) != 0) {
             char between = (flags & OPTION_REST) != 0 ? ' ' : OPTION_MANY_SEPARATOR;
             char *joined =
                 arena_printf(arena, "%.*s%c%.*s", (int)argument->text.length, argument->text.start,

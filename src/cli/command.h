@@ -84,6 +84,8 @@ struct command {
     const char *cell; /* columns in the cells of --table */
     unsigned reads;   /* enum reads: data that `run` uses beside what its options read */
     bool needs_ceres; /* runs in lenscalc-ceres, the program with the solver */
+    /* Another question by the same name, asked with the flag that is its first option; or null. */
+    const struct command *other;
 };
 
 /* What all command files have by the same names: `examples`, `options`, the struct they fill. */
@@ -101,6 +103,9 @@ extern const struct command *const commands[];
 
 const struct command *command_find(struct text name);
 
+/* The question of a command that the words of a command line ask. */
+const struct command *command_asked(const struct command *command, int count, char *const *words);
+
 /* The options of every command, and the struct they fill. */
 struct common {
     bool explain, csv, tsv, json, jsonl, nominal, force, fail_fast, lossy, help;
@@ -109,7 +114,7 @@ struct common {
     long digits;
 };
 
-/* Option i of a command: its own, then those of its artifacts; null behind the last. */
+/* Option i of a command: its own, those of its artifacts, of its other question; then null. */
 const struct option *command_option(const struct command *command, size_t i);
 
 /*

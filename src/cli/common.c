@@ -70,7 +70,23 @@ const struct option *command_option(const struct command *command, size_t i)
         return &command->options[i];
     }
     i -= command->option_count;
-    return i < command->artifact_count ? &command->artifacts[i].option : NULL;
+    if (i < command->artifact_count) {
+        return &command->artifacts[i].option;
+    }
+    i -= command->artifact_count;
+    return command->other != NULL && i < command->other->option_count ? &command->other->options[i]
+                                                                      : NULL;
+}
+
+const struct command *command_asked(const struct command *command, int count, char *const *words)
+{
+    const struct command *other = command->other;
+    for (int i = 0; other != NULL && i < count && strcmp(words[i], "--") != 0; i++) {
+        if (strncmp(words[i], "--", 2) == 0 && strcmp(words[i] + 2, other->options[0].name) == 0) {
+            return other;
+        }
+    }
+    return command;
 }
 
 bool command_always_many(const void *input)

@@ -50,7 +50,7 @@ static void write_usage(const struct command *command, struct output *output)
     for (size_t i = 0; i < command->option_count; i++) {
         const struct option *option = &command->options[i];
         if ((option->flags & OPTION_OPERAND) != 0) {
-            bool many = (option->flags & OPTION_MANY) != 0;
+            bool many = (option->flags & (OPTION_MANY | OPTION_TOGETHER)) != 0;
             output_printf(output, " [%s]%s", option->value, many ? "..." : "");
         }
     }

@@ -116,7 +116,8 @@ enum option_flag {
     OPTION_CURRENT = 512, /* of several glasses of a name the current one */
     OPTION_FIELD = 1024,  /* of a lens, answered one by one: no weights */
     OPTION_BELOW_HIGHEST = 2048, /* the highest value itself is not allowed */
-    OPTION_T_STOP = 4096         /* an f-number that is a T-stop: T2.2 says nothing odd */
+    OPTION_T_STOP = 4096,        /* an f-number that is a T-stop: T2.2 says nothing odd */
+    OPTION_TOGETHER = 8192       /* an operand that is all words that are left, as one value */
 };
 
 struct option {

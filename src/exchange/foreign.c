@@ -166,13 +166,22 @@ static struct same_losses *same_losses(const struct foreign_job *job, size_t *co
     return all;
 }
 
+static const char *const changes[LOSS_EFFECTS] = {
+    [LOSS_OF_RAYS] = "rays", [LOSS_OF_VIGNETTING] = "vignetting", [LOSS_OF_NOTHING] = "nothing"};
+
+/* "12,15,18": the lines of a loss but for the first `after`, with a character before them. */
+static void put_lines(struct growing *list, const struct same_losses *same, size_t after,
+                      const char *before)
+{
+    for (size_t k = after; k < same->count && same->first[k]->line > 0; k++) {
+        growing_format(list, "%s%ld", k == after ? before : ",", same->first[k]->line);
+    }
+}
+
 /* "FILE:12,15,18: WHAT" under the head of what they change; `after` of the first are known. */
 static const char *list_of(const struct foreign_job *job, const struct same_losses *all,
                            size_t count, size_t after)
 {
-    static const char *const changes[LOSS_EFFECTS] = {[LOSS_OF_RAYS] = "rays",
-                                                      [LOSS_OF_VIGNETTING] = "vignetting",
-                                                      [LOSS_OF_NOTHING] = "nothing"};
     struct growing list = {.arena = job->arena};
     enum loss_effect head = LOSS_EFFECTS;
     for (size_t i = 0; i < count; i++, after = 0) {
@@ -184,14 +193,29 @@ static const char *list_of(const struct foreign_job *job, const struct same_loss
             growing_format(&list, "    cannot be kept either, and changes %s:\n", changes[head]);
         }
         growing_format(&list, "      %s", job->source);
-        for (size_t k = after; k < all[i].count && all[i].first[k]->line > 0; k++) {
-            growing_format(&list, "%c%ld", k == after ? ':' : ',', all[i].first[k]->line);
-        }
+        put_lines(&list, &all[i], after, ":");
         growing_string(&list, ": ");
         growing_string(&list, printable(all[i].first[0]->message, job->arena));
         growing_string(&list, "\n");
     }
     return list.length > 0 ? arena_string(job->arena, list.data, list.length) : NULL;
+}
+
+void foreign_summary(const struct foreign_job *job, struct growing *line)
+{
+    size_t count = 0;
+    const struct same_losses *all = job->loss_count > 0 ? same_losses(job, &count) : NULL;
+    enum loss_effect head = LOSS_EFFECTS;
+    for (size_t i = 0; i < count; i++) {
+        growing_string(line, i > 0 ? "; " : "");
+        if (all[i].first[0]->effect != head) {
+            head = all[i].first[0]->effect;
+            growing_format(line, "%s: ", changes[head]);
+        }
+        put_lines(line, &all[i], 0, "");
+        growing_string(line, all[i].first[0]->line > 0 ? ": " : "");
+        growing_string(line, printable(all[i].first[0]->message, job->arena));
+    }
 }
 
 bool foreign_settle(const struct foreign_job *job, bool done, struct error *error)

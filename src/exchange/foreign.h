@@ -135,6 +135,9 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
  */
 void foreign_losses(const struct foreign_job *job, struct growing *list);
 
+/* The same in one line: "rays: 16: WHAT; vignetting: 12,20: WHAT", those that change most first. */
+void foreign_summary(const struct foreign_job *job, struct growing *line);
+
 /* A glass as a file has it. */
 struct foreign_name {
     struct text name;

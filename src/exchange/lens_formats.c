@@ -59,6 +59,47 @@ static const struct foreign_format *format_of(struct text source, struct text co
     return by_ending(source);
 }
 
+/* Files of which another program knows more than a text: what is to be done with them. */
+static const struct closed {
+    const char *ending, *what, *advice;
+} closed[] = {
+    {".zar", "an archive of OpticStudio holds a lens and what it needs, packed",
+     "unpack it, in OpticStudio or with zmxtools, and read the .zmx file in it"},
+    {".zos", "a project of OpticStudio is no text",
+     "save the lens as .zmx in OpticStudio and read that"},
+};
+
+static const struct closed *closed_of(struct text path)
+{
+    for (size_t i = 0; i < sizeof closed / sizeof closed[0]; i++) {
+        if (file_type_ends(path, closed[i].ending)) {
+            return &closed[i];
+        }
+    }
+    return NULL;
+}
+
+bool foreign_ends_as_lens(struct text path)
+{
+    return file_type_ends(path, lens_file_type.ending) || by_ending(path) != NULL ||
+           closed_of(path) != NULL;
+}
+
+const char *foreign_format_name(const char *source, struct text content, struct arena *arena)
+{
+    const struct closed *other = closed_of(text_of(source));
+    struct text text = content;
+    struct error error;
+    if (other != NULL) {
+        return other->ending + 1;
+    }
+    if (!encoding_to_utf8(source, content, arena, &text, &error)) {
+        text = content;
+    }
+    const struct foreign_format *format = format_of(text_of(source), text);
+    return format != NULL ? format->type.word.word : lens_file_type.word.word;
+}
+
 bool foreign_read(struct foreign_job *job, struct text content, struct lens *lens,
                   struct error *error)
 {
@@ -70,6 +111,12 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
         fail(error, ERROR_DATA, "an AGF file is a catalogue of glasses, not a lens");
         error_locate(error, job->source, 0, 0);
         return error_hint(error, "{agf} FILE adds its glasses");
+    }
+    const struct closed *other = closed_of(source);
+    if (other != NULL) {
+        fail(error, ERROR_DATA, "%s", other->what);
+        error_locate(error, job->source, 0, 0);
+        return error_hint(error, "%s", other->advice);
     }
     bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
     const struct foreign_format *format = format_of(source, is_text ? text : content);

@@ -14,6 +14,12 @@ file_types lens_types;
 /* The format of this name ("zmx"), or of a file name's ending; null if there is none. */
 const struct foreign_format *foreign_by_name(struct text name);
 
+/* Does a file's name end as those of lens files do, also of those that lenscalc cannot read? */
+bool foreign_ends_as_lens(struct text path);
+
+/* What kind of file it is, by its content or its ending: "zmx", "lens", "zar". */
+const char *foreign_format_name(const char *source, struct text content, struct arena *arena);
+
 /*
  * Write a lens in a format.
  *

@@ -1,5 +1,6 @@
 /* commands/data/cmd_convert.c - lenscalc convert: lens files of other programs, changed lenses. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/data/check_files.h"
 #include "commands/lens/lens_options.h"
 #include "exchange/lens_formats.h"
 #include "file/lens_change.h"
@@ -226,4 +227,5 @@ const struct command command_convert = {
     .summary = "read and write lens files of other programs; scale and reverse a lens",
     COMMAND_ASKS(struct input),
     COMMAND_MAKES(artifacts),
+    .other = &command_convert_check,
 };

@@ -1,0 +1,192 @@
+/* commands/data/check_files.c - lenscalc convert --check: what becomes of lens files. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/data/check_files.h"
+
+#include "base/parallel.h"
+#include "cli/command.h"
+#include "data/whole_file.h"
+#include "exchange/lens_formats.h"
+#include "file/lens_glass.h"
+#include "optics/first_order.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { FILES_A_PIECE = 4 };
+
+struct input {
+    bool check;
+    const char *files; /* separated by OPTION_MANY_SEPARATOR */
+    long threads;
+};
+
+struct row {
+    const char *file, *format, *status, *reasons;
+    double efl;
+    long surfaces, losses;
+};
+
+static const struct option options[] = {
+    {OPTION(struct input, check), .name = "check",
+     .help = "only say of each file whether it is read, with losses or not; in rows"},
+    {OPTION(struct input, files), .name = "files", .value = "FILE",
+     .flags = OPTION_OPERAND | OPTION_TOGETHER,
+     .help = "with --check: files, and folders with all that is in them"},
+    {OPTION(struct input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
+     .value = "N", .fallback = "0", .help = "with --check: threads to work with; 0 = one a core"},
+};
+
+#define ROW(member) COLUMN(struct row, member)
+
+static const struct column columns[] = {
+    {ROW(file), .name = "file", .flags = COLUMN_BRIEF, .label = "file", .help = "its name"},
+    {ROW(format), .name = "format", .label = "format",
+     .help = "kind of file, by its content or its ending"},
+    {ROW(status), .name = "status", .flags = COLUMN_BRIEF, .label = "status",
+     .help = "read, losses (read with --lossy only), refused"},
+    {ROW(efl), .name = "efl", .dimension = &dimension_length, .unit = "mm", .flags = COLUMN_BRIEF,
+     .label = "focal length",
+     .help = "at the primary wavelength, in the first position; without what is lost"},
+    {ROW(surfaces), .name = "surfaces", .flags = COLUMN_BRIEF, .label = "surfaces",
+     .help = "number of surfaces, the stop counted"},
+    {ROW(losses), .name = "losses", .label = "losses", .help = "number of losses"},
+    {ROW(reasons), .name = "reasons", .flags = COLUMN_BRIEF, .label = "reasons",
+     .help = "what is lost, with its lines, by what it changes; or why the file is refused"},
+};
+
+/* What all threads share, each with a database of its own. */
+struct checking {
+    const struct lensdb *db;
+    struct lensdb *of_thread[PARALLEL_MOST];
+    const struct check_list *files;
+    struct row *rows;
+};
+
+static const char *kept_string(struct arena *arena, const char *text)
+{
+    return arena_string(arena, text, strlen(text));
+}
+
+/* The lens of a file; its row says what became of it. Texts of the row are in `scratch`. */
+static void judge(struct foreign_job *job, struct text content, struct row *row)
+{
+    struct arena *scratch = job->arena;
+    struct lens lens;
+    struct lens_warnings warnings;
+    struct first_order first;
+    struct error error = {0};
+    struct growing reasons = {.arena = scratch};
+    row->status = "refused";
+    if (!foreign_read(job, content, &lens, &error) ||
+        !lens_check(&lens, scratch, &warnings, &error)) {
+        row->reasons = error.line > 0 ? arena_printf(scratch, "%ld: %s", error.line, error.message)
+                                      : kept_string(scratch, error.message);
+        return;
+    }
+    foreign_summary(job, &reasons);
+    row->reasons = reasons.length > 0 ? arena_string(scratch, reasons.data, reasons.length) : NULL;
+    row->status = job->loss_count > 0 ? "losses" : "read";
+    row->surfaces = (long)lens.surface_count;
+    row->losses = (long)job->loss_count;
+    if (first_order_of_lens(lens_at_position(&lens, 0, scratch), lens_primary_wavelength(&lens),
+                            SECTION_Y, scratch, &first, &error) &&
+        !first.is_afocal) {
+        row->efl = first.efl;
+    }
+}
+
+static void check_file(struct lensdb *db, struct arena *kept, struct row *row)
+{
+    struct arena scratch = {0};
+    struct lens_glasses place = {db, &scratch};
+    const struct glass_source glasses = lens_glass_source(&place);
+    struct foreign_job job = {
+        .source = row->file, .arena = &scratch, .glasses = &glasses, .lossy = true};
+    struct text content;
+    struct error error = {0};
+    if (whole_file(row->file, &scratch, &content, &error)) {
+        row->format = foreign_format_name(row->file, content, &scratch);
+        judge(&job, content, row);
+    } else {
+        row->status = "refused";
+        row->reasons = error.code != ERROR_NONE ? error.message : "there is no such file";
+    }
+    row->reasons = row->reasons != NULL ? kept_string(kept, row->reasons) : NULL;
+    row->format = row->format != NULL ? kept_string(kept, row->format) : NULL;
+    arena_free(&scratch);
+}
+
+/* A thread reads its glass catalogues once. */
+static struct lensdb *database_of(struct checking *checking, const struct parallel_piece *piece)
+{
+    struct lensdb **own = &checking->of_thread[piece->thread];
+    if (*own == NULL) {
+        *own = ARENA_NEW(piece->arena, struct lensdb);
+        **own = (struct lensdb){.arena = piece->arena,
+                                .agf = checking->db->agf,
+                                .directory = checking->db->directory,
+                                .lossy = true};
+    }
+    return *own;
+}
+
+static void check_piece(void *context, const struct parallel_piece *piece)
+{
+    struct checking *checking = context;
+    struct lensdb *db = database_of(checking, piece);
+    for (size_t i = piece->begin; i < piece->end; i++) {
+        struct row *row = &checking->rows[i];
+        *row = (struct row){.file = checking->files->paths[i],
+                            .efl = NAN,
+                            .surfaces = NO_INTEGER,
+                            .losses = NO_INTEGER};
+        check_file(db, piece->arena, row);
+    }
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct check_list files = {.arena = run->arena};
+    size_t refused = 0;
+    if (input->files == NULL) {
+        return fail(error, ERROR_USAGE, "which files? Give their names, or folders");
+    }
+    for (struct text rest = text_of(input->files); rest.start != NULL;) {
+        if (!check_list_add(&files, text_cut(&rest, OPTION_MANY_SEPARATOR), error)) {
+            return false;
+        }
+    }
+    struct parallel *parallel = ARENA_NEW(run->arena, struct parallel);
+    struct checking *checking = ARENA_NEW(run->arena, struct checking);
+    *checking = (struct checking){.db = run->db,
+                                  .files = &files,
+                                  .rows = ARENA_ARRAY(run->arena, files.count + 1, struct row)};
+    parallel->threads = parallel_threads(input->threads);
+    parallel_pieces(parallel, files.count, FILES_A_PIECE, check_piece, checking);
+    for (size_t i = 0; i < files.count && run_emit(run, &checking->rows[i]); i++) {
+        refused += checking->rows[i].surfaces == NO_INTEGER ? 1 : 0;
+    }
+    if (refused > 0) {
+        fail(&run->shortfall, ERROR_DOMAIN, "refused: %zu of %zu files", refused, files.count);
+    }
+    parallel_free(parallel);
+    return files.count > 0 || fail(error, ERROR_DOMAIN, "there is no lens file in the folder");
+}
+
+static const struct example examples[] = {
+    {"convert --check objectives/", "which lens files of a folder can be read, and what is lost"},
+    {"convert --check a.zmx b.seq --csv", "one row a file, for a spreadsheet"},
+    {NULL, NULL},
+};
+
+const struct command command_convert_check = {
+    .name = "convert",
+    .group = "data",
+    .summary = "say of each file whether it is read",
+    COMMAND_ASKS(struct input),
+    .sheet = SHEET(columns, struct row),
+    .makes_many = command_always_many,
+    .reads = READS_LENSDB | READS_GLASSES,
+    .run = run,
+};

@@ -1,0 +1,80 @@
+/* tests/unit/test_parallel.c - loops on several threads, each with its arena. */
+/* SPDX-License-Identifier: MIT */
+#include "base/parallel.h"
+#include "check.h"
+
+#include <string.h>
+
+enum { ITEMS = 1000 };
+
+struct job {
+    int seen[ITEMS];
+    const char *texts[ITEMS];
+    size_t piece_of[ITEMS];
+};
+
+/* Each item once, in its piece; what is kept in the arenas lives on. */
+static void work(void *context, const struct parallel_piece *piece)
+{
+    struct job *job = context;
+    for (size_t i = piece->begin; i < piece->end; i++) {
+        job->seen[i]++;
+        job->piece_of[i] = piece->number;
+        job->texts[i] = arena_printf(piece->arena, "item %zu", i);
+    }
+}
+
+static void check_loop(int threads, size_t count, size_t piece)
+{
+    struct arena arena = {0};
+    struct parallel *parallel = ARENA_NEW(&arena, struct parallel);
+    struct job *job = ARENA_NEW(&arena, struct job);
+    size_t wrong = 0;
+    parallel->threads = threads;
+    parallel_pieces(parallel, count, piece, work, job);
+    for (size_t i = 0; i < ITEMS; i++) {
+        char text[30];
+        snprintf(text, sizeof text, "item %zu", i);
+        wrong += i < count ? job->seen[i] != 1 || job->piece_of[i] != i / piece ||
+                                 strcmp(job->texts[i], text) != 0
+                           : job->seen[i] != 0;
+    }
+    CHECK(wrong == 0);
+    parallel_free(parallel);
+    arena_free(&arena);
+}
+
+static void add(void *context, size_t begin, size_t end)
+{
+    int *seen = context;
+    for (size_t i = begin; i < end; i++) {
+        seen[i]++;
+    }
+}
+
+static void check_plain(int threads)
+{
+    int seen[ITEMS] = {0}, wrong = 0;
+    parallel_for(threads, ITEMS, 7, add, seen);
+    for (size_t i = 0; i < ITEMS; i++) {
+        wrong += seen[i] != 1;
+    }
+    CHECK(wrong == 0);
+}
+
+int main(void)
+{
+    static const int threads[] = {0, 1, 2, 3, 16, PARALLEL_MOST, 1000};
+    for (size_t i = 0; i < sizeof threads / sizeof threads[0]; i++) {
+        check_loop(threads[i], ITEMS, 1);
+        check_loop(threads[i], ITEMS, 7);
+        check_loop(threads[i], ITEMS, 5000);
+        check_loop(threads[i], 3, 1);
+        check_loop(threads[i], 0, 1);
+        check_plain(threads[i]);
+    }
+    CHECK(parallel_threads(3) == 3);
+    CHECK(parallel_threads(1000) == PARALLEL_MOST);
+    CHECK(parallel_threads(0) >= 1);
+    return check_report();
+}
