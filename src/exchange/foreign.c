@@ -46,7 +46,8 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     bool of_power = take_mark(message, LOSS_OF_POWER);
-    bool vignettes = take_mark(message, LOSS_VIGNETTES), mute = take_mark(message, LOSS_IS_MUTE);
+    bool fatal = take_mark(message, LOSS_IS_FATAL), mute = take_mark(message, LOSS_IS_MUTE);
+    bool vignettes = take_mark(message, LOSS_VIGNETTES);
     char *instead = strrchr(message, LOSS_INSTEAD[0]);
     if (instead != NULL) {
         *instead++ = '\0';
@@ -57,9 +58,10 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
     job->losses = arena_grow(job->arena, job->losses, job->loss_count, &job->loss_room,
                              sizeof job->losses[0]);
     struct foreign_loss *loss = &job->losses[job->loss_count++];
-    *loss = (struct foreign_loss){.effect = vignettes ? LOSS_OF_VIGNETTING
-                                            : mute    ? LOSS_OF_NOTHING
-                                                      : LOSS_OF_RAYS,
+    *loss = (struct foreign_loss){.effect = fatal       ? LOSS_OF_LENS
+                                            : vignettes ? LOSS_OF_VIGNETTING
+                                            : mute      ? LOSS_OF_NOTHING
+                                                        : LOSS_OF_RAYS,
                                   .message = arena_string(job->arena, message, strlen(message)),
                                   .word = word};
     loss->what =
@@ -166,8 +168,10 @@ static struct same_losses *same_losses(const struct foreign_job *job, size_t *co
     return all;
 }
 
-static const char *const changes[LOSS_EFFECTS] = {
-    [LOSS_OF_RAYS] = "rays", [LOSS_OF_VIGNETTING] = "vignetting", [LOSS_OF_NOTHING] = "nothing"};
+static const char *const changes[LOSS_EFFECTS] = {[LOSS_OF_LENS] = "all",
+                                                  [LOSS_OF_RAYS] = "rays",
+                                                  [LOSS_OF_VIGNETTING] = "vignetting",
+                                                  [LOSS_OF_NOTHING] = "nothing"};
 
 /* "12,15,18": the lines of a loss but for the first `after`, with a character before them. */
 static void put_lines(struct growing *list, const struct same_losses *same, size_t after,
@@ -218,32 +222,67 @@ void foreign_summary(const struct foreign_job *job, struct growing *line)
     }
 }
 
+/* The loss that changes most, as an error at its place. */
+static void fail_first(const struct foreign_job *job, const struct foreign_loss *first,
+                       struct error *error)
+{
+    const char *prefix = first->effect == LOSS_OF_LENS ? "" : "cannot be kept: ";
+    if (first->line > 0) {
+        lens_words_fail(&first->line_of, first->word, error, "%s%s", prefix, first->message);
+    } else {
+        fail(error, ERROR_DATA, "%s%s", prefix, first->message);
+        error_locate(error, job->source, 0, 0);
+    }
+}
+
+/* What can be done about it. */
+static bool advise(const struct foreign_job *job, enum loss_effect effect, struct error *error)
+{
+    if (effect == LOSS_OF_LENS) { /* only a glass is such a loss */
+        return error_hint(error, "{agf} FILE adds a catalogue");
+    }
+    return job->lacks_glass
+               ? error_hint(error,
+                            "{agf} FILE adds a catalogue; {lossy} leaves %s out and lists "
+                            "what is lost",
+                            job->loss_count > 1 ? "them" : "it")
+               : error_hint(error, "{lossy} leaves %s out and lists what is lost",
+                            job->loss_count > 1 ? "them" : "it");
+}
+
 bool foreign_settle(const struct foreign_job *job, bool done, struct error *error)
 {
-    if (job->lossy || job->loss_count == 0) {
+    bool fatal = false;
+    for (size_t i = 0; i < job->loss_count; i++) {
+        fatal = fatal || job->losses[i].effect == LOSS_OF_LENS;
+    }
+    if (job->loss_count == 0 || (job->lossy && !fatal)) {
         return done;
     }
     size_t count;
     const struct same_losses *all = same_losses(job, &count);
-    if (!done && error->line > 0) {
+    if (!done && error->line > 0 && !fatal) {
         error->more = list_of(job, all, count, 0);
         return false;
     }
     const char *then = done ? NULL : arena_printf(job->arena, "    and then: %s\n", error->message);
-    const struct foreign_loss *first = all[0].first[0];
-    if (first->line > 0) {
-        lens_words_fail(&first->line_of, first->word, error, "cannot be kept: %s", first->message);
-    } else {
-        fail(error, ERROR_DATA, "cannot be kept: %s", first->message);
-        error_locate(error, job->source, 0, 0);
-    }
+    fail_first(job, all[0].first[0], error);
     error->more = list_of(job, all, count, 1);
     if (then != NULL) { /* what has no place may well follow from what is left out */
         error->more = ARENA_JOIN(job->arena, error->more != NULL ? error->more : "", then);
         return false;
     }
-    return error_hint(error, "{lossy} leaves %s out and lists what is lost",
-                      job->loss_count > 1 ? "them" : "it");
+    return advise(job, all[0].first[0]->effect, error);
+}
+
+bool foreign_lack(struct foreign_job *job, const struct lens_words *words, struct text word,
+                  struct medium *medium, const char *message)
+{
+    struct error unused;
+    *medium =
+        (struct medium){.kind = MEDIUM_CONSTANT, .written = text_of("1.5"), .index = {1.5, 0}};
+    job->lacks_glass = true;
+    return foreign_loss(job, words, word, &unused, "%s" LOSS_IS_FATAL, message);
 }
 
 void foreign_losses(const struct foreign_job *job, struct growing *list)

@@ -18,6 +18,7 @@
 
 /* What is not as the file means it where a loss is left out, the worst first. */
 enum loss_effect {
+    LOSS_OF_LENS,       /* all: there is no lens without it, whatever is allowed */
     LOSS_OF_RAYS,       /* where rays go */
     LOSS_OF_VIGNETTING, /* which of them pass, and their weights */
     LOSS_OF_NOTHING,    /* no number */
@@ -43,6 +44,7 @@ struct foreign_job {
     struct foreign_loss *losses;
     size_t loss_count, loss_room;
     const char *lost_power; /* the first loss that bends light; null = none */
+    bool lacks_glass; /* of some loss: a further catalogue may have it */
 };
 
 /* What a program calls a unit of length: of several words for one, it writes the first. */
@@ -90,7 +92,8 @@ struct foreign_format {
  */
 #define LOSS_INSTEAD "\v"
 
-/* Anywhere in the text: what is lost moves no ray, or changes no number at all. */
+/* Anywhere in the text: there is no lens without it; it moves no ray; it changes no number. */
+#define LOSS_IS_FATAL  "\x01"
 #define LOSS_VIGNETTES "\f"
 #define LOSS_IS_MUTE   "\b"
 
@@ -123,7 +126,7 @@ void foreign_mark_power(const struct foreign_job *job, struct lens_build *build)
  * The end of reading or writing a file.
  *
  * Given     done  it has gone well but for what is lost
- * Result    done, where nothing is lost or the job is lossy
+ * Result    done, where nothing is lost, or the job is lossy and the lens is not lost
  * Errors    ERROR_DATA: the loss that changes most, at its place, and all others in error->more;
  *           these too where it has not gone well
  */
@@ -137,6 +140,15 @@ void foreign_losses(const struct foreign_job *job, struct growing *list);
 
 /* The same in one line: "rays: 16: WHAT; vignetting: 12,20: WHAT", those that change most first. */
 void foreign_summary(const struct foreign_job *job, struct growing *line);
+
+/*
+ * Record that neither a catalogue nor the file has a glass: the lens is refused, when all is read.
+ *
+ * Given     medium  receives one with which reading goes on
+ * Result    true
+ */
+bool foreign_lack(struct foreign_job *job, const struct lens_words *words, struct text word,
+                  struct medium *medium, const char *message);
 
 /* A glass as a file has it. */
 struct foreign_name {

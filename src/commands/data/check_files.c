@@ -77,14 +77,22 @@ static void judge(struct foreign_job *job, struct text content, struct row *row)
     struct error error = {0};
     struct growing reasons = {.arena = scratch};
     row->status = "refused";
-    if (!foreign_read(job, content, &lens, &error) ||
-        !lens_check(&lens, scratch, &warnings, &error)) {
+    bool done =
+        foreign_read(job, content, &lens, &error) && lens_check(&lens, scratch, &warnings, &error);
+    bool lacks = false; /* something without which there is no lens: that is in the list */
+    for (size_t i = 0; i < job->loss_count; i++) {
+        lacks = lacks || job->losses[i].effect == LOSS_OF_LENS;
+    }
+    if (!done && !lacks) {
         row->reasons = error.line > 0 ? arena_printf(scratch, "%ld: %s", error.line, error.message)
                                       : kept_string(scratch, error.message);
         return;
     }
     foreign_summary(job, &reasons);
     row->reasons = reasons.length > 0 ? arena_string(scratch, reasons.data, reasons.length) : NULL;
+    if (!done) {
+        return;
+    }
     row->status = job->loss_count > 0 ? "losses" : "read";
     row->surfaces = (long)lens.surface_count;
     row->losses = (long)job->loss_count;

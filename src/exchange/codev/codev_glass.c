@@ -178,9 +178,8 @@ bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, str
     if (foreign_glass(codev->job, &place, &named, &surface->medium, error)) {
         return true;
     }
-    if (error->code == ERROR_NONE) {
-        commands_fail(&codev->commands, &surface->glass, error, "glass '%.*s' is in no catalogue",
-                      text_shown(text), text.start);
-    }
-    return false;
+    return error->code == ERROR_NONE &&
+           foreign_lack(codev->job, &place, text, &surface->medium,
+                        arena_printf(codev->job->arena, "glass '%.*s' is in no catalogue",
+                                     text_shown(text), text.start));
 }

@@ -227,8 +227,10 @@ static bool find_glass(struct oslo *oslo, const struct command_word *word, struc
         }
     }
     return error->code == ERROR_NONE &&
-           commands_fail(&oslo->commands, word, error, "glass '%.*s' is in no catalogue",
-                         (int)(word->text.length < 60 ? word->text.length : 60), word->text.start);
+           foreign_lack(oslo->job, &place, word->text, medium,
+                        arena_printf(oslo->job->arena, "glass '%.*s' is in no catalogue",
+                                     (int)(word->text.length < 60 ? word->text.length : 60),
+                                     word->text.start));
 }
 
 bool oslo_glass(struct oslo *oslo, int what, struct error *error)

@@ -108,18 +108,19 @@ static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line
 {
     int length = (int)(line->keyword.length < 40 ? line->keyword.length : 40);
     if (!has_index(line)) {
-        lens_words_fail(&line->words, line->keyword, error,
-                        "the glass '%.*s' is in %s, and the file has no index of it", length,
-                        line->keyword.start, catalog_list(file));
-        return error_hint(error, "{agf} FILE adds a catalogue");
+        return foreign_lack(
+            file->job, &line->words, line->keyword, medium,
+            arena_printf(file->job->arena,
+                         "the glass '%.*s' is in %s, and the file has no index of it", length,
+                         line->keyword.start, catalog_list(file)));
     }
+    file->job->lacks_glass = true;
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
     return zemax_loss(file, line, error,
                       "the glass '%.*s' of nd %g and Vd %g is in %s" LOSS_OF_POWER LOSS_INSTEAD
                       "nd and Vd stand for it",
                       length, line->keyword.start, zemax_number(line, 2), zemax_number(line, 3),
-                      catalog_list(file)) ||
-           error_hint(error, "{agf} FILE adds a catalogue; {lossy} takes nd and Vd");
+                      catalog_list(file));
 }
 
 /* In the file's catalogues, else as the file describes it. */
