@@ -30,7 +30,10 @@ static bool is_utf8(struct text content)
     return true;
 }
 
-/* Text in a European script has a zero byte in nearly every character of UTF-16. */
+/*
+ * Keywords and numbers have a zero byte in every character of UTF-16; in a title of another script
+ * the other byte may be zero here and there (U+3000, a wide blank).
+ */
 static bool zeros_dominate(struct text content, size_t first)
 {
     size_t zeros = 0, others = 0, sample = content.length < 1024 ? content.length : 1024;
@@ -38,7 +41,7 @@ static bool zeros_dominate(struct text content, size_t first)
         zeros += byte_at(content, at + first) == 0;
         others += byte_at(content, at + 1 - first) == 0;
     }
-    return sample >= 4 && zeros > sample / 4 && others == 0;
+    return sample >= 4 && zeros > sample / 4 && others <= zeros / 8;
 }
 
 /* Tells the scheme and cuts off the mark. */

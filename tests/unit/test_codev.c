@@ -22,6 +22,10 @@ static const struct meaning of_lens[] = {
     {"", "", "lens Singlet\nunit mm\nwavelength 587.5618nm\nobject inf\nfield angle 0 10"},
     {"", "", "aperture epd 10\nfocus table"},
     {"", "", "surface 50 4 1.517/64.2 - stop\nsurface -50 90 air -"},
+    {"SO 0 1e13", "SO 0 inf", "object inf"},
+    {"SO 0 1e13", "SO 0 1e13; THI SO Infinity", "object inf"},
+    {"EPD 10", "TEM 20\nPRE 760\nEPD 10; &", "aperture epd 10"},
+    {"EPD 10", "EPD 10; & ! more\n\n ; &\n", "aperture epd 10"},
     {"'Singlet'", "\"it's\"", "lens it's"},
     {"'Singlet'", "\"\"a name\"\"", "lens a name"},
     {"TITLE", "tit", "lens Singlet"},
@@ -175,6 +179,9 @@ static const char position_words[] =
 static const char stands[] = "the number of the file stands";
 
 static const struct refusal losses[] = {
+    {"STO", "STO\n@INT S1 'wave.int'", "INT: a measured deformation", ""},
+    {"STO", "STO\n@PRE 0", "PRE: a thermal environment", ""},
+    {"STO", "STO\n@PUX 0.5", "PUX: an apodised pupil", ""},
     {"STO", "STO\n@XYZ 1", "XYZ: an unknown command", ""},
     {"STO", "STO\n@REV", "REV: a shift or turn that is undone or related to another surface", ""},
     {"STO", "STO\n@REX 2", "REX: a rectangular or elliptic aperture", ""},

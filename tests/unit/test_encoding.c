@@ -25,6 +25,10 @@ static void check_encodings(void)
         {BYTES("\xff\xfeS\0\xb5\0\r\0\n\0"), BYTES("S\xc2\xb5\n")},
         {BYTES("\xfe\xff\0S\0\xb5\0\r\0\n"), BYTES("S\xc2\xb5\n")},
         {BYTES("M\0O\0D\0E\0\r\0\n\0"), BYTES("MODE\n")},
+        {BYTES("N\0A\0M\0E\0 \0\0\x30"
+               "a\0\r\0\n\0N\0"),
+         BYTES("NAME \xe3\x80\x80"
+               "a\nN")},
         {BYTES("\0M\0O\0D\0E\0\r\0\n"), BYTES("MODE\n")},
         {BYTES("\xff\xfe\x3d\xd8\x00\xde"), BYTES("\xf0\x9f\x98\x80")},
         {BYTES("5 \xb5m \x80\r\n"), BYTES("5 \xc2\xb5m \xe2\x82\xac\n")},

@@ -140,6 +140,29 @@ static const struct meaning of_surfaces[] = {
     {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3",
      "SURF 2\n  TYPE COORDBRK\n  DISZ 5\n  COMM arm\nSURF 3\n  DISZ 90\nSURF 4",
      "surface - 5 1.5 - name=\"arm\""},
+    /* what says that there is nothing of the kind */
+    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3",
+     "SURF 2\n  TYPE COORDBRK\n  PARM 1 0\n  PARM 6 1\n  DISZ 0\nSURF 3\n  CURV -0.02\n  DISZ 90\n"
+     "SURF 4",
+     "surface 50 4 1.5 - stop\nsurface -50 90 air -"},
+    {"CURV -0.02", "CURV -0.02\n  SCBD 1 0 0 0 0 0 0 0", "surface -50 90 air -"},
+    {"NAME Singlet", "NAME Singlet\nGFAC 0 2", "aperture epd 10"},
+    {"NAME Singlet", "NAME Singlet\nGFAC 1 0", "aperture epd 10"},
+    {"NAME Singlet", "NAME Singlet\nVCYN 0 0\nZVDY 0", "aperture epd 10"},
+    {"CURV -0.02", "CURV -0.02\n  WXYZ 0 0",
+     "note line 20: WXYZ is unknown; its numbers are 0, it was passed over"},
+    /* numbers of surfaces with gaps, and what is said of them by number */
+    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3", "SURF 5\n  CURV -0.02\n  DISZ 90\nSURF 9",
+     "surface 50 4 1.5 - stop\nsurface -50 90 air -"},
+    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3\n  TYPE STANDARD\n  DISZ 0\n",
+     "SURF 5\n  CURV -0.02\n  DISZ 90\nSURF 9\nMNUM 2 1\nTHIC 5 1 90\nTHIC 5 2 80\n",
+     "let d2 90 80"},
+    {"WAVM 1 0.5875618 1", "WAVM 1 3000 1", "wavelength 3000um"},
+    /* the merit function, of a word that no one knows; one configuration has its values already */
+    {"TYPE STANDARD\n  DISZ 0\n",
+     "DISZ 0\nQQQQ 1 2 0 0 0 0 0.5 1 0 0\nTOL QQQQ 1 2\nMNUM 1 1\n"
+     "EDVA 2 1 7 0 1\nAPMN 2 1 3\nQQQQ 2 1 5\n",
+     "surface -50 90 air -"},
 };
 
 static const struct meaning of_solves[] = {
@@ -171,6 +194,21 @@ static const struct meaning of_positions[] = {
 static const char stands[] = "the file's number stands";
 
 static const struct refusal losses[] = {
+    {"CURV -0.02", "CURV -0.02\n  @SCBD 1 0 0 0 0 90 0 0",
+     "SCBD: a surface that is shifted or turned beside what coordinate breaks say", ""},
+    {"NAME", "@GFAC 1 2\nNAME", "GFAC: lenscalc has no apodised pupil", ""},
+    {"NAME", "@GFAC 2 0\nNAME", "GFAC: lenscalc has no apodised pupil", ""},
+    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3",
+     "SURF 5\n  CURV -0.02\n  DISZ 90\n  @PZUP 1 2\nSURF 9",
+     "what follows another surface, in a file whose surface numbers have gaps",
+     "the file's number stands"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 1 1\n@IGNR 2 1 1\n",
+     "IGNR: a surface that is left out", ""},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nEDVA 2 1 7 0 1\n@EDVA 2 2 8 0 1\n",
+     "EDVA 2 changes between the configurations", "the first one's value stands"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nQQQQ 2 1 7\n@QQQQ 2 2 8\n",
+     "QQQQ 2 changes between the configurations", "the first one's value stands"},
+    {"CURV -0.02", "CURV -0.02\n  @WXYZ 0 0\nMNUM 2 1", "unknown word 'WXYZ'", ""},
     {"NAME", "@QQQQ 1\nNAME", "unknown word 'QQQQ'", ""},
     {"FTYP 0 0 2 1", "@FTYP 3 0 2 1", "real image heights", "taken for paraxial ones"},
     {"FTYP 0 0 2 1", "@FTYP 4 0 2 1", "fields of the kind 4", "left out"},
@@ -235,6 +273,8 @@ static const struct refusal losses[] = {
 };
 
 static const struct refusal errors[] = {
+    {"SURF 2\n", "SURF 2\n  OBSC 0 1 0\n  TYPE @USERSURF 0 \"us_x.dll\"\n",
+     "a surface computed by a program (DLL) of the user's, which the file does not hold", NULL},
     {"MODE SEQ", "MODE @NSC",
      "a non-sequential system: lenscalc has lenses whose surfaces follow each other", NULL},
     {"UNIT MM", "UNIT @FT", "the unit is one of MM, CM, IN, METER", NULL},

@@ -194,19 +194,22 @@ bool codev_thickness(struct codev *codev, int what, struct error *error)
     (void)what;
     struct codev_qualifiers qualifiers;
     bool is_solve;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error) ||
-        !read_solve(codev, &qualifiers, true, &is_solve, error)) {
+    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
-    if (is_solve) {
+    struct sequence_surface *surface = surface_of(codev, &qualifiers);
+    bool of_object = surface == &codev->sequence.surfaces[0] && qualifiers.zoom == 0;
+    if (!of_object && !read_solve(codev, &qualifiers, true, &is_solve, error)) {
+        return false;
+    }
+    if (!of_object && is_solve) {
         return true;
     }
-    struct sequence_surface *surface = surface_of(codev, &qualifiers);
     if (qualifiers.zoom > 0) {
         return codev_values(codev, &qualifiers, &surface->thickness, &surface->thicknesses, false,
                             error);
     }
-    if (surface == &codev->sequence.surfaces[0]) {
+    if (of_object) {
         return commands_object(&codev->commands, qualifiers.next, &surface->thickness, error) &&
                commands_end(&codev->commands, qualifiers.next + 1, error);
     }
