@@ -66,6 +66,18 @@ static const struct meaning of_lens[] = {
      "WAVM 1 0.4861327 1\nWAVM 2 0.55 1\nWAVM 3 0.55 1\nPWAV 1", "wavelength F 0.55um"},
     {"DISZ INFINITY", "DISZ 200\n  GLAS ___BLANK 1 0 1.333 55.5", "object 200\nmedium 1.333/55.5"},
     {"DISZ INFINITY", "DISZ 1e10", "object inf"},
+    /* an object in or behind planes that are nothing: 0 + 25, and -30 + 10 + 45.5 */
+    {"DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\nSURF 2\n  "
+     "CURV "
+     "-0.02\n  DISZ 90\nSURF 3",
+     "DISZ 0\nSURF 1\n  DISZ 25\n  DIAM 3\nSURF 2\n  STOP\n  CURV 0.02\n  DISZ 90\nSURF 3",
+     "object 25"},
+    {"DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\nSURF 2\n  "
+     "CURV "
+     "-0.02\n  DISZ 90\nSURF 3",
+     "DISZ -30\nSURF 1\n  DISZ 10\nSURF 2\n  DISZ 45.5\nSURF 3\n  STOP\n  CURV 0.02\n  DISZ "
+     "90\nSURF 4",
+     "object 25.5"},
 };
 
 /* nd and Vd of the tables of lensdb; the material has to be the one that they describe. */

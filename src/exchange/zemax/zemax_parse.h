@@ -59,6 +59,7 @@ struct zemax_file {
     struct lens_words words;
     struct zemax_surface *surfaces;
     size_t surface_count, surface_room;
+    size_t passed; /* surfaces behind the object that the lens does not have */
     bool has_gaps; /* some numbers of surfaces are left out */
     bool in_tail;  /* behind the surfaces: merit function, tolerances, configurations */
     const struct zemax_line **zeros; /* unknown words whose numbers are all 0 */

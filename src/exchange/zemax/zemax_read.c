@@ -154,6 +154,37 @@ static bool set_waves(struct zemax_file *file, struct error *error)
     return true;
 }
 
+/* A plane in air that does nothing but stand at its place. */
+static bool is_nothing(const struct zemax_surface *surface)
+{
+    const struct zemax_line *thickness = surface->thickness;
+    bool standard = surface->type == NULL || text_same(surface->type->first, "STANDARD");
+    return standard && zemax_number(surface->curvature, 0) == 0 &&
+           zemax_number(surface->curvature, 1) < 2 && surface->glass == NULL &&
+           surface->clear == NULL && surface->solve == NULL && !surface->is_stop &&
+           thickness != NULL && thickness->count > 0;
+}
+
+/*
+ * An object in or behind the first surface, where that is nothing: it lies before the first surface
+ * that is something. The planes between are passed over, with a note.
+ */
+static bool pass_planes(struct zemax_file *file, struct pair *distance)
+{
+    size_t at = 1;
+    while (!(distance->hi > 0) && file->configurations < 2 && at + 2 < file->surface_count &&
+           file->surfaces[0].glass == NULL && is_nothing(&file->surfaces[at])) {
+        *distance = pair_add(*distance, file->surfaces[at++].thickness->numbers[0].value);
+    }
+    if (!(distance->hi > 0)) {
+        return false;
+    }
+    file->passed = at - 1;
+    zemax_remark(file, "surfaces 1 to %zu are planes in air at or before the object, passed over",
+                 at - 1);
+    return true;
+}
+
 /* The object's distance, and what lies before the first surface. */
 static bool set_object(struct zemax_file *file, struct error *error)
 {
@@ -168,12 +199,16 @@ static bool set_object(struct zemax_file *file, struct error *error)
         return false;
     }
     if (finite) {
-        if (!(line->numbers[0].value.hi > 0)) {
-            return lens_words_fail(&line->words, line->numbers[0].typed, error,
-                                   "the object lies at or behind the first surface");
+        struct pair distance = line->numbers[0].value;
+        lens->object = line->numbers[0];
+        if (!(distance.hi > 0)) {
+            if (!pass_planes(file, &distance)) {
+                return lens_words_fail(&line->words, line->numbers[0].typed, error,
+                                       "the object lies at or behind the first surface");
+            }
+            lens->object = figure_computed(distance, lens_unit_scale(lens->unit), file->job->arena);
         }
         lens->object_is_infinite = false;
-        lens->object = line->numbers[0];
     }
     if (object->is_stop) {
         return lens_words_fail(&object->surf->words, object->surf->keyword, error,

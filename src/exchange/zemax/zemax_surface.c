@@ -543,6 +543,10 @@ bool zemax_surfaces(struct zemax_file *file, struct error *error)
         if (!check_pickups(file, i, error)) {
             return false;
         }
+        if (i <= file->passed) {
+            places[i] = LENS_NONE;
+            continue;
+        }
         if (is_type(&file->surfaces[i], "COORDBRK")) {
             add_break(file, i);
             if (is_bare(file, i)) {
