@@ -44,7 +44,7 @@ struct foreign_job {
     struct foreign_loss *losses;
     size_t loss_count, loss_room;
     const char *lost_power; /* the first loss that bends light; null = none */
-    bool lacks_glass; /* of some loss: a further catalogue may have it */
+    bool lacks_glass;       /* of some loss: a further catalogue may have it */
 };
 
 /* What a program calls a unit of length: of several words for one, it writes the first. */

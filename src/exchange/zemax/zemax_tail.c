@@ -23,7 +23,7 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct err
                                    : NUMBER_UNSCALED;
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     if (text_same(keyword, "IGNR") && zemax_number(line, 2) != 0) {
-        return zemax_loss(file, line, error, "IGNR: a surface that is left out");
+        return zemax_loss(file, line, error, "IGNR: a surface that is left out" LOSS_OF_POWER);
     }
     if (file->configurations < 2) {
         return true; /* the only configuration has these values already */
