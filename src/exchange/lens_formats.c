@@ -175,9 +175,10 @@ bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
     }
     for (size_t i = 0; i < lens->surface_count && !format->has_apertures; i++) {
         if (lens->surfaces[i].aperture_count > 0 &&
-            !foreign_loss(job, NULL, (struct text){NULL, 0}, error,
-                          "surface %zu: what passes or is blocked beside its diameter"
- LOSS_VIGNETTES, i + 1)) {
+            !foreign_loss(
+                job, NULL, (struct text){NULL, 0}, error,
+                "surface %zu: what passes or is blocked beside its diameter" LOSS_VIGNETTES,
+                i + 1)) {
             return false;
         }
     }
