@@ -112,8 +112,26 @@ static void test_refusals(void)
     CHECK(strstr(error.message, "no number at 0.5") != NULL);
 }
 
+/* -1 below a place, 1 from it on: only halving finds it. */
+static double jump(double x, const void *context)
+{
+    return x < *(const double *)context ? -1 : 1;
+}
+
+/* The bracket is closed to twice 2 eps of the root, wherever in its binade that is. */
+static void test_jumps(void)
+{
+    struct error error;
+    for (int i = 1; i < 400; i++) {
+        double place = (1 + i / 400.0) * (i % 2 ? 1 : 4096), root = NAN;
+        CHECK(root_find(jump, &place, -3 * place, 7.1 * place, &root, &error));
+        CHECK_NEAR(root, place, 4 * DBL_EPSILON * place, "a jump");
+    }
+}
+
 int main(void)
 {
+    test_jumps();
     test_roots();
     test_ends();
     test_refusals();
