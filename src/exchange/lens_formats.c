@@ -137,13 +137,15 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
 
 static const char *endings_with_thick(struct arena *arena)
 {
-    const char *endings = lens_file_type.ending;
+    const char *endings = lens_file_type.ending, *last = NULL;
     for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
-        if ((*one)->has_thick) {
-            endings = arena_printf(arena, "%s and %s", endings, (*one)->type.ending);
+        if (!(*one)->has_thick) {
+            continue;
         }
+        endings = last != NULL ? arena_printf(arena, "%s, %s", endings, last) : endings;
+        last = (*one)->type.ending;
     }
-    return endings;
+    return last != NULL ? arena_printf(arena, "%s and %s", endings, last) : endings;
 }
 
 /* What the positions set anew, where the file has no words for it. */

@@ -20,7 +20,11 @@ lenscalc convert two.lens --scale 2
 lenscalc convert two.lens --unit cm
 lenscalc convert two.lens --reverse -o back.lens && lenscalc lens back.lens --columns efl,front_principal,rear_principal --digits 9
 lenscalc convert two.lens --to json
-lenscalc convert two.lens --to zmx --lossy 2>&1
+lenscalc convert two.lens --to seq --lossy 2>&1
+echo "status $?"
+lenscalc convert two.lens --to zmx 2>&1
+echo "status $?"
+lenscalc convert two.lens --to zmx --lossy 2>&1 | tr -d '\r'
 echo "status $?"
 sed 's/hiatus=-4/hiatus=-4 distortion=0.1,0,0/' two.lens > bent.lens
 lenscalc convert bent.lens --reverse 2>&1

@@ -62,7 +62,7 @@ static void check_errors(void)
         {HEAD "FTYP 3 0 1 1\nYFLN 5\n" SINGLET, 3, 1, "real image heights"},
         {HEAD "XFLN 0 2\nYFLN 5 0\n" SINGLET, 3, 8, "beside the y-z plane"},
         {HEAD OBJECT "SURF 1\n  TYPE NONSEQCO\n" IMAGE("2"), 8, 8, "non-sequential group"},
-        {HEAD OBJECT "SURF 1\n  TYPE PARAXIAL\n  PARM 1 50\n" IMAGE("2"), 8, 8, "type PARAXIAL"},
+        {HEAD OBJECT "SURF 1\n  TYPE BINARY_2\n  PARM 1 50\n" IMAGE("2"), 8, 8, "type BINARY_2"},
         {HEAD OBJECT "SURF 1\n  SQAP 1 2 0\n" IMAGE("2"), 8, 3, "round and centred"},
         {HEAD OBJECT "SURF 1\n  CLAP 1 2 0\n" IMAGE("2"), 8, 3, "a hole"},
         {HEAD OBJECT "SURF 1\n  DISZ INFINITY\n" IMAGE("2"), 8, 8, "infinite distance"},

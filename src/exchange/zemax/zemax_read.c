@@ -354,4 +354,5 @@ const struct foreign_format zemax_format = {
     .read = read,
     .write = zemax_write,
     .words = zemax_words,
+    .has_thick = true,
 };

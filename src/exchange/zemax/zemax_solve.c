@@ -330,7 +330,8 @@ static bool solve_curve(struct solving *solving, size_t at, struct error *error)
     int code = line != NULL && !from->has_free_curvature ? (int)zemax_number(line, 1) : 0;
     struct pair value = {0, 0};
     bool kept;
-    if (code < MARGINAL_ANGLE || solving->places[at] == LENS_NONE) {
+    if (code < MARGINAL_ANGLE || solving->places[at] == LENS_NONE ||
+        !surface_has(&solving->lens.surfaces[solving->places[at]], SURFACE_HAS_CURVE)) {
         return true;
     }
     if (!solved_curvature(solving, at, code, &value, &kept, error)) {

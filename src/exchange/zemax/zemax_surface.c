@@ -3,6 +3,7 @@
 #include "exchange/zemax/zemax_surface.h"
 
 #include "base/constants.h"
+#include "exchange/zemax/zemax_paraxial.h"
 #include "exchange/zemax/zemax_solve.h"
 #include "file/lens_unit.h"
 
@@ -300,6 +301,13 @@ static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
     return true;
 }
 
+static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to,
+                         struct error *error)
+{
+    struct figure focal = in_unit(file, parameter(file, at, 1), 1);
+    return zemax_set_paraxial(file, &file->surfaces[at], focal, to, error);
+}
+
 static bool set_nothing(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
 {
     (void)file, (void)at, (void)to, (void)error;
@@ -311,7 +319,7 @@ static const struct {
     bool (*set)(struct zemax_file *file, size_t at, struct surface *to, struct error *error);
 } types[] = {{"STANDARD", set_nothing},  {"EVENASPH", set_even},         {"XASPHERE", set_extended},
              {"ODDASPHE", set_odd},      {"XOSPHERE", set_extended_odd}, {"TILTSURF", set_tilted},
-             {"TOROIDAL", set_toroidal}, {"COORDBRK", set_nothing}};
+             {"TOROIDAL", set_toroidal}, {"PARAXIAL", set_paraxial},     {"COORDBRK", set_nothing}};
 
 static bool set_type(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
 {

@@ -265,6 +265,9 @@ static const struct asphere_type *asphere_type_of(const struct surface *surface)
 static const char *type_of(const struct surface *surface)
 {
     const struct asphere_type *type = asphere_type_of(surface);
+    if (surface_has(surface, SURFACE_HAS_FOCAL)) {
+        return "PARAXIAL";
+    }
     return !surface_is_round(surface) ? "TOROIDAL" : type != NULL ? type->name : "STANDARD";
 }
 
@@ -316,9 +319,43 @@ static void put_curve(struct zemax_writer *writer, const struct surface *surface
     }
 }
 
+/* A thick lens is PARAXIAL: one plane, which maps rays as the principal planes do. */
+static bool put_thick(struct zemax_writer *writer, const struct surface *surface, size_t number,
+                      struct error *error)
+{
+    bool is_distorting = false;
+    growing_string(&writer->out, "  CURV 0 0 0 0 0 \"\"\r\n");
+    put_parameter(writer, 1, first_of(writer, &surface->focal), false, false);
+    growing_string(&writer->out, "  PARM 2 1\r\n");
+    for (int i = 0; i < 3; i++) {
+        is_distorting = is_distorting || surface->distortion[i].value.hi != 0;
+    }
+    if (first_of(writer, &surface->hiatus)->value.hi != 0 &&
+        !foreign_lose(writer->job, error,
+                      "surface %zu: a thick lens whose principal planes lie apart" LOSS_INSTEAD
+                      "they fall together, and what lies behind moves",
+                      number)) {
+        return false;
+    }
+    if (surface->focal.variable != LENS_NONE &&
+        !foreign_lose(writer->job, error,
+                      "surface %zu: a focal length that changes between positions" LOSS_INSTEAD
+                      "that of the first stands",
+                      number)) {
+        return false;
+    }
+    return !is_distorting ||
+           foreign_lose(writer->job, error,
+                        "surface %zu: the distortion of a thick lens" LOSS_INSTEAD "left out",
+                        number);
+}
+
 static bool put_shape(struct zemax_writer *writer, const struct surface *surface, size_t number,
                       struct error *error)
 {
+    if (surface_has(surface, SURFACE_HAS_FOCAL)) {
+        return put_thick(writer, surface, number, error);
+    }
     bool cylinder = !surface_is_round(surface), cross = surface->curved == CURVED_X;
     bool has_conic = surface->conic.value.hi != 0;
     put_curve(writer, surface);

@@ -1,0 +1,128 @@
+/* tests/unit/test_zemax_solves.c - .zmx files: ideal lenses, solves, temperature. */
+/* SPDX-License-Identifier: MIT */
+#include "exchange/zemax/zemax.h"
+#include "foreign_cases.h"
+#include "optics/first_order.h"
+#include "trace/dispatch.h"
+#include "trace/system.h"
+
+static const char good[] = "MODE SEQ\n"
+                           "UNIT MM X W X CM MR CPMM\n"
+                           "ENPD 10\n"
+                           "FTYP 0 0 2 1 0 0 0\n"
+                           "YFLN 0 10\n"
+                           "WAVM 1 0.55 1\n"
+                           "PWAV 1\n"
+                           "SURF 0\n"
+                           "  DISZ INFINITY\n"
+                           "SURF 1\n"
+                           "  STOP\n"
+                           "  DISZ 20\n"
+                           "SURF 2\n"
+                           "  TYPE PARAXIAL\n"
+                           "  DISZ 50\n"
+                           "  PARM 1 50\n"
+                           "  PARM 2 1\n"
+                           "SURF 3\n"
+                           "  DISZ 0\n";
+
+static const struct meaning of_paraxial[] = {
+    {"", "", "thick 50 50 air -"},
+    {"PARM 2 1", "PARM 2 0", "thick 50 50 air -"},
+    {"PARM 1 50", "PARM 1 -12.5\n  DIAM 4", "thick -12.5 50 air 8"},
+    {"PARM 1 50", "PARM 1 50\n  GLAS ___BLANK 1 0 1.33 0", "thick 50 50 1.33 -"},
+    {"UNIT MM", "UNIT IN", "thick 50 50 air -"},
+    {"  STOP\n  DISZ 20\nSURF 2\n  TYPE PARAXIAL\n", "  DISZ 20\nSURF 2\n  TYPE PARAXIAL\n  STOP\n",
+     "thick 50 50 air - stop"},
+    {"  DISZ 20\n", "  TYPE PARAXIAL\n  PARM 1 40\n  DISZ 20\n", "thick 40 20 air - stop"},
+    {"SURF 3\n", "SURF 3\n  TYPE PARAXIAL\n  PARM 1 9\n  PPAR 1 2 -0.5 3\n  DISZ 5\nSURF 4\n",
+     "thick -22 5 air -"},
+    /* a plane in the program too: the numbers of its curve do nothing */
+    {"PARM 2 1", "PARM 2 1\n  CURV 0.1\n  CONI 2",
+     "note surface 2 is an ideal lens: its curvature and conic do nothing"},
+    {"PARM 2 1", "PARM 2 1\n  CURV 0.1\n  CONI 2", "thick 50 50 air -"},
+};
+
+static const struct refusal of_wrong_paraxial[] = {
+    {"PARM 1 50", "@PARM 1 0", "an ideal lens of the focal length 0", NULL},
+    {"TYPE PARAXIAL\n  DISZ 50\n  PARM 1 50", "TYPE @PARAXIAL\n  DISZ 50",
+     "an ideal lens without a focal length", NULL},
+    {"PARM 2 1", "PARM 2 1\n  @PARM 3 1", "parameter 3 of an ideal lens", "left out"},
+};
+
+/* n' u' = n u - h/f at the height h, for any ray: [BornWolf99] 4.3 of one plane. */
+static void check_rays(void)
+{
+    static const char *const media[] = {"", "  GLAS ___BLANK 1 0 1.33 0\n"};
+    for (int which = 0; which < 2; which++) {
+        struct fixture fixture;
+        struct system system;
+        struct system_options options = system_options_default();
+        fixture_open(&fixture, "rays.zmx");
+        const char *text =
+            arena_printf(&fixture.arena,
+                         "UNIT MM\nSURF 0\n  DISZ INFINITY\nSURF 1\n  DISZ 20\nSURF 2\n"
+                         "  TYPE PARAXIAL\n  PARM 1 -30\n  DISZ 50\n%sSURF 3\n  DISZ 0\n",
+                         media[which]);
+        const double n = which == 0 ? 1 : 1.33;
+        options.image = 50;
+        bool read =
+            foreign_read(&fixture.job, text_of(text), &fixture.lens, &fixture.error) &&
+            system_compile(&fixture.lens, 0.55, &options, &fixture.arena, &system, &fixture.error);
+        CHECK(read);
+        for (int i = 0; i < 20 && read; i++) {
+            const double x = 3 - 0.3 * i, y = 0.2 * i, p = 0.9 - 0.04 * i, q = 0.02 * i - 0.5;
+            const double length = sqrt(1 + p * p + q * q), h = x + 20 * p, k = y + 20 * q;
+            const struct ray start = {.point = {x, y, 0},
+                                      .cosine = {p / length, q / length, 1 / length}};
+            struct rays rays = rays_new(&fixture.arena, 1);
+            rays_set(&rays, 0, system.index_first, &start);
+            rays_trace(&system, &rays, NULL);
+            const struct ray end = rays_get(&rays, 0, system.index_last);
+            CHECK(end.status == RAY_OK);
+            CHECK_NEAR(end.point[0], h + 50 * (p + h / 30) / n, 1e-12, "x in the image");
+            CHECK_NEAR(end.point[1], k + 50 * (q + k / 30) / n, 1e-12, "y in the image");
+        }
+        arena_free(&fixture.arena);
+    }
+}
+
+/* What is written is read as the same lens, in all units. */
+static void check_written_again(void)
+{
+    static const char *const units[] = {"mm", "in", "m"};
+    for (int i = 0; i < 3; i++) {
+        struct fixture fixture;
+        struct text text = {NULL, 0};
+        struct lens again;
+        fixture_open(&fixture, "again");
+        const char *lens = arena_printf(&fixture.arena,
+                                        "unit %s\nfield angle 0 10\naperture epd 10\nfocus table\n"
+                                        "surface - 20 1.5/60 - stop\nthick 0.1 50 air 8\n",
+                                        units[i]);
+        bool same =
+            foreign_read(&fixture.job, text_of(lens), &fixture.lens, &fixture.error) &&
+            foreign_write(&fixture.job, &zemax_format, &fixture.lens, &text, &fixture.error) &&
+            foreign_read(&fixture.job, text, &again, &fixture.error);
+        CHECK(same);
+        if (same) {
+            const struct surface *was = &fixture.lens.surfaces[1], *is = &again.surfaces[1];
+            CHECK(is->kind == SURFACE_THICK && is->focal.value.hi == was->focal.value.hi &&
+                  is->focal.value.lo == was->focal.value.lo && is->hiatus.value.hi == 0 &&
+                  is->thickness.value.hi == was->thickness.value.hi &&
+                  is->diameter.value.hi == was->diameter.value.hi);
+        } else {
+            printf("%s: %s\n", units[i], fixture.error.message);
+        }
+        arena_free(&fixture.arena);
+    }
+}
+
+int main(void)
+{
+    check_meanings("paraxial.zmx", good, CASES(of_paraxial));
+    check_refusals("paraxial.zmx", good, CASES(of_wrong_paraxial));
+    check_rays();
+    check_written_again();
+    return check_report();
+}
