@@ -78,6 +78,9 @@ const char *lens_build_string(struct lens_build *build, struct text text)
         if (c == '#' && begins) {
             memcpy(to, "No.", 3);
             to += 3;
+        } else if (c == 0xc2 && i + 1 < text.length && (unsigned char)text.start[i + 1] < 0xa0) {
+            *to++ = ' '; /* U+0080 to U+009F, control characters that no file may have */
+            i++;
         } else {
             *to++ = (char)(c < ' ' || c == 127 ? ' ' : c);
         }

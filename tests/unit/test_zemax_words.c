@@ -40,6 +40,7 @@ static const struct meaning of_lens[] = {
     {"UNIT MM", "UNIT CM", "unit cm"},
     {"UNIT MM", "UNIT METER", "unit m"},
     {"NAME Singlet", "NAME", "unit mm\nwavelength d"},
+    {"NAME Singlet", "NAME a\x8d\xe9", "lens a \xc3\xa9"}, /* no character of Windows-1252 */
     {"NAME Singlet", "NAME a \"b\" #c\nNOTE 0 first\nNOTE 4\nNOTE 0 second",
      "lens a \"b\" No.c\nnote first\nnote second"},
     {"ENPD 10", "FNUM 4 0", "aperture f/4"},
