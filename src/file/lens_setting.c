@@ -19,12 +19,6 @@ bool lens_words_glass(const struct lens_words *words, const struct glass_source 
     return error_hint(error, "%s", found.hint);
 }
 
-static bool is_same_medium(const struct medium *a, const struct medium *b)
-{
-    return a->kind == b->kind && a->written.length == b->written.length &&
-           memcmp(a->written.start, b->written.start, a->written.length) == 0;
-}
-
 static bool is_same_value(const struct figure *a, const struct figure *b)
 {
     return a->value.hi == b->value.hi && a->value.lo == b->value.lo;
@@ -39,7 +33,7 @@ static const char *against_surface(const struct surface *surface,
     if (setting->media != NULL) {
         return surface_reflects(surface) || surface->kind == SURFACE_STOP
                    ? arena_printf(arena, "%s: a mirror or a stop has no glass of its own", name)
-               : is_same_medium(&setting->media[0], &surface->medium)
+               : medium_is_same(&setting->media[0], &surface->medium)
                    ? NULL
                    : arena_printf(arena, "%s: the first position has not the medium of its surface",
                                   name);

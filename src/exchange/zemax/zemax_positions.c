@@ -1,323 +1,286 @@
-/* exchange/zemax/zemax_positions.c - gaps and apertures of all configurations. */
+/* exchange/zemax/zemax_positions.c - the configurations of a .zmx file as positions of a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_solve.h"
+#include "exchange/merge_positions.h"
+#include "exchange/zemax/zemax_surface.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { MOST_PASSES = 20 };
+/* What a configuration puts in the place of the lines that the file has. */
+struct placing {
+    struct zemax_file *file; /* of this configuration alone */
+    const struct zemax_setting *setting;
+    struct error *error;
+};
 
-/* What stands in the file, before the solves. */
-static bool read_thicknesses(struct zemax_file *file, struct figure *thickness, struct error *error)
+/* The value of an operand as the first number of a line, with what another line has behind it. */
+static struct zemax_line *line_with(const struct placing *placing, const struct zemax_line *old,
+                                    size_t before)
 {
+    struct arena *arena = placing->file->job->arena;
+    const struct zemax_line *own = placing->setting->line;
+    size_t count = old != NULL && old->count > before ? old->count : before + 1;
+    struct zemax_line *line = ARENA_NEW(arena, struct zemax_line);
+    *line = *own;
+    line->count = count;
+    line->numbers = ARENA_ARRAY(arena, count, struct figure);
+    for (size_t i = 0; i < count; i++) {
+        line->numbers[i] = old != NULL && i < old->count ? old->numbers[i] : figure_zero();
+    }
+    line->numbers[before] = own->numbers[2];
+    line->first = line->numbers[0].typed;
+    return line;
+}
+
+static bool place_thickness(const struct placing *placing, struct zemax_surface *surface)
+{
+    const double far = 1e10; /* what the program writes for infinity where it wants a number */
+    struct zemax_line *line = line_with(placing, NULL, 0);
+    line->infinite = placing->setting->surface == 0 && fabs(line->numbers[0].value.hi) >= far;
+    surface->thickness = line;
+    return true;
+}
+
+static bool place_curvature(const struct placing *placing, struct zemax_surface *surface)
+{
+    surface->curvature = line_with(placing, surface->curvature, 0);
+    return true;
+}
+
+static bool place_conic(const struct placing *placing, struct zemax_surface *surface)
+{
+    surface->conic = line_with(placing, surface->conic, 0);
+    return true;
+}
+
+static bool place_diameter(const struct placing *placing, struct zemax_surface *surface)
+{
+    surface->diameter = line_with(placing, surface->diameter, 0);
+    return placing->setting->line->numbers[2].value.hi > 0 ||
+           lens_words_fail(&placing->setting->line->words, placing->setting->line->numbers[2].typed,
+                           placing->error, "a semi-diameter must be above 0");
+}
+
+/* GLSS surface configuration NAME */
+static bool place_glass(const struct placing *placing, struct zemax_surface *surface)
+{
+    const struct zemax_line *own = placing->setting->line;
+    struct lens_words words = own->words;
+    struct text name = {NULL, 0};
+    for (int i = 0; i < 3; i++) {
+        name = lens_words_next(&words);
+    }
+    if (name.length >= 2 && name.start[0] == '"' && name.start[name.length - 1] == '"') {
+        name = (struct text){name.start + 1, name.length - 2};
+    }
+    struct zemax_line *line = ARENA_NEW(placing->file->job->arena, struct zemax_line);
+    *line = (struct zemax_line){.words = own->words, .keyword = name};
+    surface->glass = name.length > 0 ? line : NULL;
+    return true;
+}
+
+/* PAR1 .. PAR8 */
+static bool place_parameter(const struct placing *placing, struct zemax_surface *surface)
+{
+    size_t number = (size_t)(placing->setting->line->keyword.start[3] - '0');
+    surface->parameters[number] = line_with(placing, surface->parameters[number], 1);
+    return true;
+}
+
+/* Operands that belong to a surface; the others are of the system. */
+static const struct {
+    const char *word;
+    bool (*place)(const struct placing *placing, struct zemax_surface *surface);
+} places_of[] = {{"THIC", place_thickness}, {"CRVT", place_curvature}, {"CONN", place_conic},
+                 {"SDIA", place_diameter},  {"GLSS", place_glass},     {"PAR1", place_parameter},
+                 {"PAR2", place_parameter}, {"PAR3", place_parameter}, {"PAR4", place_parameter},
+                 {"PAR5", place_parameter}, {"PAR6", place_parameter}, {"PAR7", place_parameter},
+                 {"PAR8", place_parameter}};
+
+/* STPS: the number of the surface that is the stop is the value. */
+static bool place_stop(const struct placing *placing)
+{
+    struct zemax_file *file = placing->file;
+    const struct zemax_line *line = placing->setting->line;
+    double stop = zemax_number(line, 2);
+    if (!(stop >= 1 && stop + 1 < (double)file->surface_count && stop == floor(stop))) {
+        return lens_words_fail(&line->words, line->numbers[2].typed, placing->error,
+                               "the stop is one of the surfaces 1 to %zu", file->surface_count - 2);
+    }
     for (size_t i = 0; i < file->surface_count; i++) {
-        const struct zemax_line *line = file->surfaces[i].thickness;
-        bool inside = i > 0 && i + 1 < file->surface_count;
-        if (inside && line != NULL && line->infinite && file->surfaces[i].solve == NULL) {
-            return lens_words_fail(&line->words, line->first, error,
-                                   "an infinite distance behind surface %zu", i);
-        }
-        thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();
+        file->surfaces[i].is_stop = i == (size_t)stop;
     }
     return true;
 }
 
-/* The numbers of THIC in one configuration. */
-static void set_configuration(struct solving *solving)
+/* WAVE and WLWT: `surface` is the number of the wavelength. */
+static bool place_wave(const struct placing *placing)
 {
-    const struct zemax_file *file = solving->file;
-    for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
-        bool here = one->configuration == (long)solving->position + 1 &&
-                    one->surface < (long)file->surface_count;
-        if (here && text_same(one->line->keyword, "THIC") && one->line->count > 2) {
-            solving->thickness[one->surface] = one->line->numbers[2];
-        }
+    struct zemax_file *file = placing->file;
+    const struct zemax_line *line = placing->setting->line;
+    long number = placing->setting->surface;
+    if (!(number >= 1 && (size_t)number <= file->wave_count)) {
+        return lens_words_fail(&line->words, line->first, placing->error,
+                               "wavelengths have the numbers 1 to %zu", file->wave_count);
     }
+    struct figure *all = text_same(line->keyword, "WAVE") ? file->waves : file->weights;
+    all[number - 1] = line->numbers[2];
+    return true;
 }
 
-static bool is_same(const struct figure *a, const struct figure *b)
+/* PRWV: the number of the primary wavelength is the value. */
+static bool place_primary(const struct placing *placing)
 {
-    return fabs(pair_subtract(a->value, b->value).hi) <= 4e-16 * (fabs(a->value.hi) + 1e-9);
+    const struct zemax_line *line = placing->setting->line;
+    double number = zemax_number(line, 2);
+    if (!(number >= 1 && number <= (double)placing->file->wave_count && number == floor(number))) {
+        return lens_words_fail(&line->words, line->numbers[2].typed, placing->error,
+                               "wavelengths have the numbers 1 to %zu", placing->file->wave_count);
+    }
+    placing->file->primary = (size_t)number - 1;
+    return true;
 }
 
-/* With an f-number or a chief ray what is solved first depends on what is solved last: again. */
-static bool solve_all(struct solving *solving, struct error *error)
+/* The aperture, in the unit that its kind has. */
+static bool place_aperture(const struct placing *placing)
 {
-    size_t count = solving->file->surface_count;
-    struct figure *before = ARENA_ARRAY(solving->file->job->arena, 2 * count, struct figure);
-    bool settled = false;
-    for (int pass = 0; pass < MOST_PASSES && !settled; pass++) {
-        memcpy(before, solving->thickness, count * sizeof before[0]);
-        memcpy(before + count, solving->curvature, count * sizeof before[0]);
-        for (size_t i = 1; i + 1 < count; i++) {
-            if (!zemax_solve_surface(solving, i, error)) {
-                return false;
-            }
-        }
-        settled = true;
-        for (size_t i = 0; i < count; i++) {
-            settled = settled && is_same(&before[i], &solving->thickness[i]) &&
-                      is_same(&before[count + i], &solving->curvature[i]);
-        }
+    struct zemax_file *file = placing->file;
+    if (file->aperture == NULL || text_same(file->aperture->keyword, "FLOA")) {
+        return true; /* the stop's diameter says it */
     }
-    if (!settled) {
-        fail(error, ERROR_DATA, "the solves of the file do not settle");
-        return error_locate(error, solving->file->job->source, 0, 0);
+    struct zemax_line *line = line_with(placing, file->aperture, 0);
+    struct figure *value = &line->numbers[0];
+    line->keyword = file->aperture->keyword;
+    if (text_same(line->keyword, "ENPD")) {
+        pair_read(value->typed.start, value->typed.start + value->typed.length,
+                  lens_unit_scale(file->build.lens->unit), &value->value);
+    }
+    file->aperture = line;
+    return true;
+}
+
+static const struct {
+    const char *word;
+    bool (*place)(const struct placing *placing);
+} places_in_system[] = {{"STPS", place_stop},
+                        {"WAVE", place_wave},
+                        {"WLWT", place_wave},
+                        {"PRWV", place_primary},
+                        {"APER", place_aperture}};
+
+/* Is it one of those that may differ between the configurations? */
+static bool is_placed(struct text keyword)
+{
+    bool found = false;
+    for (size_t i = 0; i < sizeof places_of / sizeof places_of[0]; i++) {
+        found = found || text_same(keyword, places_of[i].word);
+    }
+    for (size_t i = 0; i < sizeof places_in_system / sizeof places_in_system[0]; i++) {
+        found = found || text_same(keyword, places_in_system[i].word);
+    }
+    return found;
+}
+
+/* One operand of this configuration; false without an error: it has no value. */
+static bool place_setting(const struct placing *placing)
+{
+    struct zemax_file *file = placing->file;
+    const struct zemax_line *line = placing->setting->line;
+    size_t surface = (size_t)placing->setting->surface;
+    for (size_t i = 0; i < sizeof places_of / sizeof places_of[0]; i++) {
+        if (!text_same(line->keyword, places_of[i].word)) {
+            continue;
+        }
+        if (surface >= file->surface_count) {
+            return true; /* of a surface that is gone */
+        }
+        return (line->count > 2 || places_of[i].place == place_glass) &&
+               places_of[i].place(placing, &file->surfaces[surface]);
+    }
+    for (size_t i = 0; i < sizeof places_in_system / sizeof places_in_system[0]; i++) {
+        if (text_same(line->keyword, places_in_system[i].word)) {
+            return line->count > 2 && places_in_system[i].place(placing);
+        }
     }
     return true;
 }
 
-static bool solve_position(struct solving *solving, struct error *error)
-{
-    const struct zemax_file *file = solving->file;
-    struct surface *surfaces =
-        ARENA_ARRAY(file->job->arena, file->build.lens->surface_count, struct surface);
-    memcpy(surfaces, file->build.lens->surfaces,
-           file->build.lens->surface_count * sizeof surfaces[0]);
-    solving->lens = *file->build.lens;
-    solving->lens.surfaces = surfaces;
-    solving->lens.position_count = 0;
-    set_configuration(solving);
-    if (file->configurations > 1 && !solving->lens.object_is_infinite) {
-        solving->lens.object = solving->thickness[0];
-    }
-    for (size_t i = 1; i + 1 < file->surface_count; i++) {
-        if (solving->places[i] != LENS_NONE) {
-            surfaces[solving->places[i]].thickness = solving->thickness[i];
-        }
-    }
-    return solve_all(solving, error);
-}
-
-/* The same digits in all positions are a number, else a variable. */
-static void set_thickness(struct zemax_file *file, struct surface *surface, size_t number,
-                          const struct figure *values)
-{
-    bool same = true;
-    for (size_t p = 1; p < file->configurations; p++) {
-        same = same && values[p].value.hi == values[0].value.hi &&
-               values[p].value.lo == values[0].value.lo;
-    }
-    if (same) {
-        surface->thickness = values[0];
-        return;
-    }
-    struct figure *copy = ARENA_ARRAY(file->job->arena, file->configurations, struct figure);
-    memcpy(copy, values, file->configurations * sizeof copy[0]);
-    const char *name = arena_printf(file->job->arena, "d%zu", number);
-    surface->thickness = (struct figure){.typed = text_of(name),
-                                         .variable = lens_build_variable(&file->build, name, copy)};
-}
-
-/* The object's distance in all positions. */
-static bool set_objects(struct zemax_file *file, struct figure *const *thickness,
-                        struct error *error)
-{
-    struct lens *lens = file->build.lens;
-    const double far = 1e10;
-    bool any = false;
-    struct figure *objects = ARENA_ARRAY(file->job->arena, file->configurations, struct figure);
-    for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
-        any = any || (one->surface == 0 && text_same(one->line->keyword, "THIC"));
-    }
-    for (size_t p = 0; p < file->configurations && any; p++) {
-        objects[p] = thickness[p][0];
-        double distance = objects[p].value.hi;
-        if (fabs(distance) >= far) {
-            objects[p] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
-        } else if (!(distance > 0)) {
-            fail(error, ERROR_DATA, "configuration %zu: the object is not before the lens", p + 1);
-            return error_locate(error, file->job->source, 0, 0);
-        }
-    }
-    if (any) {
-        lens->objects = objects;
-        lens->object = objects[0];
-        lens->object_is_infinite = isinf(objects[0].value.hi);
-    }
-    return true;
-}
-
-static bool set_aperture(struct zemax_file *file, const struct zemax_setting *setting,
-                         struct figure *apertures)
-{
-    struct lens *lens = file->build.lens;
-    struct number_scale unit =
-        lens->aperture_kind == APERTURE_EPD ? lens_unit_scale(lens->unit) : NUMBER_UNSCALED;
-    struct figure figure = setting->line->numbers[2];
-    pair_read(figure.typed.start, figure.typed.start + figure.typed.length, unit, &figure.value);
-    apertures[setting->configuration - 1] = figure;
-    lens->apertures = apertures;
-    return figure.value.hi > 0;
-}
-
-static bool is_same_operand(const struct zemax_setting *a, const struct zemax_setting *b)
-{
-    return a != NULL && b != NULL && a->surface == b->surface &&
-           memcmp(a->line->keyword.start, b->line->keyword.start, 4) == 0;
-}
-
-/* SDIA: the semi-diameters of one surface in all configurations, which stand together. */
-static bool set_diameters(struct zemax_file *file, const size_t *places,
-                          const struct zemax_setting *setting, struct error *error)
-{
-    struct lens *lens = file->build.lens;
-    size_t place =
-        setting->surface < (long)file->surface_count ? places[setting->surface] : LENS_NONE;
-    if (place == LENS_NONE || lens->surfaces[place].diameter.variable != LENS_NONE) {
-        return true;
-    }
-    const struct zemax_line *first = setting->line;
-    struct figure *values = ARENA_ARRAY(file->job->arena, file->configurations, struct figure);
-    for (size_t p = 0; p < file->configurations; p++) {
-        bool next = setting != NULL && setting->configuration == (long)p + 1 &&
-                    zemax_number(setting->line, 2) > 0;
-        if (!next) {
-            return zemax_loss(file, setting != NULL ? setting->line : first, error,
-                              "semi-diameters that are not one for each configuration");
-        }
-        struct pair half = setting->line->numbers[2].value;
-        values[p] = figure_computed((struct pair){2 * half.hi, 2 * half.lo},
-                                    lens_unit_scale(lens->unit), file->job->arena);
-        setting = is_same_operand(setting, setting->next) ? setting->next : NULL;
-    }
-    const char *name = arena_printf(file->job->arena, "D%zu", place + 1);
-    lens->surfaces[place].has_diameter = true;
-    lens->surfaces[place].diameter = (struct figure){
-        .typed = text_of(name), .variable = lens_build_variable(&file->build, name, values)};
-    return true;
-}
-
-static bool is_aperture(const struct zemax_file *file, const struct zemax_line *line)
-{
-    return text_same(line->keyword, "APER") && line->count > 2 &&
-           file->build.lens->aperture_kind > APERTURE_STOP;
-}
-
-/* One that lenscalc has no positions of: its value must be the same in all configurations. */
+/* An operand that lenscalc has no positions of: its words must be the same in all of them. */
 static bool check_constant(struct zemax_file *file, const struct zemax_setting *before,
                            const struct zemax_setting *one, struct error *error)
 {
-    bool varies =
-        is_same_operand(before, one) && zemax_number(before->line, 2) != zemax_number(one->line, 2);
-    return !varies || text_same(one->line->keyword, "THIC") ||
+    struct lens_words a = one->line->words, b = before != NULL ? before->line->words : a;
+    bool same_operand = before != NULL && before->surface == one->surface &&
+                        memcmp(before->line->keyword.start, one->line->keyword.start, 4) == 0;
+    struct text left = {NULL, 0}, right = {NULL, 0};
+    for (int i = 0; i < 3; i++) {
+        left = lens_words_next(&a);
+        right = lens_words_next(&b);
+    }
+    return !same_operand || text_identical(left, right) ||
            zemax_loss(file, one->line, error,
                       "%.4s %ld changes between the configurations" LOSS_INSTEAD
-                      "the first one's value stands",
+                      "what the surfaces and the system of the file say stands",
                       one->line->keyword.start, one->surface);
 }
 
-/* All operands but THIC: an aperture each, or the same value in all configurations. */
-static bool check_settings(struct zemax_file *file, const size_t *places, struct error *error)
+/* The file as it is in one configuration. */
+static bool place_settings(struct zemax_file *file, size_t configuration, struct error *error)
 {
-    struct lens *lens = file->build.lens;
-    struct figure *apertures = ARENA_ARRAY(file->job->arena, file->configurations, struct figure);
     const struct zemax_setting *before = NULL;
-    for (size_t p = 0; p < file->configurations; p++) {
-        apertures[p] = lens->aperture;
-    }
     for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
-        const struct zemax_line *line = one->line;
-        if (is_aperture(file, line)) {
-            if (!set_aperture(file, one, apertures)) {
-                return lens_words_fail(&line->words, line->numbers[2].typed, error,
-                                       "the aperture must be above 0");
-            }
-        } else if (text_same(line->keyword, "SDIA")) {
-            if (!set_diameters(file, places, one, error)) {
-                return false;
-            }
-        } else if (!check_constant(file, before, one, error)) {
+        const struct placing placing = {file, one, error};
+        if (one->configuration == (long)configuration + 1 && !place_setting(&placing)) {
+            return error->code == ERROR_NONE &&
+                   lens_words_fail(&one->line->words, one->line->keyword, error,
+                                   "%.4s wants a surface, a configuration and its value",
+                                   one->line->keyword.start);
+        }
+        bool checks = configuration == 0 && !is_placed(one->line->keyword);
+        if (checks && !check_constant(file, before, one, error)) {
             return false;
         }
         before = one;
     }
-    lens->aperture = lens->apertures != NULL ? apertures[0] : lens->aperture;
     return true;
 }
 
-/* The curvatures of the first position; others are lost. */
-static bool set_curvatures(struct zemax_file *file, const size_t *places,
-                           struct figure *const *curvature, struct error *error)
+/* What is lost in one configuration was said, if it was lost in those before it. */
+static void forget_repeated(struct foreign_job *job, size_t from)
 {
-    for (size_t i = 1; i + 1 < file->surface_count; i++) {
-        const struct zemax_line *line = file->surfaces[i].curvature;
-        if (curvature[0][i].typed.start == NULL || file->surfaces[i].has_free_curvature) {
-            continue;
+    size_t count = from;
+    for (size_t i = from; i < job->loss_count; i++) {
+        bool again = false;
+        for (size_t k = 0; k < from && !again; k++) {
+            again = job->losses[k].line == job->losses[i].line &&
+                    strcmp(job->losses[k].message, job->losses[i].message) == 0;
         }
-        bool same = true;
-        for (size_t p = 1; p < file->configurations; p++) {
-            same = same && is_same(&curvature[0][i], &curvature[p][i]);
+        if (!again) {
+            job->losses[count++] = job->losses[i];
         }
-        if (!same && !zemax_loss(file, line, error,
-                                 "a curvature that is solved in every configuration" LOSS_INSTEAD
-                                 "that of the first stands")) {
-            return false;
-        }
-        zemax_set_curvature(file, curvature[0][i], &file->build.lens->surfaces[places[i]]);
     }
-    return true;
+    job->loss_count = count;
 }
 
-/* Solves that follow a ray through many surfaces take their time. */
-static bool check_work(struct zemax_file *file, struct error *error)
-{
-    const double most = 1e6; /* about a second */
-    double work = 0;
-    for (size_t i = 0; i < file->surface_count; i++) {
-        work +=
-            (file->surfaces[i].solve != NULL) + (zemax_number(file->surfaces[i].curvature, 1) >= 2);
-    }
-    work *= (double)file->surface_count * (double)file->configurations;
-    if (work > most) {
-        fail(error, ERROR_DATA, "too many solves");
-        return error_locate(error, file->job->source, 0, 0);
-    }
-    return true;
-}
-
-/* The digits that all positions have in common are a number, else a variable. */
-static void set_thicknesses(struct zemax_file *file, const size_t *places,
-                            struct figure *const *thickness)
-{
-    struct lens *lens = file->build.lens;
-    struct figure *values = ARENA_ARRAY(file->job->arena, file->configurations, struct figure);
-    for (size_t i = 1; i + 1 < file->surface_count; i++) {
-        for (size_t p = 0; p < file->configurations; p++) {
-            values[p] = thickness[p][i];
-        }
-        if (places[i] != LENS_NONE) {
-            set_thickness(file, &lens->surfaces[places[i]], places[i] + 1, values);
-        }
-    }
-    struct surface *last = &lens->surfaces[lens->surface_count - 1];
-    last->has_thickness = !zemax_focuses(file) || last->thickness.variable != LENS_NONE ||
-                          last->thickness.value.hi != 0;
-}
-
-bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct error *error)
+bool zemax_read_positions(struct zemax_file *file, zemax_build_function *build, struct error *error)
 {
     struct arena *arena = file->job->arena;
-    size_t positions = file->configurations;
-    struct figure **thickness = ARENA_ARRAY(arena, positions, struct figure *);
-    struct figure **curvature = ARENA_ARRAY(arena, positions, struct figure *);
-    if (!check_work(file, error)) {
-        return false;
-    }
-    for (size_t p = 0; p < positions; p++) {
-        struct solving solving = {.file = file, .places = places, .position = p};
-        solving.thickness = thickness[p] = ARENA_ARRAY(arena, file->surface_count, struct figure);
-        solving.curvature = curvature[p] = ARENA_ARRAY(arena, file->surface_count, struct figure);
-        solving.unit = lens_unit_scale(file->build.lens->unit);
-        if (!read_thicknesses(file, thickness[p], error) || !solve_position(&solving, error)) {
+    const struct lens named = *file->build.lens;
+    struct lens *lenses = ARENA_ARRAY(arena, file->configurations, struct lens);
+    for (size_t p = 0; p < file->configurations; p++) {
+        struct zemax_file one = *file;
+        size_t losses = file->job->loss_count;
+        lenses[p] = named;
+        lenses[p].position_count = 0;
+        one.build =
+            (struct lens_build){.lens = &lenses[p], .arena = arena, .note_room = named.note_count};
+        one.surfaces = ARENA_ARRAY(arena, file->surface_count, struct zemax_surface);
+        memcpy(one.surfaces, file->surfaces, file->surface_count * sizeof one.surfaces[0]);
+        if (!place_settings(&one, p, error) || !build(&one, error)) {
             return false;
         }
-        if (p == 0) {
-            zemax_remark_solves(&solving);
-        }
+        forget_repeated(file->job, p > 0 ? losses : file->job->loss_count);
     }
-    set_thicknesses(file, places, thickness);
-    return set_curvatures(file, places, curvature, error) && set_objects(file, thickness, error) &&
-           check_settings(file, places, error);
+    return merge_positions(&file->build, lenses, file->job, error);
 }

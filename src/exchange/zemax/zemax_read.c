@@ -306,6 +306,18 @@ static bool check_floating(struct zemax_file *file, struct error *error)
                       "the lens gets none");
 }
 
+/* The lens of a file, or of one of its configurations. */
+static bool build_lens(struct zemax_file *file, struct error *error)
+{
+    if (!set_object(file, error) || !check_image(file, error) || !set_aperture(file, error) ||
+        !set_fields(file, error) || !set_waves(file, error) || !zemax_surfaces(file, error) ||
+        !check_floating(file, error)) {
+        return false;
+    }
+    set_focus(file);
+    return true;
+}
+
 static bool read(struct foreign_job *job, struct text content, struct lens *lens,
                  struct error *error)
 {
@@ -315,14 +327,12 @@ static bool read(struct foreign_job *job, struct text content, struct lens *lens
         return false;
     }
     set_positions(&file);
-    if (!set_object(&file, error) || !check_image(&file, error) || !set_aperture(&file, error) ||
-        !set_fields(&file, error) || !set_waves(&file, error) || !zemax_surfaces(&file, error) ||
-        !check_floating(&file, error)) {
-        return false;
+    bool done = file.configurations < 2 ? build_lens(&file, error)
+                                        : zemax_read_positions(&file, build_lens, error);
+    if (done) {
+        foreign_mark_power(job, &file.build);
     }
-    set_focus(&file);
-    foreign_mark_power(job, &file.build);
-    return true;
+    return done;
 }
 
 /* "MODE", "VERS" or "UNIT" begins a line, and "SURF 0" another. */
@@ -353,6 +363,7 @@ const struct foreign_format zemax_format = {
     .is_like = is_like,
     .read = read,
     .write = zemax_write,
+    .has_settings = true,
     .words = zemax_words,
     .has_thick = true,
 };

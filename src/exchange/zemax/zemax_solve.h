@@ -5,19 +5,18 @@
 
 #include "exchange/zemax/zemax_surface.h"
 
-/* The thicknesses in one position, by the file's surface numbers. */
+/* The thicknesses, by the file's surface numbers. */
 struct solving {
     struct zemax_file *file;
     const size_t *places;
-    struct lens lens; /* in this position */
+    struct lens lens;
     struct figure *thickness;
     struct figure *curvature; /* solved ones; else typed.start is null */
-    size_t position;
     struct number_scale unit;
 };
 
 /*
- * Solve the curvature and the thickness of a surface, in the position that `solving` has.
+ * Solve the curvature and the thickness of a surface.
  *
  * Result    in solving->thickness, curvature and lens. A solve that lenscalc does not know, or that
  *           has no answer, is a loss: the file's number stands

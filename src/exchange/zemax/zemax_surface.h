@@ -13,11 +13,22 @@ bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
 bool zemax_focuses(const struct zemax_file *file);
 
 /*
- * All surfaces between object and image, with their solves, in all positions.
+ * All surfaces between object and image, with their solves.
  *
  * Given     file  parsed; object, aperture, fields and wavelengths of the lens are set
  */
 bool zemax_surfaces(struct zemax_file *file, struct error *error);
+
+/*
+ * The lens of a file with configurations: built once for each of them, with what the operands of
+ * the file put in the place of its lines, and then put together (exchange/merge_positions).
+ *
+ * Given     file   parsed; its lens has the names of the positions
+ *           build  makes the lens of a file without configurations
+ */
+typedef bool zemax_build_function(struct zemax_file *file, struct error *error);
+bool zemax_read_positions(struct zemax_file *file, zemax_build_function *build,
+                          struct error *error);
 
 /*
  * The thicknesses of all surfaces, solved.

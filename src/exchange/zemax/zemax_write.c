@@ -131,51 +131,6 @@ static bool put_header(struct zemax_writer *writer, struct error *error)
     return put_fields(writer, error) && put_waves(writer, error);
 }
 
-/* THIC and SDIA of the surfaces whose distance or diameter changes. */
-static void put_variables(struct zemax_writer *writer)
-{
-    const struct lens *lens = writer->lens;
-    size_t count = lens->position_count;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        size_t variable = lens->surfaces[i].thickness.variable;
-        for (size_t p = 0; p < count && variable != LENS_NONE; p++) {
-            growing_format(&writer->out, "THIC %zu %zu ", writer->places[i], p + 1);
-            growing_figure(&writer->out, &lens->variables[variable].values[p], writer->unit);
-            growing_string(&writer->out, " 0 0 0 1 1 1 0 0 \"\" 0\r\n");
-        }
-        variable = lens->surfaces[i].has_diameter ? lens->surfaces[i].diameter.variable : LENS_NONE;
-        for (size_t p = 0; p < count && variable != LENS_NONE; p++) {
-            growing_format(&writer->out, "SDIA %zu %zu ", writer->own_places[i], p + 1);
-            zemax_put_half(writer, &lens->variables[variable].values[p]);
-            growing_string(&writer->out, " 0 0 0 1 1 1 0 0 \"\" 0\r\n");
-        }
-    }
-}
-
-/* The object's distance, distances, diameters and apertures of each position. */
-static void put_positions(struct zemax_writer *writer)
-{
-    const struct lens *lens = writer->lens;
-    size_t count = lens->position_count;
-    growing_format(&writer->out, "MNUM %zu 1\r\n", count > 0 ? count : 1);
-    for (size_t p = 0; p < count && lens->objects != NULL; p++) {
-        growing_format(&writer->out, "THIC 0 %zu ", p + 1);
-        if (isinf(lens->objects[p].value.hi)) {
-            growing_string(&writer->out, "1e10");
-        } else {
-            growing_figure(&writer->out, &lens->objects[p], writer->unit);
-        }
-        growing_string(&writer->out, " 0 0 0 1 1 1 0 0 \"\" 0\r\n");
-    }
-    put_variables(writer);
-    for (size_t p = 0; p < count && lens->apertures != NULL; p++) {
-        growing_format(&writer->out, "APER 0 %zu ", p + 1);
-        growing_figure(&writer->out, &lens->apertures[p],
-                       lens->aperture_kind == APERTURE_EPD ? writer->unit : NUMBER_UNSCALED);
-        growing_string(&writer->out, " 0 0 0 1 1 1 0 0 \"\" 0\r\n");
-    }
-}
-
 static bool put_object(struct zemax_writer *writer, struct error *error)
 {
     const struct lens *lens = writer->lens;
@@ -205,6 +160,11 @@ bool zemax_write(struct foreign_job *job, const struct lens *lens, struct text *
     for (size_t i = 0; i < lens->surface_count; i++) {
         zemax_note_catalog(&writer, &lens->surfaces[i].medium);
     }
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        for (size_t p = 0; p < lens->position_count && lens->settings[i].media != NULL; p++) {
+            zemax_note_catalog(&writer, &lens->settings[i].media[p]);
+        }
+    }
     if (!put_header(&writer, error) || !put_object(&writer, error)) {
         return false;
     }
@@ -215,9 +175,10 @@ bool zemax_write(struct foreign_job *job, const struct lens *lens, struct text *
     }
     zemax_put_surf(&writer, "STANDARD");
     growing_string(&writer.out, "  CURV 0 0 0 0 0 \"\"\r\n  DISZ 0\r\n");
-    put_positions(&writer);
+    bool kept = zemax_put_positions(&writer, error);
     *text = growing_done(&writer.out);
-    return lens->focus != FOCUS_BEST ||
-           foreign_lose(writer.job, error,
-                        "the best focus" LOSS_INSTEAD "the image lies at the last thickness");
+    return kept &&
+           (lens->focus != FOCUS_BEST ||
+            foreign_lose(writer.job, error,
+                         "the best focus" LOSS_INSTEAD "the image lies at the last thickness"));
 }

@@ -114,9 +114,12 @@ static struct glass_abbe abbe_of(const struct medium *medium)
     return abbe.nd > 1 && abbe.Vd > 0 && abbe.Vd < INFINITY ? abbe : none;
 }
 
-/* Would the name be found in an earlier catalogue of the file's list, as another glass? */
+/*
+ * Would the name be found in an earlier catalogue of the file's list, as another glass? nd and Vd
+ * stand beside it; 0: they don't.
+ */
 static bool check_homonym(struct zemax_writer *writer, const struct medium *medium,
-                          struct error *error)
+                          struct glass_abbe abbe, struct error *error)
 {
     const struct foreign_job *job = writer->job;
     struct text catalog, name;
@@ -130,7 +133,6 @@ static bool check_homonym(struct zemax_writer *writer, const struct medium *medi
         other.written =
             text_of(arena_printf(job->arena, "%.*s:%.*s", (int)writer->catalogs[i].length,
                                  writer->catalogs[i].start, (int)name.length, name.start));
-        const struct glass_abbe abbe = abbe_of(medium);
         if (job->glasses->find(job->glasses->context, &other, &ignored) &&
             foreign_agrees(&other, abbe.nd, abbe.Vd)) {
             return foreign_lose(writer->job, error,
@@ -140,6 +142,20 @@ static bool check_homonym(struct zemax_writer *writer, const struct medium *medi
         }
     }
     return true;
+}
+
+bool zemax_put_glass_name(struct zemax_writer *writer, const struct medium *medium,
+                          struct error *error)
+{
+    struct text catalog, name;
+    const struct glass_abbe none = {0, 0};
+    if (medium->kind != MEDIUM_GLASS) {
+        growing_string(&writer->out, "\"\"");
+        return true;
+    }
+    split_glass(medium, &catalog, &name);
+    growing_text(&writer->out, name);
+    return check_homonym(writer, medium, none, error);
 }
 
 /* An index alone: Vd = 0 is no dispersion. */
@@ -191,7 +207,7 @@ bool zemax_put_medium(struct zemax_writer *writer, const struct medium *medium, 
         return (memchr(name.start, ' ', name.length) == NULL ||
                 foreign_lose(writer->job, error, "the glass '%.*s': its name has a blank",
                              (int)name.length, name.start)) &&
-               check_homonym(writer, medium, error);
+               check_homonym(writer, medium, abbe_of(medium), error);
     }
 }
 
@@ -271,6 +287,50 @@ static const char *type_of(const struct surface *surface)
     return !surface_is_round(surface) ? "TOROIDAL" : type != NULL ? type->name : "STANDARD";
 }
 
+/* From mm to the lens's unit. */
+static void put_coefficient(struct zemax_writer *writer, int order, struct figure figure)
+{
+    if (figure.typed.start == NULL && order > 1) {
+        struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
+        struct pair unit = figure_per_length(one, writer->lens->unit, order - 1).value;
+        figure.value = pair_multiply(figure.value, unit);
+    }
+    growing_figure(&writer->out, &figure, NUMBER_UNSCALED);
+}
+
+const char *zemax_operand_of(const struct surface *surface, struct parameter parameter,
+                             struct arena *arena)
+{
+    const struct asphere_type *type = asphere_type_of(surface);
+    switch (parameter.kind) {
+    case PARAMETER_RADIUS:
+    case PARAMETER_CURVATURE:
+        return surface->curved == CURVED_X ? NULL : "CRVT";
+    case PARAMETER_CONIC:
+        return surface->curved == CURVED_X ? NULL : "CONN";
+    case PARAMETER_COEFFICIENT:
+        return type == NULL || type->extra
+                   ? NULL
+                   : arena_printf(arena, "PAR%d", parameter.order / type->step);
+    default:
+        return NULL;
+    }
+}
+
+void zemax_put_number(struct zemax_writer *writer, struct parameter parameter,
+                      const struct figure *figure)
+{
+    if (parameter.kind == PARAMETER_RADIUS && isinf(figure->value.hi)) {
+        growing_string(&writer->out, "0");
+    } else if (parameter.kind == PARAMETER_RADIUS) {
+        put_reciprocal(writer, figure);
+    } else if (parameter.kind == PARAMETER_CURVATURE) {
+        put_curvature(writer, figure);
+    } else {
+        put_coefficient(writer, parameter.order, *figure);
+    }
+}
+
 static void put_coefficients(struct zemax_writer *writer, const struct surface *surface)
 {
     const struct asphere_type *type = asphere_type_of(surface);
@@ -280,18 +340,12 @@ static void put_coefficients(struct zemax_writer *writer, const struct surface *
     }
     for (int term = 1; type != NULL && term <= type->terms; term++) {
         int order = term * type->step, i = surface_term(order);
-        struct figure figure = surface->coefficient[i];
         if ((surface->coefficients >> i & 1) == 0) {
             continue;
         }
-        if (figure.typed.start == NULL && order > 1) { /* from mm to the lens's unit */
-            struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
-            struct pair unit = figure_per_length(one, writer->lens->unit, order - 1).value;
-            figure.value = pair_multiply(figure.value, unit);
-        }
         growing_format(&writer->out, type->extra ? "  XDAT %d " : "  PARM %d ",
                        type->extra ? term + 2 : term);
-        growing_figure(&writer->out, &figure, NUMBER_UNSCALED);
+        put_coefficient(writer, order, surface->coefficient[i]);
         growing_string(&writer->out, type->extra ? " 0 0 1 0 0 \"\"\r\n" : "\r\n");
     }
 }

@@ -5,6 +5,7 @@
 
 #include "exchange/foreign.h"
 #include "optics/growing.h"
+#include "optics/lens.h"
 
 enum { ZEMAX_MOST_CATALOGS = 32 };
 
@@ -33,6 +34,21 @@ void zemax_put_surf(struct zemax_writer *writer, const char *type);
 
 /* Half of a diameter. */
 void zemax_put_half(struct zemax_writer *writer, const struct figure *figure);
+
+/* The name of a glass as its catalogue spells it; "" of air. */
+bool zemax_put_glass_name(struct zemax_writer *writer, const struct medium *medium,
+                          struct error *error);
+
+/* The operand that sets a number of a surface in a configuration; null: there is none. */
+const char *zemax_operand_of(const struct surface *surface, struct parameter parameter,
+                             struct arena *arena);
+
+/* A number as that operand has it. */
+void zemax_put_number(struct zemax_writer *writer, struct parameter parameter,
+                      const struct figure *figure);
+
+/* The configurations, as many as the lens has positions. The surfaces were put. */
+bool zemax_put_positions(struct zemax_writer *writer, struct error *error);
 
 /* A surface of the lens, with the breaks of the axis around it. */
 bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *error);

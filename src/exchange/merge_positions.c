@@ -1,0 +1,318 @@
+/* exchange/merge_positions.c - one lens with positions, of lenses that differ in numbers. */
+/* SPDX-License-Identifier: MIT */
+#include "exchange/merge_positions.h"
+
+#include "optics/aperture.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Lenses being merged. */
+struct merge {
+    struct lens_build *build;
+    struct arena *arena;
+    struct foreign_job *job;
+    const struct lens *lenses;
+    size_t count;
+    struct lens_setting *settings;
+    size_t setting_count, setting_room;
+};
+
+static bool is_same_value(const struct figure *a, const struct figure *b)
+{
+    return a->value.hi == b->value.hi && a->value.lo == b->value.lo;
+}
+
+static const struct surface *surface_at(const struct merge *merge, size_t position, size_t index)
+{
+    return &merge->lenses[position].surfaces[index];
+}
+
+/* A plane that is only the stop counts as any other: it may be the stop in one position. */
+static enum surface_kind kind_of(const struct surface *surface)
+{
+    return surface->kind == SURFACE_STOP ? SURFACE_REFRACT : surface->kind;
+}
+
+static bool is_same_aperture(const struct aperture *a, const struct aperture *b)
+{
+    bool same = a->shape == b->shape && a->blocks == b->blocks && a->arms == b->arms &&
+                a->point_count == b->point_count && is_same_value(&a->turn, &b->turn);
+    for (int i = 0; i < 2; i++) {
+        same = same && is_same_value(&a->size[i], &b->size[i]) &&
+               is_same_value(&a->decenter[i], &b->decenter[i]);
+    }
+    for (size_t i = 0; same && i < a->point_count; i++) {
+        same = is_same_value(&a->points[i][0], &b->points[i][0]) &&
+               is_same_value(&a->points[i][1], &b->points[i][1]);
+    }
+    return same;
+}
+
+static bool are_same_apertures(const struct surface *a, const struct surface *b)
+{
+    bool same = a->aperture_count == b->aperture_count;
+    for (size_t i = 0; same && i < a->aperture_count; i++) {
+        same = is_same_aperture(&a->apertures[i], &b->apertures[i]);
+    }
+    return same;
+}
+
+/* What no position can set. */
+static bool is_alike(const struct surface *a, const struct surface *b)
+{
+    bool same = kind_of(a) == kind_of(b) && a->curved == b->curved &&
+                a->has_thickness == b->has_thickness && are_same_apertures(a, b);
+    for (int i = 0; i < 3 && same && surface_has(a, SURFACE_HAS_FOCAL); i++) {
+        same = is_same_value(&a->distortion[i], &b->distortion[i]);
+    }
+    return same;
+}
+
+/* One number a position, all the same? */
+static bool are_same(const struct figure *figures, size_t count)
+{
+    bool same = true;
+    for (size_t p = 1; p < count; p++) {
+        same = same && is_same_value(&figures[p], &figures[0]);
+    }
+    return same;
+}
+
+static struct figure variable(struct merge *merge, const char *prefix, size_t number,
+                              const struct figure *values)
+{
+    const char *name = arena_printf(merge->arena, "%s%zu", prefix, number);
+    return (struct figure){.typed = text_of(name),
+                           .variable = lens_build_variable(merge->build, name, values)};
+}
+
+/* Thickness and diameter. */
+static bool merge_cells(struct merge *merge, size_t index, struct error *error)
+{
+    struct surface *to = &merge->build->lens->surfaces[index];
+    struct figure *gaps = ARENA_ARRAY(merge->arena, merge->count, struct figure);
+    struct figure *diameters = ARENA_ARRAY(merge->arena, merge->count, struct figure);
+    for (size_t p = 0; p < merge->count; p++) {
+        gaps[p] = surface_at(merge, p, index)->thickness;
+        diameters[p] = surface_at(merge, p, index)->diameter;
+    }
+    if (to->has_thickness && !are_same(gaps, merge->count)) {
+        to->thickness = variable(merge, "d", index + 1, gaps);
+    }
+    size_t clear = 0;
+    for (size_t p = 0; p < merge->count; p++) {
+        clear += surface_at(merge, p, index)->has_diameter;
+    }
+    if (clear == merge->count && !are_same(diameters, merge->count)) {
+        to->diameter = variable(merge, "D", index + 1, diameters);
+    }
+    to->has_diameter = clear == merge->count;
+    return clear == 0 || clear == merge->count ||
+           foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
+                        LOSS_VIGNETTES "the clear aperture that surface %zu has in some "
+                                       "configurations" LOSS_INSTEAD "it gets none",
+                        index + 1);
+}
+
+static void add_setting(struct merge *merge, struct lens_setting setting)
+{
+    merge->settings = arena_grow(merge->arena, merge->settings, merge->setting_count,
+                                 &merge->setting_room, sizeof merge->settings[0]);
+    merge->settings[merge->setting_count++] = setting;
+}
+
+/* The radius, infinite of a plane; or, where a position has a curvature, the curvature. */
+static void merge_curve(struct merge *merge, size_t index)
+{
+    struct surface *to = &merge->build->lens->surfaces[index];
+    struct figure *figures = ARENA_ARRAY(merge->arena, merge->count, struct figure);
+    enum parameter_kind kind = PARAMETER_RADIUS;
+    for (size_t p = 0; p < merge->count; p++) {
+        kind = surface_at(merge, p, index)->has_curvature ? PARAMETER_CURVATURE : kind;
+    }
+    for (size_t p = 0; p < merge->count; p++) {
+        const struct surface *from = surface_at(merge, p, index);
+        const struct figure *figure = parameter_figure(from, kind, 0);
+        struct figure flat = {{INFINITY, 0}, text_of("inf"), LENS_NONE};
+        if (figure != NULL) {
+            figures[p] = *figure;
+        } else if (kind == PARAMETER_RADIUS) {
+            figures[p] = flat;
+        } else {
+            figures[p] =
+                (struct figure){.value = surface_base_curvature(from), .variable = LENS_NONE};
+        }
+    }
+    if (are_same(figures, merge->count)) {
+        return;
+    }
+    parameter_put(to, kind, 0, figures[0], merge->arena);
+    add_setting(merge, (struct lens_setting){{index, kind, 0}, figures, NULL});
+}
+
+static void merge_medium(struct merge *merge, size_t index)
+{
+    struct medium *media = ARENA_ARRAY(merge->arena, merge->count, struct medium);
+    bool same = true;
+    for (size_t p = 0; p < merge->count; p++) {
+        media[p] = surface_at(merge, p, index)->medium;
+        same = same && medium_is_same(&media[p], &media[0]);
+    }
+    if (!same && !surface_reflects(surface_at(merge, 0, index))) {
+        add_setting(merge, (struct lens_setting){{index, PARAMETER_GLASS, 0}, NULL, media});
+    }
+}
+
+/* All other numbers that a surface may have; where one position has one, it is 0 in the others. */
+static void merge_number(struct merge *merge, size_t index, struct parameter each)
+{
+    struct surface *to = &merge->build->lens->surfaces[index];
+    struct figure *figures = ARENA_ARRAY(merge->arena, merge->count, struct figure);
+    bool any = false;
+    for (size_t p = 0; p < merge->count; p++) {
+        const struct figure *figure =
+            parameter_figure(surface_at(merge, p, index), each.kind, each.order);
+        any = any || figure != NULL;
+        figures[p] = figure != NULL ? *figure : figure_zero();
+    }
+    if (any && !are_same(figures, merge->count)) {
+        parameter_put(to, each.kind, each.order, figures[0], merge->arena);
+        each.surface = index;
+        add_setting(merge, (struct lens_setting){each, figures, NULL});
+    }
+}
+
+static bool differ(const struct merge *merge, const char *in, struct error *error)
+{
+    fail(error, ERROR_DATA, "the configurations differ in %s, which the positions of a lens cannot",
+         in);
+    return error_locate(error, merge->job->source, 0, 0);
+}
+
+static bool merge_surface(struct merge *merge, size_t index, struct error *error)
+{
+    const struct surface *first = surface_at(merge, 0, index);
+    for (size_t p = 1; p < merge->count; p++) {
+        if (!is_alike(first, surface_at(merge, p, index))) {
+            return differ(
+                merge,
+                arena_printf(merge->arena, "the kind or the apertures of surface %zu", index + 1),
+                error);
+        }
+    }
+    if (!merge_cells(merge, index, error)) {
+        return false;
+    }
+    if (surface_has(first, SURFACE_HAS_CURVE)) {
+        merge_curve(merge, index);
+    }
+    merge_medium(merge, index);
+    for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
+        bool other = each.kind != PARAMETER_RADIUS && each.kind != PARAMETER_CURVATURE &&
+                     each.kind != PARAMETER_THICKNESS;
+        if (other && parameter_suits(each.kind, first)) {
+            merge_number(merge, index, each);
+        }
+    }
+    return true;
+}
+
+/* The object's distance and the aperture. */
+static void merge_system(struct merge *merge)
+{
+    struct lens *lens = merge->build->lens;
+    struct figure *objects = ARENA_ARRAY(merge->arena, merge->count, struct figure);
+    struct figure *apertures = ARENA_ARRAY(merge->arena, merge->count, struct figure);
+    for (size_t p = 0; p < merge->count; p++) {
+        objects[p] = merge->lenses[p].object;
+        apertures[p] = merge->lenses[p].aperture;
+        if (merge->lenses[p].object_is_infinite) {
+            objects[p] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
+        }
+    }
+    lens->objects = are_same(objects, merge->count) ? NULL : objects;
+    bool one = lens->aperture_kind <= APERTURE_STOP || are_same(apertures, merge->count);
+    lens->apertures = one ? NULL : apertures;
+}
+
+static bool is_same_light(const struct lens *a, const struct lens *b)
+{
+    bool same = a->wavelength_count == b->wavelength_count;
+    for (size_t i = 0; same && i < a->wavelength_count; i++) {
+        same = a->wavelengths[i].wavelength == b->wavelengths[i].wavelength &&
+               a->wavelengths[i].weight == b->wavelengths[i].weight;
+    }
+    return same;
+}
+
+static void merge_light_and_stop(struct merge *merge)
+{
+    struct lens *lens = merge->build->lens;
+    struct lens_light *lights = ARENA_ARRAY(merge->arena, merge->count, struct lens_light);
+    size_t *stops = ARENA_ARRAY(merge->arena, merge->count, size_t);
+    bool same_light = true, same_stop = true;
+    for (size_t p = 0; p < merge->count; p++) {
+        const struct lens *one = &merge->lenses[p];
+        lights[p] = (struct lens_light){one->wavelengths, one->wavelength_count};
+        stops[p] = one->stop;
+        same_light = same_light && is_same_light(one, &merge->lenses[0]);
+        same_stop = same_stop && one->stop == stops[0];
+    }
+    lens->lights = same_light ? NULL : lights;
+    lens->stops = same_stop ? NULL : stops;
+}
+
+/* What has no values of its own in the positions. */
+static const char *against(const struct lens *a, const struct lens *b)
+{
+    bool same_fields = a->field_kind == b->field_kind && a->field_count == b->field_count;
+    for (size_t i = 0; same_fields && i < a->field_count; i++) {
+        same_fields = is_same_value(&a->fields[i], &b->fields[i]);
+    }
+    return a->surface_count != b->surface_count                    ? "the number of surfaces"
+           : a->aperture_kind != b->aperture_kind                  ? "the kind of aperture"
+           : a->focus != b->focus                                  ? "where the image is"
+           : (a->stop == LENS_NONE) != (b->stop == LENS_NONE)      ? "whether there is a stop"
+           : !medium_is_same(&a->object_medium, &b->object_medium) ? "the medium of the object"
+           : !same_fields                                          ? "the fields"
+                                                                   : NULL;
+}
+
+bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,
+                     struct error *error)
+{
+    struct lens *to = build->lens;
+    const struct lens *first = &lenses[0];
+    struct merge merge = {.build = build,
+                          .arena = build->arena,
+                          .job = job,
+                          .lenses = lenses,
+                          .count = to->position_count};
+    const struct lens named = *to;
+    for (size_t p = 1; p < merge.count; p++) {
+        const char *why = against(first, &lenses[p]);
+        if (why != NULL) {
+            return differ(&merge, why, error);
+        }
+    }
+    *to = *first;
+    build->note_room = to->note_count;
+    build->wavelength_room = to->wavelength_count;
+    build->field_room = to->field_count;
+    build->surface_room = to->surface_count;
+    to->positions = named.positions;
+    to->position_count = named.position_count;
+    to->surfaces = ARENA_ARRAY(merge.arena, first->surface_count, struct surface);
+    memcpy(to->surfaces, first->surfaces, first->surface_count * sizeof to->surfaces[0]);
+    for (size_t i = 0; i < first->surface_count; i++) {
+        if (!merge_surface(&merge, i, error)) {
+            return false;
+        }
+    }
+    to->settings = merge.settings;
+    to->setting_count = merge.setting_count;
+    merge_system(&merge);
+    merge_light_and_stop(&merge);
+    return true;
+}

@@ -1,0 +1,22 @@
+/* exchange/merge_positions.h - one lens with positions, of lenses that differ in numbers. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_EXCHANGE_MERGE_POSITIONS_H
+#define LENSCALC_EXCHANGE_MERGE_POSITIONS_H
+
+#include "exchange/foreign.h"
+#include "file/lens_build.h"
+
+/*
+ * A file with configurations is read once for each of them; what differs then becomes variables
+ * (thicknesses d3, diameters D3) and settings of the positions, what does not stays as it is.
+ *
+ * Given     build   its lens has the names of the positions; it receives all else of the first lens
+ *           lenses  one a position
+ * Errors    ERROR_DATA: what differs between the positions and may not: the number or kind of
+ *           surfaces, the fields, the kind of aperture. A clear aperture that a surface has in
+ *           some positions only is a loss
+ */
+bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,
+                     struct error *error);
+
+#endif
