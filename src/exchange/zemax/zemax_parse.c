@@ -74,35 +74,53 @@ static bool read_diameter(struct zemax_file *file, struct text keyword, struct e
     return zemax_has_number(surface_of(file)->diameter, error);
 }
 
-static bool read_clear(struct zemax_file *file, struct text keyword, struct error *error)
+/* CLAP, SQAP ..: two numbers, of which zemax_aperture.c knows the meaning. */
+static bool read_aperture(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
     if (line->count < 2) {
-        return zemax_has_number(line, error);
+        return zemax_has_number(line, error) &&
+               zemax_loss(file, line, error,
+                          "%.4s with one number" LOSS_VIGNETTES LOSS_INSTEAD "left out",
+                          keyword.start);
     }
     if (text_same(keyword, "CLAP")) {
         surface_of(file)->clear = line;
     }
-    return line->numbers[0].value.hi == 0 ||
-           zemax_loss(file, line, error,
-                      "an aperture with a hole" LOSS_VIGNETTES LOSS_INSTEAD "the hole is left out");
+    surface_of(file)->aperture = line;
+    return true;
+}
+
+/* A floating aperture is as large as the semi-diameter. */
+static bool read_floating(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
+    return line->count < 2
+               ? zemax_has_number(line, error)
+               : line->numbers[0].value.hi == 0 ||
+                     zemax_loss(file, line, error,
+                                "a floating aperture with a hole" LOSS_VIGNETTES LOSS_INSTEAD
+                                "the hole is left out");
+}
+
+static bool read_aperture_shift(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
+    (void)error;
+    if (zemax_number(line, 0) != 0 || zemax_number(line, 1) != 0) {
+        surface_of(file)->aperture_shift = line;
+    }
+    return true;
 }
 
 static bool read_other_aperture(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    bool decentre = text_same(keyword, "OBDC");
-    if (decentre && zemax_number(line, 0) == 0 && zemax_number(line, 1) == 0) {
-        return true;
-    }
-    bool blocks = text_same(keyword, "OBSC") || text_same(keyword, "SQOB") ||
-                  text_same(keyword, "ELOB") || text_same(keyword, "SPID");
-    surface_of(file)->has_lost_aperture = surface_of(file)->has_lost_aperture || !blocks;
-    return zemax_loss(
-        file, line, error,
-        "%.4s: apertures are round and centred here, and nothing is obscured" LOSS_VIGNETTES
-            LOSS_INSTEAD "left out",
-        keyword.start);
+    surface_of(file)->has_lost_aperture = true;
+    return zemax_loss(file, line, error,
+                      "%.4s: an aperture that stands in another file" LOSS_VIGNETTES LOSS_INSTEAD
+                      "left out",
+                      keyword.start);
 }
 
 static bool read_glass(struct zemax_file *file, struct text keyword, struct error *error)
@@ -209,11 +227,11 @@ static const struct zemax_keyword surface_keywords[] = {
     {"STOP", read_stop},           {"COMM", read_comment},        {"COAT", read_coating},
     {"PARM", read_numbered},       {"XDAT", read_numbered},       {"PPAR", read_numbered},
     {"MAZH", read_solve},          {"PZUP", read_solve},          {"TCOM", read_solve},
-    {"TOLE", read_solve},          {"EDGE", read_solve},          {"CLAP", read_clear},
-    {"FLAP", read_clear},          {"SQAP", read_other_aperture}, {"ELAP", read_other_aperture},
-    {"OBSC", read_other_aperture}, {"SQOB", read_other_aperture}, {"ELOB", read_other_aperture},
-    {"SPID", read_other_aperture}, {"USAP", read_other_aperture}, {"UDAD", read_other_aperture},
-    {"OBDC", read_other_aperture}, {"SCBD", read_shift},          {NULL, NULL},
+    {"TOLE", read_solve},          {"EDGE", read_solve},          {"CLAP", read_aperture},
+    {"FLAP", read_floating},       {"SQAP", read_aperture},       {"ELAP", read_aperture},
+    {"OBSC", read_aperture},       {"SQOB", read_aperture},       {"ELOB", read_aperture},
+    {"SPID", read_aperture},       {"USAP", read_other_aperture}, {"UDAD", read_other_aperture},
+    {"OBDC", read_aperture_shift}, {"SCBD", read_shift},          {NULL, NULL},
 };
 
 static const struct zemax_keyword *find(const struct zemax_keyword *table, struct text word)

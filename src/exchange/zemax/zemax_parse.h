@@ -31,8 +31,9 @@ struct zemax_line {
 struct zemax_surface {
     size_t number; /* SURF */
     const struct zemax_line *surf, *type, *curvature, *thickness, *conic, *diameter, *glass;
-    const struct zemax_line *clear; /* CLAP */
-    const struct zemax_line *solve; /* of the thickness */
+    const struct zemax_line *clear;                     /* CLAP */
+    const struct zemax_line *aperture, *aperture_shift; /* CLAP, SQAP ..; OBDC */
+    const struct zemax_line *solve;                     /* of the thickness */
     const struct zemax_line *parameters[ZEMAX_PARAMETERS];
     const struct zemax_line *pickups[ZEMAX_PARAMETERS]; /* PPAR */
     const struct zemax_line *extras[ZEMAX_EXTRAS];

@@ -366,4 +366,5 @@ const struct foreign_format zemax_format = {
     .has_settings = true,
     .words = zemax_words,
     .has_thick = true,
+    .has_apertures = true,
 };

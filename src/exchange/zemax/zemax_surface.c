@@ -1,6 +1,7 @@
 /* exchange/zemax/zemax_surface.c - the surfaces of a .zmx file as those of a lens. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_surface.h"
+#include "exchange/zemax/zemax_aperture.h"
 
 #include "base/constants.h"
 #include "exchange/zemax/zemax_paraxial.h"
@@ -463,7 +464,8 @@ static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
     }
     set_diameter(file, from, to);
     set_comment(file, from, to);
-    return true;
+    to->is_stop = from->is_stop;
+    return zemax_set_aperture(file, from, to, error);
 }
 
 /* A plane that does nothing but carry a coordinate break, if there is one. */

@@ -1,6 +1,7 @@
 /* exchange/zemax/zemax_write_surface.c - surfaces and media of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax.h"
+#include "exchange/zemax/zemax_aperture.h"
 #include "exchange/zemax/zemax_writer.h"
 #include "file/lens_build.h"
 #include "file/lens_glass.h"
@@ -490,6 +491,9 @@ bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *
     }
     if (surface->has_diameter) {
         put_diameter(writer, surface);
+    }
+    if (!zemax_put_aperture(writer, surface, index + 1, error)) {
+        return false;
     }
     if (surface_reflects(surface)) {
         growing_string(&writer->out, "  GLAS MIRROR 0 0 0 0 0 0 0 0 0 0\r\n");

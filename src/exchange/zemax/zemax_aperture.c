@@ -1,0 +1,166 @@
+/* exchange/zemax/zemax_aperture.c - CLAP, SQAP, ELAP, OBSC, SQOB, ELOB, SPID and OBDC. */
+/* SPDX-License-Identifier: MIT */
+#include "exchange/zemax/zemax_aperture.h"
+
+#include "file/lens_unit.h"
+#include "optics/aperture.h"
+
+#include <math.h>
+
+/* Half sizes stand behind each word; of a ring the radii, of which the first may be 0: a circle. */
+static const struct {
+    const char *word;
+    enum aperture_shape shape;
+    bool blocks;
+} words[] = {{"CLAP", SHAPE_RING, false},      {"OBSC", SHAPE_RING, true},
+             {"SQAP", SHAPE_RECTANGLE, false}, {"SQOB", SHAPE_RECTANGLE, true},
+             {"ELAP", SHAPE_ELLIPSE, false},   {"ELOB", SHAPE_ELLIPSE, true},
+             {"SPID", SHAPE_SPIDER, true}};
+enum { WORDS = sizeof words / sizeof words[0] };
+
+static struct figure twice(struct zemax_file *file, const struct figure *half)
+{
+    struct pair value = {2 * half->value.hi, 2 * half->value.lo};
+    return figure_computed(value, lens_unit_scale(file->build.lens->unit), file->job->arena);
+}
+
+/* Width of an arm, and how many. */
+static bool set_spider(const struct zemax_line *line, struct aperture *aperture)
+{
+    double count = 0;
+    const struct figure *arms = &line->numbers[1];
+    number_read(arms->typed.start, arms->typed.start + arms->typed.length, NUMBER_UNSCALED, &count);
+    aperture->size[0] = line->numbers[0];
+    aperture->arms = count >= 1 && count <= APERTURE_MOST_ARMS ? (unsigned)count : 0;
+    return aperture->arms == count;
+}
+
+static bool set_sizes(struct zemax_file *file, const struct zemax_line *line,
+                      struct aperture *aperture)
+{
+    if (aperture->shape == SHAPE_SPIDER) {
+        return set_spider(line, aperture);
+    }
+    aperture->size[0] = twice(file, &line->numbers[0]);
+    aperture->size[1] = twice(file, &line->numbers[1]);
+    if (aperture->shape == SHAPE_RING && line->numbers[0].value.hi == 0) {
+        aperture->shape = SHAPE_CIRCLE;
+        aperture->size[0] = aperture->size[1];
+    }
+    return true;
+}
+
+static size_t word_of(struct text keyword)
+{
+    size_t i = 0;
+    while (i < WORDS && !text_same(keyword, words[i].word)) {
+        i++;
+    }
+    return i;
+}
+
+bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *from,
+                        struct surface *to, struct error *error)
+{
+    const struct zemax_line *line = from->aperture, *shift = from->aperture_shift;
+    size_t word = line != NULL ? word_of(line->keyword) : WORDS;
+    struct error wrong;
+    if (word == WORDS) {
+        return shift == NULL ||
+               zemax_loss(file, shift, error,
+                          "a decentre of an aperture that is not stated" LOSS_VIGNETTES LOSS_INSTEAD
+                          "left out");
+    }
+    struct aperture *aperture = ARENA_NEW(file->job->arena, struct aperture);
+    *aperture = aperture_of(words[word].shape, words[word].blocks);
+    bool sound = set_sizes(file, line, aperture);
+    for (int k = 0; k < 2 && shift != NULL; k++) {
+        aperture->decenter[k] =
+            zemax_number(shift, (size_t)k) != 0 ? shift->numbers[k] : aperture->decenter[k];
+    }
+    if (!sound || !aperture_check(aperture, &wrong)) {
+        return zemax_loss(file, line, error,
+                          "%.4s: an aperture that is none" LOSS_VIGNETTES LOSS_INSTEAD "left out",
+                          line->keyword.start);
+    }
+    /* a centred circle is the diameter */
+    if (!aperture->blocks && aperture->shape == SHAPE_CIRCLE && aperture_is_round(aperture)) {
+        return true;
+    }
+    struct surface alone = {.apertures = aperture, .aperture_count = 1};
+    to->apertures = aperture;
+    to->aperture_count = 1;
+    to->has_diameter = to->has_diameter && (aperture->blocks || to->is_stop ||
+                                            to->diameter.value.hi / 2 >= aperture_reach(&alone));
+    return true;
+}
+
+/* -------- writing -------- */
+
+/* Why the format cannot have it; null: it can. */
+static const char *refusal_of(const struct aperture *aperture)
+{
+    bool quarter = aperture->shape == SHAPE_CIRCLE || aperture->shape == SHAPE_RING;
+    return aperture->shape == SHAPE_POLYGON           ? "a polygon stands in another file"
+           : !quarter && aperture->turn.value.hi != 0 ? "apertures are not turned there"
+                                                      : NULL;
+}
+
+static void put_one(struct zemax_writer *writer, const struct aperture *aperture)
+{
+    bool circle = aperture->shape == SHAPE_CIRCLE;
+    size_t i = 0;
+    while (words[i].shape != (circle ? SHAPE_RING : aperture->shape) ||
+           words[i].blocks != aperture->blocks) {
+        i++;
+    }
+    growing_format(&writer->out, "  %s ", words[i].word);
+    if (aperture->shape == SHAPE_SPIDER) {
+        growing_figure(&writer->out, &aperture->size[0], writer->unit);
+        growing_format(&writer->out, " %u 0\r\n", aperture->arms);
+    } else {
+        if (circle) {
+            growing_string(&writer->out, "0");
+        } else {
+            zemax_put_half(writer, &aperture->size[0]);
+        }
+        growing_string(&writer->out, " ");
+        zemax_put_half(writer, &aperture->size[circle ? 0 : 1]);
+        growing_string(&writer->out, " 0\r\n");
+    }
+    if (aperture->decenter[0].value.hi != 0 || aperture->decenter[1].value.hi != 0) {
+        growing_string(&writer->out, "  OBDC ");
+        growing_figure(&writer->out, &aperture->decenter[0], writer->unit);
+        growing_string(&writer->out, " ");
+        growing_figure(&writer->out, &aperture->decenter[1], writer->unit);
+        growing_string(&writer->out, "\r\n");
+    }
+}
+
+bool zemax_put_aperture(struct zemax_writer *writer, const struct surface *surface, size_t number,
+                        struct error *error)
+{
+    const struct aperture *kept = NULL;
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        const struct aperture *aperture = &surface->apertures[i];
+        const char *refusal =
+            kept != NULL ? "a surface has one aperture there" : refusal_of(aperture);
+        if (refusal == NULL) {
+            put_one(writer, aperture);
+            kept = aperture;
+        } else if (!foreign_lose(writer->job, error,
+                                 "surface %zu: a %s that %s: %s" LOSS_VIGNETTES LOSS_INSTEAD
+                                 "left out",
+                                 number, aperture_shapes[aperture->shape].word,
+                                 aperture->blocks ? "blocks" : "passes", refusal)) {
+            return false;
+        }
+    }
+    struct surface alone = {.apertures = kept, .aperture_count = 1};
+    bool cuts = kept != NULL && !kept->blocks && surface->has_diameter && !surface->is_stop &&
+                surface->diameter.value.hi / 2 < aperture_reach(&alone);
+    return !cuts || foreign_lose(writer->job, error,
+                                 "surface %zu: its diameter beside a %s" LOSS_VIGNETTES LOSS_INSTEAD
+                                 "left out",
+                                 number, aperture_shapes[kept->shape].word);
+}
