@@ -34,7 +34,7 @@ SURF 2
   COMM a "rear" side
   COAT MGF2
   MAZH 0 0
-  OBSC 0 2 0
+  USAP slit.uda
 SURF 3
 END
 lenscalc lens odd.zmx

@@ -2,13 +2,13 @@
 lens() {
     printf 'MODE SEQ\nUNIT MM\nENPD 10\nFTYP 0 0 2 1 0 0 0\nXFLN 0 3\nYFLN 0 5\n'
     printf 'WAVM 1 0.5876 1\nPWAV 1\nSURF 0\n  DISZ INFINITY\n'
-    printf 'SURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS N-BK7 0 0\n  OBSC 0 2 0\n'
+    printf 'SURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS N-BK7 0 0\n  USAP slit.uda\n'
     printf 'SURF 2\n  DISZ 90\nSURF 3\n'
 }
 lens > odd.zmx
 lenscalc lens odd.zmx --columns efl
 lenscalc lens odd.zmx --lossy --columns efl
-lens | sed '/OBSC/d' | lenscalc lens - --columns efl
+lens | sed '/USAP/d' | lenscalc lens - --columns efl
 lens | lenscalc lens - --lossy --columns efl
 lenscalc surfaces odd.zmx --lossy --columns surface,radius,medium
 lenscalc matrix odd.zmx --lossy --csv | head -1

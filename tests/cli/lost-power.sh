@@ -17,7 +17,7 @@ lenscalc convert d.seq --lossy
 printf 'LEN NEW "d" 50 2\nEBR 5\nTH 1e20\nNXT\nRD 50\nTH 4\nGLA 1.5\nAST\nGSP 0.001\nNXT\n' > d.len
 printf 'RD -50\nTH 31.5\nPY 0\nNXT\nEND 2\n' >> d.len
 lenscalc convert d.len --lossy
-# an aperture whose decentre is lost is left out; an automatic semi-diameter surrounds the beam
+# a decentred aperture is kept, or left out with its decentre: a centred one clips another beam
 printf 'MODE SEQ\nUNIT MM\nENPD 10\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n' > o.zmx
 printf '  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\n  CLAP 0 6 0\n  OBDC 0 20\n  DIAM 26 0\n' >> o.zmx
 printf 'SURF 2\n  CURV -0.02\n  DISZ 40\n  DIAM 26 1\n  CLAP 0 6 0\n  OBDC 0 20\nSURF 3\n' >> o.zmx

@@ -55,7 +55,7 @@ ASKED = {
 }
 ODD_LENS = ("MODE SEQ\nUNIT MM\nENPD 10\nFTYP 0 0 2 1 0 0 0\nXFLN 0 3\nYFLN 0 5\n"
             "WAVM 1 0.5876 1\nPWAV 1\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n"
-            "  DISZ 4\n  GLAS N-BK7 0 0\n  OBSC 0 2 0\nSURF 2\n  DISZ 90\nSURF 3\n")
+            "  DISZ 4\n  GLAS N-BK7 0 0\n  USAP slit.uda\nSURF 2\n  DISZ 90\nSURF 3\n")
 TABLES = ("cameras", "films", "filters", "formats", "fstops", "iso", "lines", "scenes", "shutters",
           "glass/BAD")
 

@@ -3,7 +3,8 @@
 
 Inside or outside: random parallel rays against tests of each shape written here, on a plane and on
 one that is shifted and turned. Pupils: areas of shapes in a uniform beam against closed forms, and
-spiders and overlaps against sums of circular segments. Files: what is read back from JSON is what
+spiders and overlaps against sums of circular segments. Files: through those of other programs rays
+meet the same fate, or a loss is listed; what is read back from JSON is what
 was written, a lens scaled and scaled back is itself, and one turned around blocks the mirrored rays.
 """
 # SPDX-License-Identifier: MIT
@@ -122,6 +123,10 @@ def turned_plane(x, y, shift, ax, ay):
     return u[0] * px + u[1] * py + u[2] * z, v[0] * px + v[1] * py + v[2] * z
 
 
+# how many of the lists the formats have words for
+FORMATS = {"zmx": 7, "seq": 0, "len": 0}
+
+
 class Test:
     def __init__(self, checks, program):
         self.checks, self.program = checks, program
@@ -217,6 +222,31 @@ class Test:
             back = [status for status, _ in self.statuses(turned, [(-x, y) for x, y in points])]
             self.checks.check(there == back, f"turned around: {lines}")
 
+    def others(self, draw):
+        """Through files of other programs rays meet the same fate, or a loss is listed."""
+        for ending in FORMATS:
+            kept = 0
+            for apertures in lists():
+                lines = "".join(one.line + "\n" for one in apertures)
+                lens = self.file("t.lens", HEAD + "stop - 10 air 40\nsurface 300 10 1.5 -\n" +
+                                 lines + "surface - 10 air 50\n")
+                path = os.path.join(self.folder.name, "t." + ending)
+                result = self.program.run("convert", lens, "-o", path, "--lossy")
+                lost = result.stderr.decode()
+                if not self.checks.check(result.returncode == 0, lost):
+                    continue
+                points = [(draw.uniform(-9, 9), draw.uniform(-9, 9)) for _ in range(100)]
+                same = self.statuses(lens, points) == self.statuses(path, points)
+                self.checks.check(same or "lost: surface 2" in lost, f"{ending}: {lines} {lost}")
+                kept += "lost: surface 2" not in lost
+                if "lost" not in lost:
+                    names = [os.path.join(self.folder.name, x + "." + ending) for x in "uv"]
+                    self.run("convert", path, "-o", names[0])
+                    self.run("convert", names[0], "-o", names[1])
+                    with open(names[0]) as one, open(names[1]) as two:
+                        self.checks.check(one.read() == two.read(), f"{ending} again: {lines}")
+            self.checks.check(kept >= FORMATS[ending], f"{ending}: {kept} lists kept")
+
     def errors(self):
         cases = (("pass square 3", "t.lens:6:6", "circle, ring"),
                  ("pass circle 0", "t.lens:6:13", "above 0"),
@@ -291,6 +321,7 @@ def main():
     test.areas()
     test.obstruction()
     test.files(draw)
+    test.others(draw)
     test.errors()
     checks.finish()
 

@@ -26,9 +26,9 @@ FORMATS = ["zmx", "json"]  # the others have tests of their own
 IMPORTS = {
     "HoO-V2C18Ex03.zmx": None,
     "HoO-V2C18Ex66.zmx": "beside the y-z plane",
-    "US05331467-1.zmx": "OBSC",
+    "US05331467-1.zmx": None,
     "US05831776-1.zmx": "real image heights",
-    "US08011793-1.zmx": "SQAP",
+    "US08011793-1.zmx": "beside the y-z plane",
     "complicated_fold_mirrors_setup_v2.zmx": None,
     "curved_transmission_grating.zmx": "beside the y-z plane",
     "ef35mm_f2.0.zmx": None,

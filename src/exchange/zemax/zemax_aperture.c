@@ -106,6 +106,14 @@ static const char *refusal_of(const struct aperture *aperture)
                                                       : NULL;
 }
 
+void zemax_put_half(struct zemax_writer *writer, const struct figure *figure)
+{
+    char text[PAIR_LENGTH];
+    const struct pair half = {figure->value.hi / 2, figure->value.lo / 2};
+    char *end = pair_write_shortest(text, half, writer->unit);
+    growing_put(&writer->out, text, (size_t)(end - text));
+}
+
 static void put_one(struct zemax_writer *writer, const struct aperture *aperture)
 {
     bool circle = aperture->shape == SHAPE_CIRCLE;

@@ -17,6 +17,9 @@
 bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *from,
                         struct surface *to, struct error *error);
 
+/* Half of a diameter. */
+void zemax_put_half(struct zemax_writer *writer, const struct figure *figure);
+
 /* The first one of a surface that the format has; the others are losses. */
 bool zemax_put_aperture(struct zemax_writer *writer, const struct surface *surface, size_t number,
                         struct error *error);

@@ -394,9 +394,9 @@ static bool check_pickups(struct zemax_file *file, size_t at, struct error *erro
 }
 
 /*
- * The radius of a circular aperture, else the semi-diameter; null where there is none. Of an
- * aperture that is lost (it is decentred, or no circle) only an automatic semi-diameter stands: it
- * surrounds the beam, and clips nothing that the aperture lets through.
+ * The radius of a circular aperture about the vertex, else the semi-diameter; null where there is
+ * none. Of an aperture that is lost only an automatic semi-diameter stands: it surrounds the beam,
+ * and clips nothing that the aperture lets through.
  */
 static const struct figure *radius_of(const struct zemax_surface *from)
 {
@@ -404,7 +404,8 @@ static const struct figure *radius_of(const struct zemax_surface *from)
     if (from->has_lost_aperture) {
         return zemax_number(from->diameter, 1) == 0 ? half : NULL;
     }
-    return from->clear != NULL ? &from->clear->numbers[1] : half;
+    bool is_centred = from->clear != NULL && from->aperture_shift == NULL;
+    return is_centred ? &from->clear->numbers[1] : half;
 }
 
 /* Twice the radius. */

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/keep_notes.h"
 #include "exchange/zemax/zemax.h"
+#include "exchange/zemax/zemax_aperture.h"
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_writer.h"
 #include "file/lens_build.h"

@@ -441,14 +441,6 @@ static void put_thickness(struct zemax_writer *writer, const struct surface *sur
     growing_string(&writer->out, last && paraxial ? "\r\n  MAZH 0 0\r\n" : "\r\n");
 }
 
-void zemax_put_half(struct zemax_writer *writer, const struct figure *figure)
-{
-    char text[PAIR_LENGTH];
-    const struct pair half = {figure->value.hi / 2, figure->value.lo / 2};
-    char *end = pair_write_shortest(text, half, writer->unit);
-    growing_put(&writer->out, text, (size_t)(end - text));
-}
-
 static void put_diameter(struct zemax_writer *writer, const struct surface *surface)
 {
     growing_string(&writer->out, "  DIAM ");

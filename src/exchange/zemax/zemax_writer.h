@@ -32,9 +32,6 @@ bool zemax_put_medium(struct zemax_writer *writer, const struct medium *medium,
 /* "SURF n" and its type. */
 void zemax_put_surf(struct zemax_writer *writer, const char *type);
 
-/* Half of a diameter. */
-void zemax_put_half(struct zemax_writer *writer, const struct figure *figure);
-
 /* The name of a glass as its catalogue spells it; "" of air. */
 bool zemax_put_glass_name(struct zemax_writer *writer, const struct medium *medium,
                           struct error *error);
