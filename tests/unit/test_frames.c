@@ -3,6 +3,7 @@
 #include "base/constants.h"
 #include "check.h"
 #include "file/lens_file.h"
+#include "trace/step.h"
 #include "trace/system.h"
 
 #include <stdlib.h>
@@ -288,8 +289,36 @@ static void test_angles(void)
     }
 }
 
+/* A ray that a step loses says at which surface, counted from 1, and how. */
+static void test_codes(void)
+{
+    struct arena arena = {0};
+    struct lens lens;
+    struct system system;
+    struct ray_block block = {.lost = {0}};
+    compile("surface 50 6 1.5 40 A4=1e-6\nbend tilt=3,0,0\nsurface -40 20 air 40 tilt=5,0\n"
+            "stop - 5 air 10\nsurface -90 30 mirror 40\n",
+            &arena, &lens, &system, -20);
+    for (size_t place = 0; place < system.places; place++) {
+        for (size_t i = system.begin[place]; i < system.begin[place + 1]; i++) {
+            const struct step *step = &system.steps[i];
+            const double codes[] = {step->miss, step->clipped, step->reflected, step->unconverged};
+            static const enum ray_status statuses[] = {RAY_MISS, RAY_CLIPPED, RAY_TOTAL_REFLECTION,
+                                                       RAY_NOT_CONVERGED};
+            CHECK(step->surface == place);
+            for (size_t k = 0; k < 4; k++) {
+                block.lost[0] = codes[k];
+                CHECK(ray_block_status(&block, 0) == statuses[k]);
+                CHECK(ray_block_surface(&block, 0) == place + 1);
+            }
+        }
+    }
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_codes();
     test_chains();
     test_normals();
     test_flat();
