@@ -218,12 +218,12 @@ static void check_curvatures(void)
         {"0 5 0 0 0", -u / y, 1, 0},
         {"0 6 0 0 0", -(slope / 1.5) / (4 * slope / 1.5), 1, 0},
         {"0 7 0 0 0", -(1.5 + 1) * u / (1.5 * y), 1, 0},
-        {"0.1 8 0.02 0 0", 0.1, 0, 1},
+        {"0.1 8 0.02 0 0", 0.1, 1, 0},
         {"0 9 1 0 0", -0.25, 1, 0},
         {"0 10 1 0 0", 1. / 46, 1, 0},
-        {"0.1 12 0 0 0", 0.1, 0, 1},
-        {"0.1 4 2 1 0", 0.1, 0, 1},
-        {"0.1 4 1 1 3", 0.1, 0, 1},
+        {"0.1 12 0 0 0", 0.1, 1, 0},
+        {"0.1 4 3 1 0", 0.1, 1, 0},
+        {"0.1 4 1 1 3", 0.1, 1, 0},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char text[1000];
@@ -272,11 +272,11 @@ static void check_other_pickups(void)
         {"  GLAS ___BLANK 2 1 1.5 0\n  DIAM 10 2 1 0 1\n", 0, 0},
         {"  GLAS OTHER 2 1 1.7 30\n  DIAM 5 2 1 0 0.5\n", 1, 0},
         {"  GLAS ___BLANK 2 3 1.5 0\n", 0, 1},
-        {"  GLAS ___BLANK 1 0 1.5 0\n  DIAM 7 2 1 0 1\n", 0, 1},
-        {"  GLAS ___BLANK 1 0 1.5 0\n  CONI -1 2 1\n", 0, 1},
-        {"  GLAS ___BLANK 1 0 1.5 0\n  PARM 1 0\n  PPAR 1 2 1 0 0\n", 0, 1},
-        {"  GLAS ___BLANK 1 0 1.5 0\n  PZUP 1 1 0 4\n", 0, 1},
-        {"  GLAS ___BLANK 1 0 1.5 0\n  CHZH 0 0\n", 0, 1},
+        {"  GLAS ___BLANK 1 0 1.5 0\n  DIAM 7 2 1 0 1\n", 1, 0},
+        {"  GLAS ___BLANK 1 0 1.5 0\n  CONI -1 2 1\n", 1, 0},
+        {"  GLAS ___BLANK 1 0 1.5 0\n  PARM 1 0\n  PPAR 1 3 1 0 0\n", 1, 0},
+        {"  GLAS ___BLANK 1 0 1.5 0\n  PZUP 1 1 0 4\n", 1, 0},
+        {"  GLAS ___BLANK 1 0 1.5 0\n  CHZH 0 0\n", 1, 0},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char text[1000];

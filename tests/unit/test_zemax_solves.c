@@ -50,6 +50,69 @@ static const struct refusal of_wrong_paraxial[] = {
     {"PARM 2 1", "PARM 2 1\n  @PARM 3 1", "parameter 3 of an ideal lens", "left out"},
 };
 
+/* Up to the last surface: pick-ups and solves come behind it. */
+#define SINGLET                                                                                    \
+    "SURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\nSURF 2\n  CURV -0.02\n"     \
+    "  DISZ 90\n"
+#define PARAXIAL                                                                                   \
+    "SURF 1\n  STOP\n  DISZ 20\nSURF 2\n  TYPE PARAXIAL\n  DISZ 50\n  PARM 1 50\n  PARM 2 1\n"
+
+/* In one configuration the number of the file is what the program solved. */
+static const struct meaning of_kept[] = {
+    {PARAXIAL, SINGLET "  MAZH 0 1\n",
+     "note line 18: a solve that follows a real ray; the file's number stands"},
+    {PARAXIAL, SINGLET "  MAZH 0 1\n", "surface -50 90 air -"},
+    {PARAXIAL, SINGLET "  DIAM 6 2 1 0 1\n",
+     "note line 18: a semi-diameter that follows another number; the file's number stands"},
+    {PARAXIAL, SINGLET "  CONI -1 2 1\n",
+     "note line 18: a conic that follows another number; the file's number stands"},
+    {PARAXIAL, SINGLET "  PARM 1 0\n  PPAR 1 5 1 0 0\n",
+     "note line 19: a parameter that follows no earlier surface; the file's number stands"},
+    {PARAXIAL, SINGLET "  PZUP 1 1 0 4\n",
+     "note line 18: a solve that follows another column; the file's number stands"},
+    {PARAXIAL, SINGLET "  PZUP 3 1 0\n",
+     "note line 18: a solve that follows no earlier surface; the file's number stands"},
+};
+
+/* In several it is that of one of them. */
+static const struct refusal of_lost[] = {
+    {PARAXIAL "SURF 3\n  DISZ 0\n", SINGLET "  @MAZH 0 1\nSURF 3\n  DISZ 0\nMNUM 2 1\n",
+     "a solve that follows a real ray", "the file's number stands"},
+};
+
+static const struct refusal of_circles[] = {
+    {PARAXIAL, SINGLET "  @PZUP 2 1 0\n",
+     "the pick-ups go in a circle: surface 2 follows surface 2, which follows it", NULL},
+    {PARAXIAL, "SURF 1\n  STOP\n  DISZ 20\n  @PZUP 2 1 0\nSURF 2\n  DISZ 20\n  PZUP 1 1 0\n",
+     "the pick-ups go in a circle: surface 1 follows surface 2, which follows it", NULL},
+    {PARAXIAL, "SURF 1\n  STOP\n  @CURV 0.1 4 2 -1 0\nSURF 2\n  CURV -0.1 4 1 -1 0\n  DISZ 20\n",
+     "the pick-ups go in a circle: surface 1 follows surface 2, which follows it", NULL},
+    {PARAXIAL, SINGLET "  @DIAM 6 2 2 0 1\n",
+     "the pick-ups go in a circle: surface 2 follows surface 2, which follows it", NULL},
+    {PARAXIAL, SINGLET "  PARM 1 0\n  @PPAR 1 2 1 0 0\n",
+     "the pick-ups go in a circle: surface 2 follows surface 2, which follows it", NULL},
+};
+
+/*
+ * The stop at the first surface: a chief ray of 10 degrees has the slope tan 10/1.5 behind it, and
+ * 4 tan 10/1.5 at the second one, of c = -0.02.
+ */
+static void check_chief(void)
+{
+    struct fixture fixture;
+    long line;
+    int column;
+    fixture_open(&fixture, "chief.zmx");
+    struct text file = case_file(&fixture, good, PARAXIAL, SINGLET "  CHZH 10\n", &line, &column);
+    const double slope = 0.17632698070846497347, y = 4 * slope / 1.5;
+    CHECK(foreign_read(&fixture.job, file, &fixture.lens, &fixture.error));
+    CHECK_RELATIVE(fixture.lens.surfaces[1].thickness.value.hi, (10 - y) / (slope - 0.01 * y),
+                   1e-15, "CHZH");
+    CHECK(fixture.lens.note_count == 1 &&
+          strstr(fixture.lens.notes[0], "by its solve, the file had 90") != NULL);
+    arena_free(&fixture.arena);
+}
+
 /* n' u' = n u - h/f at the height h, for any ray: [BornWolf99] 4.3 of one plane. */
 static void check_rays(void)
 {
@@ -122,6 +185,10 @@ int main(void)
 {
     check_meanings("paraxial.zmx", good, CASES(of_paraxial));
     check_refusals("paraxial.zmx", good, CASES(of_wrong_paraxial));
+    check_meanings("kept.zmx", good, CASES(of_kept));
+    check_refusals("lost.zmx", good, CASES(of_lost));
+    check_refusals("circle.zmx", good, CASES(of_circles));
+    check_chief();
     check_rays();
     check_written_again();
     return check_report();

@@ -21,6 +21,17 @@ void zemax_remark(struct zemax_file *file, const char *format, ...)
     lens_build_note(&file->build, text_of(text));
 }
 
+bool zemax_stands(struct zemax_file *file, const struct zemax_line *line, struct error *error,
+                  const char *what)
+{
+    if (file->configurations < 2) {
+        zemax_remark(file, "line %ld: %s; the file's number stands", line->words.number, what);
+        return true;
+    }
+    return zemax_loss(file, line, error, "%s" LOSS_IS_MUTE LOSS_INSTEAD "the file's number stands",
+                      what);
+}
+
 struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
                                  struct number_scale scale)
 {

@@ -89,6 +89,13 @@ double zemax_number(const struct zemax_line *line, size_t at);
 void zemax_remark(struct zemax_file *file, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/*
+ * What a number follows is not evaluated: the number of the file stands. Of one configuration it is
+ * what the program solved, and a note says so; of several it is that of one of them: a loss.
+ */
+bool zemax_stands(struct zemax_file *file, const struct zemax_line *line, struct error *error,
+                  const char *what);
+
 /* Record a loss at a line. */
 #define zemax_loss(file, line, error, ...)                                                         \
     foreign_loss((file)->job, &(line)->words, (line)->keyword, (error), __VA_ARGS__)

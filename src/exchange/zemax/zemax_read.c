@@ -1,6 +1,7 @@
 /* exchange/zemax/zemax_read.c - a .zmx file as a lens: system data, positions, solves. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax.h"
+#include "exchange/zemax/zemax_circle.h"
 #include "exchange/zemax/zemax_keyword.h"
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_surface.h"
@@ -323,7 +324,8 @@ static bool read(struct foreign_job *job, struct text content, struct lens *lens
 {
     struct zemax_file file = {.job = job};
     lens_build_begin(&file.build, lens, job->arena);
-    if (!zemax_parse(&file, content, error)) {
+    if (!zemax_parse(&file, content, error) ||
+        (!file.has_gaps && !zemax_check_circles(&file, error))) {
         return false;
     }
     set_positions(&file);

@@ -54,18 +54,23 @@ static struct figure rounded(const struct solving *solving, struct pair value)
 
 static const char through_loss[] = "follows rays through what is lost";
 
-/* The number that stands in the file is kept, and the solve is lost, once. */
+/* The number that stands in the file is kept, which is said once. */
 static bool keep(struct solving *solving, size_t at, const struct zemax_line *line, const char *why,
                  struct error *error)
 {
     struct zemax_surface *surface = &solving->file->surfaces[at];
+    const struct zemax_line *number = line;
     if (line == surface->curvature) {
         surface->has_free_curvature = true;
     } else {
+        number = surface->thickness;
         surface->solve = NULL;
     }
-    return zemax_loss(solving->file, line, error,
-                      "a solve that %s" LOSS_IS_MUTE LOSS_INSTEAD "the file's number stands", why);
+    const char *what = arena_printf(solving->file->job->arena, "a solve that %s", why);
+    return number != NULL && number->count > 0 && why != through_loss
+               ? zemax_stands(solving->file, line, error, what)
+               : zemax_loss(solving->file, line, error,
+                            "%s" LOSS_IS_MUTE LOSS_INSTEAD "the file's number stands", what);
 }
 
 /* The ray at a surface; false where the solve is kept, with an error if that is refused. */
@@ -86,18 +91,20 @@ static bool follow(struct solving *solving, size_t at, const struct zemax_line *
     return false;
 }
 
-static bool marginal(struct solving *solving, size_t at, const struct zemax_line *line,
-                     struct figure *figure, struct error *error)
+/* MAZH height zone, CHZH height: the paraxial ray has the height at the next surface. */
+static bool ray_height(struct solving *solving, size_t at, const struct zemax_line *line,
+                       struct figure *figure, struct error *error)
 {
     struct solve_state state;
-    if (zemax_number(line, 1) != 0) {
+    bool chief = text_same(line->keyword, "CHZH");
+    if (!chief && zemax_number(line, 1) != 0) {
         return keep(solving, at, line, "follows a real ray", error);
     }
     if (solving->file->job->lost_power != NULL) {
         return keep(solving, at, line, through_loss, error);
     }
     bool done = false;
-    if (!follow(solving, at, line, SOLVE_MARGINAL, &state, &done, error)) {
+    if (!follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state, &done, error)) {
         return done;
     }
     struct pair value = solve_thickness(&state, length_of(solving, line, 0));
@@ -166,11 +173,8 @@ static const struct {
     const char *word;
     bool (*solve)(struct solving *solving, size_t at, const struct zemax_line *line,
                   struct figure *figure, struct error *error);
-} solves[] = {{"MAZH", marginal},
-              {"PZUP", pick_up},
-              {"TCOM", compensate},
-              {"TOLE", compensate},
-              {"EDGE", edge}};
+} solves[] = {{"MAZH", ray_height}, {"CHZH", ray_height}, {"PZUP", pick_up},
+              {"TCOM", compensate}, {"TOLE", compensate}, {"EDGE", edge}};
 
 bool zemax_focuses(const struct zemax_file *file)
 {

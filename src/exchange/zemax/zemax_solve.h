@@ -18,8 +18,8 @@ struct solving {
 /*
  * Solve the curvature and the thickness of a surface.
  *
- * Result    in solving->thickness, curvature and lens. A solve that lenscalc does not know, or that
- *           has no answer, is a loss: the file's number stands
+ * Result    in solving->thickness, curvature and lens. Of a solve that lenscalc does not know, or
+ *           that has no answer, the file's number stands: zemax_stands
  */
 bool zemax_solve_surface(struct solving *solving, size_t at, struct error *error);
 

@@ -365,28 +365,23 @@ static bool is_parameter_astray(const struct zemax_line *line, size_t at)
 
 /*
  * The numbers of other pick-ups stand as the program stored them; where that is not what the
- * pick-up gives, it is lost. CONI has no place for a scale.
+ * pick-up gives, it is said. CONI has no place for a scale.
  */
 static bool check_pickups(struct zemax_file *file, size_t at, struct error *error)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     if (is_diameter_astray(file, at) &&
-        !zemax_loss(file, from->diameter, error,
-                    "a semi-diameter that follows another number" LOSS_IS_MUTE LOSS_INSTEAD
-                    "the file's number stands")) {
+        !zemax_stands(file, from->diameter, error, "a semi-diameter that follows another number")) {
         return false;
     }
     if (zemax_number(from->conic, 1) > 1 &&
-        !zemax_loss(file, from->conic, error,
-                    "a conic that follows another number" LOSS_IS_MUTE LOSS_INSTEAD
-                    "the file's number stands")) {
+        !zemax_stands(file, from->conic, error, "a conic that follows another number")) {
         return false;
     }
     for (size_t i = 0; i < ZEMAX_PARAMETERS; i++) {
         if (is_parameter_astray(from->pickups[i], at) &&
-            !zemax_loss(file, from->pickups[i], error,
-                        "a parameter that follows no earlier surface" LOSS_IS_MUTE LOSS_INSTEAD
-                        "the file's number stands")) {
+            !zemax_stands(file, from->pickups[i], error,
+                          "a parameter that follows no earlier surface")) {
             return false;
         }
     }
