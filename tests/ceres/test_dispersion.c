@@ -178,6 +178,8 @@ static void test_weighted(void)
         CHECK_RELATIVE(fit.parameters[i], expected[i], 1e-10, "coefficient");
         CHECK_RELATIVE(fit.summary.standard_error[i], errors[i], 1e-9, "standard error");
     }
+    CHECK_RELATIVE(fit.summary.rms, 0.68101430569007704, 1e-9, "rms of the shares");
+    CHECK(fit.summary.degrees_of_freedom == SCATTERED - 3);
     CHECK_RELATIVE(fit.rms, 0.00012676768832235572, 1e-9, "rms");
     CHECK_RELATIVE(fit.largest, 0.0002574590600724621, 1e-9, "largest");
     arena_free(&arena);
