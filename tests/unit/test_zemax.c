@@ -58,7 +58,7 @@ static void check_errors(void)
         {HEAD "WAVM 1 550000 1\n" SINGLET, 3, 8, "0.001 to 100000 um"},
         {HEAD "WAVM 2 0.55 1\n" SINGLET, 0, 0, "wavelength 1 is missing"},
         {HEAD "VCYN 0 0.1\n" SINGLET, 3, 8, "vignetting factors of the fields"},
-        {HEAD "ENVD 40 1 1\n" SINGLET, 3, 1, "20 C and 1 atmosphere"},
+        {HEAD "ENVD 40 -1 1\n" SINGLET, 3, 1, "a pressure of 0 or more"},
         {HEAD "FTYP 3 0 1 1\nYFLN 5\n" SINGLET, 3, 1, "real image heights"},
         {HEAD "XFLN 0 2\nYFLN 5 0\n" SINGLET, 3, 8, "beside the y-z plane"},
         {HEAD OBJECT "SURF 1\n  TYPE NONSEQCO\n" IMAGE("2"), 8, 8, "non-sequential group"},

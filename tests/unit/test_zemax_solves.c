@@ -37,6 +37,8 @@ static const struct meaning of_paraxial[] = {
     {"  DISZ 20\n", "  TYPE PARAXIAL\n  PARM 1 40\n  DISZ 20\n", "thick 40 20 air - stop"},
     {"SURF 3\n", "SURF 3\n  TYPE PARAXIAL\n  PARM 1 9\n  PPAR 1 2 -0.5 3\n  DISZ 5\nSURF 4\n",
      "thick -22 5 air -"},
+    {"SURF 3\n  DISZ 0\n", "SURF 3\n  DISZ 0\nMNUM 2 1\nPAR1 2 1 50\nPAR1 2 2 60\n",
+     "set f2 50 60"},
     /* a plane in the program too: the numbers of its curve do nothing */
     {"PARM 2 1", "PARM 2 1\n  CURV 0.1\n  CONI 2",
      "note surface 2 is an ideal lens: its curvature and conic do nothing"},
@@ -181,6 +183,58 @@ static void check_written_again(void)
     }
 }
 
+#define GLASS(name)                                                                                \
+    "SURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS " name "\nSURF 2\n  CURV -0.02\n  DISZ 90\n"
+
+static const struct meaning of_environment[] = {
+    {PARAXIAL, "ENVD 20 1 1\n" GLASS("N-BK7"), "surface 50 4 SCHOTT:N-BK7 - stop"},
+    {PARAXIAL, "ENVD 40 0.5 0\n" GLASS("N-BK7"), "surface 50 4 SCHOTT:N-BK7 - stop"},
+    {PARAXIAL, "ENVD 40 0.5 1\n" GLASS("___BLANK 1 0 1.5 60"), "surface 50 4 1.5/60 - stop"},
+    {PARAXIAL, "ENVD 40 0.5 1\n" GLASS("N-BK7"),
+     "note line 15: the indices of SCHOTT:N-BK7 at 40 C and 0.5 atmospheres"},
+};
+
+static const struct refusal of_no_data[] = {
+    {PARAXIAL, "ENVD 40 1 1\n" GLASS("@PMMA 0 0 1.490595 58.005"),
+     "the index at 40 C and 1 atmospheres (the catalogue gives no dn/dT of MISC:PMMA)",
+     "that of the catalogue stands"},
+};
+
+/*
+ * N-BK7 in air of T and p, by a program of its own: the maker's formula at the wavelength that the
+ * file's has in air of 20 C, Kohlrausch's air, and the maker's change in vacuum. Beside the file's
+ * wavelength and the lines, a parabola goes between them.
+ */
+static void check_indices(void)
+{
+    static const struct {
+        const char *environment;
+        double wavelength, index, tolerance;
+    } cases[] = {
+        {"ENVD 20 0 1\n", 0.55, 1.5189446251499588, 4e-16},
+        {"ENVD 40 1 1\n", 0.55, 1.5185816350991548, 4e-16},
+        {"ENVD -30 0.5 1\n", 0.55, 1.5186331340439905, 4e-16},
+        {"ENVD -30 0.5 1\n", 0.4861327, 1.5224786649854414, 4e-16},
+        {"ENVD 20 0 1\n", 0.6562725, 1.5147390696815377, 4e-16},
+        {"ENVD 40 1 1\n", 0.6, 1.5163513344133994, 1e-7},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct fixture fixture;
+        long line;
+        int column;
+        struct pair index = {NAN, NAN};
+        fixture_open(&fixture, "air.zmx");
+        const char *now =
+            arena_printf(&fixture.arena, "%s%s", cases[i].environment, GLASS("N-BK7"));
+        struct text file = case_file(&fixture, good, PARAXIAL, now, &line, &column);
+        CHECK(foreign_read(&fixture.job, file, &fixture.lens, &fixture.error) &&
+              medium_index(&fixture.lens.surfaces[0].medium, cases[i].wavelength, &index,
+                           &fixture.error));
+        CHECK_RELATIVE(index.hi, cases[i].index, cases[i].tolerance, cases[i].environment);
+        arena_free(&fixture.arena);
+    }
+}
+
 int main(void)
 {
     check_meanings("paraxial.zmx", good, CASES(of_paraxial));
@@ -189,6 +243,9 @@ int main(void)
     check_refusals("lost.zmx", good, CASES(of_lost));
     check_refusals("circle.zmx", good, CASES(of_circles));
     check_chief();
+    check_meanings("environment.zmx", good, CASES(of_environment));
+    check_refusals("environment.zmx", good, CASES(of_no_data));
+    check_indices();
     check_rays();
     check_written_again();
     return check_report();

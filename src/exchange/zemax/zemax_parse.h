@@ -69,6 +69,7 @@ struct zemax_file {
     struct text catalogs[ZEMAX_CATALOGS];
     size_t catalog_count;
     const struct zemax_line *aperture, *fields, *x, *y; /* ENPD .., FTYP, XFLN, YFLN */
+    const struct zemax_line *environment;               /* ENVD */
     struct figure waves[ZEMAX_WAVES], weights[ZEMAX_WAVES];
     size_t wave_count, primary;
     const struct zemax_line *primary_line;

@@ -4,6 +4,7 @@
 #include "exchange/zemax/zemax_aperture.h"
 
 #include "base/constants.h"
+#include "exchange/zemax/zemax_environment.h"
 #include "exchange/zemax/zemax_paraxial.h"
 #include "exchange/zemax/zemax_solve.h"
 #include "file/lens_unit.h"
@@ -162,7 +163,7 @@ bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
         *medium = code_medium(file, line->keyword);
         return true;
     }
-    return find_glass(file, line, medium, error);
+    return find_glass(file, line, medium, error) && zemax_to_environment(file, line, medium, error);
 }
 
 /* A parameter after its pick-up: scale x (that of an earlier surface) + offset. */

@@ -175,12 +175,12 @@ static bool read_apodisation(struct zemax_file *file, struct text keyword, struc
 static bool read_environment(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    bool usual = zemax_number(line, 0) == 20 && zemax_number(line, 1) == 1;
-    return zemax_number(line, 2) == 0 || usual ||
-           zemax_loss(file, line, error,
-                      "indices at %.6g C and %.6g atmospheres: lenscalc has those of 20 C "
-                      "and 1 atmosphere" LOSS_OF_POWER LOSS_INSTEAD "they stand for them",
-                      zemax_number(line, 0), zemax_number(line, 1));
+    file->environment = line;
+    return zemax_number(line, 2) == 0 ||
+           (zemax_number(line, 0) > -273.15 && zemax_number(line, 1) >= 0) ||
+           lens_words_fail(&line->words, keyword, error,
+                           "ENVD wants a temperature above -273.15 C and a pressure of 0 or more "
+                           "atmospheres");
 }
 
 const struct zemax_keyword zemax_system_keywords[] = {

@@ -12,7 +12,7 @@ static void end_operand(struct zemax_writer *writer)
     growing_string(&writer->out, " 0 0 0 1 1 1 0 0 \"\" 0\r\n");
 }
 
-/* THIC and SDIA of the surfaces whose distance or diameter changes. */
+/* THIC, SDIA and PAR1 of the surfaces whose distance, diameter or focal length changes. */
 static void put_variables(struct zemax_writer *writer)
 {
     const struct lens *lens = writer->lens;
@@ -28,6 +28,14 @@ static void put_variables(struct zemax_writer *writer)
         for (size_t p = 0; p < count && variable != LENS_NONE; p++) {
             growing_format(&writer->out, "SDIA %zu %zu ", writer->own_places[i], p + 1);
             zemax_put_half(writer, &lens->variables[variable].values[p]);
+            end_operand(writer);
+        }
+        variable = surface_has(&lens->surfaces[i], SURFACE_HAS_FOCAL)
+                       ? lens->surfaces[i].focal.variable
+                       : LENS_NONE;
+        for (size_t p = 0; p < count && variable != LENS_NONE; p++) {
+            growing_format(&writer->out, "PAR1 %zu %zu ", writer->own_places[i], p + 1);
+            growing_figure(&writer->out, &lens->variables[variable].values[p], writer->unit);
             end_operand(writer);
         }
     }

@@ -313,6 +313,8 @@ const char *zemax_operand_of(const struct surface *surface, struct parameter par
         return type == NULL || type->extra
                    ? NULL
                    : arena_printf(arena, "PAR%d", parameter.order / type->step);
+    case PARAMETER_FOCAL:
+        return "PAR1";
     default:
         return NULL;
     }
@@ -327,6 +329,8 @@ void zemax_put_number(struct zemax_writer *writer, struct parameter parameter,
         put_reciprocal(writer, figure);
     } else if (parameter.kind == PARAMETER_CURVATURE) {
         put_curvature(writer, figure);
+    } else if (parameter.kind == PARAMETER_FOCAL) {
+        growing_figure(&writer->out, figure, writer->unit);
     } else {
         put_coefficient(writer, parameter.order, *figure);
     }
@@ -389,13 +393,6 @@ static bool put_thick(struct zemax_writer *writer, const struct surface *surface
         !foreign_lose(writer->job, error,
                       "surface %zu: a thick lens whose principal planes lie apart" LOSS_INSTEAD
                       "they fall together, and what lies behind moves",
-                      number)) {
-        return false;
-    }
-    if (surface->focal.variable != LENS_NONE &&
-        !foreign_lose(writer->job, error,
-                      "surface %zu: a focal length that changes between positions" LOSS_INSTEAD
-                      "that of the first stands",
                       number)) {
         return false;
     }
