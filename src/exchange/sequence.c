@@ -150,6 +150,42 @@ static bool has_circle(const struct sequence_surface *from)
            !from->has_lost_aperture;
 }
 
+/* One that passes as a circle about the vertex is the diameter, and another takes it along. */
+static bool put_aperture(const struct sequence *sequence, struct sequence_aperture *one,
+                         struct surface *surface, struct aperture *to, struct error *error)
+{
+    struct error wrong;
+    *to = one->aperture;
+    if (!to->blocks && to->shape == SHAPE_CIRCLE && surface->has_diameter) {
+        to->size[0] = surface->diameter;
+        surface->has_diameter = false;
+    }
+    if (aperture_check(to, &wrong)) {
+        surface->aperture_count++;
+        return true;
+    }
+    const struct lens_words place = commands_place(sequence->commands, &one->at);
+    return foreign_loss(sequence->job, &place, one->at.text, error,
+                        "%.*s: an aperture that is not stated whole" LOSS_VIGNETTES LOSS_INSTEAD
+                        "left out",
+                        text_shown(one->at.text), one->at.text.start);
+}
+
+static bool put_apertures(const struct sequence *sequence, const struct sequence_surface *from,
+                          struct surface *surface, struct error *error)
+{
+    struct arena *arena = sequence->job->arena;
+    struct aperture *all = ARENA_ARRAY(arena, from->aperture_count, struct aperture);
+    surface->apertures = all;
+    for (size_t i = 0; i < from->aperture_count; i++) {
+        if (!put_aperture(sequence, &from->apertures[i], surface, &all[surface->aperture_count],
+                          error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* The surface, and behind a bend a plane that turns the axis. */
 static bool put_surface(const struct sequence *sequence, size_t index, size_t *lens_index,
                         struct error *error)
@@ -182,6 +218,9 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     if (surface->has_diameter) {
         name = arena_printf(arena, "a%zu", *lens_index + 1);
         surface->diameter = cell(sequence, name, &from->diameter, from->diameters, pair_of(0));
+    }
+    if (!put_apertures(sequence, from, surface, error)) {
+        return false;
     }
     if (from->is_stop) {
         lens_build_stop(build, *lens_index);

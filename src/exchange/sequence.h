@@ -8,6 +8,7 @@
 #include "exchange/foreign.h"
 #include "file/lens_build.h"
 #include "file/lens_solve.h"
+#include "optics/aperture.h"
 #include "optics/lens.h"
 
 #include <stdbool.h>
@@ -49,6 +50,16 @@ struct sequence_pickup {
     struct command_word at;
 };
 
+/*
+ * An aperture while it is read. A clear circle of which only the decentre is known has the
+ * diameter of the surface.
+ */
+struct sequence_aperture {
+    struct command_word at;
+    struct text label; /* by which later commands name it */
+    struct aperture aperture;
+};
+
 /* A surface as the file has it. Tilts are right-handed, as in a lens. */
 struct sequence_surface {
     struct command_word at; /* where it begins */
@@ -65,6 +76,8 @@ struct sequence_surface {
     enum curved curved;
     bool is_special; /* its coefficients are those of CODE V's SPS ODD */
     bool is_stop;
+    struct sequence_aperture *apertures;
+    size_t aperture_count, aperture_room;
     bool has_lost_aperture; /* its decentre is lost: no centred one may stand for it */
     const char *name;
     enum sequence_move move;

@@ -124,7 +124,7 @@ def turned_plane(x, y, shift, ax, ay):
 
 
 # how many of the lists the formats have words for
-FORMATS = {"zmx": 7, "seq": 0, "len": 0}
+FORMATS = {"zmx": 7, "seq": 4, "len": 0}
 
 
 class Test:

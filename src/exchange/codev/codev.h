@@ -6,6 +6,7 @@
 #include "exchange/foreign.h"
 #include "exchange/sequence.h"
 #include "exchange/word_table.h"
+#include "exchange/writing.h"
 
 extern const struct foreign_format codev_format;
 
@@ -74,9 +75,10 @@ codev_command codev_special;          /* SPS */
 codev_command codev_special_constant; /* SCO */
 codev_command codev_stop;
 codev_command codev_label;
-codev_command codev_aperture; /* CIR */
-codev_command codev_shift;    /* XDE .. CDE */
-codev_command codev_move;     /* DAR BEN */
+codev_command codev_aperture;       /* CIR is 'C', REX 'x', REY 'y', ELX 'X', ELY 'Y' */
+codev_command codev_aperture_shift; /* ADX, ADY; 'X', 'Y' */
+codev_command codev_shift;          /* XDE .. CDE */
+codev_command codev_move;           /* DAR BEN */
 codev_command codev_pickup;
 codev_command codev_zoom;
 codev_command codev_catalog; /* PRV PWL END */
@@ -116,5 +118,9 @@ bool codev_check_mode(struct codev *codev, struct error *error);
 /* Write a lens. */
 bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                  struct error *error);
+
+/* What passes or blocks light beside the diameter; the shapes that are not written are losses. */
+bool codev_put_apertures(struct writing *writing, struct foreign_job *job,
+                         const struct surface *surface, struct error *error);
 
 #endif

@@ -39,10 +39,6 @@ static bool lose(struct codev *codev, const struct word_group *group, struct err
     if ((group->flags & WORD_COUNTS_AT_0) == 0 && codev_is_zero(codev, qualifiers.next)) {
         return true;
     }
-    if (codev->sequence.count > 0 && (text_same(codev->commands.words[0].text, "ADX") ||
-                                      text_same(codev->commands.words[0].text, "ADY"))) {
-        codev->sequence.surfaces[qualifiers.surface].has_lost_aperture = true;
-    }
     return commands_lose(&codev->commands, error, "%s%s", group->what, word_group_marks(group));
 }
 
@@ -110,7 +106,13 @@ static const struct {
     {"SCO", codev_special_constant, 0, false},
     {"STO", codev_stop, 0, true},
     {"SLB", codev_label, 0, true},
-    {"CIR", codev_aperture, 0, true},
+    {"CIR", codev_aperture, 'C', true},
+    {"REX", codev_aperture, 'x', true},
+    {"REY", codev_aperture, 'y', true},
+    {"ELX", codev_aperture, 'X', true},
+    {"ELY", codev_aperture, 'Y', true},
+    {"ADX", codev_aperture_shift, 'X', true},
+    {"ADY", codev_aperture_shift, 'Y', true},
     {"XDE", codev_shift, 'X', true},
     {"YDE", codev_shift, 'Y', true},
     {"ZDE", codev_shift, 'Z', true},
@@ -269,4 +271,5 @@ const struct foreign_format codev_format = {.type = {{"seq", "CODE V"}, ".seq"},
                                             .is_like = codev_is_like,
                                             .read = codev_read,
                                             .write = codev_write,
-                                            .words = codev_words};
+                                            .words = codev_words,
+                                            .has_apertures = true};

@@ -393,6 +393,15 @@ static bool put_asphere(struct output *output, const struct surface *surface, st
     return true;
 }
 
+static bool put_clear(struct output *output, const struct surface *surface, struct error *error)
+{
+    if (surface->has_diameter) {
+        const struct text diameter = writing_length(&output->writing, &surface->diameter, 1);
+        put_command(output, "  CIR", decimal_half(diameter, output->job->arena));
+    }
+    return codev_put_apertures(&output->writing, output->job, surface, error);
+}
+
 static bool put_details(struct output *output, const struct surface *surface, struct error *error)
 {
     struct writing *writing = &output->writing;
@@ -409,9 +418,8 @@ static bool put_details(struct output *output, const struct surface *surface, st
     if (surface->is_stop) {
         put_string(output, "  STO\n");
     }
-    if (surface->has_diameter) {
-        const struct text diameter = writing_length(writing, &surface->diameter, 1);
-        put_command(output, "  CIR", decimal_half(diameter, output->job->arena));
+    if (!put_clear(output, surface, error)) {
+        return false;
     }
     if (surface->name != NULL && !put_text(output, "  SLB", surface->name, error)) {
         return false;
