@@ -326,8 +326,8 @@ static bool is_focus(const struct sequence *sequence, const struct sequence_surf
 {
     const struct sequence_solve *solve = &last->thickness_solve;
     bool is_kept = sequence->job->lost_power != NULL && last->thickness.typed.start != NULL;
-    return !is_kept && solve->is_set && !solve->of_angle && solve->ray == SOLVE_MARGINAL &&
-           solve->target.value.hi == 0 && last->extra.hi == 0;
+    return !is_kept && solve->is_set && !solve->is_unknown && !solve->of_angle &&
+           solve->ray == SOLVE_MARGINAL && solve->target.value.hi == 0 && last->extra.hi == 0;
 }
 
 bool sequence_finish(struct sequence *sequence, struct error *error)

@@ -26,6 +26,7 @@ enum sequence_move {
 /* A thickness or curvature that follows from a ray. */
 struct sequence_solve {
     bool is_set, of_angle; /* else of a height, mm */
+    bool is_unknown;       /* of something else: the number of the file stands */
     enum solve_ray ray;
     struct figure target;
     struct command_word at;

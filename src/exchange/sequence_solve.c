@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/sequence.h"
 
+#include "file/lens_build.h"
+
 #include <math.h>
 
 /* With an f-number the rays depend on what is solved: then it is solved again. */
@@ -108,21 +110,43 @@ static bool set_curvature(const struct solving *solving, const struct figure *va
     return true;
 }
 
-/* The number of the file stands; false with ERROR_NONE, or the error where that is refused. */
-static bool keep(const struct solving *solving, const char *why, struct error *error)
-{
-    const struct lens_words place =
-        commands_place(solving->sequence->commands, &solving->solve->at);
-    return foreign_loss(solving->sequence->job, &place, solving->solve->at.text, error,
-                        "a solve: %s" LOSS_INSTEAD "the number of the file stands", why) &&
-           (error->code = ERROR_NONE, false);
-}
+static const char through_loss[] = "it follows rays through what is lost";
 
-/* Does the file have a number for it? */
-static bool is_stored(const struct solving *solving)
+/* What the file has for it; typed.start is null where it has nothing. */
+static const struct figure *stored_of(const struct solving *solving)
 {
     const struct sequence_surface *from = solving->from;
-    return (solving->is_thickness ? from->thickness : from->curve).typed.start != NULL;
+    if (!solving->is_thickness) {
+        return &from->curve;
+    }
+    return from->thicknesses != NULL ? &from->thicknesses[0] : &from->thickness;
+}
+
+static bool is_stored(const struct solving *solving)
+{
+    return stored_of(solving)->typed.start != NULL;
+}
+
+/*
+ * The number of the file stands; false with ERROR_NONE, or the error where that is refused. Of one
+ * position it is what the program solved, and a note says so.
+ */
+static bool keep(const struct solving *solving, const char *why, struct error *error)
+{
+    const struct sequence *sequence = solving->sequence;
+    const struct lens_words place = commands_place(sequence->commands, &solving->solve->at);
+    const bool is_one = sequence->build->lens->position_count < 2;
+    error->code = ERROR_NONE;
+    if (is_one && is_stored(solving) && why != through_loss) {
+        const char *note =
+            arena_printf(sequence->job->arena,
+                         "line %ld: a solve: %s; the number of the file stands", place.number, why);
+        lens_build_note(sequence->build, text_of(note));
+        return false;
+    }
+    return foreign_loss(sequence->job, &place, solving->solve->at.text, error,
+                        "a solve: %s" LOSS_INSTEAD "the number of the file stands", why) &&
+           (error->code = ERROR_NONE, false);
 }
 
 /* Result: false with ERROR_NONE where the stored number stands, as a loss that is listed. */
@@ -132,7 +156,10 @@ static bool apply(const struct solving *solving, bool *near, struct error *error
     size_t count = positions > 0 ? positions : 1;
     struct figure *values = ARENA_ARRAY(solving->sequence->job->arena, count, struct figure);
     if (solving->sequence->job->lost_power != NULL && is_stored(solving)) {
-        return keep(solving, "it follows rays through what is lost", error);
+        return keep(solving, through_loss, error);
+    }
+    if (solving->solve->is_unknown) {
+        return keep(solving, "it is not known", error);
     }
     for (size_t i = 0; i < count; i++) {
         struct pair value;
@@ -177,6 +204,57 @@ static bool pass(const struct sequence *sequence, const size_t *indices, bool *s
     return true;
 }
 
+/* A note where a solve gives another number than the file has, beyond its rounding. */
+static void remark(const struct solving *solving, size_t number)
+{
+    const struct sequence *sequence = solving->sequence;
+    const struct surface *surface = &sequence->build->lens->surfaces[solving->surface];
+    const struct figure *was = stored_of(solving), *is = &surface->thickness;
+    struct pair value = is->value, old = pair_add(was->value, solving->from->extra);
+    if (solving->is_thickness && is->variable != LENS_NONE) {
+        is = &sequence->build->lens->variables[is->variable].values[0];
+        value = is->value;
+    }
+    if (!solving->is_thickness) {
+        is = &surface->curvature;
+        value = surface_curvature(surface, SECTION_Y);
+        old = was->value;
+        if (solving->from->is_radius && old.hi != 0) {
+            old = pair_divide(pair_of(1), old);
+        }
+    }
+    double rounding = figure_rounding(was);
+    if (!solving->is_thickness && solving->from->is_radius) {
+        rounding *= old.hi * old.hi;
+    }
+    if (fabs(pair_subtract(value, old).hi) > 1e-9 * fabs(value.hi) + rounding) {
+        const char *note = arena_printf(
+            sequence->job->arena, "the %s of surface %zu is %.*s by its solve, the file had %s%.*s",
+            solving->is_thickness ? "thickness" : "curvature", number, text_shown(is->typed),
+            is->typed.start,
+            solving->is_thickness || !solving->from->is_radius ? "" : "the radius ",
+            text_shown(was->typed), was->typed.start);
+        lens_build_note(sequence->build, text_of(note));
+    }
+}
+
+static void remark_all(const struct sequence *sequence, const size_t *indices)
+{
+    for (size_t i = 1; i + 1 < sequence->count; i++) {
+        const struct sequence_surface *from = &sequence->surfaces[i];
+        const struct solving curve = {sequence, from, &from->curvature_solve, indices[i], false};
+        const struct solving gap = {sequence, from, &from->thickness_solve,
+                                    indices[i] + from->has_plane_behind, true};
+        bool is_image = i + 2 == sequence->count && sequence->build->lens->focus == FOCUS_PARAXIAL;
+        if (curve.solve->is_set && is_stored(&curve)) {
+            remark(&curve, i);
+        }
+        if (gap.solve->is_set && is_stored(&gap) && !is_image) {
+            remark(&gap, i);
+        }
+    }
+}
+
 bool sequence_solve_all(const struct sequence *sequence, const size_t *indices, struct error *error)
 {
     bool settled = false;
@@ -184,6 +262,9 @@ bool sequence_solve_all(const struct sequence *sequence, const size_t *indices, 
         if (!pass(sequence, indices, &settled, error)) {
             return false;
         }
+    }
+    if (settled) {
+        remark_all(sequence, indices);
     }
     return settled || fail(error, ERROR_DATA, "%s: the solves of the file do not settle",
                            sequence->commands->job->source);

@@ -165,6 +165,14 @@ static const struct meaning of_solves[] = {
      "EPD 5\nYOB 0 -50\nSO 0 100\nS 0 6 1.5\nSTO\nS 0 1\nCUY UCY 0.48\n",
      "surface - 1 air - c=-0.02"},
     {"SI 0 0", "ZOO 2\nZOO EPD 5 10\nTHI HMY 1.2\nSI 0 0", "let d2 48 72"},
+    /* what is not evaluated stands as it is, and what is not what the file has is said */
+    {"STO", "STO\nCUY SMY 1",
+     "note line 6: a solve: it is not known; the number of the file stands"},
+    {"STO", "STO\nTHI UMY 1",
+     "note line 6: a solve: it is not known; the number of the file stands"},
+    {"STO", "STO\nTHI UMY 1", "surface 50 6 1.5 - stop"},
+    {"SI 0 0", "THI HMY 1.2\nSI 0 0",
+     "note the thickness of surface 2 is 48 by its solve, the file had 1"},
 };
 
 static const char zoom[] = "RDM;LEN\nTITLE 'Zoom'\nEPD 5\nSO 0 1e13\nS 50 6 1.5\nSTO\nCIR 4\n"
@@ -217,8 +225,6 @@ static const struct refusal losses[] = {
     {"STO", "STO\nSPS ODD\n@SCO AR21 1", "SCO: a constant of a shape that lenscalc has not", ""},
     {"STO", "STO\n@SCO C3 1", "SCO: a constant of a shape that lenscalc has not", ""},
     {"STO", "STO\nSPS ODD\n@SCO X3 1", "SCO: a constant of a shape that lenscalc has not", ""},
-    {"STO", "STO\n@CUY SMY 1", "CUY: a solve that is not known", stands},
-    {"STO", "STO\n@THI UMY 1", "THI: a solve that is not known", stands},
     {"GO", "@PIK XDE S1 XDE S2", "PIK: a pick-up that is not known", stands},
     {"GO", "@PIK RDY S2 THI S1", "PIK: a pick-up between unlike numbers or positions", ""},
     {"GO", "@PIK RDY S2 Z2 RDY S1", "PIK: a pick-up between unlike numbers or positions", ""},

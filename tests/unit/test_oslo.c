@@ -124,6 +124,10 @@ static const char plano[] = "LEN NEW \"plano\" 100 2\nEBR 2.5\nTH 1e20\nNXT\nRD 
 static const struct meaning of_solves[] = {
     {"TH 1\n", "PY 0\n", "focus paraxial"},
     {"TH 1\n", "PY 1.2\n", "surface - 48 air -"},
+    {"AST", "AST\nEC 1", "note line 9: a solve: it is not known; the number of the file stands"},
+    {"AST", "AST\nPI 0.1", "note line 9: a solve: it is not known; the number of the file stands"},
+    {"TH 1\n", "TH 5\nPY 1.2\n",
+     "note the thickness of surface 2 is 48 by its solve, the file had 5"},
     {"TH 1\n", "TH 1\nPU -0.049\n", "surface - 1 air - c=-0.02"},
     {"EBR 2.5\nTH 1e20\nNXT\nRD 50\nTH 6\nGLA 1.5\nAST\nNXT\nTH 1\n",
      "NAO 0.1\nOBH -50\nTH 100\nNXT\nTH 6\nGLA 1.5\nAST\nNXT\nPYC 12\n", "surface - 20 air -"},
@@ -146,7 +150,6 @@ static const struct refusal losses[] = {
     {"AST", "AST\n@CVX 0.1", "CVX: a toric surface", ""},
     {"AST", "AST\n@APN 1", "APN: an aperture that is no circle", ""},
     {"AST", "AST\n@GRT 1", "GRT: an index that changes inside of the glass", ""},
-    {"AST", "AST\n@EC 1", "EC: a solve that is not known", ""},
     {"AST", "AST\n@ASP ZER 3", "ASP: an asphere that is no polynomial of r", ""},
     {"AST", "AST\n@AS1 1e-3", shape, ""},
     {"AST", "AST\nASP ASR\n@AS11 1e-3",

@@ -122,21 +122,21 @@ static bool read_solve(struct codev *codev, const struct codev_qualifiers *quali
     if (!*is_solve) {
         return true;
     }
+    struct sequence_solve *solve =
+        is_thickness ? &surface->thickness_solve : &surface->curvature_solve;
     for (size_t i = 0; i < sizeof solves / sizeof solves[0]; i++) {
         if (!text_same(word.text, solves[i].name) || solves[i].of_angle == is_thickness) {
             continue;
         }
-        struct sequence_solve *solve =
-            is_thickness ? &surface->thickness_solve : &surface->curvature_solve;
         *solve = (struct sequence_solve){
-            true, solves[i].of_angle, solves[i].ray, {{0, 0}, {0}, 0}, word};
+            .is_set = true, .of_angle = solves[i].of_angle, .ray = solves[i].ray, .at = word};
         return commands_figure(commands, qualifiers->next + 1,
                                is_thickness ? commands->scale : plain, "target of the solve",
                                &solve->target, error) &&
                commands_end(commands, qualifiers->next + 2, error);
     }
-    return commands_lose(&codev->commands, error,
-                         "a solve that is not known" LOSS_INSTEAD "the number of the file stands");
+    *solve = (struct sequence_solve){.is_set = true, .is_unknown = true, .at = word};
+    return true;
 }
 
 /* A curvature in x: that of a cylinder, the other way. */

@@ -289,6 +289,16 @@ static bool read_solve(struct oslo *oslo, int what, struct error *error)
                     "target of the solve", &solve->target, error);
 }
 
+/* Angles of incidence and aplanatic: curvatures; contact at the edge: a thickness. */
+static bool read_other_solve(struct oslo *oslo, int is_thickness, struct error *error)
+{
+    struct sequence_surface *surface = present(oslo);
+    (void)error;
+    *(is_thickness ? &surface->thickness_solve : &surface->curvature_solve) =
+        (struct sequence_solve){.is_set = true, .is_unknown = true, .at = oslo->commands.words[0]};
+    return true;
+}
+
 static bool read_end(struct oslo *oslo, int what, struct error *error)
 {
     (void)what, (void)error;
@@ -386,6 +396,10 @@ static const struct {
     {"PYC", read_solve, 1},
     {"PU", read_solve, 2},
     {"PUC", read_solve, 3},
+    {"PI", read_other_solve, 0},
+    {"PIC", read_other_solve, 0},
+    {"APA", read_other_solve, 0},
+    {"EC", read_other_solve, 1},
     {"PK", oslo_pickup, 0},
     {"WV", oslo_waves, 0},
     {"WW", oslo_weights, 0},
