@@ -192,6 +192,10 @@ static const struct meaning of_surfaces[] = {
 };
 
 static const struct meaning of_solves[] = {
+    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3",
+     "SURF 5\n  CURV -0.02\n  DISZ 90\n  PZUP 1 2\nSURF 9",
+     "note line 21: what follows another surface, in a file whose surface numbers have gaps; the "
+     "file's number stands"},
     {"DISZ 90", "DISZ 12\n  PZUP 1 2 0.5", "surface -50 8.5 air -"},
     {"DISZ 90", "DISZ 12\n  PZUP 1 2.5", "surface -50 10 air -"},
     {"DISZ 90", "DISZ 12\n  TCOM 1 20", "surface -50 16 air -"},
@@ -222,10 +226,6 @@ static const struct refusal losses[] = {
      "SCBD: a surface that is shifted or turned beside what coordinate breaks say", ""},
     {"NAME", "@GFAC 1 2\nNAME", "GFAC: lenscalc has no apodised pupil", ""},
     {"NAME", "@GFAC 2 0\nNAME", "GFAC: lenscalc has no apodised pupil", ""},
-    {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3",
-     "SURF 5\n  CURV -0.02\n  DISZ 90\n  @PZUP 1 2\nSURF 9",
-     "what follows another surface, in a file whose surface numbers have gaps",
-     "the file's number stands"},
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 1 1\n@IGNR 2 1 1\n",
      "IGNR: a surface that is left out", ""},
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nEDVA 2 1 7 0 1\n@EDVA 2 2 8 0 1\n",

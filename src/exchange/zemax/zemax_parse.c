@@ -401,9 +401,8 @@ static bool lose_reference(struct zemax_file *file, const struct zemax_line **li
 {
     const struct zemax_line *lost = *line;
     *line = NULL;
-    return zemax_loss(file, lost, error,
-                      "what follows another surface, in a file whose surface numbers have "
-                      "gaps" LOSS_IS_MUTE LOSS_INSTEAD "the file's number stands");
+    return zemax_stands(file, lost, error,
+                        "what follows another surface, in a file whose surface numbers have gaps");
 }
 
 /* Solves and pick-ups of a surface, in a file whose surface numbers have gaps. */
