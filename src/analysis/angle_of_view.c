@@ -173,14 +173,10 @@ static bool is_lit(const struct outlook *outlook, const struct from_film *chief)
 static bool is_stated(const struct outlook *outlook, const double film[2], const struct ray *out)
 {
     const struct lens *lens = outlook->question->setup->lens;
-    double largest = 0, here = lens->field_kind == FIELD_IMAGE
-                                   ? hypot(film[0], film[1])
-                                   : atan2(hypot(out->cosine[0], out->cosine[1]), -out->cosine[2]);
-    bool comparable = lens->field_kind == FIELD_ANGLE || lens->field_kind == FIELD_IMAGE;
-    for (size_t i = 0; i < lens->field_count && comparable; i++) {
-        largest = fmax(largest, fabs(lens->fields[i].value.hi));
-    }
-    return here <= largest;
+    bool of_image = lens->field_kind == FIELD_IMAGE || lens->field_kind == FIELD_REAL;
+    double here = of_image ? hypot(film[0], film[1])
+                           : atan2(hypot(out->cosine[0], out->cosine[1]), -out->cosine[2]);
+    return (of_image || lens->field_kind == FIELD_ANGLE) && here <= lens_field_extent(lens);
 }
 
 /* Take the chief ray out of the lens; false where it does not get there. */

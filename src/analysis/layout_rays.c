@@ -18,6 +18,7 @@ struct beams {
     const struct system *open; /* without clear apertures */
     struct system clipped;     /* and with those of the drawing */
     bool has_stop;             /* of a size */
+    struct field_point edge;   /* of the field, in the section */
 };
 
 /* Surfaces without a diameter have that of the drawing, and a little more: nobody stated it. */
@@ -209,7 +210,7 @@ static void add_axial(struct beams *beams)
 
 static bool find_at(struct beams *beams, double share, struct bundle *bundle)
 {
-    const struct field_point *edge = &beams->layout->setup->edge;
+    const struct field_point *edge = &beams->edge;
     const struct field_point field = {edge->kind, {share * edge->value[0], share * edge->value[1]}};
     return find_bundle(beams, &field, bundle);
 }
@@ -241,11 +242,11 @@ static double find_edge(struct beams *beams, struct bundle *bundle)
     return pow(0.97, lit);
 }
 
-static void note_share(struct layout *layout, double share)
+static void note_share(const struct beams *beams, double share)
 {
-    const struct setup *setup = layout->setup;
-    bool angle = setup->edge.kind == FIELD_ANGLE;
-    double field = setup->edge.value[setup_axis(setup)];
+    struct layout *layout = beams->layout;
+    bool angle = beams->edge.kind == FIELD_ANGLE;
+    double field = beams->edge.value[setup_axis(layout->setup)];
     layout_note(layout,
                 arena_printf(layout->arena,
                              "the oblique bundle is drawn at %.3g%s, not %.3g%s: no ray from "
@@ -274,7 +275,7 @@ static void add_oblique(struct beams *beams)
         return;
     }
     if (share < 1) {
-        note_share(layout, share);
+        note_share(beams, share);
     } else if (cutting(beams, &bundle) != LENS_NONE) {
         layout_note(layout, "the oblique bundle is cut by the clear apertures of the elements");
     }
@@ -307,7 +308,12 @@ bool layout_rays(struct layout *layout, struct error *error)
         return false;
     }
     add_axial(&beams);
-    double field = setup->edge.value[setup_axis(setup)];
+    struct error lost;
+    beams.edge = setup->edge;
+    if (!setup_real_in_object(setup, &beams.edge, &lost)) {
+        layout_note(layout, arena_printf(layout->arena, "no oblique bundle: %s", lost.message));
+    }
+    double field = beams.edge.value[setup_axis(setup)];
     if (setup->edge.kind != FIELD_NONE && isfinite(field) && field != 0) {
         add_oblique(&beams);
     }

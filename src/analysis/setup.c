@@ -3,7 +3,6 @@
 #include "analysis/setup.h"
 
 #include "optics/wavelength.h"
-#include "trace/focus.h"
 
 #include <math.h>
 
@@ -27,6 +26,7 @@ static void choose_wavelengths(const struct setup_question *question, struct set
         ARENA_ARRAY(setup->arena, count * (size_t)SETUP_SYSTEMS, const struct system *);
 }
 
+/* Without fields at first: a real image may be in the best focus, which depends on the aperture. */
 static bool set_aperture(const struct setup_question *question, struct setup *setup,
                          struct error *error)
 {
@@ -34,8 +34,9 @@ static bool set_aperture(const struct setup_question *question, struct setup *se
     if (!isnan(question->fnumber)) {
         aperture = (struct aperture_setting){APERTURE_FNUMBER, question->fnumber};
     }
-    return first_order_aperture(&setup->first, &setup->object, &aperture, setup->edge.kind,
-                                setup->edge.value[setup_axis(setup)], error);
+    const struct field_point edge = setup_in_section(setup, &setup->edge);
+    return first_order_aperture(&setup->first, &setup->object, &aperture, edge.kind,
+                                edge.value[setup_axis(setup)], error);
 }
 
 bool setup_open(const struct setup_question *question, struct arena *arena, struct setup *setup,
@@ -48,25 +49,15 @@ bool setup_open(const struct setup_question *question, struct arena *arena, stru
         .position = all->position_count > 0 ? all->positions[question->position] : NULL,
         .section = question->section,
         .object = lens_object(lens),
+        .edge = {.kind = FIELD_NONE},
         .image = NAN,
         .arena = arena,
     };
     choose_wavelengths(question, setup);
     return first_order_of_lens(lens, lens_primary_wavelength(lens), setup->section, arena,
                                &setup->first, error) &&
-           setup_choose_fields(question, setup, error) && set_aperture(question, setup, error);
-}
-
-struct setup setup_at_wavelength(const struct setup *setup, double wavelength, struct arena *arena)
-{
-    struct setup other = *setup;
-    struct setup_wavelength *one = ARENA_NEW(arena, struct setup_wavelength);
-    *one = (struct setup_wavelength){wavelength, 1};
-    other.wavelengths = one;
-    other.wavelength_count = 1;
-    other.arena = arena;
-    other.systems = ARENA_ARRAY(arena, SETUP_SYSTEMS, const struct system *);
-    return other;
+           set_aperture(question, setup, error) && setup_choose_fields(question, setup, error) &&
+           set_aperture(question, setup, error);
 }
 
 bool setup_light(const struct setup *setup, size_t wavelength, struct setup_light *light,
@@ -97,103 +88,4 @@ bool setup_light(const struct setup *setup, size_t wavelength, struct setup_ligh
     const struct aperture_setting beam = {APERTURE_EPD, primary->entrance_diameter};
     return isnan(beam.value) ||
            first_order_aperture(&light->first, object, &beam, kind, field, error);
-}
-
-/* -------- exact rays -------- */
-
-/* Every system of lenscalc's commands: the stop is as wide as at the primary wavelength. */
-static bool compile(const struct setup *setup, const struct lens *lens, double wavelength,
-                    unsigned which, struct system *system, struct error *error)
-{
-    struct system_options options = system_options_default();
-    options.clip = (which & SETUP_CLIPPED) != 0;
-    options.reverse = (which & SETUP_REVERSED) != 0;
-    options.path = (which & SETUP_PATH) != 0;
-    options.image = (which & SETUP_IMAGE) != 0 ? setup->image : (double)NAN;
-    options.stop_radius = setup->first.stop_radius;
-    return system_compile(lens, wavelength, &options, setup->arena, system, error);
-}
-
-bool setup_compile(const struct setup *setup, const struct lens *lens, size_t wavelength,
-                   unsigned which, struct system *system, struct error *error)
-{
-    return compile(setup, lens, setup->wavelengths[wavelength].wavelength, which, system, error);
-}
-
-const struct system *setup_system(const struct setup *setup, size_t wavelength, unsigned which,
-                                  struct error *error)
-{
-    const struct system **kept = &setup->systems[wavelength * SETUP_SYSTEMS + which];
-    if (*kept == NULL) {
-        struct system *system = ARENA_NEW(setup->arena, struct system);
-        if (!setup_compile(setup, setup->lens, wavelength, which, system, error)) {
-            return NULL;
-        }
-        *kept = system;
-    }
-    return *kept;
-}
-
-/* -------- the image plane -------- */
-
-struct pair setup_paraxial_image(const struct lens *lens, const struct first_order *first)
-{
-    const struct surface *last = &lens->surfaces[lens->surface_count - 1];
-    return lens->focus == FOCUS_TABLE && last->has_thickness ? last->thickness.value
-                                                             : pair_of(first->image);
-}
-
-static bool find_best(const struct setup *setup, double *z, struct error *error)
-{
-    struct system system;
-    return compile(setup, setup->lens, lens_primary_wavelength(setup->lens), SETUP_OPEN, &system,
-                   error) &&
-           lens_best_focus(&system, &setup->object, &setup->first, setup->arena, z, error);
-}
-
-static bool find_table(struct setup *setup, bool is_asked, struct error *error)
-{
-    const struct surface *last = &setup->lens->surfaces[setup->lens->surface_count - 1];
-    if (last->has_thickness) {
-        setup->image = last->thickness.value.hi;
-        setup->focus = "table";
-    } else {
-        setup->warning =
-            "the lens states no distance behind its last surface: paraxial focus instead";
-    }
-    return last->has_thickness || !is_asked ||
-           fail(error, ERROR_DOMAIN, "the lens states no distance behind its last surface");
-}
-
-bool setup_place_image(struct setup *setup, const struct plane_value *asked, struct error *error)
-{
-    static const enum plane_kind kinds[] = {
-        [FOCUS_PARAXIAL] = PLANE_PARAXIAL, [FOCUS_TABLE] = PLANE_TABLE, [FOCUS_BEST] = PLANE_BEST};
-    bool is_asked = asked->kind != PLANE_OF_LENS;
-    enum plane_kind kind = is_asked ? asked->kind : kinds[setup->lens->focus];
-    double best;
-    setup->image = setup->first.image;
-    setup->focus = "paraxial";
-    if (kind == PLANE_TABLE && !find_table(setup, is_asked, error)) {
-        return false;
-    }
-    if (kind == PLANE_AT) {
-        setup->image = asked->distance;
-        setup->focus = "given";
-    }
-    if (kind == PLANE_BEST && find_best(setup, &best, error)) {
-        setup->image = best;
-        setup->focus = "best";
-    } else if (kind == PLANE_BEST && is_asked) {
-        return false;
-    } else if (kind == PLANE_BEST) {
-        setup->warning = arena_printf(setup->arena, "%s: paraxial focus instead", error->message);
-    }
-    if (isfinite(setup->image)) {
-        return true;
-    }
-    setup->image = NAN;
-    setup->focus = NULL;
-    return !is_asked || fail(error, ERROR_DOMAIN,
-                             "the image is infinitely far away: its distance must be given");
 }

@@ -29,7 +29,7 @@ struct setup {
     struct conjugate_object object;
     const struct setup_wavelength *wavelengths; /* at least one */
     size_t wavelength_count;
-    const struct setup_field *fields; /* on the axis of the section */
+    const struct setup_field *fields; /* those on one axis on that of the section */
     size_t field_count;               /* 0: FIELDS_LARGEST of a lens without any */
     const char *fields_from;          /* FIELDS_SPREAD: how they were found, in words; else null */
     struct field_point edge;          /* the one farthest from the axis; FIELD_NONE: none */
@@ -128,9 +128,35 @@ bool setup_compile(const struct setup *setup, const struct lens *lens, size_t wa
  */
 struct pair setup_paraxial_image(const struct lens *lens, const struct first_order *first);
 
+/* -------- analysis/setup_beam.c -------- */
+
+/*
+ * A field as the paraxial rays of the section see it: on its axis. In a round lens all fields as
+ * far out are alike, of another one the part in the section counts.
+ */
+struct field_point setup_in_section(const struct setup *setup, const struct field_point *point);
+
+/*
+ * The beam of a field point: beam_of_field; and of a height of the real image the one whose chief
+ * ray, at the primary wavelength, meets the image plane there, that of the setup, else of the lens.
+ *
+ * Errors    as beam_of_field; ERROR_DOMAIN: no image plane, no stop, no chief ray that gets there
+ */
+bool setup_beam(const struct setup *setup, const struct field_point *field, struct beam *beam,
+                struct error *error);
+
+/*
+ * A field becomes what the section sees of it, setup_in_section, and a height of the real image the
+ * angle or the height of its object.
+ *
+ * Errors    as setup_beam
+ */
+bool setup_real_in_object(const struct setup *setup, struct field_point *field,
+                          struct error *error);
+
 /* -------- analysis/setup_fields.c -------- */
 
-/* The edge of the field, where it is an image height as the primary wavelength sees its object. */
+/* The edge in the section; an image height as the primary wavelength sees its object. */
 struct field_point setup_edge_in_object(const struct setup *setup);
 
 /* Internal to setup_open: fields, fields_from and edge; setup->first is still without aperture. */

@@ -17,9 +17,17 @@ static struct setup_field field_at(const struct setup *setup, enum field_kind ki
     return field;
 }
 
+/* Fields that all lie on y are those of the section asked for; others are where they are. */
 static struct setup_field field_of_lens(const struct setup *setup, size_t i)
 {
-    return field_at(setup, setup->lens->field_kind, setup->lens->fields[i].value.hi);
+    const struct lens_field *from = &setup->lens->fields[i];
+    struct setup_field field = field_at(setup, setup->lens->field_kind, from->at[1].value.hi);
+    if (lens_has_fields_beside(setup->lens)) {
+        field.point.value[0] = from->at[0].value.hi;
+        field.point.value[1] = from->at[1].value.hi;
+    }
+    field.weight = from->weight;
+    return field;
 }
 
 /* The first of those that are farthest from the axis; FIELD_NONE if there are none. */
@@ -28,7 +36,7 @@ static struct field_point farthest(const struct setup_field *fields, size_t coun
     struct field_point edge = {.kind = FIELD_NONE};
     double largest = NAN;
     for (size_t i = 0; i < count; i++) {
-        double distance = hypot(fields[i].point.value[0], fields[i].point.value[1]);
+        double distance = field_extent(fields[i].point.kind, fields[i].point.value);
         if (!(distance <= largest)) {
             largest = distance;
             edge = fields[i].point;
@@ -38,16 +46,24 @@ static struct field_point farthest(const struct setup_field *fields, size_t coun
 }
 
 /* As the angle of a distant object point, or as the height of a near one; from the first vertex. */
-static double in_object(const struct setup *setup, const struct field_point *point)
+static bool in_object(const struct setup *setup, const struct field_point *point, double *to,
+                      struct error *error)
 {
     const struct first_order *first = &setup->first;
     bool far = setup->object.is_infinite;
-    double value = point->value[setup_axis(setup)];
-    if (point->kind == FIELD_IMAGE) {
-        return far ? atan(value * first->power / first->index_object)
-                   : value / first->magnification;
+    struct field_point seen = *point;
+    if (!setup_real_in_object(setup, &seen, error)) {
+        return false;
     }
-    return point->kind == FIELD_ANGLE && !far ? -tan(value) * setup->object.distance.hi : value;
+    double value = seen.value[setup_axis(setup)];
+    if (seen.kind == FIELD_IMAGE) {
+        value =
+            far ? atan(value * first->power / first->index_object) : value / first->magnification;
+    } else if (seen.kind == FIELD_ANGLE && !far) {
+        value = -tan(value) * setup->object.distance.hi;
+    }
+    *to = value;
+    return true;
 }
 
 static enum field_kind kind_in_object(const struct setup *setup)
@@ -57,9 +73,11 @@ static enum field_kind kind_in_object(const struct setup *setup)
 
 struct field_point setup_edge_in_object(const struct setup *setup)
 {
-    struct field_point edge = setup->edge;
-    if (edge.kind == FIELD_IMAGE) {
-        edge.value[setup_axis(setup)] = in_object(setup, &setup->edge);
+    struct field_point edge = setup_in_section(setup, &setup->edge);
+    struct error none;
+    edge.kind = edge.kind == FIELD_REAL ? FIELD_IMAGE : edge.kind;
+    if (edge.kind == FIELD_IMAGE &&
+        in_object(setup, &edge, &edge.value[setup_axis(setup)], &none)) {
         edge.kind = kind_in_object(setup);
     }
     return edge;
@@ -78,11 +96,13 @@ static bool take_in_object(const struct setup_question *question, struct setup *
     struct setup_field *fields = ARENA_ARRAY(setup->arena, count, struct setup_field);
     for (size_t i = 0; i < count; i++) {
         const struct setup_field *asked = &question->fields[i];
-        fields[i] = field_at(setup, kind_in_object(setup), in_object(setup, &asked->point));
-        fields[i].weight = asked->weight;
-        if (!check_height(setup, asked->point.kind, error)) {
+        double value;
+        if (!check_height(setup, asked->point.kind, error) ||
+            !in_object(setup, &asked->point, &value, error)) {
             return false;
         }
+        fields[i] = field_at(setup, kind_in_object(setup), value);
+        fields[i].weight = asked->weight;
     }
     setup->fields = fields;
     setup->field_count = count;
@@ -104,7 +124,10 @@ static bool spread(struct setup *setup, struct error *error)
     }
     for (size_t i = 0; i < lens->field_count; i++) {
         const struct setup_field field = field_of_lens(setup, i);
-        double here = in_object(setup, &field.point);
+        double here;
+        if (!in_object(setup, &field.point, &here, error)) {
+            return false;
+        }
         largest = fabs(here) > fabs(largest) ? here : largest;
     }
     if (lens->field_count == 0) {
@@ -142,7 +165,7 @@ static void take_largest(const struct setup_question *question, struct setup *se
     bool five = question->field_policy == FIELDS_EDGE;
     one->point = farthest(setup->fields, setup->field_count);
     one->weight = 1;
-    if (five && one->point.value[setup_axis(setup)] == 0) {
+    if (five && one->point.value[0] == 0 && one->point.value[1] == 0) {
         *one = field_at(setup, FIELD_ANGLE, FIVE_DEGREES);
     }
     setup->fields = one;

@@ -62,6 +62,11 @@ struct command {
     /* Has the option several values in one input, as a list of positions has? null: never. */
     bool (*varies)(const void *input, const char *option);
     /*
+     * Does the input bring the columns of an option that is not given, as a lens whose fields lie
+     * beside the y axis brings those of --field-x? null: never.
+     */
+    bool (*brings)(const void *input, const char *option);
+    /*
      * Compute the rows of one input, handing each to run_emit. Null: the answer is an artifact, the
      * one of --output.
      *

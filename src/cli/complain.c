@@ -112,3 +112,10 @@ void progress_show(double started, size_t rows, bool last)
         fprintf(stderr, "\r%zu rows%s", rows, last ? "\n" : "");
     }
 }
+
+void print_remark(const char *start, size_t length)
+{
+    if (length > 0) {
+        fwrite(start, 1, length, stderr);
+    }
+}

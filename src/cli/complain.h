@@ -25,6 +25,9 @@ void complain(struct error *error, const struct arguments *arguments, const stru
 /* Formulas and doubts of a report for which its format, or a cross-table, has no place. */
 void print_beside(const struct report *report, bool is_table);
 
+/* What is said beside an answer: nothing has no address. */
+void print_remark(const char *start, size_t length);
+
 /* Seconds of a clock that only runs forward. */
 double progress_now(void);
 

@@ -56,6 +56,13 @@ static bool asked_given(const void *asked, const char *option)
            (driver->is_batch && batch_has(&driver->batch, option));
 }
 
+static bool asked_brings(const void *asked, const char *option)
+{
+    const struct driver *driver = asked;
+    return asked_given(asked, option) ||
+           (driver->command->brings != NULL && driver->command->brings(driver->input, option));
+}
+
 static bool asked_varied(const void *asked, const char *option)
 {
     const struct driver *driver = asked;
@@ -107,7 +114,7 @@ static bool set_up_report(struct driver *driver, struct error *error)
                                            .layout = !report->format->is_for_people ? SELECT_ALL
                                                      : report->many                 ? SELECT_TABLE
                                                                                     : SELECT_LIST,
-                                           .given = asked_given,
+                                           .given = asked_brings,
                                            .varied = asked_varied,
                                            .asked = driver};
     return report_select(report, &driver->selection, error);
@@ -501,21 +508,13 @@ static bool answer(struct driver *driver, struct error *error)
     return done;
 }
 
-/* What is said beside an answer: nothing has no address. */
-static void remark(const char *start, size_t length)
-{
-    if (length > 0) {
-        fwrite(start, 1, length, stderr);
-    }
-}
-
 /* The files of the artifacts appear, or none. */
 static bool close_artifacts(struct driver *driver, bool done, struct error *error)
 {
     done = artifacts_close(&driver->artifacts, done && driver->answered, error) && done;
     struct text remarks = artifacts_remarks(&driver->artifacts);
     if (done) {
-        remark(remarks.start, remarks.length);
+        print_remark(remarks.start, remarks.length);
     }
     return done;
 }
@@ -576,7 +575,7 @@ int command_execute(const struct command *command, int argc, char **argv, const 
         status = help_command(command, &driver.arena);
     } else {
         status = command->run == NULL ? answer_without_rows(&driver) : compute(&driver);
-        remark(driver.db.losses.data, driver.db.losses.length); /* of --lossy */
+        print_remark(driver.db.losses.data, driver.db.losses.length); /* of --lossy */
     }
     if (driver.is_batch) {
         batch_close(&driver.batch);

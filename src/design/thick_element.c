@@ -80,10 +80,10 @@ struct lens thick_element_lens(const struct lens *lens, const struct thick_stand
     /* typed digits are in the file's unit: from here on all is in mm, and computed */
     all.unit = "mm";
     all.object.typed = (struct text){NULL, 0};
-    all.fields = ARENA_ARRAY(arena, lens->field_count + 1, struct figure);
+    all.fields = ARENA_ARRAY(arena, lens->field_count + 1, struct lens_field);
     for (size_t i = 0; i < lens->field_count; i++) {
         all.fields[i] = lens->fields[i];
-        all.fields[i].typed = (struct text){NULL, 0};
+        all.fields[i].at[0].typed = all.fields[i].at[1].typed = (struct text){NULL, 0};
     }
     all.position_count = all.variable_count = 0;
     all.objects = all.apertures = NULL;

@@ -178,18 +178,49 @@ static void put_object(struct writer *writer)
     put_text(writer, lens->object_medium.written);
 }
 
+/* Their y; x and weight where some is not 0 and 1. */
+static void put_fields(struct writer *writer)
+{
+    static const char *const kinds[] = {[FIELD_NONE] = "null",
+                                        [FIELD_ANGLE] = "\"angle_deg\"",
+                                        [FIELD_HEIGHT] = "\"height_mm\"",
+                                        [FIELD_IMAGE] = "\"image_mm\"",
+                                        [FIELD_REAL] = "\"real_mm\""};
+    const struct lens *lens = writer->lens;
+    const double unit = lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : 1;
+    const bool beside = lens_has_fields_beside(lens);
+    bool weighted = false;
+    for (size_t i = 0; i < lens->field_count; i++) {
+        weighted = weighted || lens->fields[i].weight != 1;
+    }
+    put_key(writer, "field_kind");
+    put(writer, kinds[lens->field_kind]);
+    put_key(writer, "fields");
+    put(writer, "[");
+    for (size_t i = 0; i < lens->field_count; i++) {
+        put(writer, i > 0 ? "," : "");
+        put_value(writer, &lens->fields[i].at[1], unit);
+    }
+    put(writer, beside ? "],\"fields_x\":[" : "");
+    for (size_t i = 0; i < lens->field_count && beside; i++) {
+        put(writer, i > 0 ? "," : "");
+        put_value(writer, &lens->fields[i].at[0], unit);
+    }
+    put(writer, weighted ? "],\"field_weights\":[" : "");
+    for (size_t i = 0; i < lens->field_count && weighted; i++) {
+        put(writer, i > 0 ? "," : "");
+        put_number(writer, lens->fields[i].weight);
+    }
+    put(writer, "]");
+}
+
 static void put_use(struct writer *writer)
 {
-    static const char *const fields[] = {"null", "\"angle_deg\"", "\"height_mm\"", "\"image_mm\""};
     static const char *const apertures[] = {"null", "\"stop\"", "\"fnumber\"", "\"epd_mm\"",
                                             "\"na\""};
     static const char *const focuses[] = {"\"paraxial\"", "\"table\"", "\"best\""};
     const struct lens *lens = writer->lens;
-    put_key(writer, "field_kind");
-    put(writer, fields[lens->field_kind]);
-    put_key(writer, "fields");
-    put_values(writer, lens->fields, lens->field_count,
-               lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : 1);
+    put_fields(writer);
     put_key(writer, "aperture_kind");
     put(writer, apertures[lens->aperture_kind]);
     put_key(writer, "aperture");

@@ -118,16 +118,62 @@ static bool check_infinite(struct json_reading *reading, const struct json_value
     return true;
 }
 
+/* An array of as many numbers as there are fields, or nothing: `figures` becomes null. */
+static bool read_beside(struct json_reading *reading, const struct json_value *numbers, int power,
+                        struct figure **figures, struct error *error)
+{
+    *figures = NULL;
+    if (json_is_null(numbers)) {
+        return true;
+    }
+    if (!json_check_array(reading, numbers, "numbers", error)) {
+        return false;
+    }
+    if (numbers->count != reading->build.lens->field_count) {
+        return json_wrong(reading, numbers, error, "%zu numbers for %zu fields", numbers->count,
+                          reading->build.lens->field_count);
+    }
+    return json_read_figures(reading, numbers, power, figures, error);
+}
+
+/* x, and the weights. */
+static bool complete_fields(struct json_reading *reading, const struct json_value *root, int power,
+                            struct error *error)
+{
+    struct lens *lens = reading->build.lens;
+    const struct json_value *weights = json_item(root, "field_weights"),
+                            *beside = json_item(root, "fields_x");
+    struct figure *all, *weight;
+    if (!read_beside(reading, beside, power, &all, error) ||
+        !read_beside(reading, weights, JSON_PLAIN, &weight, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < lens->field_count; i++) {
+        struct lens_field *field = &lens->fields[i];
+        field->at[0] = all != NULL ? all[i] : field->at[0];
+        if (weight != NULL && weight[i].value.hi != 1) {
+            field->weight = weight[i].value.hi;
+            field->weight_typed = weight[i].typed;
+        }
+        if (!(field->weight >= 0)) {
+            return json_wrong(reading, weights, error, "a weight is not below 0");
+        }
+    }
+    return true;
+}
+
 static bool read_fields(struct json_reading *reading, const struct json_value *root,
                         struct error *error)
 {
-    static const char *const kinds[] = {"none", "angle_deg", "height_mm", "image_mm"};
+    static const char *const kinds[] = {"none", "angle_deg", "height_mm", "image_mm", "real_mm"};
     struct lens *lens = reading->build.lens;
     const struct json_value *kind = json_item(root, "field_kind"),
                             *fields = json_item(root, "fields");
+    struct figure *figures;
     int choice = 0;
     if (!json_check_array(reading, fields, "numbers", error) ||
-        (!json_is_null(kind) && !json_read_choice(reading, kind, kinds, 4, &choice, error))) {
+        (!json_is_null(kind) &&
+         !json_read_choice(reading, kind, kinds, FIELD_KINDS, &choice, error))) {
         return false;
     }
     if (json_is_null(fields) || fields->count == 0) {
@@ -136,15 +182,21 @@ static bool read_fields(struct json_reading *reading, const struct json_value *r
     if (choice == FIELD_NONE) {
         return json_wrong(reading, fields, error, "fields without their kind");
     }
-    if (!json_read_figures(reading, fields, choice == FIELD_ANGLE ? JSON_ANGLE : JSON_LENGTH,
-                           &lens->fields, error)) {
+    const int power = choice == FIELD_ANGLE ? JSON_ANGLE : JSON_LENGTH;
+    if (!json_read_figures(reading, fields, power, &figures, error)) {
         return false;
     }
     lens->field_kind = (enum field_kind)choice;
-    lens->field_count = fields->count;
+    for (size_t i = 0; i < fields->count; i++) {
+        lens_build_field(&reading->build)->at[1] = figures[i];
+    }
+    if (!complete_fields(reading, root, power, error)) {
+        return false;
+    }
     for (size_t i = 0; choice == FIELD_ANGLE && i < fields->count; i++) {
-        if (!(fabs(lens->fields[i].value.hi) <= 180 * RADIANS_PER_DEGREE)) {
-            return json_wrong(reading, fields, error, "a field angle is not beyond 180 degrees");
+        const char *wrong = lens_field_wrong(&lens->fields[i], 180 * RADIANS_PER_DEGREE);
+        if (wrong != NULL) {
+            return json_wrong(reading, fields, error, "%s", wrong);
         }
     }
     return true;
@@ -352,17 +404,13 @@ static bool read_words(struct json_reading *reading, const struct json_value *ro
 static bool read_root(struct json_reading *reading, const struct json_value *root,
                       struct error *error)
 {
-    static const char *const keys[] = {"lens",           "source",
-                                       "kind",           "notes",
-                                       "positions",      "unit",
-                                       "wavelengths",    "object_mm",
-                                       "fields",         "object_medium",
-                                       "field_kind",     "object_is_infinite",
-                                       "aperture",       "aperture_kind",
-                                       "focus",          "stop_surface",
-                                       "stated_efl_mm",  "stated_bfl_mm",
-                                       "stated_fnumber", "surfaces",
-                                       "settings",       NULL};
+    static const char *const keys[] = {
+        "lens",          "source",        "kind",           "notes",
+        "positions",     "unit",          "wavelengths",    "object_mm",
+        "fields",        "object_medium", "field_kind",     "object_is_infinite",
+        "aperture",      "aperture_kind", "focus",          "stop_surface",
+        "stated_efl_mm", "stated_bfl_mm", "stated_fnumber", "surfaces",
+        "fields_x",      "field_weights", "settings",       NULL};
     struct lens *lens = reading->build.lens;
     return json_check_keys(reading, root, keys, error) && read_words(reading, root, error) &&
            read_unit(reading, json_item(root, "unit"), error) &&

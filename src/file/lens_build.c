@@ -121,12 +121,12 @@ struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double m
     return one;
 }
 
-struct figure *lens_build_field(struct lens_build *build)
+struct lens_field *lens_build_field(struct lens_build *build)
 {
     struct lens *lens = build->lens;
     lens->fields = arena_grow(build->arena, lens->fields, lens->field_count, &build->field_room,
                               sizeof lens->fields[0]);
-    lens->fields[lens->field_count] = no_figure;
+    lens->fields[lens->field_count] = lens_field_none;
     return &lens->fields[lens->field_count++];
 }
 

@@ -36,7 +36,7 @@ const char *lens_build_string(struct lens_build *build, struct text text);
 void lens_build_note(struct lens_build *build, struct text note);
 struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double micrometres,
                                               double weight);
-struct figure *lens_build_field(struct lens_build *build);
+struct lens_field *lens_build_field(struct lens_build *build);
 
 /*
  * A number that stands for a cell in every position.

@@ -97,6 +97,17 @@ static void change_settings(const struct change *change, struct lens *lens)
     lens->settings = copy;
 }
 
+static struct lens_field *change_fields(const struct change *change, const struct lens *lens)
+{
+    struct lens_field *copy = ARENA_ARRAY(change->arena, lens->field_count, struct lens_field);
+    for (size_t i = 0; i < lens->field_count; i++) {
+        copy[i] = lens->fields[i];
+        change_figure(change, 1, &copy[i].at[0]);
+        change_figure(change, 1, &copy[i].at[1]);
+    }
+    return copy;
+}
+
 static const struct vary *change_varies(const struct change *change, const struct surface *surface)
 {
     if (surface->vary_count == 0) {
@@ -162,8 +173,8 @@ static void change_system(const struct change *change, struct lens *lens)
     size_t positions = lens->position_count;
     change_figure(change, 1, &lens->object);
     lens->objects = change_all(change, lens->objects, positions);
-    if (lens->field_kind == FIELD_HEIGHT || lens->field_kind == FIELD_IMAGE) {
-        lens->fields = (struct figure *)change_all(change, lens->fields, lens->field_count);
+    if (lens->field_kind != FIELD_NONE && lens->field_kind != FIELD_ANGLE) {
+        lens->fields = change_fields(change, lens);
     }
     if (lens->aperture_kind == APERTURE_EPD) {
         change_figure(change, 1, &lens->aperture);

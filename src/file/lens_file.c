@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_file.h"
 
-#include "base/constants.h"
 #include "file/lens_aperture.h"
 #include "file/lens_setting.h"
 #include "file/lens_surface.h"
@@ -164,7 +163,10 @@ static bool read_field(struct parser *parser, struct error *error)
     static const struct {
         const char *name;
         enum field_kind kind;
-    } kinds[] = {{"angle", FIELD_ANGLE}, {"height", FIELD_HEIGHT}, {"image", FIELD_IMAGE}};
+    } kinds[] = {{"angle", FIELD_ANGLE},
+                 {"height", FIELD_HEIGHT},
+                 {"image", FIELD_IMAGE},
+                 {"real", FIELD_REAL}};
     struct lens *lens = parser->lens;
     struct text word = lens_words_next(&parser->words);
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
@@ -174,24 +176,11 @@ static bool read_field(struct parser *parser, struct error *error)
     }
     if (lens->field_kind == FIELD_NONE) {
         return lens_words_fail(&parser->words, word, error,
-                               "a field is an angle, an object's "
-                               "height, or an image's: angle, height "
-                               "or image");
+                               "a field is an angle, an object's height, or that of its paraxial "
+                               "or real image: angle, height, image or real");
     }
-    bool angle = lens->field_kind == FIELD_ANGLE;
-    if (!lens_words_figures(&parser->words, angle ? NUMBER_UNSCALED : parser->words.scale, "field",
-                            &lens->fields, &lens->field_count, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < lens->field_count && angle; i++) {
-        struct figure *field = &lens->fields[i];
-        if (!(fabs(field->value.hi) <= 180)) {
-            return lens_words_fail(&parser->words, field->typed, error,
-                                   "a field angle is not beyond 180 degrees");
-        }
-        field->value = pair_multiply(field->value, pair_of(RADIANS_PER_DEGREE));
-    }
-    return true;
+    return lens_words_fields(&parser->words, lens->field_kind, &lens->fields, &lens->field_count,
+                             error);
 }
 
 static const struct {

@@ -258,9 +258,17 @@ static void turn_conjugates(struct turn *turn)
     lens->object = turned(turn, PARAMETER_THICKNESS, back->thickness);
     last->has_thickness = true;
     last->thickness = turned(turn, PARAMETER_THICKNESS, from->object);
-    lens->field_kind = from->field_kind == FIELD_HEIGHT  ? FIELD_IMAGE
-                       : from->field_kind == FIELD_IMAGE ? FIELD_HEIGHT
-                                                         : from->field_kind;
+    /* the chief ray of a real image is that of the object where it goes, turned around */
+    static const enum field_kind kinds[] = {[FIELD_NONE] = FIELD_NONE,
+                                            [FIELD_ANGLE] = FIELD_ANGLE,
+                                            [FIELD_HEIGHT] = FIELD_IMAGE,
+                                            [FIELD_IMAGE] = FIELD_HEIGHT,
+                                            [FIELD_REAL] = FIELD_HEIGHT};
+    lens->field_kind = kinds[from->field_kind];
+    for (size_t i = 0; i < lens->field_count && lens->field_kind != FIELD_ANGLE; i++) {
+        struct figure *x = &lens->fields[i].at[0];
+        *x = turn->flips && x->value.hi != 0 ? negative(*x, turn->arena) : *x;
+    }
 }
 
 /* The diameter that the stop has with the lens's aperture. */

@@ -6,13 +6,22 @@
 
 #include <math.h>
 
-/* The field that is farthest out; NaN without one. */
+/*
+ * The field that is farthest out, of angles and heights in the y-z plane; a round lens has the same
+ * rays about any other. NaN without one.
+ */
 static double edge_of_field(const struct lens *lens)
 {
-    double field = lens->field_count > 0 ? lens->fields[lens->field_count - 1].value.hi : NAN;
-    for (size_t i = 0; i + 1 < lens->field_count; i++) {
-        double other = lens->fields[i].value.hi;
-        field = fabs(other) > fabs(field) ? other : field;
+    double field = NAN, largest = NAN;
+    for (size_t i = 0; i < lens->field_count; i++) {
+        /* the last one first: it stays where others are as far out */
+        const struct lens_field *one = &lens->fields[i > 0 ? i - 1 : lens->field_count - 1];
+        const double at[2] = {one->at[0].value.hi, one->at[1].value.hi};
+        double here = field_extent(lens->field_kind, at);
+        if (!(here <= largest)) {
+            largest = here;
+            field = at[0] == 0 || !lens_is_round(lens) ? at[1] : here;
+        }
     }
     return field;
 }

@@ -168,6 +168,59 @@ bool lens_words_figures(struct lens_words *words, struct number_scale scale, con
     return true;
 }
 
+/* x,y:weight with x and weight left out where they are 0 and 1. */
+static bool read_field(const struct lens_words *words, struct text word, enum field_kind kind,
+                       struct lens_field *field, struct error *error)
+{
+    const bool angle = kind == FIELD_ANGLE;
+    struct text weight = word, y = text_cut(&weight, ':'), x = text_cut(&y, ',');
+    struct figure figure = {.value = {1, 0}};
+    const struct text coordinates[2] = {x, y};
+    *field = lens_field_none;
+    for (int i = 0; i < 2; i++) {
+        /* a lone number is y */
+        struct text text = y.start != NULL ? coordinates[i] : x;
+        if ((i == 1 || y.start != NULL) &&
+            !lens_words_figure(words, text, angle ? NUMBER_UNSCALED : words->scale, "field",
+                               &field->at[i], error)) {
+            return false;
+        }
+    }
+    if (angle) {
+        const char *wrong = lens_field_from_degrees(field);
+        if (wrong != NULL) {
+            return lens_words_fail(words, word, error, "%s", wrong);
+        }
+    }
+    if (weight.start != NULL &&
+        !lens_words_figure(words, weight, NUMBER_UNSCALED, "weight", &figure, error)) {
+        return false;
+    }
+    if (!(figure.value.hi >= 0)) {
+        return lens_words_fail(words, weight, error, "a weight is not below 0");
+    }
+    field->weight = figure.value.hi;
+    field->weight_typed = weight;
+    return true;
+}
+
+bool lens_words_fields(struct lens_words *words, enum field_kind kind, struct lens_field **fields,
+                       size_t *count, struct error *error)
+{
+    size_t room = 0;
+    *fields = NULL;
+    *count = 0;
+    for (struct text word = lens_words_next(words); word.length > 0 || *count == 0;
+         word = lens_words_next(words)) {
+        *fields = arena_grow(words->arena, *fields, *count, &room, sizeof **fields);
+        if (!read_field(words, word, kind, &(*fields)[*count], error)) {
+            return false;
+        }
+        ++*count;
+    }
+    return true;
+}
+
 bool lens_words_wavelength(const struct lens_words *words, struct text text, double *wavelength,
                            struct error *error)
 {

@@ -76,6 +76,16 @@ struct pair lens_words_per_length(struct pair value, struct number_scale scale, 
 bool lens_words_figures(struct lens_words *words, struct number_scale scale, const char *what,
                         struct figure **figures, size_t *count, struct error *error);
 
+/*
+ * Points of the field up to the end of the line, in the arena: y, or x,y; with a weight y:w, x,y:w.
+ *
+ * Given     kind  of them: angles are degrees, other fields lengths
+ * Errors    ERROR_DATA with line and column: no number, none at all, as lens_field_angle, a
+ *           weight below 0
+ */
+bool lens_words_fields(struct lens_words *words, enum field_kind kind, struct lens_field **fields,
+                       size_t *count, struct error *error);
+
 /* A wavelength with its unit, or the name of a line, in um. */
 bool lens_words_wavelength(const struct lens_words *words, struct text text, double *wavelength,
                            struct error *error);

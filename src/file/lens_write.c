@@ -189,6 +189,34 @@ static void put_figures(struct writer *writer, const char *keyword, const struct
     put(writer, "\n", 1);
 }
 
+/* `:weight`, where there is one. */
+static void put_weight(struct writer *writer, struct text weight)
+{
+    if (weight.start != NULL) {
+        put(writer, ":", 1);
+        put(writer, weight.start, weight.length);
+    }
+}
+
+static void put_fields(struct writer *writer)
+{
+    static const char *const kinds[] = {[FIELD_ANGLE] = "angle",
+                                        [FIELD_HEIGHT] = "height",
+                                        [FIELD_IMAGE] = "image",
+                                        [FIELD_REAL] = "real"};
+    const struct lens *lens = writer->lens;
+    double unit = lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : writer->unit;
+    put_string(writer, "field       ");
+    put_string(writer, kinds[lens->field_kind]);
+    for (size_t i = 0; i < lens->field_count; i++) {
+        const struct lens_field *field = &lens->fields[i];
+        bool beside = field->at[0].value.hi != 0;
+        put_vector(writer, " ", beside ? field->at : &field->at[1], beside ? 2 : 1, unit);
+        put_weight(writer, field->weight_typed);
+    }
+    put(writer, "\n", 1);
+}
+
 static void put_wavelengths(struct writer *writer)
 {
     const struct lens *lens = writer->lens;
@@ -196,10 +224,7 @@ static void put_wavelengths(struct writer *writer)
         const struct lens_wavelength *one = &lens->wavelengths[i];
         put_string(writer, i == 0 ? "wavelength  " : " ");
         put(writer, one->typed.start, one->typed.length);
-        if (one->weight_typed.start != NULL) {
-            put(writer, ":", 1);
-            put(writer, one->weight_typed.start, one->weight_typed.length);
-        }
+        put_weight(writer, one->weight_typed);
     }
     put_string(writer, lens->wavelength_count > 0 ? "\n" : "");
 }
@@ -222,8 +247,6 @@ static void put_apertures(struct writer *writer, const char *before, const struc
 
 static void put_header(struct writer *writer)
 {
-    static const char *const fields[] = {"", "field       angle", "field       height",
-                                         "field       image"};
     static const char *const focuses[] = {"paraxial", "table", "best"};
     const struct lens *lens = writer->lens;
     put_line(writer, "lens", lens->title);
@@ -243,8 +266,7 @@ static void put_header(struct writer *writer)
         put_string(writer, "\n");
     }
     if (lens->field_kind != FIELD_NONE) {
-        put_figures(writer, fields[lens->field_kind], lens->fields, lens->field_count,
-                    lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : writer->unit);
+        put_fields(writer);
     }
     if (lens->aperture_kind != APERTURE_NONE && lens->apertures == NULL) {
         put_apertures(writer, "aperture    ", &lens->aperture, 1);

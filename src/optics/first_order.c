@@ -162,14 +162,15 @@ void first_order_compute(const struct paraxial_system *system, const struct para
 static double chief_slope(const struct first_order *all, const struct conjugate_object *object,
                           enum field_kind kind, double field)
 {
+    bool of_image = kind == FIELD_IMAGE || kind == FIELD_REAL;
     double n = all->index_object, height = field;
     if (kind == FIELD_ANGLE) {
         return n * tan(field);
     }
     if (object->is_infinite) {
-        return kind == FIELD_IMAGE ? field * all->power : NAN;
+        return of_image ? field * all->power : NAN;
     }
-    if (kind == FIELD_IMAGE) {
+    if (of_image) {
         height = field / all->magnification;
     }
     return -n * height / (object->distance.hi + all->entrance_pupil);

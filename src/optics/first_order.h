@@ -75,6 +75,7 @@ struct aperture_setting {
  *
  * Given     aperture   fixes the beam; FNUMBER is |rear focal length| / entrance pupil diameter
  *           field_kind, field   angle in rad, object height or paraxial image height in mm;
+ *                      a real image height counts as that of the paraxial image;
  *                      FIELD_NONE or NaN: no field
  * Errors    ERROR_DOMAIN: an f-number of an afocal system, a numerical aperture of an infinitely
  *           distant object or of n or more, an aperture at a stop that is not there

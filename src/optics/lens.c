@@ -2,11 +2,64 @@
 /* SPDX-License-Identifier: MIT */
 #include "optics/lens.h"
 
+#include "base/constants.h"
 #include "optics/aperture.h"
 #include "optics/wavelength.h"
 
 #include <math.h>
 #include <string.h>
+
+const struct lens_field lens_field_none = {.at = {{.variable = LENS_NONE}, {.variable = LENS_NONE}},
+                                           .weight = 1};
+
+const char *lens_field_wrong(const struct lens_field *field, double half_turn)
+{
+    const double x = fabs(field->at[0].value.hi), y = fabs(field->at[1].value.hi);
+    if (!(fmax(x, y) <= half_turn)) {
+        return "a field angle is not beyond 180 degrees";
+    }
+    return x > 0 && y > 0 && !(fmax(x, y) < half_turn / 2)
+               ? "of a field with an angle in x and one in y both are below 90 degrees"
+               : NULL;
+}
+
+double field_extent(enum field_kind kind, const double at[2])
+{
+    if (at[0] == 0 || at[1] == 0) {
+        return fabs(at[0]) + fabs(at[1]);
+    }
+    return kind == FIELD_ANGLE ? atan(hypot(tan(at[0]), tan(at[1]))) : hypot(at[0], at[1]);
+}
+
+bool lens_has_fields_beside(const struct lens *lens)
+{
+    for (size_t i = 0; i < lens->field_count; i++) {
+        if (lens->fields[i].at[0].value.hi != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+double lens_field_extent(const struct lens *lens)
+{
+    double largest = NAN;
+    for (size_t i = 0; i < lens->field_count; i++) {
+        const struct lens_field *field = &lens->fields[i];
+        const double at[2] = {field->at[0].value.hi, field->at[1].value.hi};
+        largest = fmax(largest, field_extent(lens->field_kind, at));
+    }
+    return largest;
+}
+
+const char *lens_field_from_degrees(struct lens_field *field)
+{
+    const char *wrong = lens_field_wrong(field, 180);
+    for (int i = 0; i < 2 && wrong == NULL; i++) {
+        field->at[i].value = pair_multiply(field->at[i].value, pair_of(RADIANS_PER_DEGREE));
+    }
+    return wrong;
+}
 
 static void substitute(const struct lens *lens, struct figure *figure, size_t position)
 {

@@ -17,9 +17,46 @@ struct lens_wavelength {
     struct text weight_typed;
 };
 
-enum field_kind { FIELD_NONE, FIELD_ANGLE, FIELD_HEIGHT, FIELD_IMAGE };
+/* An angle in object space, or a height: of the object, of its paraxial or its real image. */
+enum field_kind { FIELD_NONE, FIELD_ANGLE, FIELD_HEIGHT, FIELD_IMAGE, FIELD_REAL, FIELD_KINDS };
 enum aperture_kind { APERTURE_NONE, APERTURE_STOP, APERTURE_FNUMBER, APERTURE_EPD, APERTURE_NA };
 enum focus_kind { FOCUS_PARAXIAL, FOCUS_TABLE, FOCUS_BEST };
+
+/* A point of the field, and how much it counts. */
+struct lens_field {
+    struct figure at[2]; /* x, y: rad, or mm */
+    double weight;       /* 1 unless given */
+    struct text weight_typed;
+};
+
+/* On the axis, of the weight 1: numbers, no variables. */
+extern const struct lens_field lens_field_none;
+
+/*
+ * What is wrong with a field of angles; null = nothing.
+ *
+ * Given     half_turn  180, or pi: what they are measured in
+ * Result    they are not beyond half a turn, and below a quarter where neither is 0: only those
+ *           have the two tangents x/z and y/z of a direction
+ */
+const char *lens_field_wrong(const struct lens_field *field, double half_turn);
+
+/*
+ * How far a field is from the axis.
+ *
+ * Given     at  x, y: heights; or angles, rad, whose tangents are those of the direction
+ * Result    the height, or the angle with the axis: tan^2 t = tan^2 x + tan^2 y. Not below 0
+ */
+double field_extent(enum field_kind kind, const double at[2]);
+
+/* Is some field of the lens beside the y axis? */
+bool lens_has_fields_beside(const struct lens *lens);
+
+/* The largest of them of a lens; NaN without any. */
+double lens_field_extent(const struct lens *lens);
+
+/* Angles that were read in degrees become radians. Result as lens_field_wrong */
+const char *lens_field_from_degrees(struct lens_field *field);
 
 /* A word that stands for one number in every position. */
 struct lens_variable {
@@ -57,7 +94,7 @@ struct lens {
     struct figure object; /* distance to the left of the first vertex, mm, if it is finite */
     struct medium object_medium;
     enum field_kind field_kind;
-    struct figure *fields; /* rad, or mm */
+    struct lens_field *fields;
     size_t field_count;
     enum aperture_kind aperture_kind;
     struct figure aperture;

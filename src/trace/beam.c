@@ -27,14 +27,29 @@ static void set_across(struct beam *beam)
     meridional[2] = -side;
 }
 
-struct beam beam_from_infinity(const double angle[2], double n)
+struct beam beam_along(const double direction[3], double n)
 {
-    double t = hypot(angle[0], angle[1]), sine = sin(t);
-    double scale = t > 0 ? sine / t : 1;
     struct beam beam = {
-        .axis = {angle[0] * scale, angle[1] * scale, cos(t)}, .distance = INFINITY, .n = n};
+        .axis = {direction[0], direction[1], direction[2]}, .distance = INFINITY, .n = n};
     set_across(&beam);
     return beam;
+}
+
+struct beam beam_from_infinity(const double angle[2], double n)
+{
+    double axis[3];
+    if (angle[0] == 0 || angle[1] == 0) {
+        double t = fabs(angle[0]) + fabs(angle[1]), sine = sin(t), scale = t > 0 ? sine / t : 1;
+        axis[0] = angle[0] * scale;
+        axis[1] = angle[1] * scale;
+        axis[2] = cos(t);
+    } else {
+        double x = tan(angle[0]), y = tan(angle[1]), length = sqrt(1 + x * x + y * y);
+        axis[0] = x / length;
+        axis[1] = y / length;
+        axis[2] = 1 / length;
+    }
+    return beam_along(axis, n);
 }
 
 bool beam_from_point(const double point[3], double n, struct beam *beam, struct error *error)
@@ -67,7 +82,14 @@ static bool from_angle(const double angle[2], const struct conjugate_object *obj
                        struct beam *beam, struct error *error)
 {
     const double degree = DEGREES_PER_RADIAN;
-    double t = hypot(angle[0], angle[1]);
+    bool both = angle[0] != 0 && angle[1] != 0;
+    double t = fmax(fabs(angle[0]), fabs(angle[1]));
+    if (both && !(t < PI / 2)) {
+        return fail(error, ERROR_DOMAIN,
+                    "a field of the angles %.6g and %.6g deg: where there is one in x and one in y "
+                    "both must be below 90",
+                    angle[0] * degree, angle[1] * degree);
+    }
     if (object->is_infinite) {
         if (!(t < PI)) {
             return fail(error, ERROR_DOMAIN, "a field angle of %.6g deg: it must be below 180",
@@ -81,9 +103,12 @@ static bool from_angle(const double angle[2], const struct conjugate_object *obj
                     "a field angle of %.6g deg: for an object at a distance it must be below 90",
                     t * degree);
     }
-    double distance = object->distance.hi, scale = t > 0 ? -distance * tan(t) / t : 0;
-    return beam_from_point((double[3]){angle[0] * scale, angle[1] * scale, -distance}, n, beam,
-                           error);
+    double distance = object->distance.hi, point[3] = {0, 0, -distance};
+    for (int i = 0; i < 2; i++) {
+        double size = fabs(angle[i]);
+        point[i] = size > 0 ? angle[i] * (-distance * tan(size) / size) : 0;
+    }
+    return beam_from_point(point, n, beam, error);
 }
 
 bool beam_of_field(const struct field_point *field, const struct conjugate_object *object,
@@ -107,11 +132,12 @@ bool beam_of_field(const struct field_point *field, const struct conjugate_objec
             return fail(error, ERROR_DOMAIN,
                         "the field is an image height, but the lens is afocal");
         }
-        double height = hypot(value[0], value[1]);
-        double t = atan(-height * first->matrix.c.hi / first->index_object);
-        double scale = height > 0 ? t / height : 0;
-        value[0] *= scale;
-        value[1] *= scale;
+        for (int i = 0; i < 2; i++) {
+            value[i] = atan(-value[i] * first->matrix.c.hi / first->index_object);
+        }
+    }
+    if (field->kind == FIELD_REAL) {
+        return fail(error, ERROR_DOMAIN, "the field is the height of a real image");
     }
     return from_angle(value, object, n, beam, error);
 }

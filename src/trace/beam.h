@@ -30,10 +30,13 @@ struct field_point {
 /*
  * The beam of an object infinitely far away.
  *
- * Given     angle  x, y, rad: the direction is turned from the axis by t = |angle|, towards
- *                  (x, y)/t; with (0, t) light goes up, (0, sin t, cos t). t below pi
+ * Given     angle  x, y, rad: of one alone light goes along (0, sin y, cos y), below pi; of both,
+ *                  below pi/2, along (tan x, tan y, 1)
  */
 struct beam beam_from_infinity(const double angle[2], double n);
+
+/* The same of a direction of the light, of unit length. */
+struct beam beam_along(const double direction[3], double n);
 
 /*
  * The beam of a point.
@@ -61,7 +64,9 @@ struct beam beam_from_film(const double point[3], double n);
  * Formula   paraxial image height y' from infinity: tan t = y' n'/(n f') = -y' c/n of the matrix;
  *           from near: object height y'/m
  * Errors    ERROR_DOMAIN: an object height of an object at infinity, an image height of an afocal
- *           lens, angles of 180 degrees or more, of 90 and more for a near object
+ *           lens, angles of 180 degrees or more, of 90 and more for a near object or where there
+ *           is one in x and one in y; a height of the real image, which wants the whole lens:
+ *           setup_beam
  */
 bool beam_of_field(const struct field_point *field, const struct conjugate_object *object,
                    const struct first_order *first, struct beam *beam, struct error *error);

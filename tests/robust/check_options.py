@@ -53,7 +53,7 @@ ASKED = {
     "help": ("", None, None),
     "completion": ("bash", None, None),
 }
-ODD_LENS = ("MODE SEQ\nUNIT MM\nENPD 10\nFTYP 0 0 2 1 0 0 0\nXFLN 0 3\nYFLN 0 5\n"
+ODD_LENS = ("MODE SEQ\nUNIT MM\nENPD 10\nFTYP 0 0 2 1 0 0 0\nYFLN 0 5\nVDXN 0 0.1\n"
             "WAVM 1 0.5876 1\nPWAV 1\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n"
             "  DISZ 4\n  GLAS N-BK7 0 0\n  USAP slit.uda\nSURF 2\n  DISZ 90\nSURF 3\n")
 TABLES = ("cameras", "films", "filters", "formats", "fstops", "iso", "lines", "scenes", "shutters",

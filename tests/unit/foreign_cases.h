@@ -168,7 +168,10 @@ static inline bool is_as_typed(struct fixture *fixture, struct text typed)
                             again.surfaces[i].coordinate_break, 3);
     }
     for (size_t i = 0; same && i < again.field_count; i++) {
-        same = fixture->lens.fields[i].value.hi == again.fields[i].value.hi;
+        const struct lens_field *meant = &fixture->lens.fields[i], *typed_one = &again.fields[i];
+        same = meant->at[0].value.hi == typed_one->at[0].value.hi &&
+               meant->at[1].value.hi == typed_one->at[1].value.hi &&
+               meant->weight == typed_one->weight;
     }
     if (!same) {
         printf("typed and meant differ: %s\n%.*s\n%.*s\n", fixture->error.message, (int)one.length,

@@ -99,7 +99,8 @@ static void check_lens(const char *name)
             break;
         }
         for (size_t i = 0; i < opened.at->field_count; i++) {
-            struct field_point field = {opened.at->field_kind, {0, opened.at->fields[i].value.hi}};
+            struct field_point field = {opened.at->field_kind,
+                                        {0, opened.at->fields[i].at[1].value.hi}};
             check_field(name, &opened, &field, &arena);
         }
         if (opened.at->field_count == 0) {

@@ -70,7 +70,9 @@ static bool is_same_lens(struct fixture *fixture, const struct lens *a, const st
                 is_same_pair(a->aperture.value, b->aperture.value) &&
                 is_same_pair(a->object.value, b->object.value);
     for (size_t i = 0; same && i < a->field_count; i++) {
-        same = is_same_pair(a->fields[i].value, b->fields[i].value);
+        same = is_same_pair(a->fields[i].at[0].value, b->fields[i].at[0].value) &&
+               is_same_pair(a->fields[i].at[1].value, b->fields[i].at[1].value) &&
+               a->fields[i].weight == b->fields[i].weight;
     }
     for (size_t i = 0; same && i < a->surface_count; i++) {
         struct pair n, m;

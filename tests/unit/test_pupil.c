@@ -90,8 +90,15 @@ static void test_places(void)
 {
     for (int t = 0; t < 180; t += 15) {
         for (int turn = 0; turn < 360; turn += 45) {
-            const double angle[2] = {t * degree * sin(turn * degree),
-                                     t * degree * cos(turn * degree)};
+            /* of the tangents tan t sin turn, tan t cos turn; beyond 90 along one axis only */
+            const double side[2] = {sin(turn * degree), cos(turn * degree)};
+            double angle[2] = {atan(tan(t * degree) * side[0]), atan(tan(t * degree) * side[1])};
+            if (turn % 90 == 0) {
+                angle[0] = t * degree * round(side[0]);
+                angle[1] = t * degree * round(side[1]);
+            } else if (t >= 90) {
+                continue;
+            }
             struct beam beam = beam_from_infinity(angle, 1);
             struct ray ray = beam_ray(&beam, 3, -4);
             double place[2], point[3];

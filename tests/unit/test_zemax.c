@@ -59,8 +59,9 @@ static void check_errors(void)
         {HEAD "WAVM 2 0.55 1\n" SINGLET, 0, 0, "wavelength 1 is missing"},
         {HEAD "VCYN 0 0.1\n" SINGLET, 3, 8, "vignetting factors of the fields"},
         {HEAD "ENVD 40 -1 1\n" SINGLET, 3, 1, "a pressure of 0 or more"},
-        {HEAD "FTYP 3 0 1 1\nYFLN 5\n" SINGLET, 3, 1, "real image heights"},
-        {HEAD "XFLN 0 2\nYFLN 5 0\n" SINGLET, 3, 8, "beside the y-z plane"},
+        {HEAD "XFLN 0 2\nYFLN 5 90\n" SINGLET, 4, 8, "both are below 90 degrees"},
+        {HEAD "XFLN 0 200\n" SINGLET, 3, 8, "not beyond 180 degrees"},
+        {HEAD "YFLN 0 5\nFWGN 1 -1\n" SINGLET, 4, 8, "a weight is not below 0"},
         {HEAD OBJECT "SURF 1\n  TYPE NONSEQCO\n" IMAGE("2"), 8, 8, "non-sequential group"},
         {HEAD OBJECT "SURF 1\n  TYPE BINARY_2\n  PARM 1 50\n" IMAGE("2"), 8, 8, "type BINARY_2"},
         {HEAD OBJECT "SURF 1\n  UDAD 0 \"slit.uda\" 1\n" IMAGE("2"), 8, 3, "in another file"},
@@ -90,11 +91,11 @@ static void check_errors(void)
 static void check_lossy(void)
 {
     struct reading *reading =
-        read_text(HEAD "WXYZ 1\nXFLN 0 2\nYFLN 5 0\n" SINGLET "EFFL 1 2 3\nMNUM 1 1\n", true);
+        read_text(HEAD "WXYZ 1\nVDXN 0 2\nYFLN 5 0\n" SINGLET "EFFL 1 2 3\nMNUM 1 1\n", true);
     CHECK(reading->done && reading->job.loss_count == 2);
     CHECK(reading->job.losses[0].line == 3 && reading->job.losses[1].line == 4);
-    CHECK(strstr(reading->job.losses[1].what, "field 2") != NULL);
-    CHECK(reading->lens.field_count == 1 && reading->lens.surface_count == 2);
+    CHECK(strstr(reading->job.losses[1].what, "VDXN") != NULL);
+    CHECK(reading->lens.field_count == 2 && reading->lens.surface_count == 2);
     forget(reading);
 }
 

@@ -249,7 +249,7 @@ bool fit_lens(const struct fit_input *input, struct run *run, struct error *erro
                                               .fields = FIELDS_SPREAD};
     struct lens_question question = input->question;
     struct lens *lens;
-    question.field = NAN; /* a set of fields has an option of its own */
+    question.field = question.field_x = NAN; /* a set of fields has an option of its own */
     if (question.lens.lens == NULL) {
         fail(error, ERROR_USAGE, "no lens is given, and no {--glass}");
         return error_hint(error, "a name of 'lenscalc list lenses', or a .lens file");

@@ -467,7 +467,7 @@ bool fit_prescription(const struct fit_input *input, struct run *run, struct err
 {
     static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY};
     struct lens_question question = input->question;
-    question.field = NAN;
+    question.field = question.field_x = NAN;
     struct fit_asked asked = {input, run};
     return lens_each(&question, &policy, run->arena, visit, &asked, error);
 }

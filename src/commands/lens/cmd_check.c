@@ -21,6 +21,7 @@ static const struct option options[] = {
      .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
      .help = "largest field angle, in object space, a list is swept; without it that of the lens, "
              "else 5 deg"},
+    LENS_FIELD_X_OPTION(struct input, question.field_x),
     LENS_POSITION_OPTION(struct input, question),
     LENS_SECTION_OPTION(struct input, question),
     {OPTION(struct input, tolerance), .name = "tolerance", .column = "tolerance",
@@ -162,7 +163,7 @@ static bool set_up(const struct input *input, const struct lens_case *one, struc
         .field = setup->fields[0].point,
         .chiefs = ARENA_ARRAY(setup->arena, CHECK_CHIEFS, struct check_chief),
     };
-    return backward != NULL;
+    return backward != NULL && setup_real_in_object(setup, &check->problem.field, error);
 }
 
 /* -------- the verdict -------- */

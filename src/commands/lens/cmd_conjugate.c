@@ -411,7 +411,7 @@ static bool run(const void *data, struct run *run, struct error *error)
     const struct input *input = data;
     struct lens_question question = input->question;
     struct task task = {.input = input, .run = run, .typed = input->question.lens};
-    question.field = NAN;
+    question.field = question.field_x = NAN;
     if (!check_asked(input, error)) {
         return false;
     }

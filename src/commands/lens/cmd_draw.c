@@ -13,7 +13,7 @@ static const struct option options[] = {
     LENS_OPTION(struct input, question),
     LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct input, question),
-    LENS_FIELD_OPTION(struct input, question),
+    LENS_FIELD_OPTIONS(struct input, question),
     LENS_POSITION_OPTION(struct input, question),
     LENS_SECTION_OPTION(struct input, question),
     {OPTION(struct input, planes), .name = "planes",

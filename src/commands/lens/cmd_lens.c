@@ -12,7 +12,7 @@ static const struct option options[] = {
     LENS_OPTION(struct input, question),
     LENS_WAVELENGTH_OPTION(struct input, question, LENS_ALL_WAVELENGTHS),
     LENS_FNUMBER_OPTION(struct input, question),
-    LENS_FIELD_OPTION(struct input, question),
+    LENS_FIELD_OPTIONS(struct input, question),
     LENS_POSITION_OPTION(struct input, question),
     LENS_SECTION_OPTION(struct input, question),
 };

@@ -142,7 +142,7 @@ static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
     struct lens_question question = input->question;
-    question.fnumber = question.field = NAN;
+    question.fnumber = question.field = question.field_x = NAN;
     return lens_each(&question, &policy, run->arena,
                      input->perspective ? emit_perspective : emit_factors, run, error);
 }

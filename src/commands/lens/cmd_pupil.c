@@ -3,7 +3,7 @@
 #include "commands/lens/pupil_cases.h"
 #include "draw/outlines.h"
 
-#include "base/constants.h"
+#include <string.h>
 
 enum side { SIDE_BOTH, SIDE_ENTRANCE, SIDE_EXIT };
 
@@ -23,10 +23,14 @@ static const struct option options[] = {
      .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
      .help = "field angle in object space, of 90 deg and more too, a list is swept; without it "
              "those of the lens"},
+    LENS_FIELD_X_OPTION(struct pupil_input, question.field_x),
     {OPTION(struct pupil_input, height), .name = "height", .column = "height",
      .dimension = &dimension_length, .unit = "mm", .lowest = -INFINITY, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "LENGTH",
      .help = "a point of the film instead, so far from the axis"},
+    {OPTION(struct pupil_input, height_x), .name = "height-x", .column = "height_x",
+     .dimension = &dimension_length, .unit = "mm", .flags = OPTION_NO_INFINITY, .value = "LENGTH",
+     .help = "so far beside it in x"},
     {OPTION(struct pupil_input, focus), .name = "focus", .dimension = &dimension_length,
      .unit = "mm", .value = "PLANE",
      .help = "where the film is: paraxial, table, best, or so far behind the last vertex"},
@@ -41,6 +45,7 @@ struct row {
     const char *pupil, *position, *status, *warning, *lens;
     double wavelength; /* um */
     double field, object, height, film;
+    double field_x, object_x, height_x;
     double z, x_min, x_max, y_min, y_max, x, y, area;
     double vertex_x_min, vertex_x_max, vertex_y_min, vertex_y_max, vertex_area;
     double projected, obstruction, fraction, projected_fraction, irradiance, illumination;
@@ -77,6 +82,18 @@ struct row {
          .label = "object", .help = "height of the object point; absent at infinity"},             \
         {LENGTH(height, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "height",             \
          .label = "height", .help = "of the point in the film; absent from the object"},           \
+        {COLUMN(struct row, field_x),                                                              \
+         .dimension = &dimension_angle,                                                            \
+         .unit = "deg",                                                                            \
+         .flags = COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO,                                       \
+         .with = "field-x",                                                                        \
+         .name = "field_x",                                                                        \
+         .label = "field x",                                                                       \
+         .help = "angle in the x-z plane; on request, and where some is not 0"},                   \
+        {LENGTH(object_x, COLUMN_EXTRA | COLUMN_BRIEF), .with = "field-x", .name = "object_x",     \
+         .label = "object x", .help = "of the object point; absent at infinity"},                  \
+        {LENGTH(height_x, COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO), .with = "height-x",          \
+         .name = "height_x", .label = "height x", .help = "of the point in the film"},             \
     {                                                                                              \
         PLAIN(pupil, COLUMN_BRIEF), .name = "pupil", .label = "pupil", .help = "entrance or exit"  \
     }
@@ -197,6 +214,9 @@ static struct row row_of(const struct pupil_case *point)
         .field = point->angle,
         .object = point->object,
         .height = point->height,
+        .field_x = point->angle_x,
+        .object_x = point->object_x,
+        .height_x = point->height_x,
         .film = point->film,
         .obstruction = shape->is_empty ? (double)NAN : shape->obstruction,
         .status = shape->is_empty                               ? ray_status_name(shape->status)
@@ -380,6 +400,14 @@ static bool run(const void *data, struct run *run, struct error *error)
     return pupil_each(data, run->arena, stays ? run->state : NULL, emit_rows, &asked, error);
 }
 
+static bool brings(const void *data, const char *option)
+{
+    const struct pupil_input *input = data;
+    const struct lens *lens = input->question.lens.lens;
+    return !pupil_is_from_film(input) && isnan(input->question.field) &&
+           strcmp(option, "field-x") == 0 && lens != NULL && lens_has_fields_beside(lens);
+}
+
 /* -------- the drawing -------- */
 
 struct painter {
@@ -436,7 +464,7 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
         }
     }
     const struct pupil_input *first = job->inputs[0];
-    bool film = !isnan(first->height);
+    bool film = pupil_is_from_film(first);
     const struct outlines outlines = {
         .title = arena_printf(svg.arena, "Pupils of %s", painter.title),
         .subtitle = film ? "exit pupil as points of the film see it, across the ray to the last "
@@ -481,5 +509,6 @@ const struct command command_pupil = {
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
     .makes_many = command_always_many,
+    .brings = brings,
     COMMAND_MAKES(artifacts),
 };

@@ -13,7 +13,7 @@ static const struct option options[] = {
     LENS_OPTION(struct input, question),
     LENS_WAVELENGTH_OPTION(struct input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct input, question),
-    LENS_FIELD_OPTION(struct input, question),
+    LENS_FIELD_OPTIONS(struct input, question),
     LENS_POSITION_OPTION(struct input, question),
     LENS_SECTION_OPTION(struct input, question),
 };
@@ -21,7 +21,7 @@ static const struct option options[] = {
 struct row {
     long surface;
     const char *kind, *name, *medium, *position, *warning, *lens;
-    double wavelength, field; /* um; rad */
+    double wavelength, field, field_x; /* um; rad */
     double radius, thickness, index, diameter, conic, power;
     double vergence_before, vergence_after;
     struct paraxial_ray marginal, chief;
@@ -41,6 +41,9 @@ static const struct column columns[] = {
     {COLUMN(struct row, field), .dimension = &dimension_angle, .unit = "deg", .name = "field",
      .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field", .label = "field",
      .help = "field angle of the chief ray, as --field says it"},
+    {COLUMN(struct row, field_x), .dimension = &dimension_angle, .unit = "deg", .name = "field_x",
+     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field-x", .label = "field x",
+     .help = "that in the x-z plane, as --field-x says it"},
     LENS_POSITION_COLUMN(struct row, position, 0),
     {PLAIN(surface, COLUMN_BRIEF), .name = "surface", .head = "surf", .label = "surface",
      .help = "number of the surface, from 1, the stop counted"},
@@ -120,7 +123,7 @@ static struct paraxial_ray *follow_axial(const struct lens_case *one, struct are
 
 /* Of one field. */
 struct listing {
-    double field; /* rad; NaN = that of the lens */
+    double field, field_x; /* rad; NaN = that of the lens */
     struct run *run;
 };
 
@@ -148,6 +151,7 @@ static bool emit_rows(const struct lens_case *one, void *context, struct error *
             .warning = one->warning,
             .wavelength = one->light.wavelength,
             .field = listing->field,
+            .field_x = listing->field_x,
             .radius = curvature != 0 ? 1 / curvature : INFINITY,
             .thickness = surface->has_thickness ? surface->thickness.value.hi : NAN,
             .index = one->light.system.index[i + 1].hi,
@@ -175,7 +179,7 @@ static bool emit_rows(const struct lens_case *one, void *context, struct error *
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    struct listing listing = {input->question.field, run};
+    struct listing listing = {input->question.field, input->question.field_x, run};
     return lens_each(&input->question, &policy, run->arena, emit_rows, &listing, error);
 }
 

@@ -46,6 +46,12 @@ static const struct option options[] = {
     {OPTION(struct trace_input, height), .name = "height", .column = "height",
      .dimension = &dimension_length, .unit = "mm", .flags = OPTION_NO_INFINITY | OPTION_GOAL,
      .value = "LENGTH", .help = "field by the height of its paraxial image"},
+    LENS_FIELD_X_OPTION(struct trace_input, field_x),
+    {OPTION(struct trace_input, height_x), .name = "height-x", .column = "height_x",
+     .dimension = &dimension_length, .unit = "mm", .flags = OPTION_NO_INFINITY, .value = "LENGTH",
+     .help = "so far beside the axis in x"},
+    {OPTION(struct trace_input, real), .name = "real", .wants = "height|height-x",
+     .help = "the height is that of the real image: where the chief ray meets the image plane"},
     {OPTION(struct trace_input, pupil), .name = "pupil-point", .dimension = &dimension_number,
      .value = "X:Y", .help = "one ray of the field, through this point of the pupil of radius 1"},
     {OPTION(struct trace_input, pupil_at[0]), .name = "pupil-x", .column = "pupil_x",
@@ -107,6 +113,11 @@ static const struct column columns[] = {
     {LENGTH(height, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE), .with = "height", .name = "height",
      .label = "field height",
      .help = "height of the field, at the object or at the image as the lens has it"},
+    {ANGLE(field_x, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA), .with = "field-x",
+     .name = "field_x", .label = "field x",
+     .help = "its angle in the x-z plane; on request, and where some is not 0"},
+    {LENGTH(height_x, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA), .with = "height-x",
+     .name = "height_x", .label = "field height x", .help = "of a height the same in x"},
     {PLAIN(ray, COLUMN_BRIEF | COLUMN_SPARSE), .name = "ray", .label = "ray",
      .help = "chief, upper, lower or sagittal"},
     {PLAIN(pupil[0], COLUMN_ECHO | COLUMN_SPARSE), .with = "pupil-x", .name = "pupil_x",
@@ -182,11 +193,17 @@ static bool makes_many(const void *data)
 {
     const struct trace_input *input = data;
     const struct lens *lens = input->question.lens.lens;
-    bool field =
-        !isnan(input->field) || !isnan(input->height) || (lens != NULL && lens->field_count <= 1);
+    bool field = trace_has_field(input) || (lens != NULL && lens->field_count <= 1);
     bool one = trace_is_explicit(input) || (trace_has_pupil(input) && field);
     return !one || input->all ||
            lens_positions_several(input->question.lens.lens, input->question.position);
+}
+
+static bool brings(const void *data, const char *option)
+{
+    const struct trace_input *input = data;
+    return !trace_has_field(input) && !trace_is_explicit(input) &&
+           lens_brings(input->question.lens.lens, option);
 }
 
 static bool varies(const void *data, const char *option)
@@ -200,8 +217,8 @@ static bool varies(const void *data, const char *option)
 static bool takes_blocks(const void *data, const struct asking *asking)
 {
     static const char *const constant[] = {"position", "paraxial", "verify", "all"};
-    static const char *const single[] = {"field",   "height",  "pupil-point",
-                                         "pupil-x", "pupil-y", "pattern"};
+    static const char *const single[] = {"field",       "field-x", "height",  "height-x", "real",
+                                         "pupil-point", "pupil-x", "pupil-y", "pattern"};
     const struct trace_input *input = data;
     bool ray = asking_given(asking, "x") && asking_given(asking, "y") && asking_given(asking, "z");
     const bool set[] = {input->question.position != NULL, input->paraxial, input->verify,
@@ -250,5 +267,6 @@ const struct command command_trace = {
     .takes_blocks = takes_blocks,
     .makes_many = makes_many,
     .varies = varies,
+    .brings = brings,
     .plot = "y_out",
 };

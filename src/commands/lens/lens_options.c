@@ -21,6 +21,14 @@ bool lens_positions_several(const struct lens *lens, const char *names)
            (wants_all(names) || strchr(names, ',') != NULL);
 }
 
+bool lens_brings(const struct lens *lens, const char *option)
+{
+    const char *wanted = lens == NULL                      ? ""
+                         : lens->field_kind == FIELD_ANGLE ? "field-x"
+                                                           : "height-x";
+    return lens != NULL && lens_has_fields_beside(lens) && strcmp(option, wanted) == 0;
+}
+
 bool lens_makes_many(const struct lens_question *question, const struct lens_policy *policy)
 {
     const struct lens *lens = question->lens.lens;
@@ -64,6 +72,18 @@ bool lens_place_image(struct setup *setup, const struct plane_value *focus, stru
     return words[focus->kind] != NULL && error_prefix(error, "{--focus} %s: ", words[focus->kind]);
 }
 
+struct setup_field lens_field(enum field_kind kind, double x, double y, int section)
+{
+    struct setup_field field = {.point = {.kind = kind}, .weight = 1};
+    if (isnan(x)) {
+        field.point.value[section == SECTION_X ? 0 : 1] = y;
+    } else {
+        field.point.value[0] = x;
+        field.point.value[1] = isnan(y) ? 0 : y;
+    }
+    return field;
+}
+
 /* Of the set: bare numbers are degrees of a far object, mm of a near one. */
 static bool list_fields(const struct lens_question *question, const struct setup_question *asked,
                         struct setup_field *list, struct error *error)
@@ -74,7 +94,7 @@ static bool list_fields(const struct lens_question *question, const struct setup
     for (size_t i = 0; i < question->fields.count; i++) {
         const struct field_item *item = &question->fields.items[i];
         bool is_angle = far || isnan(item->height);
-        list[i] = lens_field(is_angle ? FIELD_ANGLE : FIELD_HEIGHT,
+        list[i] = lens_field(is_angle ? FIELD_ANGLE : FIELD_HEIGHT, NAN,
                              is_angle ? item->angle : item->height, question->section);
         list[i].weight = item->weight;
         if (isnan(list[i].point.value[question->section == SECTION_X ? 0 : 1])) {
@@ -86,11 +106,22 @@ static bool list_fields(const struct lens_question *question, const struct setup
     return true;
 }
 
+/* Two angles have tangents only below 90 degrees. */
+static bool check_pair(const struct lens_question *question, struct error *error)
+{
+    const double quarter = PI / 2, x = fabs(question->field_x);
+    const double y = fabs(question->field);
+    return !(x > 0 && y > 0) || (x < quarter && y < quarter) ||
+           fail(error, ERROR_DOMAIN,
+                "{--field} and {--field-x}: where neither is 0 both must be below 90 degrees");
+}
+
 static bool visit_position(const struct lens_question *question, const struct lens_policy *policy,
                            size_t position, struct arena *arena, lens_setup_visit *visit,
                            void *context, struct error *error)
 {
-    size_t count = isnan(question->field) ? question->fields.count : 1;
+    const bool one = !isnan(question->field) || !isnan(question->field_x);
+    size_t count = one ? 1 : question->fields.count;
     struct setup_field *fields = ARENA_ARRAY(arena, count + 1, struct setup_field);
     struct setup *setup = ARENA_NEW(arena, struct setup);
     const struct setup_question asked = {
@@ -105,8 +136,8 @@ static bool visit_position(const struct lens_question *question, const struct le
         .field_count = count,
         .field_policy = policy->fields,
     };
-    fields[0] = lens_field(FIELD_ANGLE, question->field, question->section);
-    if (!list_fields(question, &asked, fields, error)) {
+    fields[0] = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
+    if (!check_pair(question, error) || !list_fields(question, &asked, fields, error)) {
         return false;
     }
     return setup_open(&asked, arena, setup, error) &&

@@ -4,6 +4,7 @@
 #define LENSCALC_COMMANDS_LENS_LENS_OPTIONS_H
 
 #include "analysis/setup.h"
+#include "base/constants.h"
 #include "cli/command.h"
 #include "exchange/lens_formats.h"
 
@@ -13,7 +14,8 @@
 struct lens_question {
     struct lens_value lens;
     struct wavelength_value wavelength;
-    double fnumber, field;      /* NaN = not given */
+    double fnumber;             /* NaN = not given */
+    double field, field_x;      /* rad; NaN = not given */
     struct fields_value fields; /* of a command that takes a set of them */
     const char *position;
     int section;
@@ -65,14 +67,28 @@ extern const struct word section_words[];
             .help = "f-number in place of the lens's own aperture"                                 \
     }
 
-#define LENS_FIELD_OPTION(S, member)                                                               \
+#define LENS_FIELD_OPTIONS(S, member)                                                              \
+    {OPTION(S, member.field),                                                                      \
+     .name = "field",                                                                              \
+     .column = "field",                                                                            \
+     .dimension = &dimension_angle,                                                                \
+     .unit = "deg",                                                                                \
+     .lowest = -1.5706217938696971,                                                                \
+     .highest = 1.5706217938696971,                                                                \
+     .flags = OPTION_FIELD,                                                                        \
+     .value = "ANGLE",                                                                             \
+     .help = "field angle in object space in place of the lens's largest; a list is swept"},       \
+        LENS_FIELD_X_OPTION(S, member.field_x)
+
+/* Beside --field, which is then the angle in the y-z plane. */
+#define LENS_FIELD_X_OPTION(S, member)                                                             \
     {                                                                                              \
-        OPTION(S, member.field),                                                                   \
-            .name = "field", .column = "field", .dimension = &dimension_angle, .unit = "deg",      \
-            .lowest = -1.5706217938696971, .highest = 1.5706217938696971, .flags = OPTION_FIELD,   \
-            .value = "ANGLE",                                                                      \
-            .help = "field angle in object space in place of the lens's "                          \
-                    "largest; a list is swept"                                                     \
+        OPTION(S, member), .name = "field-x", .column = "field_x", .dimension = &dimension_angle,  \
+                           .unit = "deg", .lowest = -PI, .highest = PI,                            \
+                           .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,     \
+                           .value = "ANGLE",                                                       \
+                           .help = "its angle in the x-z plane; the light goes along "             \
+                                   "(tan x, tan y, 1)"                                             \
     }
 
 /* Of a command that judges a lens by all fields at once. */
@@ -130,13 +146,12 @@ const char *lens_warnings_join(const char *first, const char *second, struct are
 /* Will the question have several answers? */
 bool lens_makes_many(const struct lens_question *question, const struct lens_policy *policy);
 
-/* A field as options have it: along the axis of the section. */
-static inline struct setup_field lens_field(enum field_kind kind, double value, int section)
-{
-    struct setup_field field = {.point = {.kind = kind}, .weight = 1};
-    field.point.value[section == SECTION_X ? 0 : 1] = value;
-    return field;
-}
+/*
+ * A field as options have it.
+ *
+ * Given     x, y     NaN = not given; y alone lies on the axis of the section
+ */
+struct setup_field lens_field(enum field_kind kind, double x, double y, int section);
 
 /*
  * The positions that --position names.
@@ -147,6 +162,9 @@ static inline struct setup_field lens_field(enum field_kind kind, double value, 
  */
 bool lens_positions(const struct lens *lens, const char *names, struct arena *arena,
                     const size_t **positions, size_t *count, struct error *error);
+
+/* Do fields of the lens bring the columns of --field-x or --height-x? */
+bool lens_brings(const struct lens *lens, const char *option);
 
 /* Does --position name several? */
 bool lens_positions_several(const struct lens *lens, const char *names);

@@ -59,9 +59,9 @@ static bool shape_of(const struct pupil_job *job, const struct beam *beam, struc
     return pupil_shape(&question, arena, shape, error);
 }
 
-static struct beam film_beam(const struct pupil_job *job, double height)
+static struct beam film_beam(const struct pupil_job *job, double x, double y)
 {
-    return beam_from_film((double[3]){0, height, job->film}, job->open->index_first);
+    return beam_from_film((double[3]){x, y, job->film}, job->open->index_first);
 }
 
 static bool show(const struct pupil_job *job, const struct beam *beam, struct pupil_case *point,
@@ -82,14 +82,18 @@ static bool show_field(const struct pupil_job *job, const struct field_point *fi
 {
     const struct setup *setup = job->one->setup;
     struct beam beam;
-    if (!beam_of_field(field, &setup->object, &setup->first, &beam, error)) {
+    if (!setup_beam(setup, field, &beam, error)) {
         return false;
     }
-    struct pupil_case point = {.height = NAN, .film = NAN, .object = NAN};
+    struct pupil_case point = {
+        .height = NAN, .height_x = NAN, .film = NAN, .object = NAN, .object_x = NAN};
     /* as it was asked for, to the last digit */
-    point.angle = field->kind == FIELD_ANGLE ? field->value[1] : atan2(beam.axis[1], beam.axis[2]);
+    const bool angle = field->kind == FIELD_ANGLE;
+    point.angle = angle ? field->value[1] : atan2(beam.axis[1], beam.axis[2]);
+    point.angle_x = angle ? field->value[0] : atan2(beam.axis[0], beam.axis[2]);
     if (!setup->object.is_infinite) {
         point.object = -beam.axis[1] * beam.distance + 0.0;
+        point.object_x = -beam.axis[0] * beam.distance + 0.0;
     }
     return show(job, &beam, &point, error);
 }
@@ -164,12 +168,17 @@ static bool find_axis(struct pupil_job *job, const struct beam *beam, struct err
     return true;
 }
 
+static double or_zero(double given)
+{
+    return isnan(given) ? 0 : given;
+}
+
 static bool visit_lens(const struct lens_case *one, void *context, struct error *error)
 {
     const struct asked *asked = context;
     const struct setup *setup = one->setup;
     struct pupil_job job = {.asked = asked, .one = one, .film = NAN};
-    bool from_film = !isnan(asked->input->height);
+    bool from_film = pupil_is_from_film(asked->input);
     const struct field_point centre = {FIELD_NONE, {0, 0}};
     struct beam beam;
     if (!open_systems(&job, from_film ? SETUP_REVERSED : 0, error) ||
@@ -178,7 +187,7 @@ static bool visit_lens(const struct lens_case *one, void *context, struct error 
     }
     if (from_film) {
         job.film = setup->image;
-        beam = film_beam(&job, 0);
+        beam = film_beam(&job, 0, 0);
     } else if (!beam_of_field(&centre, &setup->object, &setup->first, &beam, error)) {
         return false;
     }
@@ -191,9 +200,12 @@ static bool visit_lens(const struct lens_case *one, void *context, struct error 
     struct pupil_case point = {.from_film = true,
                                .angle = NAN,
                                .object = NAN,
-                               .height = asked->input->height,
+                               .angle_x = NAN,
+                               .object_x = NAN,
+                               .height = or_zero(asked->input->height),
+                               .height_x = or_zero(asked->input->height_x),
                                .film = job.film};
-    beam = film_beam(&job, point.height);
+    beam = film_beam(&job, point.height_x, point.height);
     return show(&job, &beam, &point, error);
 }
 
@@ -203,8 +215,9 @@ bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pup
     struct asked asked = {input, arena, memo, visit, context};
     const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                        .fields = FIELDS_ALL,
-                                       .focus = isnan(input->height) ? NULL : &input->focus};
-    if (!isnan(input->question.field) && !isnan(input->height)) {
+                                       .focus = pupil_is_from_film(input) ? &input->focus : NULL};
+    if (pupil_is_from_film(input) &&
+        (!isnan(input->question.field) || !isnan(input->question.field_x))) {
         return fail(
             error, ERROR_USAGE,
             "{--field} is a point in front of the lens and {--height} one in the film: give "
@@ -215,8 +228,20 @@ bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pup
 
 const char *pupil_point_words(const struct pupil_case *point, struct arena *arena)
 {
-    return point->from_film ? arena_printf(arena, "film %.4g mm", point->height)
-           : !isnan(point->object)
-               ? arena_printf(arena, "object %.4g mm", point->object)
-               : arena_printf(arena, "%.4g deg", point->angle * DEGREES_PER_RADIAN);
+    const struct {
+        bool is;
+        const char *what, *unit;
+        double x, y;
+    } kinds[] = {
+        {point->from_film, "film ", "mm", point->height_x, point->height},
+        {!isnan(point->object), "object ", "mm", point->object_x, point->object},
+        {true, "", "deg", point->angle_x * DEGREES_PER_RADIAN, point->angle * DEGREES_PER_RADIAN}};
+    size_t i = 0;
+    while (!kinds[i].is) {
+        i++;
+    }
+    return kinds[i].x == 0
+               ? arena_printf(arena, "%s%.4g %s", kinds[i].what, kinds[i].y, kinds[i].unit)
+               : arena_printf(arena, "%s%.4g, %.4g %s", kinds[i].what, kinds[i].x, kinds[i].y,
+                              kinds[i].unit);
 }

@@ -8,11 +8,17 @@
 
 struct pupil_input {
     struct lens_question question;
-    double height; /* mm in the film */
+    double height, height_x; /* mm in the film */
     struct plane_value focus;
     int side;
     long outline;
 };
+
+/* Does it ask for a point of the film? */
+static inline bool pupil_is_from_film(const struct pupil_input *input)
+{
+    return !isnan(input->height) || !isnan(input->height_x);
+}
 
 /* A point and what it sees. */
 struct pupil_case {
@@ -21,7 +27,8 @@ struct pupil_case {
     double angle;  /* of the beam in object space, rad; NaN from the film */
     double object; /* height of the object point, mm; NaN at infinity and from the film */
     double height; /* in the film, mm; NaN from the object */
-    double film;   /* where it stands, from the last vertex, mm; NaN from the object */
+    double angle_x, object_x, height_x; /* the same in the x-z plane */
+    double film; /* where it stands, from the last vertex, mm; NaN from the object */
     const struct pupil_shape *shape;
     const struct pupil_shape *axis; /* of the point on the axis, by the same lens */
 };
@@ -43,7 +50,7 @@ typedef bool pupil_visit(const struct pupil_case *point, void *context, struct e
 bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pupil_memo *memo,
                 pupil_visit *visit, void *context, struct error *error);
 
-/* In words: "14 deg", "object -5 mm", "film 10 mm". */
+/* In words: "14 deg", "object -5 mm", "film 3, 10 mm" of x and y. */
 const char *pupil_point_words(const struct pupil_case *point, struct arena *arena);
 
 #endif

@@ -31,7 +31,9 @@ static struct trace_row blank_row(const struct ray_case *one, double wavelength)
         .warning = one->warning,
         .wavelength = wavelength,
         .field = NAN,
+        .field_x = NAN,
         .height = NAN,
+        .height_x = NAN,
         .pupil = {NAN, NAN},
         .weight = NAN,
         .incidence = NAN,
@@ -168,7 +170,7 @@ static bool emit_lost(const struct trace_job *job, const struct ray *start, stru
 /* Rays that share everything but their start. */
 struct bundle {
     const struct trace_job *job;
-    double field, height;
+    double field, field_x, height, height_x;
     const struct pupil_point *points; /* null: a ray as given */
     bool is_named;                    /* the rays of `few` */
     bool folds;                       /* points of the stop are met by several rays */
@@ -200,7 +202,9 @@ static const char *fold_warning(const struct bundle *bundle, const char *other, 
 static void label_row(const struct bundle *bundle, size_t i, struct trace_row *row)
 {
     row->field = bundle->field;
+    row->field_x = bundle->field_x;
     row->height = bundle->height;
+    row->height_x = bundle->height_x;
     if (bundle->points != NULL) {
         row->pupil[0] = bundle->points[i].x;
         row->pupil[1] = bundle->points[i].y;
@@ -440,7 +444,7 @@ static bool emit_field(struct bundle *bundle, const struct field_point *field, s
     struct aim aim;
     bool edges = wants_edges(job);
     bool aims = job->input->aim == AIM_STOP && !(edges && setup->lens->stop == LENS_NONE);
-    if (!beam_of_field(field, &setup->object, &setup->first, &beam, error) ||
+    if (!setup_beam(setup, field, &beam, error) ||
         (aims && !aim_open(job->open, &beam, run->arena, &aim, error) &&
          !aim_without_chief(job, &beam, &aim, run->arena, error))) {
         return false;
@@ -458,10 +462,17 @@ static bool emit_field(struct bundle *bundle, const struct field_point *field, s
 
 static const char *field_words(const struct field_point *field, struct arena *arena)
 {
-    double degrees = unit_from_own(unit_find(&dimension_angle, text_of("deg")), field->value[1]);
-    return field->kind == FIELD_ANGLE  ? arena_printf(arena, "field %.6g deg", degrees)
-           : field->kind == FIELD_NONE ? "on the axis"
-                                       : arena_printf(arena, "field %.6g mm", field->value[1]);
+    const struct unit *degree = unit_find(&dimension_angle, text_of("deg"));
+    const bool angle = field->kind == FIELD_ANGLE;
+    double at[2];
+    for (int i = 0; i < 2; i++) {
+        at[i] = angle ? unit_from_own(degree, field->value[i]) : field->value[i];
+    }
+    const char *unit = angle ? "deg" : "mm";
+    return field->kind == FIELD_NONE ? "on the axis"
+           : at[0] != 0
+               ? arena_printf(arena, "field x %.6g %s, y %.6g %s", at[0], unit, at[1], unit)
+               : arena_printf(arena, "field %.6g %s", at[1], unit);
 }
 
 static bool emit_fields(const struct trace_job *plain, struct run *run, struct error *error)
@@ -482,7 +493,9 @@ static bool emit_fields(const struct trace_job *plain, struct run *run, struct e
         bool angle = field->kind == FIELD_ANGLE || field->kind == FIELD_NONE;
         struct bundle bundle = {.job = job,
                                 .field = angle ? field->value[1] : (double)NAN,
-                                .height = angle ? (double)NAN : field->value[1]};
+                                .field_x = angle ? field->value[0] : (double)NAN,
+                                .height = angle ? (double)NAN : field->value[1],
+                                .height_x = angle ? (double)NAN : field->value[0]};
         error->code = ERROR_NONE;
         if (!emit_field(&bundle, field, run, error)) {
             return error->code == ERROR_NONE ||
@@ -496,10 +509,20 @@ static bool emit_fields(const struct trace_job *plain, struct run *run, struct e
 static bool emit_explicit(const struct trace_job *job, struct run *run, struct error *error)
 {
     struct ray start;
-    struct bundle bundle = {.job = job, .field = NAN, .height = NAN};
+    struct bundle bundle = {
+        .job = job, .field = NAN, .field_x = NAN, .height = NAN, .height_x = NAN};
     error->code = ERROR_NONE;
     return trace_start(job->input, &start, error) &&
            (emit_bundle(&bundle, &start, 0, 1, run, error) || error->code == ERROR_NONE);
+}
+
+static bool check_field(const struct trace_input *input, struct error *error)
+{
+    const bool angle = !isnan(input->field) || !isnan(input->field_x);
+    if (angle && (!isnan(input->height) || !isnan(input->height_x))) {
+        return fail(error, ERROR_USAGE, "{--field} and {--height} exclude each other");
+    }
+    return true;
 }
 
 /* What cannot go together, whatever the lens. */
@@ -522,8 +545,8 @@ static bool check(const struct trace_input *input, struct error *error)
     if (trace_has_pupil(input) && input->pattern != TRACE_FEW) {
         return fail(error, ERROR_USAGE, "{--pupil-point} is one ray, {--pattern} many");
     }
-    if (!isnan(input->field) && !isnan(input->height)) {
-        return fail(error, ERROR_USAGE, "{--field} and {--height} exclude each other");
+    if (!check_field(input, error)) {
+        return false;
     }
     if (input->verify && input->question.to.kind == TARGET_SURFACE) {
         return fail(error, ERROR_USAGE, "{--verify} goes with rays that pass the whole lens");
@@ -535,10 +558,11 @@ static bool check(const struct trace_input *input, struct error *error)
 static const struct setup_field *field_given(const struct trace_input *input,
                                              struct setup_field *field)
 {
-    bool is_height = !isnan(input->height), is_angle = !isnan(input->field);
-    *field = is_height ? lens_field(FIELD_IMAGE, input->height, SECTION_Y)
-                       : lens_field(FIELD_ANGLE, input->field, SECTION_Y);
-    return is_height || is_angle ? field : NULL;
+    const enum field_kind of_image = input->real ? FIELD_REAL : FIELD_IMAGE;
+    const bool is_height = !isnan(input->height) || !isnan(input->height_x);
+    *field = is_height ? lens_field(of_image, input->height_x, input->height, SECTION_Y)
+                       : lens_field(FIELD_ANGLE, input->field_x, input->field, SECTION_Y);
+    return trace_has_field(input) ? field : NULL;
 }
 
 bool trace_answer(const struct trace_input *input, struct run *run, struct error *error)

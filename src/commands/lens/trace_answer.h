@@ -10,15 +10,16 @@
 
 struct trace_input {
     struct ray_question question;
-    double wavelength;    /* um; NaN = primary */
-    double field, height; /* rad; mm at the paraxial image; NaN = not given */
+    double wavelength;       /* um; NaN = primary */
+    double field, field_x;   /* rad; NaN = not given */
+    double height, height_x; /* mm at the image */
     struct vector_value point, direction;
     double at[3], cosine[3]; /* the same as six numbers; NaN = not given */
     struct pupil_value pupil;
     double pupil_at[2]; /* the same as two numbers; NaN = not given */
     int aim, pattern;
     long rays, seed;
-    bool all, paraxial, verify;
+    bool all, paraxial, verify, real;
 };
 
 enum { AIM_STOP, AIM_ENTRANCE };
@@ -28,8 +29,9 @@ enum { TRACE_FEW };
 
 struct trace_row {
     const char *position, *ray, *status, *focus, *lens, *warning;
-    double wavelength;                /* um */
-    double field, height;             /* rad; mm; one of them is absent */
+    double wavelength;    /* um */
+    double field, height; /* rad; mm; one of them is absent */
+    double field_x, height_x;
     double pupil[2], weight;          /* in units of its radius; absent for a ray as given */
     double start[3], start_cosine[3]; /* mm */
     double point[3], cosine[3], path; /* mm */
@@ -47,6 +49,13 @@ bool trace_is_explicit(const struct trace_input *input);
 static inline bool trace_has_pupil(const struct trace_input *input)
 {
     return input->pupil.is_given || !isnan(input->pupil_at[0]) || !isnan(input->pupil_at[1]);
+}
+
+/* Does it name a field? */
+static inline bool trace_has_field(const struct trace_input *input)
+{
+    return !isnan(input->field) || !isnan(input->field_x) || !isnan(input->height) ||
+           !isnan(input->height_x);
 }
 
 /*

@@ -60,7 +60,7 @@ bool trace_start(const struct trace_input *input, struct ray *ray, struct error 
     if (!has_point) {
         return fail(error, ERROR_USAGE, "the ray has a direction and no point to start from");
     }
-    if (!isnan(input->field) || !isnan(input->height)) {
+    if (trace_has_field(input)) {
         return fail(error, ERROR_USAGE, "a ray and a field are given: one of them is wanted");
     }
     if (!has_direction) {

@@ -24,6 +24,9 @@ struct codev_private {
     const char *medium; /* as a .lens file has it; null = a formula that is not known */
 };
 
+/* What XAN, YAN and WTF list of the fields. */
+enum { CODEV_FIELD_WEIGHTS = 2, CODEV_FIELD_ROWS };
+
 /* A .seq file being read. */
 struct codev {
     struct foreign_job *job;
@@ -37,9 +40,9 @@ struct codev {
     struct command_word image_solve; /* PIM */
     struct command_word *wavelengths, *weights;
     size_t wavelength_count, weight_count, primary;
-    struct figure *fields[2]; /* x, y */
-    size_t field_count[2];
-    struct command_word fields_at[2];
+    struct figure *fields[CODEV_FIELD_ROWS]; /* x, y, weight */
+    size_t field_count[CODEV_FIELD_ROWS];
+    struct command_word fields_at[CODEV_FIELD_ROWS];
     bool in_catalog; /* between PRV and END */
     struct command_word *catalog_waves;
     size_t catalog_wave_count;

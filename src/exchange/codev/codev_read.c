@@ -81,6 +81,7 @@ static const struct {
     {"YIM", codev_fields, 'i', false},
     {"XRI", codev_fields, 'R', false},
     {"YRI", codev_fields, 'r', false},
+    {"WTF", codev_fields, 'w', false},
     {"RDY", codev_curve, 'R', true},
     {"CUY", codev_curve, 'C', true},
     {"RDX", codev_curve, 'r', true},

@@ -5,7 +5,6 @@
 #include "exchange/codev/codev_system.h"
 #include "file/decimal.h"
 
-#include "base/constants.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
@@ -203,62 +202,74 @@ bool codev_aperture_of_lens(struct codev *codev, int what, struct error *error)
     return true;
 }
 
-/* XAN YAN XOB YOB XIM YIM XRI YRI: x in the kind's capital, y in its small letter */
+/* XAN YAN XOB YOB XIM YIM XRI YRI: x in the kind's capital, y in its small letter; WTF: w */
 bool codev_fields(struct codev *codev, int what, struct error *error)
 {
     struct commands *commands = &codev->commands;
     struct lens *lens = codev->build.lens;
     struct codev_qualifiers qualifiers;
-    int axis = what >= 'a';
     char kind = (char)(what | 32);
+    int row = kind == 'w' ? CODEV_FIELD_WEIGHTS : what >= 'a';
     if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
         return false;
     }
     size_t count = commands->count - qualifiers.next;
     struct figure *fields = ARENA_ARRAY(commands->job->arena, count + 1, struct figure);
+    const struct number_scale scale = kind == 'a' || kind == 'w' ? plain : commands->scale;
     for (size_t i = 0; i < count; i++) {
-        if (!commands_figure(commands, qualifiers.next + i, kind == 'a' ? plain : commands->scale,
-                             "field", &fields[i], error)) {
+        if (!commands_figure(commands, qualifiers.next + i, scale,
+                             kind == 'w' ? "field's weight" : "field", &fields[i], error)) {
             return false;
-        }
-        if (kind == 'a' && !(fabs(fields[i].value.hi) <= 180)) {
-            return commands_fail(commands, &commands->words[qualifiers.next + i], error,
-                                 "a field angle is not beyond 180 degrees");
-        }
-        if (kind == 'a') {
-            fields[i].value = pair_multiply(fields[i].value, pair_of(RADIANS_PER_DEGREE));
         }
     }
     if (qualifiers.zoom > 1 || qualifiers.field > 0) {
         return commands_lose(&codev->commands, error,
                              "a field of one position or of one number alone");
     }
-    lens->field_kind = kind == 'a' ? FIELD_ANGLE : kind == 'o' ? FIELD_HEIGHT : FIELD_IMAGE;
-    codev->fields[axis] = fields;
-    codev->field_count[axis] = count;
-    codev->fields_at[axis] = commands->words[0];
-    return kind != 'r' || codev_is_zero(codev, qualifiers.next) ||
-           commands_lose(&codev->commands, error,
-                         "real image heights" LOSS_INSTEAD "taken for paraxial ones");
+    if (kind != 'w') {
+        lens->field_kind = kind == 'a'   ? FIELD_ANGLE
+                           : kind == 'o' ? FIELD_HEIGHT
+                           : kind == 'i' ? FIELD_IMAGE
+                                         : FIELD_REAL;
+    }
+    codev->fields[row] = fields;
+    codev->field_count[row] = count;
+    codev->fields_at[row] = commands->words[0];
+    return true;
+}
+
+/* One point of the field from its place in each of the lists. */
+static bool finish_field(struct codev *codev, size_t at, struct error *error)
+{
+    struct lens_field *field = lens_build_field(&codev->build);
+    for (int row = 0; row < CODEV_FIELD_WEIGHTS; row++) {
+        field->at[row] = at < codev->field_count[row] ? codev->fields[row][at] : field->at[row];
+    }
+    const char *wrong =
+        codev->build.lens->field_kind == FIELD_ANGLE ? lens_field_from_degrees(field) : NULL;
+    if (wrong != NULL) {
+        const int row = at < codev->field_count[1];
+        return commands_fail(&codev->commands, &codev->fields_at[row], error, "field %zu: %s",
+                             at + 1, wrong);
+    }
+    if (at < codev->field_count[CODEV_FIELD_WEIGHTS]) {
+        const struct figure *weight = &codev->fields[CODEV_FIELD_WEIGHTS][at];
+        field->weight = weight->value.hi;
+        field->weight_typed = field->weight != 1 ? weight->typed : field->weight_typed;
+    }
+    return field->weight >= 0 ||
+           commands_fail(&codev->commands, &codev->fields_at[CODEV_FIELD_WEIGHTS], error,
+                         "a weight is not below 0");
 }
 
 static bool finish_fields(struct codev *codev, struct error *error)
 {
-    const struct lens_words place = commands_place(&codev->commands, &codev->fields_at[0]);
-    struct lens *lens = codev->build.lens;
-    for (size_t i = 0; i < codev->field_count[0]; i++) {
-        if (sequence_is_some(&codev->fields[0][i])) {
-            if (!foreign_loss(codev->job, &place, codev->fields_at[0].text, error,
-                              "fields beside the y axis" LOSS_INSTEAD "their x is left out")) {
-                return false;
-            }
-            break;
+    const size_t x = codev->field_count[0], y = codev->field_count[1];
+    for (size_t i = 0; i < x || i < y; i++) {
+        if (!finish_field(codev, i, error)) {
+            return false;
         }
     }
-    for (size_t i = 0; i < codev->field_count[1]; i++) {
-        *lens_build_field(&codev->build) = codev->fields[1][i];
-    }
-    lens->field_kind = lens->field_count > 0 ? lens->field_kind : FIELD_NONE;
     return true;
 }
 

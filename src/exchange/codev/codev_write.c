@@ -271,25 +271,43 @@ static void put_waves(struct output *output)
     put_string(output, "\n");
 }
 
+static void put_coordinates(struct output *output, int axis)
+{
+    const struct lens *lens = output->lens;
+    size_t column = 3;
+    for (size_t i = 0; i < lens->field_count; i++) {
+        const struct figure *field = &lens->fields[i].at[axis];
+        const bool nothing = field->value.hi == 0 && field->typed.start == NULL;
+        put_number(output, &column,
+                   nothing                           ? text_of("0.0")
+                   : lens->field_kind == FIELD_ANGLE ? writing_degrees(&output->writing, field)
+                                                     : writing_length(&output->writing, field, 1));
+    }
+    put_string(output, "\n");
+}
+
 static void put_fields(struct output *output)
 {
     static const char *const words[][2] = {[FIELD_ANGLE] = {"XAN", "YAN"},
                                            [FIELD_HEIGHT] = {"XOB", "YOB"},
-                                           [FIELD_IMAGE] = {"XIM", "YIM"}};
+                                           [FIELD_IMAGE] = {"XIM", "YIM"},
+                                           [FIELD_REAL] = {"XRI", "YRI"}};
     const struct lens *lens = output->lens;
+    bool weighted = false;
+    size_t column = 3;
     for (int axis = 0; axis < 2 && lens->field_kind != FIELD_NONE; axis++) {
-        size_t column = 3;
         put_string(output, words[lens->field_kind][axis]);
-        for (size_t i = 0; i < lens->field_count; i++) {
-            const struct figure *field = &lens->fields[i];
-            put_number(output, &column,
-                       axis == 0 ? text_of("0.0")
-                       : lens->field_kind == FIELD_ANGLE
-                           ? writing_degrees(&output->writing, field)
-                           : writing_length(&output->writing, field, 1));
-        }
-        put_string(output, "\n");
+        put_coordinates(output, axis);
     }
+    for (size_t i = 0; i < lens->field_count; i++) {
+        weighted = weighted || lens->fields[i].weight != 1;
+    }
+    put_string(output, weighted ? "WTF" : "");
+    for (size_t i = 0; i < lens->field_count && weighted; i++) {
+        const struct text typed = lens->fields[i].weight_typed;
+        put_number(output, &column, typed.start != NULL ? typed : text_of("1"));
+    }
+    put_string(output, weighted ? "\n" : "");
 }
 
 static bool put_header(struct output *output, struct error *error)

@@ -10,6 +10,11 @@ enum { OSLO_MOST_WAVES = 100 };
 
 enum oslo_field { OSLO_NO_FIELD, OSLO_ANGLE, OSLO_OBJECT, OSLO_IMAGE };
 
+/* A point of the field: fractions of the largest, of an angle those of its tangent. */
+struct oslo_point {
+    struct figure at[2], weight; /* x, y */
+};
+
 /* A .len file being read. */
 struct oslo {
     struct foreign_job *job;
@@ -23,7 +28,7 @@ struct oslo {
     enum oslo_field field_is;
     struct figure field;
     struct command_word field_at;
-    struct figure points[OSLO_MOST_WAVES]; /* fractions of the field */
+    struct oslo_point points[OSLO_MOST_WAVES];
     size_t point_count;
     struct text waves[OSLO_MOST_WAVES], weights[OSLO_MOST_WAVES]; /* um */
     size_t wave_count, weight_count;

@@ -274,25 +274,30 @@ bool oslo_point(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
     static const double usual[] = {0, 0, 0, 0, 0, -1, 1, -1, 1};
-    struct figure figure, fraction;
+    struct oslo_point point = {.weight = {.value = {1, 0}}};
+    struct figure figure;
     if (oslo->point_count == OSLO_MOST_WAVES) {
         return commands_fail(&oslo->commands, &oslo->commands.words[0], error,
                              "more than %d points of the field", OSLO_MOST_WAVES);
     }
-    if (!commands_figure(&oslo->commands, 2, plain, "point of the field", &fraction, error)) {
+    if (!commands_figure(&oslo->commands, 2, plain, "point of the field", &point.at[1], error)) {
         return false;
     }
-    oslo->points[oslo->point_count++] = fraction;
-    for (size_t i = 3; i < oslo->commands.count && i < 11; i++) {
+    for (size_t i = 3; i < oslo->commands.count && i < 12; i++) {
         if (!commands_figure(&oslo->commands, i, plain, "point of the field", &figure, error)) {
             return false;
         }
-        if (figure.value.hi != usual[i - 2]) {
-            return commands_lose(&oslo->commands, error,
-                                 "a point beside the y axis, or one with a pupil of its own");
+        point.at[0] = i == 3 ? figure : point.at[0];
+        point.weight = i == 11 ? figure : point.weight;
+        if (i > 3 && i < 11 && figure.value.hi != usual[i - 2] &&
+            !commands_lose(&oslo->commands, error,
+                           "a point of the field with a place or a pupil of its own")) {
+            return false;
         }
     }
-    return true;
+    oslo->points[oslo->point_count++] = point;
+    return point.weight.value.hi >= 0 || commands_fail(&oslo->commands, &oslo->commands.words[0],
+                                                       error, "a weight is not below 0");
 }
 
 bool oslo_fields(struct oslo *oslo, struct text line, struct error *error)
@@ -303,44 +308,52 @@ bool oslo_fields(struct oslo *oslo, struct text line, struct error *error)
                                .at = line.start,
                                .scale = oslo->commands.scale,
                                .arena = oslo->job->arena};
-    bool angle = lens->field_kind == FIELD_ANGLE;
-    if (lens->field_kind == FIELD_NONE) {
-        return true;
+    return lens->field_kind == FIELD_NONE ||
+           lens_words_fields(&words, lens->field_kind, &lens->fields, &lens->field_count, error);
+}
+
+/* A fraction of the largest field; of an angle that of its tangent. */
+static struct figure part_of(const struct oslo *oslo, enum field_kind kind,
+                             const struct figure *edge, double fraction)
+{
+    struct arena *arena = oslo->job->arena;
+    if (fraction == 0) {
+        return figure_of(0, arena);
     }
-    if (!lens_words_figures(&words, angle ? plain : words.scale, "field", &lens->fields,
-                            &lens->field_count, error)) {
-        return false;
+    if (fraction == 1) {
+        return *edge;
     }
-    for (size_t i = 0; i < lens->field_count && angle; i++) {
-        lens->fields[i].value = pair_multiply(lens->fields[i].value, pair_of(RADIANS_PER_DEGREE));
+    if (kind == FIELD_ANGLE) {
+        struct figure part =
+            figure_of(atan(fraction * tan(edge->value.hi)) / RADIANS_PER_DEGREE, arena);
+        part.value = pair_multiply(part.value, pair_of(RADIANS_PER_DEGREE));
+        return part;
     }
-    return true;
+    return figure_computed(pair_multiply(edge->value, pair_of(fraction)), oslo->commands.scale,
+                           arena);
 }
 
 /* The points of the field; without any its axis and its edge. */
 static void put_fields(struct oslo *oslo, enum field_kind kind, struct figure edge)
 {
-    struct arena *arena = oslo->job->arena;
-    struct figure zero = figure_of(0, arena);
     oslo->build.lens->field_kind = kind;
     for (size_t i = 0; i < oslo->point_count; i++) {
-        double fraction = oslo->points[i].value.hi;
-        struct figure field = fraction == 0 ? zero : edge;
-        if (fraction != 0 && fraction != 1 && kind == FIELD_ANGLE) {
-            field = figure_of(atan(fraction * tan(edge.value.hi)) / RADIANS_PER_DEGREE, arena);
-            field.value = pair_multiply(field.value, pair_of(RADIANS_PER_DEGREE));
-        } else if (fraction != 0 && fraction != 1) {
-            field = figure_computed(pair_multiply(edge.value, pair_of(fraction)),
-                                    oslo->commands.scale, arena);
+        const struct oslo_point *point = &oslo->points[i];
+        struct lens_field *field = lens_build_field(&oslo->build);
+        for (int axis = 0; axis < 2; axis++) {
+            field->at[axis] = part_of(oslo, kind, &edge, point->at[axis].value.hi);
         }
-        *lens_build_field(&oslo->build) = field;
+        if (point->weight.value.hi != 1) {
+            field->weight = point->weight.value.hi;
+            field->weight_typed = point->weight.typed;
+        }
     }
     if (oslo->point_count > 0) {
         return;
     }
-    *lens_build_field(&oslo->build) = zero;
+    lens_build_field(&oslo->build)->at[1] = figure_of(0, oslo->job->arena);
     if (edge.value.hi != 0) {
-        *lens_build_field(&oslo->build) = edge;
+        lens_build_field(&oslo->build)->at[1] = edge;
     }
 }
 

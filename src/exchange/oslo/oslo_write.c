@@ -86,14 +86,36 @@ static bool put_aperture(struct output *output, struct error *error)
     return true;
 }
 
-static const struct figure *edge_of(const struct lens *lens)
+/* How far out a field is, as OSLO's fractions count: of angles their tangents. */
+static double extent_of(const struct lens *lens, const struct lens_field *field, double out[2])
 {
-    const struct figure *edge = NULL;
-    for (size_t i = 0; i < lens->field_count; i++) {
-        const struct figure *field = &lens->fields[i];
-        edge = edge == NULL || fabs(field->value.hi) > fabs(edge->value.hi) ? field : edge;
+    for (int i = 0; i < 2; i++) {
+        double value = field->at[i].value.hi;
+        out[i] = lens->field_kind == FIELD_ANGLE ? tan(value) : value;
     }
-    return edge;
+    return out[0] == 0 ? out[1] : hypot(out[0], out[1]);
+}
+
+/* The field that is farthest out, and how far; false without fields. */
+static bool find_edge(const struct lens *lens, struct figure *edge, double *extent)
+{
+    double out[2], largest = -1;
+    for (size_t i = 0; i < lens->field_count; i++) {
+        const struct lens_field *field = &lens->fields[i];
+        const double here = extent_of(lens, field, out);
+        if (!(fabs(here) > largest)) {
+            continue;
+        }
+        largest = fabs(here);
+        *extent = here;
+        *edge = field->at[1];
+        if (out[0] != 0) {
+            *edge = (struct figure){
+                .value = pair_of(lens->field_kind == FIELD_ANGLE ? atan(here) : here),
+                .variable = LENS_NONE};
+        }
+    }
+    return lens->field_count > 0;
 }
 
 static struct text field_text(struct output *output, const struct figure *field)
@@ -102,39 +124,69 @@ static struct text field_text(struct output *output, const struct figure *field)
                                                    : length_of(output, field);
 }
 
-static void put_field(struct output *output)
+/* As a .lens file has it: x,y:weight */
+static void put_point(struct output *output, const struct lens_field *field)
+{
+    struct growing *text = &output->writing.text;
+    if (field->at[0].value.hi != 0) {
+        growing_text(text, field_text(output, &field->at[0]));
+        put_string(output, ",");
+    }
+    growing_text(text, field_text(output, &field->at[1]));
+    if (field->weight_typed.start != NULL) {
+        put_string(output, ":");
+        growing_text(text, field->weight_typed);
+    }
+}
+
+static bool put_field(struct output *output, struct error *error)
 {
     static const char *const words[] = {
-        [FIELD_ANGLE] = "ANG", [FIELD_HEIGHT] = "OBH", [FIELD_IMAGE] = "GIH"};
+        [FIELD_ANGLE] = "ANG", [FIELD_HEIGHT] = "OBH", [FIELD_IMAGE] = "GIH", [FIELD_REAL] = "GIH"};
     const struct lens *lens = output->lens;
-    const struct figure *edge = edge_of(lens);
-    if (edge == NULL) {
-        return;
+    struct figure edge;
+    double extent;
+    if (!find_edge(lens, &edge, &extent)) {
+        return true;
     }
-    put_command(output, words[lens->field_kind], field_text(output, edge));
+    if (lens->field_kind == FIELD_REAL &&
+        !foreign_lose(output->job, error,
+                      "fields as heights of the real image" LOSS_INSTEAD
+                      "taken for those of the paraxial one")) {
+        return false;
+    }
+    put_command(output, words[lens->field_kind], field_text(output, &edge));
     put_string(output, OSLO_KEEP_NOTE OSLO_FIELDS);
     for (size_t i = 0; i < lens->field_count; i++) {
         put_string(output, i > 0 ? " " : "");
-        growing_text(&output->writing.text, field_text(output, &lens->fields[i]));
+        put_point(output, &lens->fields[i]);
     }
     put_string(output, "\n");
+    return true;
 }
 
 /* OSLO's field points: fractions of the edge, of angles those of their tangents. */
 static void put_points(struct output *output)
 {
     const struct lens *lens = output->lens;
-    const struct figure *edge = edge_of(lens);
-    bool angle = lens->field_kind == FIELD_ANGLE;
-    if (edge == NULL || edge->value.hi == 0) {
+    struct figure edge;
+    double whole, out[2];
+    if (!find_edge(lens, &edge, &whole) || whole == 0) {
         return;
     }
     put_string(output, "RST NEW\n");
     for (size_t i = 0; i < lens->field_count; i++) {
-        double field = lens->fields[i].value.hi, whole = edge->value.hi;
-        double fraction = angle ? tan(field) / tan(whole) : field / whole;
-        growing_format(&output->writing.text, "F %zu %.12g 0.0 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 1.0\n",
-                       i + 1, fraction);
+        extent_of(lens, &lens->fields[i], out);
+        growing_format(&output->writing.text, "F %zu %.12g ", i + 1, out[1] / whole);
+        if (out[0] != 0) {
+            growing_format(&output->writing.text, "%.12g", out[0] / whole);
+        } else {
+            put_string(output, "0.0");
+        }
+        put_string(output, " 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 ");
+        const struct text weight = lens->fields[i].weight_typed;
+        growing_text(&output->writing.text, weight.start != NULL ? weight : text_of("1.0"));
+        put_string(output, "\n");
     }
     growing_format(&output->writing.text, "END %zu\n", lens->field_count);
 }
@@ -151,7 +203,9 @@ static bool put_header(struct output *output, struct error *error)
     if (!put_aperture(output, error)) {
         return false;
     }
-    put_field(output);
+    if (!put_field(output, error)) {
+        return false;
+    }
     put_string(output, "DES \"\"\n");
     growing_format(&output->writing.text, "UNI %.1f\n", lens_unit_mm(output->writing.unit));
     for (size_t i = 0; i < lens->note_count && i < 10; i++) {

@@ -68,8 +68,9 @@ struct zemax_file {
     bool has_configurations; /* MNUM has been */
     struct text catalogs[ZEMAX_CATALOGS];
     size_t catalog_count;
-    const struct zemax_line *aperture, *fields, *x, *y; /* ENPD .., FTYP, XFLN, YFLN */
-    const struct zemax_line *environment;               /* ENVD */
+    const struct zemax_line *aperture, *fields;     /* ENPD .., FTYP */
+    const struct zemax_line *x, *y, *field_weights; /* XFLN, YFLN, FWGN */
+    const struct zemax_line *environment;           /* ENVD */
     struct figure waves[ZEMAX_WAVES], weights[ZEMAX_WAVES];
     size_t wave_count, primary;
     const struct zemax_line *primary_line;

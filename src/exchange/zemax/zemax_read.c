@@ -6,7 +6,6 @@
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_surface.h"
 
-#include "base/constants.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
@@ -53,35 +52,38 @@ static bool set_aperture(struct zemax_file *file, struct error *error)
     return true;
 }
 
+/* Field number `at`, from 0: its place in XFLN and YFLN, its weight in FWGN. */
 static bool add_field(struct zemax_file *file, size_t at, bool angle, struct error *error)
 {
     struct number_scale scale = angle ? NUMBER_UNSCALED : lens_unit_scale(file->build.lens->unit);
-    bool has = file->y != NULL && at < file->y->count;
-    if (file->x != NULL && zemax_number(file->x, at) != 0) {
-        return foreign_loss(
-            file->job, &file->x->words, file->x->numbers[at].typed, error,
-            "field %zu lies beside the y-z plane: lenscalc has no such field" LOSS_INSTEAD
-            "left out",
-            at + 1);
+    const struct zemax_line *lines[2] = {file->x, file->y}, *weights = file->field_weights;
+    struct lens_field *field = lens_build_field(&file->build);
+    for (int i = 0; i < 2; i++) {
+        bool has = lines[i] != NULL && at < lines[i]->count;
+        field->at[i] = has ? in_unit(lines[i]->numbers[at], scale) : field->at[i];
+        field->at[i].typed = has ? field->at[i].typed : text_of("0");
     }
-    struct figure *field = lens_build_field(&file->build);
-    *field = has ? in_unit(file->y->numbers[at], scale) : *field;
-    field->typed = has ? field->typed : text_of("0");
     if (angle) {
-        if (!(fabs(field->value.hi) <= 180)) {
-            return lens_words_fail(&file->y->words, field->typed, error,
-                                   "a field angle is not beyond 180 degrees");
+        const char *wrong = lens_field_from_degrees(field);
+        const struct zemax_line *line = field->at[1].value.hi != 0 ? file->y : file->x;
+        if (wrong != NULL) {
+            return lens_words_fail(&line->words, line->numbers[at].typed, error, "%s", wrong);
         }
-        field->value = pair_multiply(field->value, pair_of(RADIANS_PER_DEGREE));
     }
-    return true;
+    if (weights != NULL && at < weights->count && weights->numbers[at].value.hi != 1) {
+        field->weight = weights->numbers[at].value.hi;
+        field->weight_typed = weights->numbers[at].typed;
+    }
+    return field->weight >= 0 ||
+           lens_words_fail(&weights->words, field->weight_typed, error, "a weight is not below 0");
 }
 
 static bool set_fields(struct zemax_file *file, struct error *error)
 {
-    static const enum field_kind kinds[] = {FIELD_ANGLE, FIELD_HEIGHT, FIELD_IMAGE, FIELD_IMAGE};
+    static const enum field_kind kinds[] = {FIELD_ANGLE, FIELD_HEIGHT, FIELD_IMAGE, FIELD_REAL};
     double type = zemax_number(file->fields, 0), stated = zemax_number(file->fields, 2);
-    size_t listed = file->y != NULL ? file->y->count : 0;
+    size_t x = file->x != NULL ? file->x->count : 0, y = file->y != NULL ? file->y->count : 0;
+    size_t listed = x > y ? x : y;
     if (listed == 0) {
         return true;
     }
@@ -90,18 +92,11 @@ static bool set_fields(struct zemax_file *file, struct error *error)
         return zemax_loss(file, file->fields, error,
                           "fields of the kind %g" LOSS_INSTEAD "left out", type);
     }
-    if (type == 3 && !zemax_loss(file, file->fields, error,
-                                 "real image heights" LOSS_INSTEAD "taken for paraxial ones")) {
-        return false;
-    }
     file->build.lens->field_kind = kinds[(int)type];
     for (size_t i = 0; i < count; i++) {
         if (!add_field(file, i, type == 0, error)) {
             return false;
         }
-    }
-    if (file->build.lens->field_count == 0) {
-        file->build.lens->field_kind = FIELD_NONE;
     }
     return true;
 }

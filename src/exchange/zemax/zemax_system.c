@@ -106,6 +106,13 @@ static bool read_y(struct zemax_file *file, struct text keyword, struct error *e
     return true;
 }
 
+static bool read_field_weights(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    (void)error;
+    file->field_weights = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    return true;
+}
+
 /* WAVM number wavelength weight */
 static bool read_wave(struct zemax_file *file, struct text keyword, struct error *error)
 {
@@ -184,27 +191,12 @@ static bool read_environment(struct zemax_file *file, struct text keyword, struc
 }
 
 const struct zemax_keyword zemax_system_keywords[] = {
-    {"MODE", read_mode},
-    {"UNIT", read_unit},
-    {"NAME", read_name},
-    {"NOTE", read_note},
-    {"GCAT", read_catalogs},
-    {"ENPD", read_aperture},
-    {"FNUM", read_aperture},
-    {"OBNA", read_aperture},
-    {"FLOA", read_aperture},
-    {"FTYP", read_fields},
-    {"XFLN", read_x},
-    {"XFLD", read_x},
-    {"YFLN", read_y},
-    {"YFLD", read_y},
-    {"WAVM", read_wave},
-    {"WAVL", read_waves},
-    {"WAVN", read_waves},
-    {"WWGT", read_waves},
-    {"WWGN", read_waves},
-    {"PWAV", read_primary},
-    {"GFAC", read_apodisation},
-    {"ENVD", read_environment},
-    {NULL, NULL},
+    {"MODE", read_mode},        {"UNIT", read_unit},        {"NAME", read_name},
+    {"NOTE", read_note},        {"GCAT", read_catalogs},    {"ENPD", read_aperture},
+    {"FNUM", read_aperture},    {"OBNA", read_aperture},    {"FLOA", read_aperture},
+    {"FTYP", read_fields},      {"XFLN", read_x},           {"XFLD", read_x},
+    {"YFLN", read_y},           {"YFLD", read_y},           {"WAVM", read_wave},
+    {"WAVL", read_waves},       {"WAVN", read_waves},       {"WWGT", read_waves},
+    {"WWGN", read_waves},       {"PWAV", read_primary},     {"FWGN", read_field_weights},
+    {"GFAC", read_apodisation}, {"ENVD", read_environment}, {NULL, NULL},
 };

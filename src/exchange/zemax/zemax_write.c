@@ -51,9 +51,39 @@ static void put_aperture(struct zemax_writer *writer)
     growing_string(&writer->out, "\r\n");
 }
 
+static void put_field(struct zemax_writer *writer, const struct figure *coordinate)
+{
+    const bool angle = writer->lens->field_kind == FIELD_ANGLE;
+    struct figure figure = *coordinate;
+    if (figure.typed.start == NULL && angle) {
+        figure.value = pair_divide(figure.value, pair_of(RADIANS_PER_DEGREE));
+    }
+    growing_string(&writer->out, " ");
+    if (figure.typed.start == NULL && figure.value.hi == 0) {
+        growing_string(&writer->out, "0");
+        return;
+    }
+    growing_figure(&writer->out, &figure, angle ? NUMBER_UNSCALED : writer->unit);
+}
+
+/* Where some is not 1. */
+static void put_field_weights(struct zemax_writer *writer, size_t count)
+{
+    const struct lens *lens = writer->lens;
+    bool any = false;
+    for (size_t i = 0; i < count; i++) {
+        any = any || lens->fields[i].weight != 1;
+    }
+    for (size_t i = 0; i < count && any; i++) {
+        growing_string(&writer->out, i == 0 ? "FWGN " : " ");
+        growing_number(&writer->out, lens->fields[i].weight);
+    }
+    growing_string(&writer->out, any ? "\r\n" : "");
+}
+
 static bool put_fields(struct zemax_writer *writer, struct error *error)
 {
-    static const int types[] = {0, 0, 1, 2};
+    static const int types[] = {0, 0, 1, 2, 3};
     const struct lens *lens = writer->lens;
     size_t waves = lens->wavelength_count > 0 ? lens->wavelength_count : 1;
     size_t count = lens->field_count < MOST_FIELDS ? lens->field_count : MOST_FIELDS;
@@ -68,21 +98,14 @@ static bool put_fields(struct zemax_writer *writer, struct error *error)
     if (count == 0) {
         return true;
     }
-    growing_string(&writer->out, "XFLN");
-    for (size_t i = 0; i < count; i++) {
-        growing_string(&writer->out, " 0");
-    }
-    growing_string(&writer->out, "\r\nYFLN");
-    for (size_t i = 0; i < count; i++) {
-        struct figure field = lens->fields[i];
-        if (field.typed.start == NULL && lens->field_kind == FIELD_ANGLE) {
-            field.value = pair_divide(field.value, pair_of(RADIANS_PER_DEGREE));
+    for (int axis = 0; axis < 2; axis++) {
+        growing_string(&writer->out, axis == 0 ? "XFLN" : "YFLN");
+        for (size_t i = 0; i < count; i++) {
+            put_field(writer, &lens->fields[i].at[axis]);
         }
-        growing_string(&writer->out, " ");
-        growing_figure(&writer->out, &field,
-                       lens->field_kind == FIELD_ANGLE ? NUMBER_UNSCALED : writer->unit);
+        growing_string(&writer->out, "\r\n");
     }
-    growing_string(&writer->out, "\r\n");
+    put_field_weights(writer, count);
     return true;
 }
 
