@@ -53,6 +53,11 @@ bool setup_open(const struct setup_question *question, struct arena *arena, stru
         .image = NAN,
         .arena = arena,
     };
+    if (lens->is_telecentric && !question->takes_telecentric) {
+        return fail(error, ERROR_DOMAIN,
+                    "the object space of the lens is telecentric, and what is asked here is of "
+                    "beams that the stop limits");
+    }
     choose_wavelengths(question, setup);
     return first_order_of_lens(lens, lens_primary_wavelength(lens), setup->section, arena,
                                &setup->first, error) &&
@@ -80,6 +85,10 @@ bool setup_light(const struct setup *setup, size_t wavelength, struct setup_ligh
     }
     paraxial_trace(&light->system, &trace);
     first_order_compute(&light->system, &trace, object, &light->first);
+    if (primary->is_telecentric) {
+        const struct aperture_setting aperture = lens_aperture(setup->lens);
+        return first_order_aperture(&light->first, object, &aperture, kind, field, error);
+    }
     if (!isnan(primary->stop_radius)) {
         first_order_use_stop(&light->first, object, primary->stop_radius, kind, field);
         return true;

@@ -37,17 +37,27 @@ static bool beam_at(const struct setup *setup, const double at[2], struct beam *
     return true;
 }
 
+static bool find_chief(struct search *search, const struct beam *beam, struct ray *chief)
+{
+    struct aim aim;
+    if (search->setup->first.is_telecentric) {
+        return aim_at_entrance(beam, &search->setup->first, 0, 0, chief, &search->lost);
+    }
+    bool found = aim_open(search->open, beam, search->setup->arena, &aim, &search->lost);
+    *chief = found ? aim_chief(&aim) : (struct ray){.status = RAY_MISS};
+    return found;
+}
+
 /* How far from the goal the chief ray meets the image plane. */
 static bool look(struct search *search, const double at[2], double miss[2])
 {
     struct arena *arena = search->setup->arena;
     const struct arena_mark mark = arena_mark(arena);
     struct beam beam;
-    struct aim aim;
-    bool found = beam_at(search->setup, at, &beam, &search->lost) &&
-                 aim_open(search->open, &beam, arena, &aim, &search->lost);
+    struct ray chief;
+    bool found =
+        beam_at(search->setup, at, &beam, &search->lost) && find_chief(search, &beam, &chief);
     if (found) {
-        const struct ray chief = aim_chief(&aim);
         struct rays rays = rays_new(arena, 1);
         rays_set(&rays, 0, search->image->index_first, &chief);
         rays_trace(search->image, &rays, NULL);

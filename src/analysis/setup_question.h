@@ -49,6 +49,7 @@ struct setup_question {
     const struct setup_field *fields; /* asked for; count 0 = those of the lens, by */
     size_t field_count;
     enum field_policy field_policy;
+    bool takes_telecentric; /* beams of a telecentric object space may be given by their slopes */
 };
 
 #endif

@@ -85,8 +85,10 @@ static bool find_table(struct setup *setup, bool is_asked, struct error *error)
 
 bool setup_place_image(struct setup *setup, const struct plane_value *asked, struct error *error)
 {
-    static const enum plane_kind kinds[] = {
-        [FOCUS_PARAXIAL] = PLANE_PARAXIAL, [FOCUS_TABLE] = PLANE_TABLE, [FOCUS_BEST] = PLANE_BEST};
+    static const enum plane_kind kinds[] = {[FOCUS_PARAXIAL] = PLANE_PARAXIAL,
+                                            [FOCUS_TABLE] = PLANE_TABLE,
+                                            [FOCUS_BEST] = PLANE_BEST,
+                                            [FOCUS_AFOCAL] = PLANE_PARAXIAL};
     bool is_asked = asked->kind != PLANE_OF_LENS;
     enum plane_kind kind = is_asked ? asked->kind : kinds[setup->lens->focus];
     double best;

@@ -174,6 +174,7 @@ static void put_object(struct writer *writer)
     } else {
         put(writer, lens->object_is_infinite ? "true" : "false");
     }
+    put(writer, lens->is_telecentric ? ",\"object_is_telecentric\":true" : "");
     put_key(writer, "object_medium");
     put_text(writer, lens->object_medium.written);
 }
@@ -218,7 +219,7 @@ static void put_use(struct writer *writer)
 {
     static const char *const apertures[] = {"null", "\"stop\"", "\"fnumber\"", "\"epd_mm\"",
                                             "\"na\""};
-    static const char *const focuses[] = {"\"paraxial\"", "\"table\"", "\"best\""};
+    static const char *const focuses[] = {"\"paraxial\"", "\"table\"", "\"best\"", "\"afocal\""};
     const struct lens *lens = writer->lens;
     put_fields(writer);
     put_key(writer, "aperture_kind");

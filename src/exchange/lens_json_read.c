@@ -346,9 +346,10 @@ static bool read_unit(struct json_reading *reading, const struct json_value *val
 static bool read_focus(struct json_reading *reading, const struct json_value *value,
                        struct error *error)
 {
-    static const char *const words[] = {"paraxial", "table", "best"};
+    static const char *const words[] = {"paraxial", "table", "best", "afocal"};
     int choice = 0;
-    bool done = json_is_null(value) || json_read_choice(reading, value, words, 3, &choice, error);
+    bool done =
+        json_is_null(value) || json_read_choice(reading, value, words, FOCUS_KINDS, &choice, error);
     reading->build.lens->focus = (enum focus_kind)choice;
     return done;
 }
@@ -401,16 +402,41 @@ static bool read_words(struct json_reading *reading, const struct json_value *ro
            read_notes(reading, json_item(root, "notes"), error);
 }
 
+static bool read_telecentric(struct json_reading *reading, const struct json_value *value,
+                             struct error *error)
+{
+    return json_is_null(value) ||
+           json_read_truth(reading, value, &reading->build.lens->is_telecentric, error);
+}
+
 static bool read_root(struct json_reading *reading, const struct json_value *root,
                       struct error *error)
 {
-    static const char *const keys[] = {
-        "lens",          "source",        "kind",           "notes",
-        "positions",     "unit",          "wavelengths",    "object_mm",
-        "fields",        "object_medium", "field_kind",     "object_is_infinite",
-        "aperture",      "aperture_kind", "focus",          "stop_surface",
-        "stated_efl_mm", "stated_bfl_mm", "stated_fnumber", "surfaces",
-        "fields_x",      "field_weights", "settings",       NULL};
+    static const char *const keys[] = {"lens",
+                                       "source",
+                                       "kind",
+                                       "notes",
+                                       "positions",
+                                       "unit",
+                                       "wavelengths",
+                                       "object_mm",
+                                       "fields",
+                                       "object_medium",
+                                       "field_kind",
+                                       "object_is_infinite",
+                                       "aperture",
+                                       "aperture_kind",
+                                       "focus",
+                                       "stop_surface",
+                                       "stated_efl_mm",
+                                       "stated_bfl_mm",
+                                       "stated_fnumber",
+                                       "surfaces",
+                                       "fields_x",
+                                       "field_weights",
+                                       "settings",
+                                       "object_is_telecentric",
+                                       NULL};
     struct lens *lens = reading->build.lens;
     return json_check_keys(reading, root, keys, error) && read_words(reading, root, error) &&
            read_unit(reading, json_item(root, "unit"), error) &&
@@ -418,6 +444,7 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
            read_waves(reading, json_item(root, "wavelengths"), error) &&
            read_object(reading, json_item(root, "object_mm"), error) &&
            check_infinite(reading, json_item(root, "object_is_infinite"), error) &&
+           read_telecentric(reading, json_item(root, "object_is_telecentric"), error) &&
            json_read_medium(reading, json_item(root, "object_medium"), &lens->object_medium,
                             error) &&
            read_fields(reading, root, error) && read_aperture(reading, root, error) &&

@@ -268,7 +268,9 @@ static const char *against(const struct lens *a, const struct lens *b)
 {
     bool same_fields = a->field_kind == b->field_kind && a->field_count == b->field_count;
     for (size_t i = 0; same_fields && i < a->field_count; i++) {
-        same_fields = is_same_value(&a->fields[i], &b->fields[i]);
+        const struct lens_field *one = &a->fields[i], *other = &b->fields[i];
+        same_fields = is_same_value(&one->at[0], &other->at[0]) &&
+                      is_same_value(&one->at[1], &other->at[1]) && one->weight == other->weight;
     }
     return a->surface_count != b->surface_count                    ? "the number of surfaces"
            : a->aperture_kind != b->aperture_kind                  ? "the kind of aperture"

@@ -305,7 +305,7 @@ static bool put_image(const struct sequence *sequence, bool is_solved, struct er
     const struct lens_words place = commands_place(sequence->commands, &image->at);
     struct lens *lens = sequence->build->lens;
     size_t last = lens->surface_count;
-    lens->focus = is_solved ? FOCUS_PARAXIAL : FOCUS_TABLE;
+    lens->focus = sequence->is_afocal ? FOCUS_AFOCAL : is_solved ? FOCUS_PARAXIAL : FOCUS_TABLE;
     if (sequence_is_some(&image->curve) &&
         !foreign_loss(sequence->job, &place, image->at.text, error,
                       "a curved image" LOSS_INSTEAD "taken as a plane")) {

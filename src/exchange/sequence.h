@@ -92,6 +92,7 @@ struct sequence_surface {
 
 /* A file's surfaces, the object first, the image last. */
 struct sequence {
+    bool is_afocal; /* the image is given by angles */
     struct foreign_job *job;
     const struct commands *commands;
     struct lens_build *build;

@@ -136,6 +136,17 @@ static bool read_distance(struct parser *parser, struct text word, struct figure
                            "the object's distance is counted to the left: it is above 0, or inf");
 }
 
+/* `object 100 telecentric`, `let object telecentric 100 200`. */
+static void take_telecentric(struct parser *parser)
+{
+    const struct lens_words before = parser->words;
+    if (text_equal(lens_words_next(&parser->words), "telecentric")) {
+        parser->lens->is_telecentric = true;
+    } else {
+        parser->words = before;
+    }
+}
+
 static bool read_object(struct parser *parser, struct error *error)
 {
     struct lens *lens = parser->lens;
@@ -143,6 +154,7 @@ static bool read_object(struct parser *parser, struct error *error)
         return false;
     }
     lens->object_is_infinite = isinf(lens->object.value.hi);
+    take_telecentric(parser);
     return end_of_line(parser, error);
 }
 
@@ -229,15 +241,16 @@ static bool read_aperture(struct parser *parser, struct error *error)
 
 static bool read_focus(struct parser *parser, struct error *error)
 {
-    static const char *const names[] = {"paraxial", "table", "best"};
+    static const char *const names[] = {"paraxial", "table", "best", "afocal"};
     struct text word = lens_words_next(&parser->words);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < FOCUS_KINDS; i++) {
         if (text_equal(word, names[i])) {
             parser->lens->focus = (enum focus_kind)i;
             return end_of_line(parser, error);
         }
     }
-    return lens_words_fail(&parser->words, word, error, "the focus is paraxial, table or best");
+    return lens_words_fail(&parser->words, word, error,
+                           "the focus is paraxial, table, best or afocal");
 }
 
 static size_t find_variable(void *context, struct text name)
@@ -293,8 +306,9 @@ static bool let_objects(struct parser *parser, struct text name, struct error *e
 {
     struct lens *lens = parser->lens;
     struct figure *values = ARENA_ARRAY(parser->words.arena, lens->position_count, struct figure);
-    struct text word = lens_words_next(&parser->words);
     size_t count = 0;
+    take_telecentric(parser);
+    struct text word = lens_words_next(&parser->words);
     for (; word.length > 0 && count < lens->position_count; count++) {
         if (!read_distance(parser, word, &values[count], error)) {
             return false;

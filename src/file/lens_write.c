@@ -245,9 +245,17 @@ static void put_apertures(struct writer *writer, const char *before, const struc
     }
 }
 
+static void put_object(struct writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    put_string(writer, "object      ");
+    put_figure(writer, &lens->object, writer->unit);
+    put_string(writer, lens->is_telecentric ? " telecentric\n" : "\n");
+}
+
 static void put_header(struct writer *writer)
 {
-    static const char *const focuses[] = {"paraxial", "table", "best"};
+    static const char *const focuses[] = {"paraxial", "table", "best", "afocal"};
     const struct lens *lens = writer->lens;
     put_line(writer, "lens", lens->title);
     put_line(writer, "kind", lens->kind);
@@ -258,7 +266,7 @@ static void put_header(struct writer *writer)
     put_line(writer, "unit", lens->unit);
     put_wavelengths(writer);
     if (lens->objects == NULL) {
-        put_figures(writer, "object     ", &lens->object, 1, writer->unit);
+        put_object(writer);
     }
     if (!text_equal(lens->object_medium.written, "air")) {
         put_string(writer, "medium      ");
@@ -333,7 +341,8 @@ static void put_positions(struct writer *writer)
     }
     put_settings(writer);
     if (lens->objects != NULL) {
-        put_figures(writer, "let object", lens->objects, count, writer->unit);
+        put_figures(writer, lens->is_telecentric ? "let object telecentric" : "let object",
+                    lens->objects, count, writer->unit);
     }
     if (lens->apertures != NULL) {
         put_apertures(writer, "let aperture ", lens->apertures, count);

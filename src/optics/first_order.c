@@ -9,7 +9,10 @@
 
 struct conjugate_object lens_object(const struct lens *lens)
 {
-    return (struct conjugate_object){lens->object_is_infinite, lens->object.value};
+    return (struct conjugate_object){.is_infinite = lens->object_is_infinite,
+                                     .distance = lens->object.value,
+                                     .is_telecentric = lens->is_telecentric,
+                                     .is_afocal = lens->focus == FOCUS_AFOCAL};
 }
 
 struct aperture_setting lens_aperture(const struct lens *lens)
@@ -22,6 +25,9 @@ struct aperture_setting lens_aperture(const struct lens *lens)
     }
     return setting;
 }
+
+/* What is said to be afocal is so if less than this share of its strongest surface is left. */
+static const double LEFT_POWER = 1e-3;
 
 /* n a; most often n is 1. */
 INLINE struct pair times(struct pair n, struct pair a, bool fused)
@@ -99,13 +105,31 @@ INLINE void set_image(struct first_order *all, const struct paraxial_matrix *m,
     all->magnification = by_v.hi;
 }
 
+/* What the lens is said to be, wherever its own pupil and image are. */
+static void set_declared(struct first_order *all, const struct conjugate_object *object)
+{
+    if (object->is_telecentric) {
+        all->entrance_pupil = INFINITY;
+        all->exit_pupil = all->bfl;
+        all->entrance_scale = all->exit_scale = NAN;
+        all->pupil_magnification = 0;
+    }
+    if (object->is_afocal) {
+        all->image = INFINITY;
+        all->magnification = object->is_infinite ? 0 : INFINITY;
+    }
+}
+
 INLINE void compute(const struct paraxial_system *system, const struct paraxial_trace *trace,
                     const struct conjugate_object *object, struct first_order *all, bool fused)
 {
     struct pair n = system->index[0], n_image = system->index[system->count];
     all->index_object = n.hi;
     all->index_image = n_image.hi;
-    all->is_afocal = paraxial_is_afocal(system, trace);
+    all->is_telecentric = object->is_telecentric;
+    all->is_afocal = paraxial_is_afocal(system, trace) ||
+                     (object->is_afocal && object->is_infinite &&
+                      fabs(trace->whole.c.hi) < LEFT_POWER * system->strongest);
     all->angular_magnification = NAN;
     if (all->is_afocal) {
         set_afocal(all);
@@ -120,6 +144,7 @@ INLINE void compute(const struct paraxial_system *system, const struct paraxial_
         all->entrance_scale = all->exit_scale = NAN;
     }
     set_image(all, &trace->whole, object, n, n_image, fused);
+    set_declared(all, object);
     all->petzval_sum = system->petzval;
     all->petzval_radius = system->petzval == 0 ? INFINITY : -1 / (n_image.hi * system->petzval);
     all->length = system->length;
@@ -176,6 +201,35 @@ static double chief_slope(const struct first_order *all, const struct conjugate_
     return -n * height / (object->distance.hi + all->entrance_pupil);
 }
 
+/* What the paraxial marginal ray behind the lens says; v = n' u'. */
+static void set_cone(struct first_order *all, double v)
+{
+    double slope = v / all->index_image;
+    all->working_fnumber = 1 / (2 * fabs(v));
+    all->na_image = fabs(all->index_image) * fabs(slope) / sqrt(1 + slope * slope);
+}
+
+/* The two rays of a telecentric object space, from the slope of the marginal one. */
+static void set_telecentric_beam(struct first_order *all, const struct conjugate_object *object,
+                                 double slope, enum field_kind kind, double field)
+{
+    const double n = all->index_object, distance = object->distance.hi;
+    all->marginal_v = n * slope;
+    all->marginal_y = slope * distance;
+    all->entrance_diameter = INFINITY;
+    all->exit_diameter = 2 * fabs(all->marginal_v / all->power);
+    all->stop_radius = all->fnumber = NAN;
+    set_cone(all, object->is_afocal ? 0 : all->marginal_v / all->magnification);
+    if (kind == FIELD_NONE || isnan(field)) {
+        return;
+    }
+    all->chief_v = 0;
+    all->chief_y = kind == FIELD_ANGLE    ? -tan(field) * distance
+                   : kind == FIELD_HEIGHT ? field
+                                          : field / all->magnification;
+    all->lagrange = -all->marginal_v * all->chief_y;
+}
+
 /* Pupils, f-numbers and the two rays from the radius of the entrance pupil (signed). */
 static void set_beam(struct first_order *all, const struct conjugate_object *object, double radius,
                      enum field_kind kind, double field)
@@ -194,9 +248,7 @@ static void set_beam(struct first_order *all, const struct conjugate_object *obj
     }
     double v = object->is_infinite ? -radius * all->power : all->marginal_v / all->magnification;
     v = object->is_infinite || all->magnification != 0 ? v : NAN;
-    double slope = v / all->index_image;
-    all->working_fnumber = 1 / (2 * fabs(v));
-    all->na_image = fabs(all->index_image) * fabs(slope) / sqrt(1 + slope * slope);
+    set_cone(all, object->is_afocal && !object->is_infinite ? 0 : v);
     if (kind == FIELD_NONE || isnan(field)) {
         return;
     }
@@ -213,6 +265,22 @@ void first_order_use_stop(struct first_order *all, const struct conjugate_object
         all->stop_radius = stop_radius;
         set_beam(all, object, stop_radius * all->entrance_scale, field_kind, field);
     }
+}
+
+/* The slope of the marginal ray of a numerical aperture. */
+static bool slope_of(const struct first_order *all, const struct conjugate_object *object,
+                     double aperture, double *tangent, struct error *error)
+{
+    double n = all->index_object;
+    if (object->is_infinite) {
+        return fail(error, ERROR_DOMAIN, "an object at infinity has no numerical aperture");
+    }
+    if (!(aperture < n)) {
+        return fail(error, ERROR_DOMAIN, "the numerical aperture %.6g is not below the index %.6g",
+                    aperture, n);
+    }
+    *tangent = aperture / sqrt((n - aperture) * (n + aperture));
+    return true;
 }
 
 static bool radius_of(const struct first_order *all, const struct conjugate_object *object,
@@ -232,15 +300,10 @@ static bool radius_of(const struct first_order *all, const struct conjugate_obje
         }
         *radius = fabs(all->rear_focal) / value / 2;
     } else {
-        double n = all->index_object;
-        if (object->is_infinite) {
-            return fail(error, ERROR_DOMAIN, "an object at infinity has no numerical aperture");
+        double tangent;
+        if (!slope_of(all, object, value, &tangent, error)) {
+            return false;
         }
-        if (!(value < n)) {
-            return fail(error, ERROR_DOMAIN,
-                        "the numerical aperture %.6g is not below the index %.6g", value, n);
-        }
-        double tangent = value / sqrt((n - value) * (n + value));
         *radius = tangent * (object->distance.hi + all->entrance_pupil);
     }
     return true;
@@ -253,6 +316,19 @@ bool first_order_aperture(struct first_order *first_order, const struct conjugat
     double radius = NAN;
     if (aperture->kind == APERTURE_NONE) {
         return true;
+    }
+    if (object->is_telecentric && aperture->kind != APERTURE_NA) {
+        fail(error, ERROR_DOMAIN,
+             "the object space is telecentric: only a numerical aperture limits its beams");
+        return error_hint(error, "na 0.1 for the aperture in the file");
+    }
+    if (object->is_telecentric) {
+        double slope;
+        bool done = slope_of(first_order, object, aperture->value, &slope, error);
+        if (done) {
+            set_telecentric_beam(first_order, object, slope, field_kind, field);
+        }
+        return done;
     }
     if (!radius_of(first_order, object, aperture, &radius, error)) {
         return false;

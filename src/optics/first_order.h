@@ -14,6 +14,7 @@
  * the places that follow from them are infinite (unsigned). NaN = absent: no stop, no aperture.
  */
 struct first_order {
+    bool is_telecentric; /* as the object says it is */
     bool is_afocal;
     double power;                           /* 1/mm */
     double efl;                             /* 1/power, in any media */
@@ -46,6 +47,8 @@ struct first_order {
 struct conjugate_object {
     bool is_infinite;
     struct pair distance;
+    bool is_telecentric; /* the entrance pupil is infinitely far away, whatever the stop says */
+    bool is_afocal;      /* the image too: it is given by angles */
 };
 
 /*
@@ -59,6 +62,9 @@ struct conjugate_object {
  *           part from the stop on: exit pupil -n' b2/d2 of radius 1/d2;
  *           image -n' (a L/n + b)/(c L/n + d), magnification 1/(c L/n + d), angular n d/n' if c = 0
  * Source    [Smith05]
+ *           telecentric object space: entrance pupil at infinity, exit pupil at F'; afocal image
+ *           space: the image at infinity; a power below 1e-3 of the strongest surface's, which
+ *           such a telescope may have left, is none
  * Limits    every figure is correct to about 1 ulp of what the decimals of the lens say
  */
 void first_order_compute(const struct paraxial_system *system, const struct paraxial_trace *trace,
@@ -77,7 +83,10 @@ struct aperture_setting {
  *           field_kind, field   angle in rad, object height or paraxial image height in mm;
  *                      a real image height counts as that of the paraxial image;
  *                      FIELD_NONE or NaN: no field
- * Errors    ERROR_DOMAIN: an f-number of an afocal system, a numerical aperture of an infinitely
+ *           of a telecentric object space the marginal ray has the slope of the numerical aperture,
+ *           the stop no radius
+ * Errors    ERROR_DOMAIN: another aperture than a numerical one of a telecentric object space, an
+ *           f-number of an afocal system, a numerical aperture of an infinitely
  *           distant object or of n or more, an aperture at a stop that is not there
  */
 bool first_order_aperture(struct first_order *first_order, const struct conjugate_object *object,

@@ -358,6 +358,13 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
     }
     size_t positions = lens->position_count > 0 ? lens->position_count : 1;
     for (size_t i = 0; i < positions; i++) {
+        const double distance = lens->objects != NULL      ? lens->objects[i].value.hi
+                                : lens->object_is_infinite ? (double)INFINITY
+                                                           : 0;
+        if (lens->is_telecentric && isinf(distance)) {
+            return fail(error, ERROR_DATA,
+                        "a telecentric object space wants an object at a distance");
+        }
         struct check check = {lens_at_position(lens, i, arena), arena, warnings,
                               lens->position_count > 0 ? lens->positions[i] : NULL, false};
         for (size_t j = 0; j < lens->surface_count; j++) {

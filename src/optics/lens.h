@@ -20,7 +20,8 @@ struct lens_wavelength {
 /* An angle in object space, or a height: of the object, of its paraxial or its real image. */
 enum field_kind { FIELD_NONE, FIELD_ANGLE, FIELD_HEIGHT, FIELD_IMAGE, FIELD_REAL, FIELD_KINDS };
 enum aperture_kind { APERTURE_NONE, APERTURE_STOP, APERTURE_FNUMBER, APERTURE_EPD, APERTURE_NA };
-enum focus_kind { FOCUS_PARAXIAL, FOCUS_TABLE, FOCUS_BEST };
+/* Where the image plane is; FOCUS_AFOCAL: the image is looked at from infinity, by angles. */
+enum focus_kind { FOCUS_PARAXIAL, FOCUS_TABLE, FOCUS_BEST, FOCUS_AFOCAL, FOCUS_KINDS };
 
 /* A point of the field, and how much it counts. */
 struct lens_field {
@@ -92,6 +93,7 @@ struct lens {
     size_t wavelength_count; /* 0: the file names none, d is meant */
     bool object_is_infinite;
     struct figure object; /* distance to the left of the first vertex, mm, if it is finite */
+    bool is_telecentric; /* object space: the chief rays run along the axis, wherever the stop is */
     struct medium object_medium;
     enum field_kind field_kind;
     struct lens_field *fields;
@@ -148,8 +150,8 @@ struct lens_warnings {
  *                     ((1+k) c^2 r^2 > 1), surfaces that overlap inside their apertures, negative
  *                     air gaps, a cone at the vertex. What is stated of a focal length is
  *                     checked in optics/first_order.
- * Errors    ERROR_DATA: no surface, two stops, `aperture stop` without a stop or without its
- *           diameter, an index of 0 or less, a radius or diameter of 0, numbers beyond 1e100
+ * Errors    ERROR_DATA: no surface, two stops, a telecentric object space of an infinite object,
+ *           `aperture stop` without a stop or without its diameter, an index of 0 or less, a radius or diameter of 0, numbers beyond 1e100
  */
 bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnings *warnings,
                 struct error *error);

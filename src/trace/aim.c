@@ -373,10 +373,31 @@ struct ray aim_ray(const struct aim *aim, double x, double y)
     return ray;
 }
 
+/* From a point of a telecentric object space: x, y of the slope that the marginal ray has. */
+static bool aim_telecentric(const struct beam *beam, const struct first_order *first, double x,
+                            double y, struct ray *ray, struct error *error)
+{
+    const double slope = first->marginal_v / first->index_object, point[2] = {x, y};
+    double target[3] = {0, 0, 0}, place[2];
+    for (int i = 0; i < 2; i++) {
+        /* a chief ray needs no aperture */
+        const double u = point[i] != 0 ? point[i] * slope : 0;
+        target[i] = -beam->distance * beam->axis[i] + u * beam->distance * beam->axis[2];
+    }
+    beam_place(beam, target, place);
+    *ray = beam_ray(beam, place[0], place[1]);
+    return (isfinite(place[0]) && isfinite(place[1])) ||
+           fail(error, ERROR_DOMAIN,
+                "the object space is telecentric and the lens has no numerical aperture");
+}
+
 bool aim_at_entrance(const struct beam *beam, const struct first_order *first, double x, double y,
                      struct ray *ray, struct error *error)
 {
     double radius = first->entrance_diameter / 2, z = first->entrance_pupil;
+    if (first->is_telecentric) {
+        return aim_telecentric(beam, first, x, y, ray, error);
+    }
     if (isnan(radius) || isnan(z)) {
         return fail(error, ERROR_DOMAIN,
                     "the lens has no entrance pupil: it has no stop, or no aperture is given");

@@ -85,7 +85,8 @@ struct ray aim_chief(const struct aim *aim);
  * A ray through the paraxial entrance pupil: no search.
  *
  * Given     beam, first  with the pupil's place and diameter (first_order_aperture)
- *           x, y         in units of its radius
+ *           x, y         in units of its radius; of a telecentric object space in units of the
+ *                        slope of the marginal ray
  * Errors    ERROR_DOMAIN: no stop or no aperture; a pupil infinitely far away and an object there;
  *           an object in the plane of the pupil; a field of 90 degrees or more
  */

@@ -6,6 +6,8 @@ found here with 50 digits: Snell's law in vectors, Newton's method on the centre
 the image. Round lenses of lensdb: the rays of (x, y) are those of the y field as far out, turned.
 Real heights: the chief ray that the program finds meets the image plane there, to 1e-12 of it, and
 an angle, also beyond 90 degrees, comes back from the height that it has. Lenses that are not round.
+Telecentric object spaces: the rays by Snell's law, paraxial figures by hand. Telescopes of two thin
+lenses.
 """
 # SPDX-License-Identifier: MIT
 
@@ -237,6 +239,104 @@ stop        -    90 air    8
                                 list(map(float, goal)), f"tilted, {distance}: the field in its row")
 
 
+TELECENTRIC = """lens        telecentric
+wavelength  d
+object      100 telecentric
+field       {field}
+aperture    {aperture}
+focus       table
+surface     60   5  1.5168 40
+surface     -60  50 air    40
+stop        -    30 air    30
+"""
+SINGLET = [(D(60), D(5), D("1.5168")), (D(-60), D(50), D(1)), (D(0), D(30), D(1))]
+
+
+def check_telecentric(fields):
+    """Chief rays along the axis, wherever the stop is; marginal rays of the numerical aperture."""
+    na, distance = D("0.1"), D(100)
+    slope = na / (1 - na * na).sqrt()
+    path = fields.lens(TELECENTRIC.format(field="height 0 5 3,4:0.5", aperture="na 0.1"))
+    rows = fields.rows("trace", path)
+    fields.checks.check(len(rows) == 12, f"telecentric: {len(rows)} rows of 12")
+    points = {"chief": (0, 0), "upper": (0, 1), "lower": (0, -1), "sagittal": (1, 0)}
+    for row in rows:
+        # the pupil's axes are those of its point: sagittal, and away from the axis
+        x, y = float(row["height_x_mm"]), float(row["height_mm"])
+        if row["ray"] != "chief" and x != 0:
+            continue
+        a, b = points[row["ray"]]
+        cosines = [D(a) * slope, D(b) * slope, D(1)]
+        length = sum(c * c for c in cosines).sqrt()
+        cosines = tuple(c / length for c in cosines)
+        start = (D(x) + D(a) * slope * distance, D(y) + D(b) * slope * distance, D(0))
+        point, out = follow(start, cosines, SINGLET, 3)
+        what = f"telecentric, {row['ray']} of {x}, {y} mm"
+        for axis, name in enumerate("xy"):
+            fields.near(row, f"cos_{name}", cosines[axis], 1e-15, what)
+            fields.near(row, f"{name}_out_mm", point[axis], 2e-13, what)
+            fields.near(row, f"cos_{name}_out", out[axis], 1e-14, what)
+    # paraxially, of two surfaces by hand
+    n, r, t = D("1.5168"), D(60), D(5)
+    power = (n - 1) / r
+    whole = 2 * power - t / n * power * power
+    bfl = (1 - t / n * power) / whole - 50  # from the stop
+    v = slope
+    y = slope * distance
+    v1 = v - y * power
+    y2 = y + t / n * v1
+    v2 = v1 - y2 * power
+    row = fields.rows("lens", path, "--columns", "entrance_pupil,exit_pupil,exit_pupil_diameter,"
+                      "working_fnumber,magnification,lagrange,fnumber")[0]
+    fields.checks.check(row["entrance_pupil_mm"] == "inf" and row["fnumber"] == "",
+                        f"telecentric: entrance pupil {row['entrance_pupil_mm']}")
+    for name, expected in (("exit_pupil_mm", bfl), ("exit_pupil_diameter_mm", 2 * v / whole),
+                           ("working_fnumber", 1 / (2 * abs(v2))), ("magnification", v / v2),
+                           ("lagrange_mm", -v * 5)):
+        fields.near(row, name, expected, 1e-13 * abs(float(expected)), "telecentric, paraxially")
+    # a real image height: back to the object height that had it
+    height = next(row["y_out_mm"] for row in rows if row["ray"] == "chief" and
+                  row["height_mm"] == "5" and row["height_x_mm"] == "0")
+    path = fields.lens(TELECENTRIC.format(field=f"real {height}", aperture="na 0.1"))
+    row = fields.chief(path)
+    fields.near(row, "y_mm", 5, 1e-11, "telecentric, real height")
+    fields.near(row, "y_out_mm", height, 1e-12 * abs(float(height)), "telecentric, real height")
+    for command in (("check",), ("pupil",), ("draw",), ("fit",), ("conjugate",),
+                    ("dof", "-s", "3m", "--lens")):
+        result = fields.program.run(*command, path)
+        fields.checks.check(result.returncode == 1 and b"telecentric" in result.stderr,
+                            f"{command[0]} of a telecentric lens: {result.stderr.decode()}")
+    for field, aperture, message in (("height 5", "epd 10", "numerical"),
+                                     ("height 5", "stop", "numerical")):
+        path = fields.lens(TELECENTRIC.format(field=field, aperture=aperture))
+        result = fields.program.run("trace", path)
+        fields.checks.check(result.returncode == 1 and message in result.stderr.decode(),
+                            f"telecentric, aperture {aperture}: {result.stderr.decode()}")
+    path = fields.lens(TELECENTRIC.format(field="height 5", aperture="na 0.1")
+                       .replace("100 telecentric", "inf telecentric"))
+    result = fields.program.run("lens", path)
+    fields.checks.check(result.returncode == 4, f"telecentric from infinity: {result.stderr}")
+
+
+def check_afocal(fields):
+    """Two thin lenses of 100 and -20 mm: 5 times; a little out of adjustment it still is a telescope."""
+    for gap, powerless in (("80", True), ("80.001", True), ("60", False)):
+        path = fields.lens("lens telescope\nwavelength d\nobject inf\nfield angle 0 1\n"
+                           "aperture epd 10\nfocus afocal\n"
+                           f"thick 100 {gap} air 20 stop\nthick -20 50 air 10\n")
+        row = fields.rows("lens", path)[0]
+        fields.checks.check((row["power_per_m"] == "0") == powerless and
+                            (row["efl_mm"] == "inf") == powerless,
+                            f"telescope of {gap} mm: power {row['power_per_m']}")
+        expected = 1 + float(gap) / 20
+        if powerless:
+            fields.near(row, "angular_magnification", expected, 1e-14 * expected, f"gap {gap}")
+        fields.checks.check(row["track_mm"] == "inf", f"gap {gap}: track {row['track_mm']}")
+        rows = fields.rows("trace", path, "--pupil-point", "0:0", "--no-clip")
+        fields.checks.check(len(rows) == 2 and "last surface" in rows[0]["warning"],
+                            "an afocal image is at infinity: rays end at the last surface")
+
+
 def check_refused(fields):
     for words, message in (
             (("trace", "double-gauss", "--real", "--height", "90"), "no chief ray meets"),
@@ -254,7 +354,7 @@ def main():
     checks = Checks()
     fields = Fields(checks, Program(sys.argv[1]))
     for check in (check_skew, check_real_height, check_turned, check_there_and_back,
-                  check_not_round, check_refused):
+                  check_not_round, check_telecentric, check_afocal, check_refused):
         check(fields)
     checks.finish()
 

@@ -208,7 +208,7 @@ static const struct refusal refusals[] = {
     {"\"epd_mm\",\"aperture\":10", "null,\"aperture\":@10", "an aperture without its kind", NULL},
     {"\"epd_mm\",\"aperture\":10", "\"stop\",\"aperture\":@10",
      "the stop's diameter is that of its surface", NULL},
-    {"\"table\"", "\"@infinity\"", "one of paraxial .. best is wanted here", NULL},
+    {"\"table\"", "\"@infinity\"", "one of paraxial .. afocal is wanted here", NULL},
     {"\"stop_surface\":1", "\"stop_surface\":@2", "stop_surface contradicts is_stop", NULL},
     {"\"stop_surface\":1", "\"stop_surface\":@null", "stop_surface contradicts is_stop", NULL},
     {"\"stop_surface\":1", "\"stop_surface\":\"@1\"", number, NULL},

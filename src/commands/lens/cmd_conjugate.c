@@ -235,7 +235,8 @@ static bool emit_row(const struct lens_case *one, const struct task *task, const
     paraxial_trace(&system, &trace);
     bool far = ray->v.hi == 0;
     /* the same place, whatever the index there is at this wavelength */
-    const struct conjugate_object object = {far, far ? pair_of(0) : pair_divide(ray->y, ray->v)};
+    const struct conjugate_object object = {
+        .is_infinite = far, .distance = far ? pair_of(0) : pair_divide(ray->y, ray->v)};
     const struct conjugate_ray here = {
         far ? pair_of(1) : pair_divide(object.distance, system.index[0]), pair_of(far ? 0 : 1)};
     conjugate_compute(&system, &trace, &here, &row.all);

@@ -6,7 +6,8 @@ struct input {
     struct lens_question question;
 };
 
-static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST};
+static const struct lens_policy policy = {
+    .wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST, .telecentric = true};
 
 static const struct option options[] = {
     LENS_OPTION(struct input, question),

@@ -7,7 +7,8 @@ struct input {
     bool perspective;
 };
 
-static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST};
+static const struct lens_policy policy = {
+    .wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST, .telecentric = true};
 
 static const struct option options[] = {
     LENS_OPTION(struct input, question),

@@ -135,6 +135,7 @@ static bool visit_position(const struct lens_question *question, const struct le
         .fields = fields,
         .field_count = count,
         .field_policy = policy->fields,
+        .takes_telecentric = policy->telecentric,
     };
     fields[0] = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
     if (!check_pair(question, error) || !list_fields(question, &asked, fields, error)) {

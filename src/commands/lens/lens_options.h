@@ -25,6 +25,7 @@ struct lens_question {
 struct lens_policy {
     enum wavelength_policy wavelengths;
     enum field_policy fields;
+    bool telecentric;                /* it has answers for a telecentric object space */
     const struct plane_value *focus; /* what --focus says; null: no image plane is needed */
 };
 

@@ -44,6 +44,7 @@ bool ray_case_open(const struct ray_question *question, const struct ray_choice 
         .fields = choice->field,
         .field_count = choice->field != NULL ? 1 : 0,
         .field_policy = FIELDS_ALL,
+        .takes_telecentric = true,
     };
     if (question->clip && question->no_clip) {
         return fail(error, ERROR_USAGE, "{--clip} and {--no-clip} exclude each other");

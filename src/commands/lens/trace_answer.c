@@ -254,6 +254,12 @@ static bool emit_bundle(const struct bundle *bundle, const struct ray *starts, s
     return true;
 }
 
+/* A telecentric object space has its pupil where it says, not where the stop is seen. */
+static int aim_of(const struct trace_job *job)
+{
+    return job->one->setup.first.is_telecentric ? AIM_ENTRANCE : job->input->aim;
+}
+
 /* The points of the pupil that the input asks for. */
 static bool choose_points(const struct trace_input *input, struct arena *arena,
                           struct sample *sample, struct error *error)
@@ -282,7 +288,7 @@ static bool aim_starts(const struct trace_job *job, const struct beam *beam, con
                        const struct pupil_point *points, size_t count, struct ray *starts,
                        struct arena *arena, struct error *error)
 {
-    if (job->input->aim == AIM_STOP) {
+    if (aim_of(job) == AIM_STOP) {
         struct rays rays = rays_new(arena, count);
         aim_rays(aim, points, count, &rays);
         for (size_t i = 0; i < count; i++) {
@@ -365,7 +371,7 @@ static bool emit_sample(struct bundle *bundle, const struct beam *beam, const st
     }
     struct ray *starts = ARENA_ARRAY(run->arena, CHUNK, struct ray);
     bundle->points = sample.points;
-    bundle->folds = job->input->aim == AIM_STOP && is_folded(job, beam, aim, run->arena);
+    bundle->folds = aim_of(job) == AIM_STOP && is_folded(job, beam, aim, run->arena);
     bundle->is_named = job->input->pattern == TRACE_FEW && !trace_has_pupil(job->input);
     for (size_t done = 0; done < sample.count; done += CHUNK) {
         struct arena_mark mark = arena_mark(run->arena);
@@ -431,7 +437,7 @@ static bool aim_without_chief(const struct trace_job *job, const struct beam *be
 static bool wants_edges(const struct trace_job *job)
 {
     return job->input->pattern == TRACE_FEW && !trace_has_pupil(job->input) && job->one->clip &&
-           job->input->aim == AIM_STOP;
+           aim_of(job) == AIM_STOP;
 }
 
 static bool emit_field(struct bundle *bundle, const struct field_point *field, struct run *run,
@@ -443,7 +449,7 @@ static bool emit_field(struct bundle *bundle, const struct field_point *field, s
     struct beam beam;
     struct aim aim;
     bool edges = wants_edges(job);
-    bool aims = job->input->aim == AIM_STOP && !(edges && setup->lens->stop == LENS_NONE);
+    bool aims = aim_of(job) == AIM_STOP && !(edges && setup->lens->stop == LENS_NONE);
     if (!setup_beam(setup, field, &beam, error) ||
         (aims && !aim_open(job->open, &beam, run->arena, &aim, error) &&
          !aim_without_chief(job, &beam, &aim, run->arena, error))) {

@@ -17,6 +17,18 @@ static bool read_pim(struct codev *codev, int what, struct error *error)
     return commands_end(&codev->commands, 1, error);
 }
 
+/* TEL Y, AFC Y: a telecentric object space, an afocal image space. */
+static bool read_space(struct codev *codev, int what, struct error *error)
+{
+    const struct command_word word = commands_word(&codev->commands, 1);
+    const bool yes = text_same(word.text, "Y") || text_same(word.text, "YES");
+    if (!yes && !text_same(word.text, "N") && !text_same(word.text, "NO")) {
+        return commands_fail(&codev->commands, &word, error, "Y or N is wanted here");
+    }
+    *(what == 'T' ? &codev->build.lens->is_telecentric : &codev->sequence.is_afocal) = yes;
+    return commands_end(&codev->commands, 2, error);
+}
+
 static bool read_nothing(struct codev *codev, int what, struct error *error)
 {
     (void)codev, (void)what, (void)error;
@@ -123,6 +135,8 @@ static const struct {
     {"DAR", codev_move, SEQUENCE_BACK, true},
     {"BEN", codev_move, SEQUENCE_BEND, true},
     {"PIM", read_pim, 0, false},
+    {"TEL", read_space, 'T', false},
+    {"AFC", read_space, 'A', false},
     {"PIK", codev_pickup, 0, true},
     {"ZOO", codev_zoom, 0, false},
     {"PRV", codev_catalog, 'P', false},

@@ -11,6 +11,7 @@ const struct word_group codev_words[] = {
     {WORD_KEPT, "system", "wavelengths, their weights and the reference", "WL WTW REF", 0},
     {WORD_KEPT, "system", "aperture", "EPD FNO NAO NA", 0},
     {WORD_KEPT, "system", "fields and their weights", "XAN YAN XOB YOB XIM YIM XRI YRI WTF", 0},
+    {WORD_KEPT, "system", "a telecentric object space, an afocal image space", "TEL AFC", 0},
     {WORD_KEPT, "system", "positions", "ZOO", 0},
     {WORD_KEPT, "surface", "surfaces, the stop and labels", "S SO SI STO SLB", 0},
     {WORD_KEPT, "surface", "curvature, conic, distance and material",

@@ -330,6 +330,8 @@ static bool put_header(struct output *output, struct error *error)
                    foreign_unit_word(codev_units, output->writing.unit));
     put_waves(output);
     put_fields(output);
+    put_string(output, lens->is_telecentric ? "TEL Y\n" : "");
+    put_string(output, lens->focus == FOCUS_AFOCAL ? "AFC Y\n" : "");
     put_catalog(output);
     return true;
 }

@@ -206,6 +206,8 @@ static bool put_header(struct output *output, struct error *error)
     if (!put_field(output, error)) {
         return false;
     }
+    put_string(output, lens->is_telecentric ? "TELE ON\n" : "");
+    put_string(output, lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "");
     put_string(output, "DES \"\"\n");
     growing_format(&output->writing.text, "UNI %.1f\n", lens_unit_mm(output->writing.unit));
     for (size_t i = 0; i < lens->note_count && i < 10; i++) {

@@ -285,7 +285,20 @@ static bool check_image(struct zemax_file *file, struct error *error)
 static void set_focus(struct zemax_file *file)
 {
     bool paraxial = zemax_focuses(file);
-    file->build.lens->focus = paraxial ? FOCUS_PARAXIAL : FOCUS_TABLE;
+    bool afocal = zemax_number(file->fields, 6) != 0;
+    file->build.lens->focus = afocal ? FOCUS_AFOCAL : paraxial ? FOCUS_PARAXIAL : FOCUS_TABLE;
+}
+
+/* FTYP says it of an object at infinity too, which has no such space. */
+static bool set_telecentric(struct zemax_file *file, struct error *error)
+{
+    struct lens *lens = file->build.lens;
+    const bool stated = zemax_number(file->fields, 1) != 0;
+    lens->is_telecentric = stated && !lens->object_is_infinite;
+    return lens->is_telecentric == stated ||
+           zemax_loss(file, file->fields, error,
+                      "a telecentric object space of an object at infinity" LOSS_INSTEAD
+                      "an ordinary one");
 }
 
 /* An aperture at a stop wants the stop's diameter. */

@@ -93,8 +93,9 @@ static bool put_fields(struct zemax_writer *writer, struct error *error)
                       MOST_FIELDS)) {
         return false;
     }
-    growing_format(&writer->out, "FTYP %d 0 %zu %zu 0 0 0\r\n", types[lens->field_kind],
-                   count > 0 ? count : 1, waves < MOST_WAVES ? waves : MOST_WAVES);
+    growing_format(&writer->out, "FTYP %d %d %zu %zu 0 0 %d\r\n", types[lens->field_kind],
+                   lens->is_telecentric, count > 0 ? count : 1,
+                   waves < MOST_WAVES ? waves : MOST_WAVES, lens->focus == FOCUS_AFOCAL);
     if (count == 0) {
         return true;
     }
