@@ -402,11 +402,15 @@ static bool read_words(struct json_reading *reading, const struct json_value *ro
            read_notes(reading, json_item(root, "notes"), error);
 }
 
-static bool read_telecentric(struct json_reading *reading, const struct json_value *value,
-                             struct error *error)
+static bool read_object_space(struct json_reading *reading, const struct json_value *root,
+                              struct error *error)
 {
-    return json_is_null(value) ||
-           json_read_truth(reading, value, &reading->build.lens->is_telecentric, error);
+    const struct json_value *value = json_item(root, "object_is_telecentric");
+    return check_infinite(reading, json_item(root, "object_is_infinite"), error) &&
+           (json_is_null(value) ||
+            json_read_truth(reading, value, &reading->build.lens->is_telecentric, error)) &&
+           json_read_medium(reading, json_item(root, "object_medium"),
+                            &reading->build.lens->object_medium, error);
 }
 
 static bool read_root(struct json_reading *reading, const struct json_value *root,
@@ -437,17 +441,13 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
                                        "settings",
                                        "object_is_telecentric",
                                        NULL};
-    struct lens *lens = reading->build.lens;
     return json_check_keys(reading, root, keys, error) && read_words(reading, root, error) &&
            read_unit(reading, json_item(root, "unit"), error) &&
            read_positions(reading, json_item(root, "positions"), error) &&
            read_waves(reading, json_item(root, "wavelengths"), error) &&
            read_object(reading, json_item(root, "object_mm"), error) &&
-           check_infinite(reading, json_item(root, "object_is_infinite"), error) &&
-           read_telecentric(reading, json_item(root, "object_is_telecentric"), error) &&
-           json_read_medium(reading, json_item(root, "object_medium"), &lens->object_medium,
-                            error) &&
-           read_fields(reading, root, error) && read_aperture(reading, root, error) &&
+           read_object_space(reading, root, error) && read_fields(reading, root, error) &&
+           read_aperture(reading, root, error) &&
            read_focus(reading, json_item(root, "focus"), error) &&
            read_stated(reading, root, error) &&
            read_surfaces(reading, json_item(root, "surfaces"), error) &&

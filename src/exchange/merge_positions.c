@@ -266,7 +266,8 @@ static void merge_light_and_stop(struct merge *merge)
 /* What has no values of its own in the positions. */
 static const char *against(const struct lens *a, const struct lens *b)
 {
-    bool same_fields = a->field_kind == b->field_kind && a->field_count == b->field_count;
+    bool same_fields = a->field_kind == b->field_kind && a->field_count == b->field_count &&
+                       a->is_telecentric == b->is_telecentric;
     for (size_t i = 0; same_fields && i < a->field_count; i++) {
         const struct lens_field *one = &a->fields[i], *other = &b->fields[i];
         same_fields = is_same_value(&one->at[0], &other->at[0]) &&
@@ -277,8 +278,8 @@ static const char *against(const struct lens *a, const struct lens *b)
            : a->focus != b->focus                                  ? "where the image is"
            : (a->stop == LENS_NONE) != (b->stop == LENS_NONE)      ? "whether there is a stop"
            : !medium_is_same(&a->object_medium, &b->object_medium) ? "the medium of the object"
-           : !same_fields                                          ? "the fields"
-                                                                   : NULL;
+           : !same_fields ? "the fields, or whether they are telecentric"
+                          : NULL;
 }
 
 bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,

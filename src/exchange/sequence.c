@@ -298,6 +298,25 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     return true;
 }
 
+/* The files say it of an object at infinity too, which has no such space. */
+static bool check_telecentric(const struct sequence *sequence, struct error *error)
+{
+    struct lens *lens = sequence->build->lens;
+    const struct command_word *at = &sequence->surfaces[0].at;
+    const struct lens_words place = commands_place(sequence->commands, at);
+    bool far = lens->object_is_infinite;
+    for (size_t i = 0; lens->objects != NULL && i < lens->position_count; i++) {
+        far = far || isinf(lens->objects[i].value.hi);
+    }
+    if (!lens->is_telecentric || !far) {
+        return true;
+    }
+    lens->is_telecentric = false;
+    return foreign_loss(sequence->job, &place, at->text, error,
+                        "a telecentric object space of an object at infinity" LOSS_INSTEAD
+                        "an ordinary one");
+}
+
 /* The image plane: its distance is the last thickness; a tilted or bent one stays as a surface. */
 static bool put_image(const struct sequence *sequence, bool is_solved, struct error *error)
 {
@@ -346,7 +365,7 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
     }
     spread_z(sequence);
     size_t *indices = ARENA_ARRAY(sequence->job->arena, sequence->count, size_t);
-    if (!put_object(sequence, error)) {
+    if (!put_object(sequence, error) || !check_telecentric(sequence, error)) {
         return false;
     }
     for (size_t i = 1; i + 1 < sequence->count; i++) {

@@ -151,7 +151,8 @@ struct lens_warnings {
  *                     air gaps, a cone at the vertex. What is stated of a focal length is
  *                     checked in optics/first_order.
  * Errors    ERROR_DATA: no surface, two stops, a telecentric object space of an infinite object,
- *           `aperture stop` without a stop or without its diameter, an index of 0 or less, a radius or diameter of 0, numbers beyond 1e100
+ *           `aperture stop` without a stop or without its diameter, an index of 0 or less, a radius
+ *           or diameter of 0, numbers beyond 1e100
  */
 bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnings *warnings,
                 struct error *error);

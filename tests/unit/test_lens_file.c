@@ -43,7 +43,7 @@ static void check_errors(void)
         {"stop 5 2 air 4\n", 1, 6, "a stop is a plane"},
         {"surface 5 - air 4\nsurface 5 - air 4\n", 2, 1, "without a thickness"},
         {"lens a\nlens b\n", 2, 1, "twice"},
-        {"focus near\n", 1, 7, "paraxial, table or best"},
+        {"focus near\n", 1, 7, "paraxial, table, best or afocal"},
         {"thick - 5 air 4\n", 1, 7, "other than 0"},
         {"thick 0 5 air 4\n", 1, 7, "other than 0"},
         {"thick 50 5 mirror 4\n", 1, 12, "no mirror"},

@@ -182,7 +182,8 @@ static void test_skew_field(void)
     for (int i = 0; i < 12; i++) {
         struct arena arena = {0};
         double t = (3 + 2 * (i % 5)) * degree, turn = (10 + 30 * i) * degree;
-        const struct field_point field = {FIELD_ANGLE, {t * sin(turn), t * cos(turn)}};
+        const struct field_point field = {FIELD_ANGLE,
+                                          {atan(tan(t) * sin(turn)), atan(tan(t) * cos(turn))}};
         const struct pupil_shape shape = shape_of(texts[i % 2], field, &arena);
         const double n = i % 2 == 0 ? 1 : 1.5; /* behind the lens */
         const double slope[2] = {tan(t) * sin(turn), tan(t) * cos(turn)};
@@ -266,7 +267,8 @@ static void test_narrow(void)
     for (size_t i = 0; i < sizeof shifts / sizeof shifts[0]; i++) {
         struct arena arena = {0};
         double t = atan(shifts[i] / GAP), turn = 0.3 + 2.1 * (double)i;
-        const struct field_point field = {FIELD_ANGLE, {t * sin(turn), t * cos(turn)}};
+        const struct field_point field = {FIELD_ANGLE,
+                                          {atan(tan(t) * sin(turn)), atan(tan(t) * cos(turn))}};
         const struct pupil_shape shape = shape_of(text, field, &arena);
         CHECK(shape.is_empty == (shifts[i] > 13));
         CHECK(shape.has_chief && shape.status == RAY_CLIPPED && shape.surface == 1);

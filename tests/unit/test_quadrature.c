@@ -66,7 +66,7 @@ static void test_two_holes(size_t rays)
         struct error error;
         double shift = shifts[i / 3], t = atan(shift / GAP), turn = 0.4 + 1.9 * (double)i;
         double px = shift * sin(turn), py = shift * cos(turn), sums[4];
-        const double angle[2] = {t * sin(turn), t * cos(turn)};
+        const double angle[2] = {atan(tan(t) * sin(turn)), atan(tan(t) * cos(turn))};
         open_text("object inf\naperture stop\nsurface - 20 air 16\nstop - 10 air 10\n", &arena,
                   &opened);
         const struct beam beam = beam_from_infinity(angle, 1);

@@ -71,8 +71,8 @@ static void check_stand_in(double pupil, double fnumber)
     /* what it stands in stays: 90 cm, 1.2 cm, in mm */
     CHECK_NEAR(lens.object.value.hi, 900, 0, "object");
     CHECK(lens.field_count == 2 && lens.field_kind == FIELD_HEIGHT);
-    CHECK_NEAR(lens.fields[1].value.hi, 12, 0, "field");
-    CHECK(lens.fields[1].typed.start == NULL && lens.object.typed.start == NULL);
+    CHECK_NEAR(lens.fields[1].at[1].value.hi, 12, 0, "field");
+    CHECK(lens.fields[1].at[1].typed.start == NULL && lens.object.typed.start == NULL);
     check_plain(&lens);
     CHECK(first_order_of_lens(&lens, 0.55, SECTION_Y, &arena, &first, &error));
     CHECK_NEAR(first.efl, 70, 1e-12, "1/power");

@@ -307,25 +307,6 @@ static bool read_end(struct oslo *oslo, int what, struct error *error)
     return true;
 }
 
-static bool read_telecentric(struct oslo *oslo, int what, struct error *error)
-{
-    const struct command_word word = commands_word(&oslo->commands, 1);
-    (void)what;
-    oslo->build.lens->is_telecentric = text_same(word.text, "ON");
-    return oslo->build.lens->is_telecentric || text_same(word.text, "OFF") ||
-           commands_fail(&oslo->commands, &word, error, "ON or OFF is wanted here");
-}
-
-/* The mode of aberrations: AFO of an afocal image, by angles; FOC of one in a plane. */
-static bool read_mode(struct oslo *oslo, int what, struct error *error)
-{
-    const struct command_word word = commands_word(&oslo->commands, 1);
-    (void)what;
-    oslo->sequence.is_afocal = text_same(word.text, "AFO");
-    return oslo->sequence.is_afocal || text_same(word.text, "FOC") || text_same(word.text, "TRA") ||
-           commands_lose(&oslo->commands, error, "a mode of aberrations that is not known");
-}
-
 /* RST NEW .. END behind the lens: points of the field. */
 static bool read_set(struct oslo *oslo, int what, struct error *error)
 {
@@ -418,8 +399,8 @@ static const struct {
     {"F", oslo_point, 0},
     {"TEM", read_environment, 20},
     {"PRE", read_environment, 1},
-    {"TELE", read_telecentric, 0},
-    {"AMO", read_mode, 0},
+    {"TELE", oslo_telecentric, 0},
+    {"AMO", oslo_mode, 0},
 };
 
 static bool run_numbered(struct oslo *oslo, struct text name, bool *known, struct error *error)

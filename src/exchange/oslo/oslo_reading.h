@@ -53,6 +53,10 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error);
 /* F n y x ..: a point of the field */
 bool oslo_point(struct oslo *oslo, int what, struct error *error);
 
+/* TELE ON: a telecentric object space; AMO AFO: an afocal image space */
+bool oslo_telecentric(struct oslo *oslo, int what, struct error *error);
+bool oslo_mode(struct oslo *oslo, int what, struct error *error);
+
 /* The fields of a kept note that lenscalc wrote. */
 bool oslo_fields(struct oslo *oslo, struct text line, struct error *error);
 

@@ -300,6 +300,26 @@ bool oslo_point(struct oslo *oslo, int what, struct error *error)
                                                        error, "a weight is not below 0");
 }
 
+bool oslo_telecentric(struct oslo *oslo, int what, struct error *error)
+{
+    const struct command_word word = commands_word(&oslo->commands, 1);
+    const bool on = text_same(word.text, "ON") || text_equal(word.text, "1");
+    (void)what;
+    oslo->build.lens->is_telecentric = on;
+    return on || text_same(word.text, "OFF") || text_equal(word.text, "0") ||
+           commands_fail(&oslo->commands, &word, error, "ON or OFF is wanted here");
+}
+
+/* The mode of aberrations: AFO of an afocal image, by angles; FOC of one in a plane. */
+bool oslo_mode(struct oslo *oslo, int what, struct error *error)
+{
+    const struct command_word word = commands_word(&oslo->commands, 1);
+    (void)what;
+    oslo->sequence.is_afocal = text_same(word.text, "AFO");
+    return oslo->sequence.is_afocal || text_same(word.text, "FOC") || text_same(word.text, "TRA") ||
+           commands_lose(&oslo->commands, error, "a mode of aberrations that is not known");
+}
+
 bool oslo_fields(struct oslo *oslo, struct text line, struct error *error)
 {
     struct lens *lens = oslo->build.lens;

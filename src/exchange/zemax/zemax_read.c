@@ -318,9 +318,9 @@ static bool check_floating(struct zemax_file *file, struct error *error)
 /* The lens of a file, or of one of its configurations. */
 static bool build_lens(struct zemax_file *file, struct error *error)
 {
-    if (!set_object(file, error) || !check_image(file, error) || !set_aperture(file, error) ||
-        !set_fields(file, error) || !set_waves(file, error) || !zemax_surfaces(file, error) ||
-        !check_floating(file, error)) {
+    if (!set_object(file, error) || !set_telecentric(file, error) || !check_image(file, error) ||
+        !set_aperture(file, error) || !set_fields(file, error) || !set_waves(file, error) ||
+        !zemax_surfaces(file, error) || !check_floating(file, error)) {
         return false;
     }
     set_focus(file);
