@@ -150,7 +150,8 @@ static void check_round_trip(const char *format_name, bool all_positions,
 int main(void)
 {
     static const char *const codev[] = {"nd is not from 1 to 2", NULL};
-    static const char *const oslo[] = {"the positions", "a cylinder", "no stop", NULL};
+    static const char *const oslo[] = {"the positions", "a cylinder", "no stop",
+                                       "what passes or is blocked", NULL};
     check_round_trip("seq", true, codev);
     check_round_trip("len", false, oslo);
     return check_report();

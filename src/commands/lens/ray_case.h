@@ -57,7 +57,7 @@ struct ray_choice {
 bool ray_case_open(const struct ray_question *question, const struct ray_choice *choice,
                    struct arena *arena, struct ray_case *one, struct error *error);
 
-/* The case's own system: rims as the question has them, with the image plane if rays end there. */
+/* The case's own system, clipped as the question says, with the image plane if rays end there. */
 const struct system *ray_case_system(const struct ray_case *one, struct error *error);
 
 #endif
