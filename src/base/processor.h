@@ -18,7 +18,13 @@
 #endif
 
 #ifdef CPU_FEATURE_ACTIVE
-#define PROCESSOR_HAS(feature, name) CPU_FEATURE_ACTIVE(feature)
+/* CPU_FEATURE_ACTIVE shifts a signed 1 to bit 31, which C leaves undefined: AVX512VL has it. */
+static inline bool processor_has(unsigned feature)
+{
+    const struct cpuid_feature *leaf = __x86_get_cpuid_feature_leaf(feature / 128);
+    return (leaf->active_array[feature % 128 / 32] >> feature % 32 & 1) != 0;
+}
+#define PROCESSOR_HAS(feature, name) processor_has(x86_cpu_##feature)
 #elif defined(__x86_64__)
 #define PROCESSOR_HAS(feature, name) __builtin_cpu_supports(name)
 #else
