@@ -59,7 +59,9 @@ static void write_array(const struct source *source, int index)
 {
     printf("static const char file_%d[] = {", index);
     for (size_t i = 0; i < source->length; i++) {
-        printf("%s%d,", i % 24 == 0 ? "\n" : "", (signed char)source->data[i]);
+        unsigned byte = (unsigned char)source->data[i];
+        /* beyond ASCII as a character constant, which fits a char whether or not it has a sign */
+        printf(byte < 128 ? "%s%u," : "%s'\\%o',", i % 24 == 0 ? "\n" : "", byte);
     }
     printf("0};\n\n");
 }
