@@ -56,17 +56,10 @@ static struct trial trial_open(const struct stop_beam *beam, struct arena *arena
                           .is_listed = beam->system->clips != NULL};
 }
 
-/* From u, v to the coordinates in the beam. */
-static void to_beam(const struct stop_beam *beam, double u, double v, double at[2])
-{
-    at[0] = beam->origin[0] + u * beam->axes[0] + v * beam->axes[1];
-    at[1] = beam->origin[1] + u * beam->axes[2] + v * beam->axes[3];
-}
-
 static struct ray start_of(const struct stop_beam *beam, double u, double v)
 {
     double at[2];
-    to_beam(beam, u, v, at);
+    stop_beam_place(beam, u, v, at);
     return beam_ray(beam->beam, at[0], at[1]);
 }
 
@@ -81,17 +74,31 @@ static void go_to_stop(const struct trial *trial, const struct pupil_point *poin
     rays_trace_part(trial->system, 0, trial->stop, &trial->work, NULL);
 }
 
+/* Where rays that stand there cross the stop, in its own frame and in units of its radius. */
+static void in_stop(const struct trial *trial, size_t i, double at[2])
+{
+    const struct system *system = trial->system;
+    const struct ray_block *block = trial->work.blocks;
+    double point[3] = {block->x[i], block->y[i], block->z[i]};
+    if (system->lens->surfaces[system->stop].decentre != NULL) {
+        system_to_own(system, system->stop, point);
+    }
+    at[0] = point[0] / trial->beam->radius;
+    at[1] = point[1] / trial->beam->radius;
+}
+
 /* What stops up to 128 rays. */
 static void try_points(const struct trial *trial, const struct pupil_point *points, size_t count,
                        size_t *limits)
 {
-    const struct stop_beam *beam = trial->beam;
     const struct ray_block *block = trial->work.blocks;
     go_to_stop(trial, points, count);
     for (size_t i = 0; i < count; i++) {
-        double x = trial->stop > 0 ? block->x[i] / beam->radius : points[i].x;
-        double y = trial->stop > 0 ? block->y[i] / beam->radius : points[i].y;
-        limits[i] = x * x + y * y > 1 ? STOP : NOTHING;
+        double at[2] = {points[i].x, points[i].y};
+        if (trial->stop > 0) {
+            in_stop(trial, i, at);
+        }
+        limits[i] = at[0] * at[0] + at[1] * at[1] > 1 ? STOP : NOTHING;
     }
     rays_trace_part(trial->system, trial->stop, trial->system->places, &trial->work, NULL);
     for (size_t i = 0; i < count; i++) {
@@ -191,16 +198,25 @@ static void find_spans(const struct trial *trial, const double centre[2], const 
                        const struct edge *edges, size_t count, struct spans *spans)
 {
     double from[2], ends[RAYS_BLOCK][2];
-    to_beam(trial->beam, centre[0], centre[1], from);
+    stop_beam_place(trial->beam, centre[0], centre[1], from);
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
         for (size_t i = 0; i < here; i++) {
             struct pupil_point point = point_at(centre, angles[done + i], edges[done + i].radius);
-            to_beam(trial->beam, point.x, point.y, ends[i]);
+            stop_beam_place(trial->beam, point.x, point.y, ends[i]);
             spans[done + i] = spans_whole;
         }
         if (trial->probe.full != NULL) {
             spans_find(&trial->probe, from, (const double(*)[2])ends, here, spans + done);
+        }
+        for (size_t i = 0; i < here; i++) {
+            struct spans *clear = &spans[done + i];
+            struct pupil_point point = point_at(centre, angles[done + i], edges[done + i].radius);
+            const double to[2] = {point.x, point.y};
+            for (size_t k = 0; k < clear->count; k++) {
+                clear->low[k] = stop_beam_share(trial->beam, centre, to, clear->low[k]);
+                clear->high[k] = stop_beam_share(trial->beam, centre, to, clear->high[k]);
+            }
         }
     }
 }
@@ -218,7 +234,7 @@ static void find_limits(const struct trial *trial, const double centre[2], const
         for (size_t i = 0; i < here; i++) {
             const struct edge *edge = &edges[done + i];
             struct pupil_point point = point_at(centre, angles[done + i], edge->radius);
-            to_beam(trial->beam, point.x, point.y, at[i]);
+            stop_beam_place(trial->beam, point.x, point.y, at[i]);
             ends[i] = (struct clear_edge){.status = (enum ray_status)(edge->limit % 8),
                                           .surface = edge->limit / 8};
         }
@@ -355,31 +371,52 @@ static size_t spread(const struct star *star, size_t arms, struct arena *arena, 
     return count;
 }
 
-/*
- * From u, v to the stop's own coordinates, with the area of the stop that an area of u, v fills:
- * four rays about each point.
- */
-static void map_to_stop(const struct trial *trial, struct sample *sample)
+/* The area of the stop that an area of u, v fills, by the four rays about each point. */
+static void weigh_in_stop(const struct trial *trial, struct pupil_point *points, size_t count)
 {
-    enum { EACH = 5, AT_ONCE = RAYS_BLOCK / EACH };
-    static const double steps[EACH][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-    struct pupil_point points[RAYS_BLOCK];
-    const struct ray_block *block = trial->work.blocks;
-    for (size_t done = 0; done < sample->count; done += AT_ONCE) {
-        size_t here = sample->count - done < AT_ONCE ? sample->count - done : AT_ONCE;
+    enum { EACH = 4, AT_ONCE = RAYS_BLOCK / EACH };
+    static const double steps[EACH][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    struct pupil_point beside[RAYS_BLOCK];
+    for (size_t done = 0; done < count; done += AT_ONCE) {
+        size_t here = count - done < AT_ONCE ? count - done : AT_ONCE;
         for (size_t i = 0; i < here * EACH; i++) {
-            const struct pupil_point *at = &sample->points[done + i / EACH];
-            points[i].x = at->x + step * steps[i % EACH][0];
-            points[i].y = at->y + step * steps[i % EACH][1];
+            const struct pupil_point *at = &points[done + i / EACH];
+            beside[i].x = at->x + step * steps[i % EACH][0];
+            beside[i].y = at->y + step * steps[i % EACH][1];
         }
-        go_to_stop(trial, points, here * EACH);
+        go_to_stop(trial, beside, here * EACH);
         for (size_t i = 0; i < here; i++) {
-            const double *x = block->x + i * EACH, *y = block->y + i * EACH;
-            double unit = trial->beam->radius, slope = 1 / (2 * step * unit);
-            double area =
-                ((x[1] - x[2]) * (y[3] - y[4]) - (x[3] - x[4]) * (y[1] - y[2])) * slope * slope;
-            sample->points[done + i] = (struct pupil_point){
-                x[0] / unit, y[0] / unit, sample->points[done + i].weight * fabs(area)};
+            double at[EACH][2];
+            for (size_t k = 0; k < EACH; k++) {
+                in_stop(trial, i * EACH + k, at[k]);
+            }
+            double xu = at[0][0] - at[1][0], yu = at[0][1] - at[1][1];
+            double xv = at[2][0] - at[3][0], yv = at[2][1] - at[3][1];
+            points[done + i].weight *= fabs(xu * yv - xv * yu) / (4 * step * step);
+        }
+    }
+}
+
+/* From u, v to the stop's own coordinates, and from areas of u, v to what is weighed. */
+static void name_points(const struct trial *trial, struct sample *sample)
+{
+    const struct stop_beam *beam = trial->beam;
+    for (size_t i = 0; i < sample->count && beam->weight == WEIGHT_BEAM; i++) {
+        struct pupil_point *point = &sample->points[i];
+        point->weight *= stop_beam_density(beam, point->x, point->y);
+    }
+    for (size_t done = 0; done < sample->count && trial->stop > 0; done += RAYS_BLOCK) {
+        size_t here = sample->count - done < RAYS_BLOCK ? sample->count - done : RAYS_BLOCK;
+        struct pupil_point *points = sample->points + done;
+        if (beam->weight == WEIGHT_PUPIL) {
+            weigh_in_stop(trial, points, here);
+        }
+        go_to_stop(trial, points, here);
+        for (size_t i = 0; i < here; i++) {
+            double at[2];
+            in_stop(trial, i, at);
+            points[i].x = at[0];
+            points[i].y = at[1];
         }
     }
 }
@@ -444,8 +481,6 @@ struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, str
     const struct arms all_arms = {star.centre, angles, shares, edges, spans, arms};
     put_points(beam, &all_arms, rings, arena, &all);
     all.is_empty = all.sample.count == 0;
-    if (trial.stop > 0) {
-        map_to_stop(&trial, &all.sample);
-    }
+    name_points(&trial, &all.sample);
     return all;
 }

@@ -3,27 +3,15 @@
 #ifndef LENSCALC_ANALYSIS_QUADRATURE_H
 #define LENSCALC_ANALYSIS_QUADRATURE_H
 
+#include "analysis/stop_beam.h"
 #include "base/arena.h"
-#include "trace/beam.h"
 #include "trace/rays.h"
 #include "trace/sample.h"
-#include "trace/system.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/*
- * The rays of one object point at one wavelength, named by u, v: coordinates origin + u (axes[0],
- * axes[2]) + v (axes[1], axes[3]) in the beam, which go through about (u, v) of a stop of radius 1.
- */
-struct stop_beam {
-    const struct system *system; /* with its clear apertures, or without; forward */
-    const struct beam *beam;
-    double origin[2], axes[4];
-    double radius; /* of the stop, mm; NaN: no stop, but the unit disc of u and v */
-};
-
-/* Rays, where they start, by their points of the stop and with their weights. */
+/* Rays, where they start, by their points of the stop or disc and with their weights. */
 struct quadrature {
     struct sample sample;
     struct rays rays;
@@ -31,10 +19,12 @@ struct quadrature {
 };
 
 /*
- * Points and weights that integrate over the clear part of a stop.
+ * Points and weights that integrate over the clear part of a stop or an entrance pupil.
  *
  * Given     rays   about how many
- * Result    weights that add up to the clear share of the stop's area
+ * Result    weights that add up to the clear share of the area they are equal in: of the stop, of
+ *           the disc; with WEIGHT_BEAM and a stop of the unit disc of u and v, which the beam of
+ *           the whole stop fills but for aberrations
  * Formula   the clear part is a star about a ray: the chief ray if it passes, else the middle of
  *           what does of a grid. Its edge is bracketed in steps of 0.14 and bisected, in u and v,
  *           where no ray has to be aimed.
@@ -43,7 +33,8 @@ struct quadrature {
  *           continuous there. In each direction Gauss's points in r^2 out to the edge, k of them
  *           for at least k (2 k + 1) rays. Directions: without corners 2 k + 1 equal arms; else
  *           Gauss's points in the angle from corner to corner, where integrands are smooth. Weights
- *           are those of the stop: du dv times d(x, y)/d(u, v) by differences (6e-11)
+ *           of the stop are du dv times d(x, y)/d(u, v) by differences (6e-11), those of the
+ *           beam du dv and the density of a projection
  * Source    [Forbes88]; tested against an independent program: the vignetted spot of the double
  *           Gauss at 14 degrees to 1e-5 with 96 rays, where dropping the rays of PATTERN_GAUSS that
  *           are lost is 5 % off

@@ -163,34 +163,20 @@ static void store(double *const *to, size_t i, const struct ray *ray)
     to[3][i] = q;
 }
 
-/* Where in the beam the points of the stop lie, or those of the first vertex's plane. */
-static struct stop_beam stop_beam_of(const struct tracing *tracing)
+/* The points of the stop, or of a disc about the first vertex that takes its place. */
+static bool open_pupil(const struct tracing *tracing, struct stop_beam *pupil)
 {
-    double radius = tracing->radius;
-    struct stop_beam beam = {.system = tracing->ways->clipped, .beam = &tracing->beam};
+    const struct system *clear = tracing->ways->clipped;
+    struct first_order first = tracing->request->setup->first;
+    struct error ignored;
     if (tracing->has_stop) {
-        const struct aim *aim = &tracing->aim;
-        const double *slope = aim->slope;
-        double scale = radius / (slope[0] * slope[3] - slope[1] * slope[2]);
-        return (struct stop_beam){
-            beam.system,
-            &aim->beam,
-            {aim->chief[0], aim->chief[1]},
-            {slope[3] * scale, -slope[1] * scale, -slope[2] * scale, slope[0] * scale},
-            fabs(radius)};
+        *pupil = stop_beam_of_stop(&tracing->aim, clear, WEIGHT_PUPIL);
+        return true;
     }
-    const double targets[3][3] = {{0, 0, 0}, {radius, 0, 0}, {0, radius, 0}};
-    double places[3][2];
-    for (int i = 0; i < 3; i++) {
-        beam_place(beam.beam, targets[i], places[i]);
-    }
-    for (int i = 0; i < 2; i++) {
-        beam.origin[i] = places[0][i];
-        beam.axes[2 * i] = places[1][i] - places[0][i];
-        beam.axes[2 * i + 1] = places[2][i] - places[0][i];
-    }
-    beam.radius = NAN;
-    return beam;
+    first.is_telecentric = false;
+    first.entrance_pupil = 0;
+    first.entrance_diameter = 2 * tracing->radius;
+    return stop_beam_of_entrance(clear, &tracing->beam, &first, WEIGHT_PUPIL, pupil, &ignored);
 }
 
 /*
@@ -200,9 +186,9 @@ static struct stop_beam stop_beam_of(const struct tracing *tracing)
 static struct quadrature choose_rays(struct tracing *tracing)
 {
     struct quadrature all = {.is_empty = true};
-    if (tracing->request->pattern == PATTERN_GAUSS) {
-        const struct stop_beam beam = stop_beam_of(tracing);
-        all = quadrature_make(&beam, tracing->request->ray_count, tracing->arena);
+    struct stop_beam pupil;
+    if (tracing->request->pattern == PATTERN_GAUSS && open_pupil(tracing, &pupil)) {
+        all = quadrature_make(&pupil, tracing->request->ray_count, tracing->arena);
     }
     if (all.is_empty) {
         all.sample = tracing->sample;
