@@ -1,0 +1,199 @@
+/* draw/panels_cell.c - one of many small plots: its axes, curves and words. */
+/* SPDX-License-Identifier: MIT */
+#include "draw/panels_cell.h"
+
+#include "base/arena.h"
+#include "draw/panels.h"
+#include "draw/panels_marks.h"
+#include "draw/svg.h"
+
+#include <math.h>
+
+static const double WORDS = 13, NUMBER = 11, NOTE = 11; /* px */
+
+static const char *const DARK = "#1d1d1d", *const SOFT = "#444", *const GREY = "#888";
+
+static void write_at(struct svg *svg, const struct svg_label *label, const char *words)
+{
+    if (words != NULL) {
+        svg_text(svg, label, words);
+    }
+}
+
+double panels_cell_number(struct svg *svg, const struct ticks *ticks)
+{
+    double width = 0;
+    for (size_t i = 0; i < ticks->count; i++) {
+        width = fmax(width, svg_text_width(ticks_text(svg->arena, ticks, i), NUMBER));
+    }
+    return width;
+}
+
+static double part_of(const struct panels_scale *scale, double v)
+{
+    return (v - scale->low) / (scale->high - scale->low);
+}
+
+static double at_x(const struct panels_cell *cell, double v)
+{
+    return cell->left + cell->width * part_of(&cell->x, v);
+}
+
+static double at_y(const struct panels_cell *cell, double v)
+{
+    return cell->top + cell->height * (1 - part_of(&cell->y, v));
+}
+
+/* Every how many ticks one has room, if each needs so many px. */
+static double stride_of(const struct panels_scale *scale, double length, double room)
+{
+    static const double strides[] = {1, 2, 5, 10};
+    double apart = length * scale->ticks.step / (scale->high - scale->low);
+    size_t i = 0;
+    while (i < 3 && apart * strides[i] < room) {
+        i++;
+    }
+    return strides[i];
+}
+
+static bool is_marked(const struct panels_scale *scale, size_t i, double stride)
+{
+    double v = scale->ticks.value[i], slack = 1e-9 * (scale->high - scale->low);
+    double steps = round(v / scale->ticks.step);
+    bool inside = v >= scale->low - slack && v <= scale->high + slack;
+    return inside && fabs(remainder(steps, stride)) < 0.5;
+}
+
+static void draw_x_ticks(struct svg *svg, const struct panels_cell *cell)
+{
+    double stride = stride_of(&cell->x, cell->width, panels_cell_number(svg, &cell->x.ticks) + 8);
+    double bottom = cell->top + cell->height;
+    for (size_t i = 0; i < cell->x.ticks.count; i++) {
+        if (!is_marked(&cell->x, i, stride)) {
+            continue;
+        }
+        double x = at_x(cell, cell->x.ticks.value[i]);
+        svg_line(svg, x, cell->top, x, bottom);
+        if (cell->x_numbers) {
+            const struct svg_label label = {
+                .x = x, .y = bottom + 14, .size = NUMBER, .anchor = SVG_MIDDLE};
+            svg_text(svg, &label, ticks_text(svg->arena, &cell->x.ticks, i));
+        }
+    }
+}
+
+static void draw_y_ticks(struct svg *svg, const struct panels_cell *cell)
+{
+    double stride = stride_of(&cell->y, cell->height, 16);
+    for (size_t i = 0; i < cell->y.ticks.count; i++) {
+        if (!is_marked(&cell->y, i, stride)) {
+            continue;
+        }
+        double y = at_y(cell, cell->y.ticks.value[i]);
+        svg_line(svg, cell->left, y, cell->left + cell->width, y);
+        if (cell->y_numbers) {
+            const struct svg_label label = {
+                .x = cell->left - 6, .y = y + 4, .size = NUMBER, .anchor = SVG_END};
+            svg_text(svg, &label, ticks_text(svg->arena, &cell->y.ticks, i));
+        }
+    }
+}
+
+static bool holds_zero(const struct panels_scale *scale)
+{
+    return scale->low <= 0 && scale->high >= 0;
+}
+
+static void draw_frame(struct svg *svg, const struct panels_cell *cell, bool ticks)
+{
+    if (ticks) {
+        svg_group_begin(svg, &(struct svg_style){.stroke = "#e6e6e6", .width = 1});
+        draw_x_ticks(svg, cell);
+        draw_y_ticks(svg, cell);
+        svg_group_end(svg);
+    }
+    svg_group_begin(svg, &(struct svg_style){.stroke = ticks ? "#999" : "#ddd", .width = 1});
+    if (holds_zero(&cell->x)) {
+        svg_line(svg, at_x(cell, 0), cell->top, at_x(cell, 0), cell->top + cell->height);
+    }
+    if (holds_zero(&cell->y)) {
+        svg_line(svg, cell->left, at_y(cell, 0), cell->left + cell->width, at_y(cell, 0));
+    }
+    svg_group_end(svg);
+    svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1});
+    svg_rect(svg, cell->left, cell->top, cell->width, cell->height);
+    svg_group_end(svg);
+}
+
+/* The curves and spots; false if not one point can be seen. */
+static bool draw_series(const struct panels *panels, struct svg *svg,
+                        const struct panels_cell *cell, const struct panel *panel)
+{
+    bool any = false;
+    struct arena *arena = svg->arena;
+    svg_clip_begin(svg, cell->left - 1, cell->top - 1, cell->width + 2, cell->height + 2);
+    for (size_t s = 0; s < panel->count; s++) {
+        const struct panel_series *series = &panel->series[s];
+        double *x = ARENA_ARRAY(arena, series->count + 1, double);
+        double *y = ARENA_ARRAY(arena, series->count + 1, double);
+        for (size_t i = 0; i < series->count; i++) {
+            x[i] = at_x(cell, series->x[i]);
+            y[i] = at_y(cell, series->y[i]);
+            any = any || (isfinite(x[i]) && isfinite(y[i]));
+        }
+        const struct panels_mark mark = {
+            .x = x, .y = y, .count = series->count, .key = series->key, .spots = series->spots};
+        panels_marks_draw(panels, svg, &mark);
+    }
+    if (panel->circle > 0) {
+        svg_group_begin(svg, &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"});
+        svg_circle(svg, at_x(cell, 0), at_y(cell, 0), at_x(cell, panel->circle) - at_x(cell, 0));
+        svg_group_end(svg);
+    }
+    svg_group_end(svg);
+    return any;
+}
+
+/* Below spots; inside at the top of curves, or in the middle of what is empty. */
+static void draw_note(struct svg *svg, const struct panels_cell *cell, const struct panel *panel,
+                      bool square, bool empty)
+{
+    double y = empty    ? cell->top + cell->height / 2 - 8
+               : square ? cell->top + cell->height + 14
+                        : cell->top + 14;
+    struct svg_label label = {.x = cell->left + cell->width / 2,
+                              .y = y,
+                              .size = NOTE,
+                              .width = cell->room,
+                              .anchor = SVG_MIDDLE,
+                              .colour = SOFT};
+    write_at(svg, &label, panel->note);
+}
+
+void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct panels_cell *cell,
+                      const struct panel *panel)
+{
+    draw_frame(svg, cell, panels->unit == NULL);
+    bool any = draw_series(panels, svg, cell, panel);
+    draw_note(svg, cell, panel, panels->unit != NULL, !any);
+    struct svg_label title = {.x = cell->left + cell->width / 2,
+                              .y = cell->top - 7,
+                              .size = WORDS,
+                              .width = cell->room,
+                              .anchor = SVG_MIDDLE,
+                              .colour = DARK};
+    write_at(svg, &title, panel->title);
+    if (panels->own_x && panels->unit == NULL) {
+        title.y = cell->top + cell->height + 32;
+        write_at(svg, &title, panel->x_label);
+    }
+    if (panels->own_y && panels->unit == NULL) {
+        const struct svg_label label = {.x = cell->left - PANELS_NUMBERS - 6,
+                                        .y = cell->top + cell->height / 2,
+                                        .size = WORDS,
+                                        .rotation = -90,
+                                        .width = cell->height + 20,
+                                        .anchor = SVG_MIDDLE};
+        write_at(svg, &label, panel->y_label);
+    }
+}
