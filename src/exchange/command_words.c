@@ -130,15 +130,14 @@ bool commands_next(struct commands *commands, struct error *error)
 {
     error->code = ERROR_NONE;
     commands->count = 0;
-    bool goes_on = false;
     for (;;) {
         const char *end =
             commands->at != NULL ? commands->line.start + commands->line.length : NULL;
         if (commands->at == NULL || commands->at >= end) {
-            if ((commands->count > 0 && !goes_on) || !next_line(commands)) {
+            if ((commands->count > 0 && !commands->goes_on) || !next_line(commands)) {
                 return commands->count > 0;
             }
-            goes_on = cut_continuation(commands);
+            commands->goes_on = cut_continuation(commands);
             continue;
         }
         if (is_blank(*commands->at)) {

@@ -39,6 +39,7 @@ struct commands {
     struct text rest; /* what is still to read */
     struct text line; /* the present line, without its comment */
     const char *at;   /* where its next word begins */
+    bool goes_on;     /* a mark of continuation has ended it */
     long number;
     struct number_scale scale; /* unit of a length in mm */
     struct command_word *words;

@@ -95,6 +95,8 @@ static const struct meaning of_surfaces[] = {
     {"STO", "STO\nASP\nC 1e-9;D 1e-11;E 1e-13;F 1e-15;G 1e-17;H 1e-19;J 1e-21",
      "surface 50 4 1.517/64.2 - A8=1e-9 A10=1e-11 A12=1e-13 A14=1e-15 A16=1e-17 A18=1e-19 A20=1e-21"
      " stop"},
+    {"STO", "STO\nK -0.5; A 1e-5; B&\n 2e-7",
+     "surface 50 4 1.517/64.2 - k=-0.5 A4=1e-5 A6=2e-7 stop"},
     {"STO", "STO\nSPS ODD 1\nSCO K -1\nSCO AR3 1e-4\nSCO C5 2e-6\nSCO AR22 0",
      "surface 50 4 1.517/64.2 - k=-1 A3=1e-4 A4=2e-6 stop"},
     {"STO", "STO\nCIR 6", "surface 50 4 1.517/64.2 12 stop"},

@@ -47,6 +47,12 @@ static const struct meaning of_lens[] = {
     {"ENPD 10", "FNUM 4", "aperture f/4"},
     {"ENPD 10", "FNUM 4 1", "aperture f/4"}, /* at infinity the working one is the same */
     {"ENPD 10", "OBNA 0.1 0", "aperture na 0.1"},
+    {"ENPD 10", "ENPD 10\nPUPD 0 10", "aperture epd 10"},
+    /* a thin lens of 50 mm: |u'| = y (1/50 - 1/200) = 3 D/400, N = 200/(3 D), D = 200/12 */
+    {"ENPD 10\nFTYP 0 0 2 1 0 0 0\nXFLN 0 0\nYFLN 0 10\nWAVM 1 0.5875618 1\nPWAV 1\nSURF 0\n"
+     "  TYPE STANDARD\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n",
+     "FNUM 4 1\nSURF 0\n  DISZ 200\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 0\n",
+     "aperture epd 16.6666666666667"},
     {"ENPD 10\n", "", "field angle 0 10\nfocus table"},
     {"FTYP 0 0 2 1 0 0 0", "FTYP 1 0 2 1 0 0 0", "field height 0 10"},
     {"FTYP 0 0 2 1 0 0 0", "FTYP 2 0 2 1 0 0 0", "field image 0 10"},
@@ -196,6 +202,14 @@ static const struct meaning of_surfaces[] = {
      "surface -50 90 air -"},
 };
 
+/* a plane z = y tan b turns about x by b */
+static const struct meaning of_images[] = {
+    {"  TYPE STANDARD\n  DISZ 0\n", "  TYPE TILTSURF\n  PARM 1 0\n  PARM 2 1\n  DISZ 0\n",
+     "surface -50 90 air -\nbend decenter=0,0 tilt=45,0,0\nsurface - 0 air -"},
+    {"  TYPE STANDARD\n  DISZ 0\n", "  TYPE TILTSURF\n  PARM 1 0\n  PARM 2 0\n  DISZ 0\n",
+     "surface -50 90 air -"},
+};
+
 static const struct meaning of_solves[] = {
     {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3",
      "SURF 5\n  CURV -0.02\n  DISZ 90\n  PZUP 1 2\nSURF 9",
@@ -217,6 +231,16 @@ static const struct meaning of_positions[] = {
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nAPER 0 1 10\nAPER 0 2 5\n",
      "let aperture epd 10 epd 5"},
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nSDIA 1 1 6\nSDIA 1 2 5\n", "let D1 12 10"},
+    /* behind the value its status, then the number of the parameter */
+    {"CURV -0.02\n  DISZ 90\nSURF 3\n  TYPE STANDARD\n  DISZ 0\n",
+     "TYPE EVENASPH\n  CURV -0.02\n  PARM 2 1e-6\n  DISZ 90\nSURF 3\n  DISZ 0\nMNUM 2 1\n"
+     "PRAM 2 1 2e-6 0 2 0 1 1 1 0 0\nPRAM 2 2 3e-6 0 2 0 1 1 1 0 0\n"
+     "PRAM 2 1 4e-9 0 3 0 1 1 1 0 0\nPRAM 2 2 4e-9 0 3 0 1 1 1 0 0\n",
+     "set A4_2 2e-6 3e-6"},
+    {"CURV -0.02\n  DISZ 90\nSURF 3\n  TYPE STANDARD\n  DISZ 0\n",
+     "TYPE XASPHERE\n  CURV -0.02\n  XDAT 1 2\n  XDAT 2 1\n  DISZ 90\nSURF 3\n  DISZ 0\nMNUM 2 1\n"
+     "EDVA 2 1 2e-6 0 4 0 1 1 1 0 0\nEDVA 2 2 3e-6 0 4 0 1 1 1 0 0\n",
+     "set A4_2 2e-6 3e-6"},
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nYFIE 1 1 0\nYFIE 1 2 0\n", "position 1 2"},
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 1 1\nCRVT 1 1 0.5\nEFFL 1 2\n",
      "surface 50 4 1.5 - stop"},
@@ -233,9 +257,18 @@ static const struct refusal losses[] = {
     {"NAME", "@GFAC 2 0\nNAME", "GFAC: lenscalc has no apodised pupil", ""},
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 1 1\n@IGNR 2 1 1\n",
      "IGNR: a surface that is left out", ""},
-    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nEDVA 2 1 7 0 1\n@EDVA 2 2 8 0 1\n",
-     "EDVA 2 changes between the configurations",
-     "what the surfaces and the system of the file say stands"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\n@PRAM 2 1 7 0 13\n",
+     "a parameter that no surface of lenscalc has", ""},
+    {"TYPE STANDARD\n  DISZ INFINITY", "@TYPE TILTSURF\n  PARM 2 0.1\n  DISZ INFINITY",
+     "a tilted object", "taken across the axis"},
+    {"TYPE STANDARD\n  DISZ INFINITY", "@TYPE EVENASPH\n  PARM 2 0.1\n  DISZ INFINITY",
+     "a curved object", "taken for a plane"},
+    {"  TYPE STANDARD\n  DISZ 0", "  @TYPE EVENASPH\n  PARM 2 0.1\n  DISZ 0", "a curved image",
+     "taken for a plane"},
+    {"ENPD 10\nFTYP 0 0 2 1 0 0 0\nXFLN 0 0\nYFLN 0 10\nWAVM 1 0.5875618 1\nPWAV 1\nSURF 0\n"
+     "  TYPE STANDARD\n  DISZ INFINITY\nSURF 1\n  STOP\n",
+     "@FNUM 4 1\nSURF 0\n  DISZ 200\nSURF 1\n", "a working f-number that no entrance pupil gives",
+     "the lens gets no aperture"},
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nQQQQ 2 1 7\n@QQQQ 2 2 8\n",
      "QQQQ 2 changes between the configurations",
      "what the surfaces and the system of the file say stands"},
@@ -347,6 +380,10 @@ static const struct refusal errors[] = {
      "MNUM wants the number of configurations, 1 to 100", NULL},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\n@THIC 1 3 5\n",
      "THIC wants a surface, a configuration and its value", NULL},
+    {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\n@PRAM 2 1 7 0\n",
+     "PRAM wants a surface, a configuration, its value and behind a status the number of the "
+     "parameter",
+     NULL},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\nAPER 0 1 @0\n",
      "the aperture must be above 0", NULL},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\nTHIC 0 2 @-1\n",
@@ -360,6 +397,7 @@ int main(void)
     check_meanings("lens.zmx", good, CASES(of_lens));
     check_meanings("glasses.zmx", good, CASES(of_glasses));
     check_meanings("surfaces.zmx", good, CASES(of_surfaces));
+    check_meanings("images.zmx", good, CASES(of_images));
     check_meanings("solves.zmx", good, CASES(of_solves));
     check_meanings("positions.zmx", good, CASES(of_positions));
     check_refusals("lost.zmx", good, CASES(losses));

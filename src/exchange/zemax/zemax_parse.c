@@ -491,3 +491,11 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
     return pass_zeros(file, error) && (!file->has_gaps || close_gaps(file, error)) &&
            pick_up_glasses(file, error);
 }
+
+bool zemax_is_tilted(const struct zemax_file *file, size_t at)
+{
+    const struct zemax_surface *surface = &file->surfaces[at];
+    return surface->type != NULL && text_same(surface->type->first, "TILTSURF") &&
+           (zemax_number(surface->parameters[1], 1) != 0 ||
+            zemax_number(surface->parameters[2], 1) != 0);
+}

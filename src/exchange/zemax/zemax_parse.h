@@ -87,6 +87,9 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
 /* A number of a line, 0 where it is absent. */
 double zemax_number(const struct zemax_line *line, size_t at);
 
+/* Is a surface a tilted plane, TILTSURF with a slope? */
+bool zemax_is_tilted(const struct zemax_file *file, size_t at);
+
 /* A note of the lens: what of the file has given way to something else in it. */
 void zemax_remark(struct zemax_file *file, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -88,15 +88,42 @@ static bool place_parameter(const struct placing *placing, struct zemax_surface 
     return true;
 }
 
+/*
+ * PRAM surface configuration value status NUMBER .., EDVA the same for extra data: behind the value
+ * and its status the number of the parameter.
+ */
+static bool place_numbered(const struct placing *placing, struct zemax_surface *surface)
+{
+    const struct zemax_line *own = placing->setting->line;
+    const bool extra = text_same(own->keyword, "EDVA");
+    const double number = zemax_number(own, 4);
+    const size_t most = extra ? ZEMAX_EXTRAS : ZEMAX_PARAMETERS;
+    if (own->count < 5 || !(number >= 0 && number < 1e6 && number == floor(number))) {
+        return lens_words_fail(&own->words, own->keyword, placing->error,
+                               "%.4s wants a surface, a configuration, its value and behind a "
+                               "status the number of the parameter",
+                               own->keyword.start);
+    }
+    if (number >= (double)most) {
+        return own->numbers[2].value.hi == 0 ||
+               zemax_loss(placing->file, own, placing->error,
+                          "a parameter that no surface of lenscalc has");
+    }
+    const struct zemax_line **place =
+        extra ? &surface->extras[(size_t)number] : &surface->parameters[(size_t)number];
+    *place = line_with(placing, *place, 1);
+    return true;
+}
+
 /* Operands that belong to a surface; the others are of the system. */
 static const struct {
     const char *word;
     bool (*place)(const struct placing *placing, struct zemax_surface *surface);
 } places_of[] = {{"THIC", place_thickness}, {"CRVT", place_curvature}, {"CONN", place_conic},
-                 {"SDIA", place_diameter},  {"GLSS", place_glass},     {"PAR1", place_parameter},
-                 {"PAR2", place_parameter}, {"PAR3", place_parameter}, {"PAR4", place_parameter},
-                 {"PAR5", place_parameter}, {"PAR6", place_parameter}, {"PAR7", place_parameter},
-                 {"PAR8", place_parameter}};
+                 {"SDIA", place_diameter},  {"GLSS", place_glass},     {"PRAM", place_numbered},
+                 {"EDVA", place_numbered},  {"PAR1", place_parameter}, {"PAR2", place_parameter},
+                 {"PAR3", place_parameter}, {"PAR4", place_parameter}, {"PAR5", place_parameter},
+                 {"PAR6", place_parameter}, {"PAR7", place_parameter}, {"PAR8", place_parameter}};
 
 /* STPS: the number of the surface that is the stop is the value. */
 static bool place_stop(const struct placing *placing)

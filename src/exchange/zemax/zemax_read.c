@@ -5,6 +5,7 @@
 #include "exchange/zemax/zemax_keyword.h"
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_surface.h"
+#include "exchange/zemax/zemax_working.h"
 
 #include "file/lens_unit.h"
 
@@ -45,9 +46,7 @@ static bool set_aperture(struct zemax_file *file, struct error *error)
                           "the aperture as the angle of a cone: the lens gets none");
     }
     if (lens->aperture_kind == APERTURE_FNUMBER && special && !lens->object_is_infinite) {
-        lens->aperture_kind = APERTURE_NONE;
-        return zemax_loss(file, line, error,
-                          "a working f-number at a finite distance: the lens gets no aperture");
+        lens->aperture_kind = APERTURE_NONE; /* until its surfaces are known */
     }
     return true;
 }
@@ -181,6 +180,32 @@ static bool pass_planes(struct zemax_file *file, struct pair *distance)
     return true;
 }
 
+/* Has a surface of a type with a shape of its own numbers that give it one? */
+static bool is_shaped(const struct zemax_surface *surface)
+{
+    bool shaped = false;
+    for (size_t i = 1; i < ZEMAX_PARAMETERS; i++) {
+        shaped = shaped || zemax_number(surface->parameters[i], 1) != 0;
+    }
+    return shaped && surface->type != NULL && !text_same(surface->type->first, "STANDARD");
+}
+
+/* Object and image are planes across the axis; what the file says of them beyond that is lost. */
+static bool check_flat(struct zemax_file *file, const struct zemax_surface *surface,
+                       const char *curved, const char *tilted, struct error *error)
+{
+    if (zemax_number(surface->curvature, 0) != 0 &&
+        !zemax_loss(file, surface->curvature, error, "%s" LOSS_INSTEAD "taken for a plane",
+                    curved)) {
+        return false;
+    }
+    return !is_shaped(surface) ||
+           zemax_loss(file, surface->type, error, "%s" LOSS_INSTEAD "%s",
+                      text_same(surface->type->first, "TILTSURF") ? tilted : curved,
+                      text_same(surface->type->first, "TILTSURF") ? "taken across the axis"
+                                                                  : "taken for a plane");
+}
+
 /* The object's distance, and what lies before the first surface. */
 static bool set_object(struct zemax_file *file, struct error *error)
 {
@@ -189,9 +214,7 @@ static bool set_object(struct zemax_file *file, struct error *error)
     struct zemax_surface *object = &file->surfaces[0];
     const struct zemax_line *line = object->thickness;
     bool finite = line != NULL && !line->infinite && fabs(line->numbers[0].value.hi) < far;
-    if (zemax_number(object->curvature, 0) != 0 &&
-        !zemax_loss(file, object->curvature, error,
-                    "a curved object" LOSS_INSTEAD "taken for a plane")) {
+    if (!check_flat(file, object, "a curved object", "a tilted object", error)) {
         return false;
     }
     if (finite) {
@@ -265,13 +288,12 @@ static void set_positions(struct zemax_file *file)
     keep_notes_apply(&file->notes, &file->build);
 }
 
-/* The image is a plane on the axis; what the file says of it beyond that is lost. */
+/* The image is a plane, that may be tilted. */
 static bool check_image(struct zemax_file *file, struct error *error)
 {
     const struct zemax_surface *image = &file->surfaces[file->surface_count - 1];
-    if (zemax_number(image->curvature, 0) != 0 &&
-        !zemax_loss(file, image->curvature, error,
-                    "a curved image" LOSS_INSTEAD "taken for a plane")) {
+    if (!zemax_is_tilted(file, file->surface_count - 1) &&
+        !check_flat(file, image, "a curved image", "", error)) {
         return false;
     }
     if (image->is_stop) {
@@ -320,7 +342,8 @@ static bool build_lens(struct zemax_file *file, struct error *error)
 {
     if (!set_object(file, error) || !set_telecentric(file, error) || !check_image(file, error) ||
         !set_aperture(file, error) || !set_fields(file, error) || !set_waves(file, error) ||
-        !zemax_surfaces(file, error) || !check_floating(file, error)) {
+        !zemax_surfaces(file, error) || !zemax_set_working_aperture(file, error) ||
+        !check_floating(file, error)) {
         return false;
     }
     set_focus(file);

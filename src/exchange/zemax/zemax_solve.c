@@ -182,8 +182,9 @@ bool zemax_focuses(const struct zemax_file *file)
     const struct zemax_line *solve = last->solve;
     bool is_stored =
         file->job->lost_power != NULL && last->thickness != NULL && last->thickness->count > 0;
-    return !is_stored && solve != NULL && text_same(solve->keyword, "MAZH") &&
-           zemax_number(solve, 0) == 0 && zemax_number(solve, 1) == 0;
+    return !is_stored && !zemax_is_tilted(file, file->surface_count - 1) && solve != NULL &&
+           text_same(solve->keyword, "MAZH") && zemax_number(solve, 0) == 0 &&
+           zemax_number(solve, 1) == 0;
 }
 
 /* The last solve only says where the image is: the file's number stays beside it. */

@@ -263,19 +263,24 @@ static bool set_extended_odd(struct zemax_file *file, size_t at, struct surface 
 }
 
 /* The tangents of a plane z = x tan a + y tan b as turns about its vertex. */
-static bool set_tilted(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
+static const struct displacement *tilt_of(struct zemax_file *file, size_t at)
 {
     struct displacement *decentre = ARENA_NEW(file->job->arena, struct displacement);
     double a = parameter(file, at, 1).value.hi, b = parameter(file, at, 2).value.hi;
     double turns[3] = {atan(b), atan(-a * cos(atan(b))) + 0., 0}; /* -0 + 0 is 0 */
-    (void)error;
     for (int i = 0; i < 3; i++) {
         decentre->tilt[i] = figure_of(turns[i] / RADIANS_PER_DEGREE, file->job->arena);
         decentre->tilt[i].value =
             pair_multiply(decentre->tilt[i].value, pair_of(RADIANS_PER_DEGREE));
         decentre->decenter[i % 2] = figure_of(0, file->job->arena);
     }
-    to->decentre = decentre;
+    return decentre;
+}
+
+static bool set_tilted(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
+{
+    (void)error;
+    to->decentre = tilt_of(file, at);
     return true;
 }
 
@@ -575,5 +580,12 @@ bool zemax_surfaces(struct zemax_file *file, struct error *error)
         }
     }
     places[file->surface_count - 1] = LENS_NONE;
-    return zemax_thicknesses(file, places, error);
+    if (!zemax_thicknesses(file, places, error)) {
+        return false;
+    }
+    if (zemax_is_tilted(file, file->surface_count - 1)) { /* a plane that turns the image's axis */
+        hold_break(file, tilt_of(file, file->surface_count - 1));
+        add_plane(file);
+    }
+    return true;
 }

@@ -21,6 +21,8 @@ const struct word_group zemax_words[] = {
     {WORD_HARMLESS, ZEMAX_IN_SYSTEM,
      "margins of automatic semi-diameters, which the file has as numbers", "SDMA OMMA", 0},
     {WORD_HARMLESS, ZEMAX_IN_SYSTEM, "weights of the fields of old files", "FWGT", 0},
+    {WORD_HARMLESS, ZEMAX_IN_SYSTEM, "the entrance pupil as the program had computed it", "PUPD",
+     0},
     {WORD_HARMLESS, ZEMAX_IN_SYSTEM, "the reference of optical path differences; polarised light",
      "ROPD POLS", 0},
     {WORD_HARMLESS, ZEMAX_IN_SYSTEM,
@@ -62,11 +64,11 @@ const struct word_group zemax_words[] = {
     {WORD_KEPT, ZEMAX_IN_CONFIGURATIONS, "distances, semi-diameters and the aperture",
      "THIC SDIA APER", 0},
     {WORD_KEPT, ZEMAX_IN_CONFIGURATIONS, "shape, material and parameters of a surface",
-     "CRVT CONN GLSS PAR1 PAR2 PAR3 PAR4 PAR5 PAR6 PAR7 PAR8", 0},
+     "CRVT CONN GLSS PRAM EDVA PAR1 PAR2 PAR3 PAR4 PAR5 PAR6 PAR7 PAR8", 0},
     {WORD_KEPT, ZEMAX_IN_CONFIGURATIONS, "the stop; wavelengths, weights and the primary one",
      "STPS WAVE WLWT PRWV", 0},
     {WORD_LOST, ZEMAX_IN_CONFIGURATIONS, "shape and material in other words, where they change",
-     "PRAM EDVA MIND MABB MDPG CSP1 CSP2 "
+     "MIND MABB MDPG CSP1 CSP2 "
      "TSP1 TSP2 TSP3 PSP1 PSP2 PSP3 PUCN HOLD",
      0},
     {WORD_LOST, ZEMAX_IN_CONFIGURATIONS, "surfaces that are left out", "IGNR", 0},
