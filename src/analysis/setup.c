@@ -6,10 +6,22 @@
 
 #include <math.h>
 
-/* A list of one, or that of the lens. */
+static void keep_wavelengths(const struct setup_wavelength *list, size_t count, struct setup *setup)
+{
+    setup->wavelengths = list;
+    setup->wavelength_count = count;
+    setup->systems =
+        ARENA_ARRAY(setup->arena, count * (size_t)SETUP_SYSTEMS, const struct system *);
+}
+
+/* A spectrum that was asked for, a list of one, or that of the lens. */
 static void choose_wavelengths(const struct setup_question *question, struct setup *setup)
 {
     const struct lens *lens = setup->lens;
+    if (question->spectrum_count > 0) {
+        keep_wavelengths(question->spectrum, question->spectrum_count, setup);
+        return;
+    }
     bool all = isnan(question->wavelength) && question->wavelengths == WAVELENGTHS_ALL &&
                lens->wavelength_count > 0;
     size_t count = all ? lens->wavelength_count : 1;
@@ -20,10 +32,7 @@ static void choose_wavelengths(const struct setup_question *question, struct set
         list[i] =
             (struct setup_wavelength){lens->wavelengths[i].wavelength, lens->wavelengths[i].weight};
     }
-    setup->wavelengths = list;
-    setup->wavelength_count = count;
-    setup->systems =
-        ARENA_ARRAY(setup->arena, count * (size_t)SETUP_SYSTEMS, const struct system *);
+    keep_wavelengths(list, count, setup);
 }
 
 /* Without fields at first: a real image may be in the best focus, which depends on the aperture. */
@@ -39,11 +48,24 @@ static bool set_aperture(const struct setup_question *question, struct setup *se
                                 edge.value[setup_axis(setup)], error);
 }
 
+/* The lens with its object elsewhere. */
+static const struct lens *move_object(const struct lens *lens, double distance, struct arena *arena)
+{
+    struct lens *moved = ARENA_NEW(arena, struct lens);
+    *moved = *lens;
+    moved->object_is_infinite = isinf(distance);
+    moved->object.value = pair_of(isinf(distance) ? 0 : distance);
+    moved->objects = NULL;
+    return moved;
+}
+
 bool setup_open(const struct setup_question *question, struct arena *arena, struct setup *setup,
                 struct error *error)
 {
     const struct lens *all = question->lens;
-    const struct lens *lens = lens_at_position(all, question->position, arena);
+    const struct lens *placed = lens_at_position(all, question->position, arena);
+    const struct lens *lens =
+        question->object == NULL ? placed : move_object(placed, *question->object, arena);
     *setup = (struct setup){
         .lens = lens,
         .position = all->position_count > 0 ? all->positions[question->position] : NULL,
@@ -57,6 +79,11 @@ bool setup_open(const struct setup_question *question, struct arena *arena, stru
         return fail(error, ERROR_DOMAIN,
                     "the object space of the lens is telecentric, and what is asked here is of "
                     "beams that the stop limits");
+    }
+    if (lens->is_telecentric && lens->object_is_infinite) {
+        return fail(error, ERROR_DOMAIN,
+                    "the object space of the lens is telecentric: {object} must be at a finite "
+                    "distance");
     }
     choose_wavelengths(question, setup);
     return first_order_of_lens(lens, lens_primary_wavelength(lens), setup->section, arena,

@@ -13,11 +13,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-struct setup_wavelength {
-    double wavelength; /* um */
-    double weight;
-};
-
 /*
  * A lens in one position. What all wavelengths share is fixed at the primary one of the lens,
  * whichever are asked for: the radius of the stop, fields given as image heights, the image plane.

@@ -32,6 +32,12 @@ struct plane_value {
     double distance;      /* PLANE_AT: behind the last vertex, mm */
 };
 
+/* A wavelength that counts so much. */
+struct setup_wavelength {
+    double wavelength; /* um */
+    double weight;
+};
+
 /* A field point that counts so much. */
 struct setup_field {
     struct field_point point;
@@ -43,8 +49,11 @@ struct setup_question {
     const struct lens *lens; /* as read, with all its positions */
     size_t position;         /* 0 where it has only one */
     enum lens_section section;
-    double wavelength; /* um; NaN = those of the lens, by */
+    const double *object; /* distance before the first vertex, mm; null = that of the lens */
+    double wavelength;    /* um; NaN = those of the lens, by */
     enum wavelength_policy wavelengths;
+    const struct setup_wavelength *spectrum; /* in place of both; count 0 = none */
+    size_t spectrum_count;
     double fnumber;                   /* NaN = the lens's own aperture */
     const struct setup_field *fields; /* asked for; count 0 = those of the lens, by */
     size_t field_count;

@@ -12,6 +12,7 @@
 #include "cli/option_lens.h"
 #include "cli/option_light.h"
 #include "cli/option_ray.h"
+#include "cli/option_spectrum.h"
 #include "data/lensdb.h"
 #include "photo/format.h"
 #include "report/doubts.h"
@@ -57,7 +58,7 @@ struct option_kind {
 extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
     kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass, kind_interval,
     kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane, kind_target,
-    kind_fields;
+    kind_fields, kind_spectrum;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -99,7 +100,8 @@ struct coc_value {
         struct pupil_value: &kind_pupil, \
         struct plane_value: &kind_plane, \
         struct target_value: &kind_target, \
-        struct fields_value: &kind_fields)
+        struct fields_value: &kind_fields, \
+        struct spectrum_value: &kind_spectrum)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
 

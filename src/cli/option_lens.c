@@ -3,6 +3,7 @@
 #include "cli/option_lens.h"
 
 #include "cli/option.h"
+#include "cli/option_spectrum.h"
 #include "data/lines.h"
 #include "exchange/lens_open.h"
 #include "optics/wavelength.h"
@@ -130,24 +131,31 @@ double wavelength_millimetres(double micrometres)
     return wavelength;
 }
 
+bool wavelength_read(const struct reader *reader, const struct option *option, struct text text,
+                     double *wavelength, struct error *error)
+{
+    struct text name = text_trim(text);
+    bool is_line;
+    if (!lines_find(reader->db, name, (struct number_scale){1, -3}, &is_line, wavelength, error)) {
+        return false;
+    }
+    if (!is_line &&
+        !quantity_read(text, option->dimension, option_unit(option), wavelength, NULL, error)) {
+        error_prefix(error, "bad wavelength in %s: ", CALLED(option));
+        return error_hint(error, "a wavelength is 550, 550nm, 0.55um, or a line: d F C e g ...");
+    }
+    return (*wavelength >= WAVELENGTH_SHORTEST && *wavelength <= WAVELENGTH_LONGEST) ||
+           fail(error, ERROR_DOMAIN, "%s %.*s is out of range: it must be 1 nm to 100 mm",
+                CALLED(option), text_shown(name), name.start);
+}
+
 static bool read_wavelength(const struct reader *reader, const struct option *option,
                             struct text text, void *member, struct error *error)
 {
     struct text name = text_trim(text);
     struct wavelength_value value = {.name = arena_string(reader->arena, name.start, name.length)};
-    bool is_line;
-    if (!lines_find(reader->db, name, (struct number_scale){1, -3}, &is_line, &value.wavelength,
-                    error)) {
+    if (!wavelength_read(reader, option, text, &value.wavelength, error)) {
         return false;
-    }
-    if (!is_line && !quantity_read(text, option->dimension, option_unit(option), &value.wavelength,
-                                   NULL, error)) {
-        error_prefix(error, "bad wavelength in %s: ", CALLED(option));
-        return error_hint(error, "a wavelength is 550, 550nm, 0.55um, or a line: d F C e g ...");
-    }
-    if (!(value.wavelength >= WAVELENGTH_SHORTEST && value.wavelength <= WAVELENGTH_LONGEST)) {
-        return fail(error, ERROR_DOMAIN, "%s %s is out of range: it must be 1 nm to 100 mm",
-                    CALLED(option), value.name);
     }
     *(struct wavelength_value *)member = value;
     return true;

@@ -84,6 +84,21 @@ struct setup_field lens_field(enum field_kind kind, double x, double y, int sect
     return field;
 }
 
+const char *lens_field_words(const struct field_point *field, struct arena *arena)
+{
+    const struct unit *degree = unit_find(&dimension_angle, text_of("deg"));
+    const bool angle = field->kind == FIELD_ANGLE;
+    double at[2];
+    for (int i = 0; i < 2; i++) {
+        at[i] = angle ? unit_from_own(degree, field->value[i]) : field->value[i];
+    }
+    const char *unit = angle ? "deg" : "mm";
+    return field->kind == FIELD_NONE ? "on the axis"
+           : at[0] != 0
+               ? arena_printf(arena, "field x %.6g %s, y %.6g %s", at[0], unit, at[1], unit)
+               : arena_printf(arena, "field %.6g %s", at[1], unit);
+}
+
 /* Of the set: bare numbers are degrees of a far object, mm of a near one. */
 static bool list_fields(const struct lens_question *question, const struct setup_question *asked,
                         struct setup_field *list, struct error *error)

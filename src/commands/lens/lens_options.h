@@ -154,6 +154,9 @@ bool lens_makes_many(const struct lens_question *question, const struct lens_pol
  */
 struct setup_field lens_field(enum field_kind kind, double x, double y, int section);
 
+/* A field in words, for messages: "field 14 deg". */
+const char *lens_field_words(const struct field_point *field, struct arena *arena);
+
 /*
  * The positions that --position names.
  *

@@ -466,21 +466,6 @@ static bool emit_field(struct bundle *bundle, const struct field_point *field, s
                           : emit_edges(bundle, &beam, &cross, aims ? &aim : NULL, run, error);
 }
 
-static const char *field_words(const struct field_point *field, struct arena *arena)
-{
-    const struct unit *degree = unit_find(&dimension_angle, text_of("deg"));
-    const bool angle = field->kind == FIELD_ANGLE;
-    double at[2];
-    for (int i = 0; i < 2; i++) {
-        at[i] = angle ? unit_from_own(degree, field->value[i]) : field->value[i];
-    }
-    const char *unit = angle ? "deg" : "mm";
-    return field->kind == FIELD_NONE ? "on the axis"
-           : at[0] != 0
-               ? arena_printf(arena, "field x %.6g %s, y %.6g %s", at[0], unit, at[1], unit)
-               : arena_printf(arena, "field %.6g %s", at[1], unit);
-}
-
 static bool emit_fields(const struct trace_job *plain, struct run *run, struct error *error)
 {
     const struct setup *setup = &plain->one->setup;
@@ -505,7 +490,7 @@ static bool emit_fields(const struct trace_job *plain, struct run *run, struct e
         error->code = ERROR_NONE;
         if (!emit_field(&bundle, field, run, error)) {
             return error->code == ERROR_NONE ||
-                   error_prefix(error, "%s: ", field_words(field, run->arena));
+                   error_prefix(error, "%s: ", lens_field_words(field, run->arena));
         }
         arena_reset(run->arena, mark);
     }

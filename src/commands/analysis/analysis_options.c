@@ -1,0 +1,255 @@
+/* commands/analysis/analysis_options.c - what the options of analyses ask for. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_options.h"
+
+#include <string.h>
+
+const struct word analysis_aims[] = {
+    [ANALYSIS_AIM_STOP] = {"stop", "the stop, as real rays cross it"},
+    [ANALYSIS_AIM_ENTRANCE] = {"entrance", "the paraxial entrance pupil"},
+    {NULL, NULL},
+};
+
+const struct word analysis_weights[] = {
+    [ANALYSIS_WEIGHT_PUPIL] = {"pupil", "the pupil that --aim says"},
+    [ANALYSIS_WEIGHT_BEAM] = {"beam", "the entering beam, as light has it"},
+    {NULL, NULL},
+};
+
+static bool is_given(double first, double second)
+{
+    return !isnan(first) || !isnan(second);
+}
+
+static bool check(const struct analysis_question *question, const struct analysis_policy *policy,
+                  struct error *error)
+{
+    const bool angle = is_given(question->field, question->field_x);
+    const double quarter = PI / 2, x = fabs(question->field_x), y = fabs(question->field);
+    if (angle && is_given(question->height, question->height_x)) {
+        return fail(error, ERROR_USAGE, "{--field} and {--height} exclude each other");
+    }
+    if (x > 0 && y > 0 && !(x < quarter && y < quarter)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{--field} and {--field-x}: where neither is 0 both must be below 90 degrees");
+    }
+    if (question->spectrum.text != NULL && policy->one_wavelength) {
+        return fail(error, ERROR_USAGE, "{--spectrum}: this is an answer for one wavelength");
+    }
+    if (!isnan(question->fnumber) && question->lens.lens != NULL &&
+        question->lens.lens->stop == LENS_NONE) {
+        return fail(error, ERROR_DOMAIN, "{--aperture}: the lens has no stop");
+    }
+    return true;
+}
+
+/* The field that the options name; false: none. */
+static bool field_asked(const struct analysis_question *question, struct setup_field *field)
+{
+    if (is_given(question->height, question->height_x)) {
+        *field = lens_field(question->real ? FIELD_REAL : FIELD_IMAGE, question->height_x,
+                            question->height, SECTION_Y);
+        return true;
+    }
+    *field = lens_field(FIELD_ANGLE, question->field_x, question->field, SECTION_Y);
+    return is_given(question->field, question->field_x);
+}
+
+/* "587.6 x 1, 486.1 x 0.5"; null for one wavelength. */
+static const char *spectrum_words(const struct setup *setup)
+{
+    const char *words = NULL;
+    for (size_t i = 0; i < setup->wavelength_count && setup->wavelength_count > 1; i++) {
+        words = arena_printf(setup->arena, "%s%s%.7g nm x %.6g", words != NULL ? words : "",
+                             words != NULL ? ", " : "", 1000 * setup->wavelengths[i].wavelength,
+                             setup->wavelengths[i].weight);
+    }
+    return words;
+}
+
+static bool place(const struct analysis_question *question, const struct analysis_policy *policy,
+                  struct setup *setup, struct error *error)
+{
+    if (policy->no_image) {
+        return true;
+    }
+    if (!lens_place_image(setup, &question->focus, error)) {
+        return false;
+    }
+    if (isnan(question->defocus)) {
+        return true;
+    }
+    setup->image += question->defocus;
+    return !isnan(setup->image) ||
+           fail(error, ERROR_DOMAIN,
+                "{--defocus}: there is no image plane to move, the image is infinitely far away");
+}
+
+static const char *warning_of(const struct analysis_question *question, const struct setup *setup)
+{
+    const char *both = lens_warnings_join(
+        question->lens.warning, first_order_warning(setup->lens, setup->arena), setup->arena);
+    return lens_warnings_join(both, setup->warning, setup->arena);
+}
+
+static bool visit_position(const struct analysis_question *question,
+                           const struct analysis_policy *policy, size_t position,
+                           struct arena *arena, struct analysis_case *one, struct error *error)
+{
+    struct setup *setup = ARENA_NEW(arena, struct setup);
+    struct setup_field *field = ARENA_NEW(arena, struct setup_field);
+    const bool asked = field_asked(question, field);
+    const struct setup_question of = {
+        .lens = question->lens.lens,
+        .position = position,
+        .object = isnan(question->object) ? NULL : &question->object,
+        .wavelength =
+            question->wavelength.name != NULL ? question->wavelength.wavelength : (double)NAN,
+        .wavelengths = policy->wavelengths,
+        .spectrum = question->spectrum.items,
+        .spectrum_count = question->spectrum.count,
+        .fnumber = question->fnumber,
+        .fields = field,
+        .field_count = asked,
+        .field_policy = policy->fields,
+        .takes_telecentric = true,
+    };
+    if (!setup_open(&of, arena, setup, error) || !place(question, policy, setup, error)) {
+        return false;
+    }
+    *one = (struct analysis_case){.question = question,
+                                  .setup = setup,
+                                  .clip = !question->no_clip,
+                                  .warning = warning_of(question, setup),
+                                  .spectrum = spectrum_words(setup)};
+    return true;
+}
+
+bool analysis_each(const struct analysis_question *question, const struct analysis_policy *policy,
+                   struct arena *arena, analysis_visit *visit, void *context, struct error *error)
+{
+    const size_t *positions;
+    size_t count;
+    if (!check(question, policy, error) || !lens_positions(question->lens.lens, question->position,
+                                                           arena, &positions, &count, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        struct analysis_case *one = ARENA_NEW(arena, struct analysis_case);
+        if (!visit_position(question, policy, positions[i], arena, one, error) ||
+            !visit(one, context, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+struct analysis_point analysis_point_of_lens(const struct analysis_case *one)
+{
+    const struct setup *setup = one->setup;
+    return (struct analysis_point){
+        .position = setup->position,
+        .spectrum = one->spectrum,
+        .focus = setup->focus,
+        .lens = setup->lens->title,
+        .warning = one->warning,
+        .wavelength = setup->wavelength_count == 1 ? setup->wavelengths[0].wavelength : (double)NAN,
+        .field = NAN,
+        .field_x = NAN,
+        .height = NAN,
+        .height_x = NAN,
+        .image = setup->image,
+        .defocus = one->question->defocus,
+    };
+}
+
+struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field)
+{
+    struct analysis_point point = analysis_point_of_lens(one);
+    const struct field_point *at = &one->setup->fields[field].point;
+    const bool angle = at->kind == FIELD_ANGLE || at->kind == FIELD_NONE;
+    point.field = angle ? at->value[1] : (double)NAN;
+    point.field_x = angle ? at->value[0] : (double)NAN;
+    point.height = angle ? (double)NAN : at->value[1];
+    point.height_x = angle ? (double)NAN : at->value[0];
+    return point;
+}
+
+/* What answers a case. */
+struct answering {
+    struct run *run;
+    const struct analysis_answers *answers;
+    void *context;
+    bool several; /* fields, or positions: one that fails keeps its place */
+};
+
+/* A field that failed: its row says why. False: no more rows are wanted. */
+static bool keep_place(const struct analysis_case *one, size_t field,
+                       const struct answering *answering, const struct error *error)
+{
+    struct run *run = answering->run;
+    struct analysis_point point = analysis_point_of(one, field);
+    run->shortfall = *error;
+    error_prefix(&run->shortfall,
+                 "%s: ", lens_field_words(&one->setup->fields[field].point, run->arena));
+    point.warning = arena_printf(run->arena, "%s", run->shortfall.message);
+    return answering->answers->lost(&point, answering->context);
+}
+
+static bool answer_fields(const struct analysis_case *one, void *context, struct error *error)
+{
+    const struct answering *answering = context;
+    const bool keeps = answering->several && answering->answers->lost != NULL;
+    for (size_t i = 0; i < one->setup->field_count; i++) {
+        error->code = ERROR_NONE;
+        if (answering->answers->answer(one, i, answering->context, error)) {
+            continue;
+        }
+        if (error->code == ERROR_NONE) {
+            return false;
+        }
+        if (!keeps) {
+            return error_prefix(
+                error,
+                "%s: ", lens_field_words(&one->setup->fields[i].point, answering->run->arena));
+        }
+        if (!keep_place(one, i, answering, error)) {
+            error->code = ERROR_NONE;
+            return false;
+        }
+    }
+    return true;
+}
+
+bool analysis_each_field(const struct analysis_question *question,
+                         const struct analysis_policy *policy, struct run *run,
+                         const struct analysis_answers *answers, void *context, struct error *error)
+{
+    struct answering answering = {run, answers, context, analysis_makes_many(question, policy)};
+    error->code = ERROR_NONE;
+    return analysis_each(question, policy, run->arena, answer_fields, &answering, error) ||
+           error->code == ERROR_NONE;
+}
+
+bool analysis_makes_many(const struct analysis_question *question,
+                         const struct analysis_policy *policy)
+{
+    const struct lens *lens = question->lens.lens;
+    bool one = policy->fields != FIELDS_ALL || is_given(question->field, question->field_x) ||
+               is_given(question->height, question->height_x);
+    return lens != NULL &&
+           ((!one && lens->field_count > 1) || lens_positions_several(lens, question->position));
+}
+
+bool analysis_brings(const struct analysis_question *question, const char *option)
+{
+    return !is_given(question->field, question->field_x) &&
+           !is_given(question->height, question->height_x) &&
+           lens_brings(question->lens.lens, option);
+}
+
+bool analysis_varies(const struct analysis_question *question, const char *option)
+{
+    return strcmp(option, "position") == 0 &&
+           lens_positions_several(question->lens.lens, question->position);
+}

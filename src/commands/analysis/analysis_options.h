@@ -1,0 +1,280 @@
+/* commands/analysis/analysis_options.h - the options that analyses share, and what they ask for. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_OPTIONS_H
+#define LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_OPTIONS_H
+
+#include "commands/lens/lens_options.h"
+
+/* What the options say. */
+struct analysis_question {
+    struct lens_value lens;
+    const char *position;
+    struct wavelength_value wavelength;
+    struct spectrum_value spectrum;
+    double fnumber;          /* NaN = that of the lens */
+    double field, field_x;   /* rad; NaN = not given */
+    double height, height_x; /* mm at the image; NaN = not given */
+    bool real;               /* the heights are those of the real image */
+    struct plane_value focus;
+    double object;  /* before the first vertex, mm; NaN = that of the lens */
+    double defocus; /* mm; NaN = none */
+    /* how the pupil is filled: ANALYSIS_PUPIL_OPTIONS */
+    int aim, weight, pattern;
+    long rays, seed; /* rays: NO_INTEGER = as many as the error wants */
+    double error;    /* relative */
+    bool clip, no_clip;
+};
+
+/* What a command takes of a lens where the options ask for nothing else. */
+struct analysis_policy {
+    enum wavelength_policy wavelengths;
+    enum field_policy fields;
+    bool one_wavelength; /* answers are those of one: a spectrum is refused */
+    bool no_image;       /* no image plane is needed */
+};
+
+/* One lens in one position, its image plane placed. */
+struct analysis_case {
+    const struct analysis_question *question;
+    const struct setup *setup;
+    bool clip;
+    const char *warning;  /* null = all is well */
+    const char *spectrum; /* the wavelengths with their weights, in words; null: one of them */
+};
+
+/* What a row says of its place. */
+struct analysis_point {
+    const char *position, *spectrum, *focus, *lens, *warning;
+    double wavelength;       /* um; NaN: several at once */
+    double field, field_x;   /* rad; NaN: a height */
+    double height, height_x; /* mm; NaN: an angle */
+    double image, defocus;   /* mm; NaN: no image plane, no defocus */
+};
+
+enum { ANALYSIS_AIM_STOP, ANALYSIS_AIM_ENTRANCE };
+enum { ANALYSIS_WEIGHT_PUPIL, ANALYSIS_WEIGHT_BEAM };
+
+extern const struct word analysis_aims[], analysis_weights[];
+
+#define ANALYSIS_LENGTH(S, member)                                                                 \
+    OPTION(S, member), .dimension = &dimension_length, .unit = "mm", .value = "LENGTH"
+
+/* `wavelengths`: which a command takes without -w */
+#define ANALYSIS_OPTIONS(S, member, wavelengths)                                                   \
+    LENS_OPTION(S, member), LENS_WAVELENGTH_OPTION(S, member, wavelengths),                        \
+        LENS_FNUMBER_OPTION(S, member), LENS_POSITION_OPTION(S, member),                           \
+        {OPTION(S, member.focus),                                                                  \
+         .name = "focus",                                                                          \
+         .dimension = &dimension_length,                                                           \
+         .unit = "mm",                                                                             \
+         .value = "PLANE",                                                                         \
+         .help = "the image plane: paraxial, table, best, or mm from the last vertex; default "    \
+                 "that of the lens"},                                                              \
+        {ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",               \
+         .flags = OPTION_NO_INFINITY,                                                              \
+         .help = "so far behind that plane; a list goes through focus"},                           \
+    {                                                                                              \
+        ANALYSIS_LENGTH(S, member.object), .name = "object", .column = "object",                   \
+                                           .flags = OPTION_ABOVE_LOWEST, .lowest = 0,              \
+                                           .highest = INFINITY,                                    \
+                                           .help = "distance of the object before the first "      \
+                                                   "vertex, in place of the lens's"                \
+    }
+
+/* Of commands that ask field by field. */
+#define ANALYSIS_FIELD_OPTIONS(S, member)                                                          \
+    {OPTION(S, member.field),                                                                      \
+     .name = "field",                                                                              \
+     .column = "field",                                                                            \
+     .dimension = &dimension_angle,                                                                \
+     .unit = "deg",                                                                                \
+     .lowest = -PI,                                                                                \
+     .highest = PI,                                                                                \
+     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,                           \
+     .value = "ANGLE",                                                                             \
+     .help = "field angle in object space, a list is swept; default all fields of the lens"},      \
+        LENS_FIELD_X_OPTION(S, member.field_x),                                                    \
+        {ANALYSIS_LENGTH(S, member.height), .name = "height", .column = "height",                  \
+         .flags = OPTION_NO_INFINITY, .help = "field by the height of its paraxial image"},        \
+        {ANALYSIS_LENGTH(S, member.height_x), .name = "height-x", .column = "height_x",            \
+         .flags = OPTION_NO_INFINITY, .help = "so far beside the axis in x"},                      \
+    {                                                                                              \
+        OPTION(S, member.real), .name = "real", .wants = "height|height-x",                        \
+                                .help = "the height is that of the real image: where the chief "   \
+                                        "ray meets the image plane"                                \
+    }
+
+/* Of commands that take several wavelengths at once. */
+#define ANALYSIS_SPECTRUM_OPTION(S, member)                                                        \
+    {                                                                                              \
+        OPTION(S, member.spectrum), .name = "spectrum", .dimension = &dimension_wavelength_um,     \
+                                    .unit = "nm", .value = "WAVES", .excludes = "wavelength",      \
+                                    .help = "several wavelengths at once, each with a weight: "    \
+                                            "d:1,F:0.5; or photopic: 450 to 650 nm as the eye "    \
+                                            "sees them"                                            \
+    }
+
+/* How the pupil is filled with rays. */
+#define ANALYSIS_PUPIL_OPTIONS(S, member)                                                          \
+    {                                                                                              \
+        OPTION(S, member.aim),  .name = "aim",                                                     \
+        .words = analysis_aims, .fallback = "stop",                                                \
+        .value = "WHERE",       .help = "what the points of the pupil are points of"},             \
+        {OPTION(S, member.weight),  .name = "weight",                                              \
+         .words = analysis_weights, .fallback = "pupil",                                           \
+         .value = "WHAT",           .help = "what equal weights are equal areas of"},              \
+        {OPTION(S, member.pattern), .name = "pattern",  .words = patterns,                         \
+         .fallback = "gauss",       .value = "PATTERN", .help = "points of the pupil"},            \
+        {OPTION(S, member.rays),                                                                   \
+         .name = "rays",                                                                           \
+         .lowest = 1,                                                                              \
+         .highest = 1e7,                                                                           \
+         .value = "COUNT",                                                                         \
+         .help = "about so many rays a wavelength; default: as many as --error wants"},            \
+        {OPTION(S, member.seed),                                                                   \
+         .name = "seed",                                                                           \
+         .lowest = 0,                                                                              \
+         .highest = 1e9,                                                                           \
+         .fallback = "0",                                                                          \
+         .value = "NUMBER",                                                                        \
+         .wants = "pattern=sobol",                                                                 \
+         .help = "of the pattern sobol"},                                                          \
+        {OPTION(S, member.error),                                                                  \
+         .name = "error",                                                                          \
+         .dimension = &dimension_number,                                                           \
+         .lowest = 1e-13,                                                                          \
+         .highest = 1,                                                                             \
+         .fallback = "1e-4",                                                                       \
+         .value = "NUMBER",                                                                        \
+         .excludes = "rays",                                                                       \
+         .help = "rays are doubled until the answer is right to this share of it"},                \
+        ANALYSIS_CLIP_OPTIONS(S, member)
+
+#define ANALYSIS_CLIP_OPTIONS(S, member)                                                           \
+    {OPTION(S, member.clip), .name = "clip",                                                       \
+     .help = "clear apertures and the stop lose rays (so they do anyway)"},                        \
+    {                                                                                              \
+        OPTION(S, member.no_clip), .name = "no-clip", .excludes = "clip",                          \
+                                   .help = "clear apertures lose no rays"                          \
+    }
+
+/* What rows begin with: position and field. */
+#define ANALYSIS_POINT_COLUMNS(S, member)                                                          \
+    LENS_POSITION_COLUMN(S, member.position, COLUMN_BRIEF),                                        \
+        {COLUMN(S, member.field),                                                                  \
+         .name = "field",                                                                          \
+         .dimension = &dimension_angle,                                                            \
+         .unit = "deg",                                                                            \
+         .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE,                                      \
+         .with = "field",                                                                          \
+         .label = "field",                                                                         \
+         .help = "field angle; absent for a height"},                                              \
+        {COLUMN(S, member.height),                                                                 \
+         .name = "height",                                                                         \
+         .dimension = &dimension_length,                                                           \
+         .unit = "mm",                                                                             \
+         .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE,                                      \
+         .with = "height",                                                                         \
+         .label = "field height",                                                                  \
+         .help = "height of the field, at the object or at the image as the lens has it"},         \
+        {COLUMN(S, member.field_x),                                                                \
+         .name = "field_x",                                                                        \
+         .dimension = &dimension_angle,                                                            \
+         .unit = "deg",                                                                            \
+         .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA,                                       \
+         .with = "field-x",                                                                        \
+         .label = "field x",                                                                       \
+         .help = "its angle in the x-z plane; on request, and where some is not 0"},               \
+    {                                                                                              \
+        COLUMN(S, member.height_x),                                                                \
+            .name = "height_x", .dimension = &dimension_length, .unit = "mm",                      \
+            .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "height-x",                \
+            .label = "field height x", .help = "of a height the same in x"                         \
+    }
+
+/* Then, where several are possible. */
+#define ANALYSIS_WAVELENGTH_COLUMN(S, member)                                                      \
+    {                                                                                              \
+        COLUMN(S, member.wavelength),                                                              \
+            .name = "wavelength", .dimension = &dimension_wavelength_um, .unit = "nm",             \
+            .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .with = "wavelength",             \
+            .label = "wavelength", .help = "wavelength; absent where several count at once"        \
+    }
+
+#define ANALYSIS_DEFOCUS_COLUMN(S, member)                                                         \
+    {                                                                                              \
+        COLUMN(S, member.defocus),                                                                 \
+            .name = "defocus", .dimension = &dimension_length, .unit = "mm",                       \
+            .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "defocus",                 \
+            .label = "defocus", .help = "of the image plane, away from the lens"                   \
+    }
+
+/* And end with: what is assumed, and what is doubtful. */
+#define ANALYSIS_SPECTRUM_COLUMN(S, member)                                                        \
+    {                                                                                              \
+        COLUMN(S, member.spectrum), .name = "spectrum", .flags = COLUMN_ASSUMED | COLUMN_SPARSE,   \
+                                    .depends = "lens spectrum", .label = "wavelengths",            \
+                                    .help = "those that count, nm, each with its weight"           \
+    }
+
+#define ANALYSIS_TAIL_COLUMNS(S, member)                                                           \
+    {COLUMN(S, member.focus), .name = "focus",  .flags = COLUMN_ASSUMED,                           \
+     .depends = "focus lens", .label = "focus", .help = "how the image plane was found"},          \
+        {COLUMN(S, member.image),                                                                  \
+         .name = "image",                                                                          \
+         .dimension = &dimension_length,                                                           \
+         .unit = "mm",                                                                             \
+         .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                                                   \
+         .depends = "focus lens position defocus",                                                 \
+         .label = "image plane at",                                                                \
+         .help = "from the last vertex"},                                                          \
+        LENS_TITLE_COLUMN(S, member.lens), LENS_WARNING_COLUMN(S, member.warning)
+
+/* Gets a case; returns false to fail. */
+typedef bool analysis_visit(const struct analysis_case *one, void *context, struct error *error);
+
+/*
+ * Make the lens of a question ready, position by position.
+ *
+ * Given     arena  for all that the cases point to
+ * Errors    ERROR_USAGE: no lens, an unknown position, --field and --height; ERROR_DOMAIN: as
+ *           setup_open and setup_place_image, a spectrum where one wavelength is wanted, a defocus
+ *           without an image plane
+ */
+bool analysis_each(const struct analysis_question *question, const struct analysis_policy *policy,
+                   struct arena *arena, analysis_visit *visit, void *context, struct error *error);
+
+/* What the rows of a field say of it; `field` is its place in the setup. */
+struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field);
+
+/* The same where no field is meant. */
+struct analysis_point analysis_point_of_lens(const struct analysis_case *one);
+
+/* Who answers field by field. */
+struct analysis_answers {
+    /* The rows of one field; false to fail, or without an error when no more are wanted. */
+    bool (*answer)(const struct analysis_case *one, size_t field, void *context,
+                   struct error *error);
+    /* The row of a field that has failed: all but its place is absent. Null: such a field ends all.
+     */
+    bool (*lost)(const struct analysis_point *point, void *context);
+};
+
+/*
+ * Answer field by field. Where one of several fields fails it keeps its place: its row has the
+ * reason as its warning, and the question counts as failed (run->shortfall).
+ *
+ * Errors    as analysis_each and `answer`, the field named where there are several
+ */
+bool analysis_each_field(const struct analysis_question *question,
+                         const struct analysis_policy *policy, struct run *run,
+                         const struct analysis_answers *answers, void *context,
+                         struct error *error);
+
+/* For struct command: does the question have several rows, and what brings columns? */
+bool analysis_makes_many(const struct analysis_question *question,
+                         const struct analysis_policy *policy);
+bool analysis_brings(const struct analysis_question *question, const char *option);
+bool analysis_varies(const struct analysis_question *question, const char *option);
+
+#endif
