@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/analysis_options.h"
 
+#include "trace/sample.h"
+
 #include <string.h>
 
 const struct word analysis_aims[] = {
@@ -32,6 +34,9 @@ static bool check(const struct analysis_question *question, const struct analysi
     if (x > 0 && y > 0 && !(x < quarter && y < quarter)) {
         return fail(error, ERROR_DOMAIN,
                     "{--field} and {--field-x}: where neither is 0 both must be below 90 degrees");
+    }
+    if (question->weight == ANALYSIS_WEIGHT_BEAM && question->pattern != PATTERN_GAUSS) {
+        return fail(error, ERROR_USAGE, "{--weight} beam goes with {--pattern} gauss only");
     }
     if (question->spectrum.text != NULL && policy->one_wavelength) {
         return fail(error, ERROR_USAGE, "{--spectrum}: this is an answer for one wavelength");
@@ -125,8 +130,12 @@ static bool visit_position(const struct analysis_question *question,
     return true;
 }
 
-bool analysis_each(const struct analysis_question *question, const struct analysis_policy *policy,
-                   struct arena *arena, analysis_visit *visit, void *context, struct error *error)
+/* Gets a case; returns false to fail. */
+typedef bool analysis_visit(const struct analysis_case *one, void *context, struct error *error);
+
+static bool analysis_each(const struct analysis_question *question,
+                          const struct analysis_policy *policy, struct arena *arena,
+                          analysis_visit *visit, void *context, struct error *error)
 {
     const size_t *positions;
     size_t count;
@@ -144,7 +153,7 @@ bool analysis_each(const struct analysis_question *question, const struct analys
     return true;
 }
 
-struct analysis_point analysis_point_of_lens(const struct analysis_case *one)
+static struct analysis_point analysis_point_of_lens(const struct analysis_case *one)
 {
     const struct setup *setup = one->setup;
     return (struct analysis_point){
@@ -206,6 +215,9 @@ static bool answer_fields(const struct analysis_case *one, void *context, struct
             continue;
         }
         if (error->code == ERROR_NONE) {
+            return false;
+        }
+        if (error->code == ERROR_USAGE) {
             return false;
         }
         if (!keeps) {

@@ -230,25 +230,8 @@ extern const struct word analysis_aims[], analysis_weights[];
          .help = "from the last vertex"},                                                          \
         LENS_TITLE_COLUMN(S, member.lens), LENS_WARNING_COLUMN(S, member.warning)
 
-/* Gets a case; returns false to fail. */
-typedef bool analysis_visit(const struct analysis_case *one, void *context, struct error *error);
-
-/*
- * Make the lens of a question ready, position by position.
- *
- * Given     arena  for all that the cases point to
- * Errors    ERROR_USAGE: no lens, an unknown position, --field and --height; ERROR_DOMAIN: as
- *           setup_open and setup_place_image, a spectrum where one wavelength is wanted, a defocus
- *           without an image plane
- */
-bool analysis_each(const struct analysis_question *question, const struct analysis_policy *policy,
-                   struct arena *arena, analysis_visit *visit, void *context, struct error *error);
-
 /* What the rows of a field say of it; `field` is its place in the setup. */
 struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field);
-
-/* The same where no field is meant. */
-struct analysis_point analysis_point_of_lens(const struct analysis_case *one);
 
 /* Who answers field by field. */
 struct analysis_answers {

@@ -1,0 +1,188 @@
+/* analysis/bundle.c - the rays of one field at one wavelength, and what each of them counts. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/bundle.h"
+
+#include "analysis/quadrature.h"
+#include "trace/clear.h"
+#include "trace/dispatch.h"
+
+#include <math.h>
+
+static bool open_systems(struct bundle_source *source, struct error *error)
+{
+    const struct bundle_question *question = source->question;
+    unsigned which = SETUP_IMAGE | (question->clip ? (unsigned)SETUP_CLIPPED : 0);
+    source->system = setup_system(question->setup, question->wavelength, which, error);
+    if (source->system == NULL) {
+        return false;
+    }
+    source->open = setup_system(question->setup, question->wavelength, SETUP_IMAGE, error);
+    return source->open != NULL;
+}
+
+/* Without a chief ray others may pass: those about where the paraxial pupil is seen. */
+static void open_without_chief(struct bundle_source *source)
+{
+    const struct bundle_question *question = source->question;
+    const struct clear_guess guess =
+        clear_guess_of(source->system, &source->beam, &question->setup->first);
+    source->pupil = (struct stop_beam){
+        .system = source->system,
+        .beam = &source->beam,
+        .origin = {guess.centre[0], guess.centre[1]},
+        .axes = {guess.radius, 0, 0, guess.radius},
+        .radius = fabs(source->open->stop_radius),
+        .weight = question->weight,
+    };
+}
+
+static bool open_stop(struct bundle_source *source, struct arena *arena, struct error *error)
+{
+    const struct system *aiming =
+        setup_system(source->question->setup, source->question->wavelength, SETUP_OPEN, error);
+    if (aiming == NULL) {
+        return false;
+    }
+    source->has_chief = aim_open(aiming, &source->beam, arena, &source->aim, error);
+    if (source->has_chief) {
+        source->chief = aim_chief(&source->aim);
+        source->pupil = stop_beam_of_stop(&source->aim, source->system, source->question->weight);
+        return true;
+    }
+    /* other patterns have no centre to be counted from */
+    if (source->question->pattern != PATTERN_GAUSS || !(aiming->stop_radius > 0)) {
+        return false;
+    }
+    open_without_chief(source);
+    error->code = ERROR_NONE;
+    return true;
+}
+
+static bool open_entrance(struct bundle_source *source, struct error *error)
+{
+    const struct first_order *first = &source->question->setup->first;
+    source->has_chief = aim_at_entrance(&source->beam, first, 0, 0, &source->chief, error);
+    return source->has_chief &&
+           stop_beam_of_entrance(source->system, &source->beam, first, source->question->weight,
+                                 &source->pupil, error);
+}
+
+/* A lens without a stop: its aperture is a disc in the plane of the first vertex. */
+static bool open_disc(struct bundle_source *source, struct error *error)
+{
+    double radius = source->question->setup->first.entrance_diameter / 2, place[2];
+    if (!(radius > 0 && isfinite(radius))) {
+        return fail(error, ERROR_DOMAIN,
+                    "the lens has neither a stop with a diameter nor an aperture: give {aperture}");
+    }
+    source->pupil = (struct stop_beam){.system = source->system,
+                                       .beam = &source->beam,
+                                       .radius = NAN,
+                                       .weight = source->question->weight,
+                                       .has_disc = true,
+                                       .extent = radius};
+    stop_beam_place(&source->pupil, 0, 0, place);
+    source->chief = beam_ray(&source->beam, place[0], place[1]);
+    source->has_chief = true;
+    return true;
+}
+
+bool bundle_open(const struct bundle_question *question, struct arena *arena,
+                 struct bundle_source *source, struct error *error)
+{
+    const struct setup *setup = question->setup;
+    *source = (struct bundle_source){.question = question};
+    if (!open_systems(source, error) || !setup_beam(setup, question->field, &source->beam, error)) {
+        return false;
+    }
+    bool has_stop = source->open->stop != LENS_NONE && source->open->stop_radius > 0;
+    /* a telecentric object space has its pupil where it says, not where the stop is seen */
+    return question->from_entrance || setup->first.is_telecentric ? open_entrance(source, error)
+           : has_stop                                             ? open_stop(source, arena, error)
+                                                                  : open_disc(source, error);
+}
+
+/* -------- filling the pupil -------- */
+
+/* Points of the whole pupil, whether rays arrive or not. */
+static bool fill_pattern(const struct bundle_source *source, size_t rays, struct arena *arena,
+                         struct bundle *bundle, struct error *error)
+{
+    const struct bundle_question *question = source->question;
+    struct sample sample;
+    if (!sample_make(question->pattern, rays, question->seed, arena, &sample, error)) {
+        return false;
+    }
+    bundle->points = sample.points;
+    bundle->count = sample.count;
+    bundle->rays = rays_new(arena, sample.count);
+    if (!source->pupil.has_disc && !isnan(source->pupil.radius)) {
+        aim_rays(&source->aim, sample.points, sample.count, &bundle->rays);
+        return true;
+    }
+    for (size_t i = 0; i < sample.count; i++) {
+        double at[2];
+        stop_beam_place(&source->pupil, sample.points[i].x, sample.points[i].y, at);
+        const struct ray ray = beam_ray(&source->beam, at[0], at[1]);
+        rays_set(&bundle->rays, i, source->system->index_first, &ray);
+    }
+    return true;
+}
+
+static bool fill(const struct bundle_source *source, size_t rays, struct arena *arena,
+                 struct bundle *bundle, struct error *error)
+{
+    if (source->question->pattern != PATTERN_GAUSS) {
+        return fill_pattern(source, rays, arena, bundle, error);
+    }
+    const struct quadrature all = quadrature_make(&source->pupil, rays, arena);
+    bundle->points = all.sample.points;
+    bundle->count = all.is_empty ? 0 : all.sample.count;
+    bundle->rays = all.rays;
+    return true;
+}
+
+/* Where the middle of a beam is lost of which nothing arrives. */
+static bool fail_dark(const struct bundle_source *source, const struct bundle *bundle,
+                      struct arena *arena, struct error *error)
+{
+    const struct rays one = rays_new(arena, 1);
+    struct ray ray = source->has_chief ? source->chief
+                                       : beam_ray(&source->beam, source->pupil.origin[0],
+                                                  source->pupil.origin[1]);
+    rays_set(&one, 0, source->system->index_first, &ray);
+    rays_trace(source->system, &one, NULL);
+    ray = rays_get(&one, 0, source->system->index_last);
+    if (bundle->count > 0 || ray.status == RAY_OK) {
+        return fail(error, ERROR_DOMAIN, "none of %zu rays arrives", bundle->count);
+    }
+    return fail(error, ERROR_DOMAIN,
+                "no ray arrives: at the middle of the pupil it ends at surface %zu (%s)",
+                ray.surface, ray_status_name(ray.status));
+}
+
+bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, struct arena *arena,
+                  struct bundle *bundle, struct error *error)
+{
+    *bundle = (struct bundle){.count = 0};
+    if (!fill(source, rays, arena, bundle, error)) {
+        return false;
+    }
+    rays_trace_part(source->system, 0, to, &bundle->rays, NULL);
+    for (size_t i = 0; i < bundle->count; i++) {
+        const struct ray_block *block = &bundle->rays.blocks[i / RAYS_BLOCK];
+        bool arrives = ray_block_status(block, i % RAYS_BLOCK) == RAY_OK;
+        bundle->lost += !arrives;
+        bundle->clear += arrives ? bundle->points[i].weight : 0;
+    }
+    return bundle->clear > 0 || fail_dark(source, bundle, arena, error);
+}
+
+struct ray bundle_chief(const struct bundle_source *source, size_t to, struct arena *arena)
+{
+    const struct rays one = rays_new(arena, 1);
+    rays_set(&one, 0, source->open->index_first, &source->chief);
+    rays_trace_part(source->open, 0, to, &one, NULL);
+    return rays_get(&one, 0,
+                    to == 0 ? source->open->index_first : system_index_after(source->open, to - 1));
+}

@@ -1,0 +1,72 @@
+/* analysis/bundle.h - the rays of one field at one wavelength, and what each of them counts. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_ANALYSIS_BUNDLE_H
+#define LENSCALC_ANALYSIS_BUNDLE_H
+
+#include "analysis/setup.h"
+#include "analysis/stop_beam.h"
+#include "trace/sample.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Which rays. */
+struct bundle_question {
+    const struct setup *setup;
+    const struct field_point *field;
+    size_t wavelength;       /* its place in the setup */
+    bool clip;               /* clear apertures and the stop lose rays */
+    bool from_entrance;      /* points are those of the paraxial entrance pupil, not of the stop */
+    enum stop_weight weight; /* other than WEIGHT_PUPIL: of PATTERN_GAUSS only */
+    enum pattern pattern;    /* PATTERN_GAUSS: a quadrature of what is clear */
+    uint64_t seed;
+};
+
+/* A field point made ready: it may be filled with rays again and again. It points into itself. */
+struct bundle_source {
+    const struct bundle_question *question;
+    const struct system *system; /* to the image plane, where there is one */
+    const struct system *open;   /* the same, but nothing is clipped */
+    struct beam beam;
+    struct aim aim; /* where the lens has a stop */
+    struct stop_beam pupil;
+    bool has_chief;
+    struct ray chief; /* where it starts; unobstructed */
+};
+
+/* Rays and what each counts: their weights add up to the clear share of the pupil. */
+struct bundle {
+    struct rays rays;                 /* some may be lost */
+    const struct pupil_point *points; /* one a ray */
+    size_t count, lost;
+    double clear; /* the sum of the weights that are not lost */
+};
+
+/*
+ * Make a field ready.
+ *
+ * Given     question  must outlive the source
+ * Result    without a chief ray, where others arrive all the same, `has_chief` is false
+ * Errors    as setup_beam, aim_open, aim_at_entrance; ERROR_DOMAIN: neither stop nor aperture
+ */
+bool bundle_open(const struct bundle_question *question, struct arena *arena,
+                 struct bundle_source *source, struct error *error);
+
+/*
+ * Fill the pupil and trace.
+ *
+ * Given     rays  about how many
+ *           to    the place behind the last surface that they pass; source->system->places: all
+ * Formula   PATTERN_GAUSS: quadrature_make. Other patterns: points of the full stop or entrance
+ *           pupil, each of the same weight, those that arrive nowhere lost
+ * Errors    as sample_make and aim_at_entrance; ERROR_DOMAIN: no ray arrives, with the surface
+ *           where most are lost
+ */
+bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, struct arena *arena,
+                  struct bundle *bundle, struct error *error);
+
+/* The chief ray there, unclipped; its status says whether it gets there. */
+struct ray bundle_chief(const struct bundle_source *source, size_t to, struct arena *arena);
+
+#endif

@@ -1,0 +1,339 @@
+/* analysis/spot.c - how widely the rays of a field spread on the image plane. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/spot.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { FIRST_RAYS = 130, MOST_RAYS = 1 << 17 };
+
+/* A centroid nearer to the chief ray, in root mean squares, is where that is. */
+static const double symmetric = 1e-9;
+
+/* A spot at work. */
+struct seeking {
+    const struct spot_question *question;
+    struct bundle_source *sources; /* one a wavelength */
+    struct bundle_question *questions;
+    size_t to;
+    bool is_angular, has_chief;
+    double origin[2];    /* that points are counted from, mm */
+    double across[2][3]; /* of angles */
+};
+
+/* A ray of the spot, about the origin. */
+struct mark {
+    double at[2], weight, distance;
+};
+
+struct marks {
+    struct mark *list;
+    size_t count, rays; /* rays: of one wavelength, lost ones too */
+    double clear;
+};
+
+/* Two axes across a direction, the first in the plane of x. */
+static void axes_across(const double direction[3], double across[2][3])
+{
+    double length = hypot(direction[1], direction[2]), sign = direction[2] < 0 ? -1 : 1;
+    if (length > 0) {
+        across[1][0] = 0;
+        across[1][1] = sign * direction[2] / length;
+        across[1][2] = -sign * direction[1] / length;
+    } else {
+        across[1][0] = across[1][2] = 0;
+        across[1][1] = 1;
+    }
+    across[0][0] = across[1][1] * direction[2] - across[1][2] * direction[1];
+    across[0][1] = across[1][2] * direction[0] - across[1][0] * direction[2];
+    across[0][2] = across[1][0] * direction[1] - across[1][1] * direction[0];
+    for (int i = 0; i < 3; i++) {
+        across[0][i] *= sign;
+    }
+}
+
+/* Sources point into themselves: they stay where they are. */
+static bool open_sources(struct seeking *seeking, struct arena *arena, struct error *error)
+{
+    const struct setup *setup = seeking->question->bundle.setup;
+    seeking->sources = ARENA_ARRAY(arena, setup->wavelength_count, struct bundle_source);
+    seeking->questions = ARENA_ARRAY(arena, setup->wavelength_count, struct bundle_question);
+    for (size_t g = 0; g < setup->wavelength_count; g++) {
+        seeking->questions[g] = seeking->question->bundle;
+        seeking->questions[g].wavelength = g;
+        if (!bundle_open(&seeking->questions[g], arena, &seeking->sources[g], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Where the chief ray meets the plane; without one, where the first ray that arrives does. */
+static bool set_origin(struct seeking *seeking, struct arena *arena, struct error *error)
+{
+    const struct bundle_source *first = &seeking->sources[0];
+    struct ray ray = {.status = RAY_MISS};
+    struct bundle bundle;
+    if (first->has_chief) {
+        ray = bundle_chief(first, seeking->to, arena);
+    }
+    seeking->has_chief = ray.status == RAY_OK;
+    if (!seeking->has_chief) {
+        if (!bundle_trace(first, FIRST_RAYS, seeking->to, arena, &bundle, error)) {
+            return false;
+        }
+        for (size_t i = 0; i < bundle.count && ray.status != RAY_OK; i++) {
+            ray = rays_get(&bundle.rays, i, system_index_after(first->system, seeking->to - 1));
+        }
+    }
+    seeking->origin[0] = ray.point[0];
+    seeking->origin[1] = ray.point[1];
+    axes_across(ray.cosine, seeking->across);
+    return true;
+}
+
+static bool open_seeking(const struct spot_question *question, struct arena *arena,
+                         struct seeking *seeking, struct error *error)
+{
+    const struct setup *setup = question->bundle.setup;
+    *seeking = (struct seeking){.question = question};
+    if (!open_sources(seeking, arena, error)) {
+        return false;
+    }
+    seeking->is_angular = question->to == 0 && isnan(setup->image);
+    seeking->to = question->to > 0 ? question->to : seeking->sources[0].system->places;
+    return set_origin(seeking, arena, error);
+}
+
+/* Where a ray is, about the origin. */
+static void place(const struct seeking *seeking, const struct ray_block *block, size_t lane,
+                  double n, double at[2])
+{
+    if (!seeking->is_angular) {
+        at[0] = block->x[lane] - seeking->origin[0];
+        at[1] = block->y[lane] - seeking->origin[1];
+        return;
+    }
+    for (int i = 0; i < 2; i++) {
+        const double *axis = seeking->across[i];
+        at[i] =
+            (block->p[lane] * axis[0] + block->q[lane] * axis[1] + block->r[lane] * axis[2]) / n;
+    }
+}
+
+/* The marks of one wavelength, their weights times `weight`. */
+static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t rays, double weight,
+                      struct arena *arena, struct marks *marks, struct error *error)
+{
+    const struct bundle_source *source = &seeking->sources[wavelength];
+    struct bundle bundle;
+    if (!bundle_trace(source, rays, seeking->to, arena, &bundle, error)) {
+        return false;
+    }
+    double n = system_index_after(source->system, seeking->to - 1);
+    struct mark *list = ARENA_ARRAY(arena, marks->count + bundle.count, struct mark);
+    for (size_t i = 0; i < marks->count; i++) {
+        list[i] = marks->list[i];
+    }
+    marks->list = list;
+    for (size_t i = 0; i < bundle.count; i++) {
+        const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
+        if (ray_block_status(block, i % RAYS_BLOCK) == RAY_OK) {
+            struct mark *mark = &marks->list[marks->count++];
+            place(seeking, block, i % RAYS_BLOCK, n, mark->at);
+            mark->weight = weight * bundle.points[i].weight;
+        }
+    }
+    marks->rays = bundle.count > marks->rays ? bundle.count : marks->rays;
+    marks->clear += weight * bundle.clear;
+    return true;
+}
+
+/* The area of the beam that a weight of 1 stands for, where weights are areas of the beam. */
+static double unit_of(const struct bundle_source *source)
+{
+    const struct stop_beam *pupil = &source->pupil;
+    return pupil->weight == WEIGHT_PUPIL || pupil->has_disc
+               ? 1
+               : fabs(pupil->axes[0] * pupil->axes[3] - pupil->axes[1] * pupil->axes[2]);
+}
+
+static bool find_marks(const struct seeking *seeking, size_t rays, struct arena *arena,
+                       struct marks *marks, struct error *error)
+{
+    const struct setup *setup = seeking->question->bundle.setup;
+    double sum = 0, lit = 0;
+    *marks = (struct marks){.count = 0};
+    for (size_t g = 0; g < setup->wavelength_count; g++) {
+        sum += setup->wavelengths[g].weight;
+    }
+    for (size_t g = 0; g < setup->wavelength_count; g++) {
+        double unit = unit_of(&seeking->sources[g]) / unit_of(&seeking->sources[0]);
+        double weight = setup->wavelengths[g].weight / sum * unit;
+        if (weight > 0 && !add_marks(seeking, g, rays, weight, arena, marks, error)) {
+            return false;
+        }
+        lit += weight;
+    }
+    marks->clear /= lit;
+    return true;
+}
+
+/* -------- what they say -------- */
+
+/* Root mean squares about the centroid and about the origin. */
+static void sum_up(struct marks *marks, struct spot *spot)
+{
+    double weight = 0, mean[2] = {0, 0}, square[2] = {0, 0}, widest = 0;
+    for (size_t i = 0; i < marks->count; i++) {
+        const struct mark *mark = &marks->list[i];
+        weight += mark->weight;
+        mean[0] += mark->weight * mark->at[0];
+        mean[1] += mark->weight * mark->at[1];
+    }
+    mean[0] /= weight;
+    mean[1] /= weight;
+    for (size_t i = 0; i < marks->count; i++) {
+        struct mark *mark = &marks->list[i];
+        double x = mark->at[0] - mean[0], y = mark->at[1] - mean[1];
+        square[0] += mark->weight * x * x;
+        square[1] += mark->weight * y * y;
+        mark->distance = hypot(x, y);
+        widest = mark->distance > widest ? mark->distance : widest;
+    }
+    for (int i = 0; i < 2; i++) {
+        /* what symmetry makes 0 but for rounding */
+        bool is_noise = fabs(mean[i]) < symmetric * sqrt((square[0] + square[1]) / weight);
+        spot->centroid[i] = is_noise ? 0 : mean[i];
+    }
+    spot->rms_x = sqrt(square[0] / weight);
+    spot->rms_y = sqrt(square[1] / weight);
+    spot->rms = hypot(spot->rms_x, spot->rms_y);
+    spot->rms_chief = hypot(spot->rms, hypot(mean[0], mean[1]));
+    spot->radius = widest;
+    spot->clear = marks->clear;
+    spot->rays = marks->rays;
+}
+
+static int by_distance(const void *first, const void *second)
+{
+    double a = ((const struct mark *)first)->distance, b = ((const struct mark *)second)->distance;
+    return (a > b) - (a < b);
+}
+
+/* The distance within which so much of the weight lies; half of each mark's lies before it. */
+static double quantile(struct marks *marks, double share)
+{
+    double total = 0, before = 0;
+    qsort(marks->list, marks->count, sizeof *marks->list, by_distance);
+    for (size_t i = 0; i < marks->count; i++) {
+        total += marks->list[i].weight;
+    }
+    const struct mark *last = NULL;
+    for (size_t i = 0; i < marks->count; i++) {
+        const struct mark *mark = &marks->list[i];
+        double middle = before + mark->weight / 2;
+        if (middle >= share * total) {
+            double from = last != NULL ? before - last->weight / 2 : 0;
+            double low = last != NULL ? last->distance : 0;
+            return low + (mark->distance - low) * (share * total - from) / (middle - from);
+        }
+        before += mark->weight;
+        last = mark;
+    }
+    return last->distance;
+}
+
+/* What coordinates may be off by rounding alone. */
+static double rounding(const struct seeking *seeking)
+{
+    const struct first_order *first = &seeking->question->bundle.setup->first;
+    double length = seeking->is_angular ? 1
+                                        : hypot(seeking->origin[0], seeking->origin[1]) +
+                                              fabs(first->length) + fabs(first->stop_radius);
+    return 8 * DBL_EPSILON * (isfinite(length) ? length : 1);
+}
+
+/* One sample. */
+static bool measure(const struct seeking *seeking, size_t rays, struct arena *arena,
+                    struct spot *spot, struct error *error)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    struct marks marks;
+    if (!find_marks(seeking, rays, arena, &marks, error)) {
+        return false;
+    }
+    sum_up(&marks, spot);
+    double share = seeking->question->energy;
+    spot->energy_radius = isnan(share) ? share : quantile(&marks, share);
+    arena_reset(arena, mark);
+    return true;
+}
+
+/*
+ * By how much the root mean square is off, by what twice the rays change. That of x and of y, and
+ * the clear share, are taken by themselves: their changes may cancel by chance, as may that from
+ * the sample before, of which a part counts too.
+ */
+static double rms_error(const struct spot *before, const struct spot *here,
+                        const struct spot *finer)
+{
+    double x = here->rms_x * fabs(finer->rms_x - here->rms_x);
+    double y = here->rms_y * fabs(finer->rms_y - here->rms_y);
+    double clear = 0.1 * here->rms * fabs(finer->clear - here->clear) / finer->clear;
+    double last = 0.02 * fabs(here->rms - before->rms);
+    double change = here->rms > 0 ? (x + y) / here->rms : 0;
+    return 2 * fmax(fmax(change, clear), last);
+}
+
+/* Samples, each of twice the rays of the one before, until two agree or no more are wanted. */
+static bool converge(const struct seeking *seeking, struct arena *arena, struct spot *spot,
+                     struct error *error)
+{
+    const struct spot_question *question = seeking->question;
+    const double least = rounding(seeking);
+    size_t rays = question->rays > 0 ? question->rays : FIRST_RAYS;
+    struct spot before, here, finer;
+    if (!measure(seeking, rays / 2 + 1, arena, &before, error) ||
+        !measure(seeking, rays, arena, &here, error)) {
+        return false;
+    }
+    for (bool done = false; !done; rays *= 2) {
+        if (!measure(seeking, 2 * rays, arena, &finer, error)) {
+            return false;
+        }
+        *spot = here;
+        spot->error = fmax(rms_error(&before, &here, &finer), least);
+        spot->energy_error = 2 * fabs(finer.energy_radius - here.energy_radius) + least;
+        spot->radius = finer.radius > here.radius ? finer.radius : here.radius;
+        spot->has_converged =
+            (spot->error <= question->error * here.rms || !(spot->error > least)) &&
+            !(spot->energy_error > question->error * here.energy_radius &&
+              spot->energy_error > least);
+        done = question->rays > 0 || spot->has_converged || 2 * rays >= MOST_RAYS;
+        before = here;
+        here = finer;
+    }
+    return true;
+}
+
+bool spot_find(const struct spot_question *question, struct arena *arena, struct spot *spot,
+               struct error *error)
+{
+    struct seeking seeking;
+    if (!open_seeking(question, arena, &seeking, error) ||
+        !converge(&seeking, arena, spot, error)) {
+        return false;
+    }
+    spot->is_angular = seeking.is_angular;
+    for (int i = 0; i < 2; i++) {
+        double origin = seeking.is_angular ? 0 : seeking.origin[i];
+        spot->chief[i] = seeking.has_chief ? origin : (double)NAN;
+        spot->centroid[i] += origin;
+    }
+    if (!seeking.has_chief) {
+        spot->rms_chief = NAN;
+    }
+    return true;
+}

@@ -1,0 +1,270 @@
+/* commands/analysis/cmd_spot.c - lenscalc spot: how widely the rays of a field spread. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/spot.h"
+#include "commands/analysis/analysis_options.h"
+
+struct input {
+    struct analysis_question question;
+    double energy;
+    long to;
+};
+
+static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_ALL};
+
+static const struct option options[] = {
+    ANALYSIS_OPTIONS(struct input, question, "all of the lens by their weights, as one spot"),
+    ANALYSIS_FIELD_OPTIONS(struct input, question),
+    ANALYSIS_SPECTRUM_OPTION(struct input, question),
+    {OPTION(struct input, energy), .name = "energy", .column = "energy",
+     .dimension = &dimension_ratio, .unit = "%", .lowest = 0, .highest = 1,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "SHARE",
+     .help = "the radius about the centroid that holds this share of the light, as 80%"},
+    {OPTION(struct input, to), .name = "to", .lowest = 1, .highest = 1e6, .value = "SURFACE",
+     .excludes = "focus defocus",
+     .help = "the footprint on this surface, from 1, the stop counted, in place of the image"},
+    ANALYSIS_PUPIL_OPTIONS(struct input, question),
+};
+
+struct row {
+    struct analysis_point point;
+    double rms, rms_x, rms_y, rms_chief, radius, error; /* mm */
+    double energy, energy_radius, energy_error;
+    double rms_angle, rms_x_angle, rms_y_angle, rms_chief_angle, radius_angle,
+        error_angle; /* rad */
+    double energy_angle, energy_error_angle;
+    double x, y, chief_x, chief_y, clear;
+    long rays;
+    const char *weight;
+};
+
+#define SMALL(member_name, more)                                                                   \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "um", .flags = (more)
+#define PLACE(member_name, more)                                                                   \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+#define ANGLE(member_name, more)                                                                   \
+    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "mrad",                \
+                                     .flags = (more) | COLUMN_SPARSE
+
+static const struct column columns[] = {
+    ANALYSIS_POINT_COLUMNS(struct row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    {SMALL(rms, COLUMN_BRIEF | COLUMN_SPARSE), .name = "rms", .label = "RMS radius",
+     .help = "root mean square distance from the centroid"},
+    {SMALL(rms_x, COLUMN_BRIEF | COLUMN_SPARSE), .name = "rms_x", .label = "RMS in x",
+     .help = "the same in x alone"},
+    {SMALL(rms_y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "rms_y", .label = "RMS in y",
+     .help = "the same in y alone"},
+    {SMALL(rms_chief, COLUMN_SPARSE), .name = "rms_chief", .label = "RMS about the chief ray",
+     .help = "root mean square distance from the chief ray, of the primary wavelength where there "
+             "are several; absent where that is lost"},
+    {SMALL(radius, COLUMN_BRIEF | COLUMN_SPARSE), .name = "radius", .label = "largest radius",
+     .help = "the largest distance from the centroid"},
+    {COLUMN(struct row, energy), .name = "energy", .dimension = &dimension_ratio, .unit = "%",
+     .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "energy", .label = "share",
+     .help = "share of the light"},
+    {SMALL(energy_radius, COLUMN_BRIEF | COLUMN_EXTRA), .with = "energy", .name = "energy_radius",
+     .label = "energy radius", .help = "the radius about the centroid that holds it"},
+    {SMALL(energy_error, COLUMN_EXTRA), .with = "energy", .name = "energy_error",
+     .label = "error of that", .help = "what the energy radius may be off"},
+    {SMALL(error, COLUMN_BRIEF | COLUMN_SPARSE), .name = "error", .label = "error",
+     .help = "what the RMS radius may be off: twice what twice the rays change of it"},
+    {ANGLE(rms_angle, COLUMN_BRIEF), .name = "rms", .label = "RMS radius",
+     .help = "the same of an image at infinity: sines of angles from the chief ray"},
+    {ANGLE(rms_x_angle, COLUMN_BRIEF), .name = "rms_x", .label = "RMS in x", .help = "in x alone"},
+    {ANGLE(rms_y_angle, COLUMN_BRIEF), .name = "rms_y", .label = "RMS in y", .help = "in y alone"},
+    {ANGLE(rms_chief_angle, 0), .name = "rms_chief", .label = "RMS about the chief ray",
+     .help = "about the chief ray"},
+    {ANGLE(radius_angle, COLUMN_BRIEF), .name = "radius", .label = "largest radius",
+     .help = "the largest from the centroid"},
+    {ANGLE(energy_angle, COLUMN_EXTRA), .with = "energy", .name = "energy_radius",
+     .label = "energy radius", .help = "the angle that holds the share"},
+    {ANGLE(energy_error_angle, COLUMN_EXTRA), .with = "energy", .name = "energy_error",
+     .label = "error of that", .help = "what it may be off"},
+    {ANGLE(error_angle, COLUMN_BRIEF), .name = "error", .label = "error",
+     .help = "what the RMS radius may be off"},
+    {PLACE(x, 0), .name = "x", .label = "centroid x", .help = "of the centroid"},
+    {PLACE(y, 0), .name = "y", .label = "centroid y", .help = "of the centroid, upwards"},
+    {PLACE(chief_x, COLUMN_HIDDEN), .name = "chief_x", .label = "chief ray x",
+     .help = "where the chief ray meets the plane"},
+    {PLACE(chief_y, COLUMN_HIDDEN), .name = "chief_y", .label = "chief ray y", .help = "upwards"},
+    {COLUMN(struct row, clear), .name = "clear", .label = "clear share",
+     .help = "of the area of the pupil that is not vignetted"},
+    {COLUMN(struct row, rays), .name = "rays", .flags = COLUMN_HIDDEN, .label = "rays",
+     .help = "of one wavelength"},
+    ANALYSIS_SPECTRUM_COLUMN(struct row, point),
+    {COLUMN(struct row, weight), .name = "weights", .flags = COLUMN_ASSUMED,
+     .depends = "weight aim pattern clip no-clip", .label = "rays count by",
+     .help = "what equal weights are equal areas of"},
+    ANALYSIS_TAIL_COLUMNS(struct row, point),
+};
+
+static struct row row_of(const struct analysis_point *point)
+{
+    struct row row = {.point = *point, .rays = NO_INTEGER};
+    double *numbers[] = {&row.rms,
+                         &row.rms_x,
+                         &row.rms_y,
+                         &row.rms_chief,
+                         &row.radius,
+                         &row.error,
+                         &row.energy,
+                         &row.energy_radius,
+                         &row.energy_error,
+                         &row.rms_angle,
+                         &row.rms_x_angle,
+                         &row.rms_y_angle,
+                         &row.rms_chief_angle,
+                         &row.radius_angle,
+                         &row.error_angle,
+                         &row.energy_angle,
+                         &row.energy_error_angle,
+                         &row.x,
+                         &row.y,
+                         &row.chief_x,
+                         &row.chief_y,
+                         &row.clear};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        *numbers[i] = NAN;
+    }
+    return row;
+}
+
+/* What the rays count by, in words. */
+static const char *weight_words(const struct analysis_question *question)
+{
+    static const char *const words[2][2] = {
+        {"equal areas of the stop", "equal areas of the entrance pupil"},
+        {"equal areas of the entering beam, out to the stop",
+         "equal areas of the entering beam, out to the entrance pupil"}};
+    return words[question->weight][question->aim];
+}
+
+static void fill(const struct spot *spot, struct row *row)
+{
+    const double values[] = {spot->rms,    spot->rms_x, spot->rms_y,         spot->rms_chief,
+                             spot->radius, spot->error, spot->energy_radius, spot->energy_error};
+    double *lengths[] = {&row->rms,    &row->rms_x, &row->rms_y,         &row->rms_chief,
+                         &row->radius, &row->error, &row->energy_radius, &row->energy_error};
+    double *angles[] = {&row->rms_angle,       &row->rms_x_angle,       &row->rms_y_angle,
+                        &row->rms_chief_angle, &row->radius_angle,      &row->error_angle,
+                        &row->energy_angle,    &row->energy_error_angle};
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        *(spot->is_angular ? angles[i] : lengths[i]) = values[i];
+    }
+    if (!spot->is_angular) {
+        row->x = spot->centroid[0];
+        row->y = spot->centroid[1];
+        row->chief_x = spot->chief[0];
+        row->chief_y = spot->chief[1];
+    }
+    row->clear = spot->clear;
+    row->rays = (long)spot->rays;
+}
+
+/* Where the rows go. */
+struct asked {
+    const struct input *input;
+    struct run *run;
+};
+
+static bool question_of(const struct analysis_case *one, size_t field, const struct input *input,
+                        struct spot_question *question, struct error *error)
+{
+    const struct analysis_question *asked = &input->question;
+    const size_t surfaces = one->setup->lens->surface_count;
+    *question = (struct spot_question){
+        .bundle = {.setup = one->setup,
+                   .field = &one->setup->fields[field].point,
+                   .clip = one->clip,
+                   .from_entrance = asked->aim == ANALYSIS_AIM_ENTRANCE,
+                   .weight = asked->weight == ANALYSIS_WEIGHT_BEAM ? WEIGHT_BEAM : WEIGHT_PUPIL,
+                   .pattern = (enum pattern)asked->pattern,
+                   .seed = (uint64_t)asked->seed},
+        .rays = asked->rays != NO_INTEGER && asked->rays > 0 ? (size_t)asked->rays : 0,
+        .error = asked->error,
+        .to = input->to > 0 ? (size_t)input->to : 0,
+        .energy = input->energy};
+    return question->to <= surfaces ||
+           fail(error, ERROR_USAGE, "{--to} %ld: the lens has %zu surfaces", input->to, surfaces);
+}
+
+static bool answer(const struct analysis_case *one, size_t field, void *context,
+                   struct error *error)
+{
+    const struct asked *asked = context;
+    struct spot_question question;
+    struct spot spot;
+    if (!question_of(one, field, asked->input, &question, error) ||
+        !spot_find(&question, asked->run->arena, &spot, error)) {
+        return false;
+    }
+    const struct analysis_point point = analysis_point_of(one, field);
+    struct row row = row_of(&point);
+    fill(&spot, &row);
+    row.energy = asked->input->energy;
+    row.weight = weight_words(&asked->input->question);
+    if (question.rays == 0 && !spot.has_converged) {
+        row.point.warning = lens_warnings_join(
+            row.point.warning, "the spot has not converged: see its error", asked->run->arena);
+    }
+    return run_emit(asked->run, &row);
+}
+
+static bool lost(const struct analysis_point *point, void *context)
+{
+    const struct asked *asked = context;
+    struct row row = row_of(point);
+    return run_emit(asked->run, &row);
+}
+
+static const struct analysis_answers answers = {answer, lost};
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct asked asked = {input, run};
+    return analysis_each_field(&input->question, &policy, run, &answers, &asked, error);
+}
+
+static bool makes_many(const void *data)
+{
+    return analysis_makes_many(&((const struct input *)data)->question, &policy);
+}
+
+static bool brings(const void *data, const char *option)
+{
+    return analysis_brings(&((const struct input *)data)->question, option);
+}
+
+static bool varies(const void *data, const char *option)
+{
+    return analysis_varies(&((const struct input *)data)->question, option);
+}
+
+static const struct explanation explanations[] = {
+    {"rms", "square of it = sum w |(x, y) - centroid|^2/sum w over the clear pupil",
+     "Gauss's points in r^2 between the corners of the pupil, [Forbes88]", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"spot double-gauss", "the spots of all fields, all wavelengths together"},
+    {"spot double-gauss --field 14deg -w d --defocus -0.2..0.2#5", "one of them through focus"},
+    {"spot double-gauss -w d --no-clip --pattern hexapolar --rays 127",
+     "as programs print it that do not integrate"},
+    {"spot nikkor-z-58-f095 --energy 50%,80%", "radii that hold so much of the light"},
+    {NULL, NULL},
+};
+
+const struct command command_spot = {
+    .name = "spot",
+    .group = "analyses",
+    .summary = "how widely the rays of a field spread on the image plane",
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
+    .makes_many = makes_many,
+    .brings = brings,
+    .varies = varies,
+    .plot = "rms",
+};
