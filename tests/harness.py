@@ -73,6 +73,10 @@ class Program:
                     TERM="dumb", UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1")
         return kept
 
+    def has_solver(self):
+        """Was it built with what `fit` needs?"""
+        return os.path.exists(os.path.join(self.build, "lenscalc-ceres"))
+
     def run(self, *words, stdin=b"", timeout=60, **more):
         """One call; the result has bytes in stdout and stderr."""
         if isinstance(stdin, str):
