@@ -545,10 +545,17 @@ static int status_of(const struct driver *driver)
     return driver->good > 0 ? ERROR_ROWS : ERROR_DOMAIN;
 }
 
-static int compute(struct driver *driver)
+/* That the solver is missing is said only of a question that it could answer: what is wrong with
+   the question is to mend first. `missing` is null where nothing is. */
+static int compute(struct driver *driver, const struct error *missing)
 {
     struct error error = {0}, closing = {0};
-    bool done = ask(driver, &error) && answer(driver, &error);
+    bool done = ask(driver, &error);
+    if (done && missing != NULL) {
+        error = *missing;
+        done = false;
+    }
+    done = done && answer(driver, &error);
     if (driver->is_open && !output_close(&driver->output, done, &closing)) {
         error = closing;
         done = false;
@@ -564,17 +571,17 @@ static int compute(struct driver *driver)
 int command_execute(const struct command *command, int argc, char **argv, const char *database)
 {
     struct driver driver = {.command = command, .database = database};
-    struct error error = {0};
+    struct error error = {0}, missing;
     int status;
-    if (!prepare(&driver, argc - 2, argv + 2, &error) ||
-        (command->needs_ceres && !driver.common.help &&
-         !relay_to_ceres(argv, &driver.arena, &error))) {
+    if (!prepare(&driver, argc - 2, argv + 2, &error)) {
         complain(&error, &driver.arguments, &driver.batch);
         status = (int)error.code;
     } else if (driver.common.help) {
         status = help_command(command, &driver.arena);
     } else {
-        status = command->run == NULL ? answer_without_rows(&driver) : compute(&driver);
+        bool lacks = command->needs_ceres && !relay_to_ceres(argv, &driver.arena, &missing);
+        status = command->run == NULL ? answer_without_rows(&driver)
+                                      : compute(&driver, lacks ? &missing : NULL);
         print_remark(driver.db.losses.data, driver.db.losses.length); /* of --lossy */
     }
     if (driver.is_batch) {

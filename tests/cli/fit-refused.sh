@@ -40,9 +40,12 @@ say fit double-gauss --distortion 0 -o there.lens --columns efl_mm
 printf 'wavelength_nm,index\n500,nan\n600,1.5\n700,1.4\n' > nan.csv
 say fit --glass nan.csv
 say fit --glass few.csv --map x.svg
-# without the solver
+# without the solver: a mistake in the question comes first
 LENSCALC_RELAYED=1 lenscalc fit double-gauss
 echo "status $?"
+LENSCALC_RELAYED=1 lenscalc fit double-gauss --vary R1 -o alone.lens
+echo "status $?"
+LENSCALC_RELAYED=1 lenscalc fit double-gauss --distortion 0 -o alone.lens || ls *.lens
 # what goes by the name of the one with the solver: no program, then one that is handed all over
 cp "$(command -v lenscalc)" lenscalc
 printf 'no program\n' > lenscalc-ceres && chmod +x lenscalc-ceres
@@ -66,9 +69,13 @@ for part in R0 R1234567 A21_1 v1 V1 r1 c1 k1 glass2 tilt_x1 A42; do
 done
 say fit double-gauss --field 0,10:-2,14deg
 say fit double-gauss --field 0,10:inf
+say fit double-gauss --field 0,10mm
 printf 'lens twice\nsurface 50 7.5 1.5 20 R~ R~\nsurface -50 - air 20\n' > twice.lens
 say fit twice.lens --prescription efl=52
 printf 'lens crossed\nsurface 50 7.5 1.5 20 R~[60,40]\nsurface -50 - air 20\n' > crossed.lens
 say fit crossed.lens --prescription efl=52
 printf 'lens conic\nsurface 50 7.5 1.5 20 k~\nsurface -50 - air 20\n' > conic.lens
 say fit conic.lens --prescription efl=52
+# rows with other columns than the first
+printf 'show\nmodels\nanswer\n' | lenscalc fit double-gauss --batch - --csv --columns lens
+echo "status $?"

@@ -35,4 +35,3 @@ printf 'x,y\n0,1\n' | lenscalc trace double-gauss --batch - --csv
 lenscalc trace double-gauss --field 0,10:2,14deg
 lenscalc pupil double-gauss --field 10deg:0.5
 lenscalc draw double-gauss --field 10:x
-lenscalc fit double-gauss --field 0,10mm
