@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "draw/palette.h"
 #include "draw/svg.h"
 #include "draw/ticks.h"
 
@@ -17,12 +18,7 @@ static const size_t DOTS_MAX = 30;
 
 #define ARROWS 64
 
-/*
- * Okabe and Ito, Color Universal Design, 2008, without yellow, which is lost on white. The dashes
- * are for round line ends, which lengthen each by the line's width, and for black-and-white print.
- */
-static const char *const colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                      "#000000", "#e69f00", "#56b4e9"};
+/* For round line ends, which lengthen each by the line's width, and for black-and-white print. */
 static const char *const dashes[] = {NULL,        "7 5",      "0.1 4.5",
                                      "9 5 0.1 5", "13 5 3 5", "8 5 0.1 4 0.1 5"};
 
@@ -373,15 +369,10 @@ static void draw_band(struct svg *svg, const struct plot *plot, const struct fra
     }
 }
 
-static const char *colour_of(size_t style)
-{
-    return colours[style % COUNT(colours)];
-}
-
 static struct svg_style line_of(size_t style)
 {
     return (struct svg_style){
-        .stroke = colour_of(style), .dash = dashes[style % COUNT(dashes)], .width = 2};
+        .stroke = palette_colour(style), .dash = dashes[style % COUNT(dashes)], .width = 2};
 }
 
 /* An arrow at the edge that says where a curve goes; one where several would lie together. */
@@ -436,7 +427,7 @@ static void draw_curves(struct svg *svg, const struct plot *plot, struct frame *
     const struct axis *x = &frame->x, *y = &frame->y;
     svg_clip_begin(svg, x->start, y->stop - 1, x->stop - x->start + 1, y->start - y->stop + 2);
     for (size_t b = 0; b < plot->band_count; b++) {
-        const char *colour = colour_of(plot->series[plot->bands[b].low].style);
+        const char *colour = palette_colour(plot->series[plot->bands[b].low].style);
         svg_group_begin(svg, &(struct svg_style){.fill = colour, .opacity = 0.13});
         draw_band(svg, plot, frame, &plot->bands[b]);
         svg_group_end(svg);
@@ -451,7 +442,7 @@ static void draw_curves(struct svg *svg, const struct plot *plot, struct frame *
     }
     svg_group_end(svg);
     for (size_t s = 0; s < plot->series_count; s++) {
-        const char *colour = colour_of(plot->series[s].style);
+        const char *colour = palette_colour(plot->series[s].style);
         svg_group_begin(svg, &(struct svg_style){.fill = colour, .stroke = "#fff"});
         draw_arrows(svg, plot, frame, plot->series[s].y);
         if (plot->count <= DOTS_MAX) {
