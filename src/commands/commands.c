@@ -10,6 +10,7 @@ extern const struct command command_tilt, command_panorama;
 extern const struct command command_refract, command_lensmaker;
 extern const struct command command_trace, command_check, command_pupil, command_draw;
 extern const struct command command_lens, command_surfaces, command_matrix, command_conjugate;
+extern const struct command command_seidel;
 extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_spot;
 extern const struct command command_fit;
@@ -39,6 +40,7 @@ const struct command *const commands[] = {
     &command_check,
     &command_pupil,
     &command_draw, /* a lens */
+    &command_seidel,
     &command_spot, /* analyses */
     &command_fit,  /* design */
     &command_list,

@@ -1,0 +1,27 @@
+# Seidel sums in their three forms, what they leave out, and what is refused
+lenscalc seidel double-gauss
+lenscalc seidel double-gauss -w F,d --field 0,14deg -N 4 --csv --digits 6
+lenscalc seidel double-gauss --form transverse
+lenscalc seidel double-gauss --form waves --json --digits 5
+lenscalc seidel phone-80deg --columns surface,S1,asphere_S1,S5,asphere_S5,lagrange_um
+lenscalc seidel hubble-rc --form waves
+lenscalc seidel schneider-anamorphic-31 --section x --field 5deg --columns surface,S1,C1
+lenscalc seidel canon-nfd-70-210 --position all --field 3deg --csv --digits 4 | grep sum
+printf 'lens telescope\naperture epd 20\nfield angle 1\nsurface 75 0 1.5/60 - stop\nsurface - 100 air -\nsurface -25 0 1.5/60 -\nsurface - 0 air -\n' > telescope.lens
+lenscalc seidel ./telescope.lens --form transverse
+lenscalc seidel ./telescope.lens --form transverse --csv --digits 4 | tail -n 1
+printf 'lens near\nobject 100\nfield height 4\naperture stop\nwavelength d g\nsurface 60 5 1.5/60 -\nstop - 2 air 6\nthick 80 0 air - distortion=-0.1\n' > near.lens
+lenscalc seidel ./near.lens
+lenscalc seidel ./near.lens --chromatic lens --columns surface,C1,C2
+printf 'lens table\nfield angle 4\naperture epd 4\nwavelength 1um 1.2um\nsurface 60 5 {1000nm 1.5, 1200nm 1.49} - stop\n' | lenscalc seidel -
+printf 'lens bent\nfield angle 4\naperture epd 4\nsurface 60 5 1.5 - stop tilt=1,0\n' | lenscalc seidel -
+printf 'lens one\naperture epd 4\nsurface 60 5 1.5 - stop\n' | lenscalc seidel -
+printf 'lens one\naperture epd 4\nwavelength d\nsurface 60 5 1.5 - stop\n' | lenscalc seidel - --chromatic lens
+printf 'lens odd\nfield angle 4\naperture epd 4\nsurface 60 5 1.5 - stop A3=1e-5\n' | lenscalc seidel -
+printf 'lens stopless\nfield angle 4\naperture epd 4\nsurface 60 5 1.5 -\n' | lenscalc seidel -
+printf 'lens dark\nfield angle 4\nsurface 60 5 1.5 - stop\n' | lenscalc seidel -
+lenscalc seidel
+lenscalc seidel double-gauss --form standard
+lenscalc seidel canon-nfd-70-210 --position all --plot bars.svg
+lenscalc seidel double-gauss --plot bars.svg > /dev/null && grep -c '<rect' bars.svg
+lenscalc seidel double-gauss --explain --columns surface,S1 | tail -n 5
