@@ -45,6 +45,7 @@ struct panels {
     double x_low, x_high, y_low,
         y_high; /* shared ranges at least; low = high = 0: from the points */
     bool own_x, own_y;
+    bool tall;      /* higher than wide, for curves that run upwards */
     size_t columns; /* of the grid, >= 1 */
     const struct panel *panels;
     size_t count;

@@ -10,6 +10,7 @@
 #include <math.h>
 
 static const double MARGIN = 20, TITLE = 17, WORDS = 13, LINE = 20; /* px */
+static const double BOLD = 1.12;                                    /* letters, to plain ones */
 static const double SAMPLE = 28;                                    /* px of a line in the legend */
 
 static const char *const DARK = "#1d1d1d", *const SOFT = "#444";
@@ -129,6 +130,10 @@ static void set_size(struct panels_page *page)
     bool square = page->panels->unit != NULL;
     page->width = square ? sizes[i].square : sizes[i].width;
     page->height = square ? sizes[i].square : sizes[i].height;
+    if (page->panels->tall) {
+        page->width *= 0.8;
+        page->height = 1.15 * page->width;
+    }
 }
 
 static bool any_title(const struct panels *panels)
@@ -171,7 +176,7 @@ static void set_grid(struct panels_page *page)
     page->across = page->width + gap_across(page, numbers);
     page->down = page->height + title + (square ? 24 : panels->own_x ? 48 : 14);
     double grid = page->left + page->across * (double)(panels->columns - 1) + page->width + MARGIN;
-    double words = fmax(panels->title != NULL ? svg_text_width(panels->title, TITLE) : 0,
+    double words = fmax(panels->title != NULL ? BOLD * svg_text_width(panels->title, TITLE) : 0,
                         panels->subtitle != NULL ? svg_text_width(panels->subtitle, WORDS) : 0);
     page->total_x = fmax(fmax(grid, 440), fmin(words + 2 * MARGIN, 1000));
     double legend = lay_legend(page, panels->subtitle != NULL ? 76 : 56, false);

@@ -163,6 +163,18 @@ struct ray beam_ray(const struct beam *beam, double a, double b)
     return ray;
 }
 
+void beam_slope(const struct beam *beam, const double at[2], int k, double point[3],
+                double direction[3])
+{
+    const double d = beam->distance, *across = beam->across[k], sign = d > 0 ? 1 : -1;
+    const double over = isinf(d) ? 0 : 1 / sqrt(d * d + at[0] * at[0] + at[1] * at[1]);
+    const struct ray ray = beam_ray(beam, at[0], at[1]);
+    for (int i = 0; i < 3; i++) {
+        point[i] = across[i];
+        direction[i] = beam->n * over * (sign * across[i] - over * at[k] * ray.cosine[i]);
+    }
+}
+
 void beam_fill(const struct beam *beam, const double (*at)[2], size_t count,
                struct ray_block *block)
 {

@@ -80,6 +80,15 @@ bool beam_of_field(const struct field_point *field, const struct conjugate_objec
  */
 struct ray beam_ray(const struct beam *beam, double a, double b);
 
+/*
+ * How the start of a ray changes with its coordinates: the derivative of beam_ray.
+ *
+ * Given     at  the coordinates; k: 0 = by the first of them, 1 = by the second
+ * Result    of the point, mm/mm, and of n times the direction cosines, 1/mm
+ */
+void beam_slope(const struct beam *beam, const double at[2], int k, double point[3],
+                double direction[3]);
+
 /* The same for up to RAYS_BLOCK rays at once, into the first lanes of a block: the same bits. */
 void beam_fill(const struct beam *beam, const double (*at)[2], size_t count,
                struct ray_block *block);

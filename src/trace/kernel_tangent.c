@@ -237,6 +237,40 @@ static void move(const struct step *s, const struct tangent_seed *seed,
     }
 }
 
+/* A thick lens: to the plane of H, the slopes behind it, and on in that of H'; see kernel.c. */
+static void thick(const struct step *s, const struct ray_block *restrict before,
+                  const struct ray_block *restrict after, const struct tangent_seed *seed,
+                  struct ray_block *restrict tangent)
+{
+    const double near = s->near_object, ratio = s->ratio, bend = s->bend;
+    const double d1 = s->coefficient[0], d2 = s->coefficient[1], d3 = s->coefficient[2];
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        double p = before->p[i], q = before->q[i], r = before->r[i], over = 1 / r;
+        double tp = tangent->p[i], tq = tangent->q[i], tr = tangent->r[i];
+        double d = -(before->z[i] - s->t) * over;
+        double td = -(tangent->z[i] - seed->t + d * tr) * over;
+        double x = tangent->x[i] + d * tp + td * p, y = tangent->y[i] + d * tq + td * q;
+        double u = p * over, tu = (tp - u * tr) * over, v = q * over, tv = (tq - v * tr) * over;
+        double wu = u - after->x[i] * near, wv = v - after->y[i] * near;
+        double twu = tu - x * near, twv = tv - y * near;
+        double w2 = wu * wu + wv * wv, tw2 = 2 * (wu * twu + wv * twv);
+        double e = w2 * (d1 + w2 * (d2 + w2 * d3)), te = tw2 * (d1 + w2 * (2 * d2 + 3 * w2 * d3));
+        double behind = after->r[i], inverse = 1 / behind;
+        u = after->p[i] * inverse;
+        v = after->q[i] * inverse;
+        tu = ratio * (tu + twu * e + wu * te) - bend * x;
+        tv = ratio * (tv + twv * e + wv * te) - bend * y;
+        tr = -behind * (u * tu + v * tv) / (1 + (u * u + v * v));
+        tangent->x[i] = x;
+        tangent->y[i] = y;
+        tangent->z[i] = 0;
+        tangent->p[i] = tu * behind + u * tr;
+        tangent->q[i] = tv * behind + v * tr;
+        tangent->r[i] = tr;
+        tangent->path[i] += s->n11 * td + seed->n11 * d;
+    }
+}
+
 /* Is k or the polynomial of a sphere to be derived by? */
 static bool shaped(const struct tangent_seed *seeds, size_t count)
 {
@@ -254,6 +288,10 @@ void NAME(kernel_tangent, KERNEL)(const struct step *s, const struct ray_block *
     if (s->kind == STEP_MOVE) {
         for (size_t j = 0; j < count; j++) {
             move(s, &seeds[j], &tangents[j]);
+        }
+    } else if (s->kind == STEP_THICK) {
+        for (size_t j = 0; j < count; j++) {
+            thick(s, before, after, &seeds[j], &tangents[j]);
         }
     } else if (s->kind <= STEP_SPHERE && s->action != ACTION_REFLECT && !shaped(seeds, count)) {
         sphere(s, before, after, seeds, count, tangents);

@@ -23,7 +23,7 @@ enum { TANGENTS_MOST = 8 };
  *           what the parameter does to F; N. from X.; E E. = D D. + (n'^2 - n^2) M./2 + ..;
  *           g. = (E. - D. - g M.)/M; p'. = p. + g. N + g N.
  * Source    derived in lenscalc.7; equal to derivative_sweep
- * Limits    as derivative_sweep
+ * Limits    as derivative_sweep; through a thick lens too, but not by what that lens itself is
  */
 void tangent_trace(const struct system *system, const struct parameter *parameters, size_t count,
                    enum instruction_set set, const struct derivative_tape *tape,

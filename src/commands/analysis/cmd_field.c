@@ -1,0 +1,404 @@
+/* commands/analysis/cmd_field.c - lenscalc field: field curvature and astigmatism. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/field_curvature.h"
+#include "commands/analysis/analysis_options.h"
+#include "draw/panels.h"
+
+#include <string.h>
+
+struct input {
+    struct analysis_question question;
+};
+
+static const struct analysis_policy policy = {
+    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
+
+static const struct option options[] = {
+    ANALYSIS_OPTIONS(struct input, question, LENS_PRIMARY_WAVELENGTH),
+    ANALYSIS_FIELD_OPTIONS(struct input, question),
+};
+
+struct row {
+    struct analysis_point point;
+    double tangential, sagittal, medial, astigmatism, petzval; /* mm */
+    double tangential_power, sagittal_power;                   /* 1/m */
+    double x, y;                                               /* mm */
+    double tangential_z, sagittal_z;                           /* mm */
+    double turn;                                               /* rad */
+    const char *status;
+    long lost;
+};
+
+#define LENGTH(member_name, more)                                                                  \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+
+static const struct column columns[] = {
+    ANALYSIS_POINT_COLUMNS(struct row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    {LENGTH(y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "image_height", .symbol = "h",
+     .label = "image height", .help = "where the chief ray meets the image plane"},
+    {LENGTH(x, COLUMN_EXTRA | COLUMN_BRIEF), .name = "image_height_x", .with = "field-x height-x",
+     .label = "image height x", .help = "the same in x"},
+    {LENGTH(tangential, COLUMN_BRIEF | COLUMN_SPARSE | COLUMN_INFINITE), .name = "tangential",
+     .symbol = "T", .label = "tangential",
+     .help = "tangential focus from the image plane, along the axis; positive to the right"},
+    {LENGTH(sagittal, COLUMN_BRIEF | COLUMN_SPARSE | COLUMN_INFINITE), .name = "sagittal",
+     .symbol = "S", .label = "sagittal", .help = "sagittal focus from the image plane"},
+    {LENGTH(medial, COLUMN_BRIEF | COLUMN_SPARSE), .name = "medial", .symbol = "M",
+     .label = "medial", .help = "half way between the two"},
+    {LENGTH(astigmatism, COLUMN_BRIEF | COLUMN_SPARSE), .name = "astigmatism", .symbol = "A",
+     .label = "astigmatism", .help = "tangential less sagittal"},
+    {LENGTH(petzval, COLUMN_BRIEF | COLUMN_SPARSE), .name = "petzval", .symbol = "P",
+     .label = "Petzval", .help = "Petzval surface at that image height, from the image plane"},
+    {PLAIN(tangential_power, COLUMN_BRIEF | COLUMN_SPARSE), .name = "tangential_per_m",
+     .label = "tangential",
+     .help = "where the image is at infinity: index over the distance of "
+             "the tangential focus from the exit pupil, 1/m"},
+    {PLAIN(sagittal_power, COLUMN_BRIEF | COLUMN_SPARSE), .name = "sagittal_per_m",
+     .label = "sagittal", .help = "the same of the sagittal focus, 1/m"},
+    {LENGTH(tangential_z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "tangential_z",
+     .label = "tangential z", .help = "tangential focus from the last vertex"},
+    {LENGTH(sagittal_z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sagittal_z",
+     .label = "sagittal z", .help = "sagittal focus from the last vertex"},
+    {COLUMN(struct row, turn), .name = "section_turn", .dimension = &dimension_angle, .unit = "deg",
+     .flags = COLUMN_HIDDEN, .label = "sections turned",
+     .help = "of the tangential section out of the plane of chief ray and axis: 0 in round lenses"},
+    {PLAIN(status, COLUMN_HIDDEN), .name = "status", .label = "status",
+     .help = "of the chief ray, which is traced on in any case: ok, or clipped by an aperture"},
+    {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "clipped at",
+     .help = "surface that clips the chief ray"},
+    ANALYSIS_TAIL_COLUMNS(struct row, point),
+};
+
+static struct row row_of(const struct analysis_point *point)
+{
+    return (struct row){.point = *point,
+                        .tangential = NAN,
+                        .sagittal = NAN,
+                        .medial = NAN,
+                        .astigmatism = NAN,
+                        .petzval = NAN,
+                        .tangential_power = NAN,
+                        .sagittal_power = NAN,
+                        .x = NAN,
+                        .y = NAN,
+                        .tangential_z = NAN,
+                        .sagittal_z = NAN,
+                        .turn = NAN,
+                        .lost = NO_INTEGER};
+}
+
+static bool answer(const struct analysis_case *one, size_t field, void *context,
+                   struct error *error)
+{
+    struct run *run = context;
+    struct field_curvature found;
+    const struct analysis_point point = analysis_point_of(one, field);
+    struct row row = row_of(&point);
+    if (!field_curvature(one->setup, 0, &one->setup->fields[field].point, &found, error)) {
+        return false;
+    }
+    row.x = found.height[0];
+    row.y = found.height[1];
+    row.tangential = found.tangential;
+    row.sagittal = found.sagittal;
+    row.medial = found.medial;
+    row.astigmatism = found.astigmatism;
+    row.petzval = found.petzval;
+    if (isnan(one->setup->image)) {
+        row.tangential_power = found.tangential_power;
+        row.sagittal_power = found.sagittal_power;
+    }
+    row.tangential_z = found.beam.tangential_z;
+    row.sagittal_z = found.beam.sagittal_z;
+    row.turn = found.beam.turn;
+    row.status = ray_status_name(found.status);
+    row.lost = found.surface > 0 ? (long)found.surface : NO_INTEGER;
+    return run_emit(run, &row);
+}
+
+static bool lost(const struct analysis_point *point, void *context)
+{
+    const struct row row = row_of(point);
+    return run_emit(context, &row);
+}
+
+static const struct analysis_answers answers = {answer, lost};
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    return analysis_each_field(&input->question, &policy, run, &answers, run, error);
+}
+
+static bool makes_many(const void *data)
+{
+    return analysis_makes_many(&((const struct input *)data)->question, &policy);
+}
+
+static bool brings(const void *data, const char *option)
+{
+    return analysis_brings(&((const struct input *)data)->question, option);
+}
+
+static bool varies(const void *data, const char *option)
+{
+    return analysis_varies(&((const struct input *)data)->question, option);
+}
+
+/* -------- the plot -------- */
+
+/* The curves of one lens in one case, over all the fields that are asked for. */
+struct curves {
+    const char *words; /* what is the case; curves are told apart by it */
+    const char *name;  /* what of it was asked for, null = nothing */
+    const struct setup *setup;
+    struct field_point edge; /* the farthest field; where it points to is up */
+    double low, high;        /* along there: rad or mm */
+};
+
+enum { POINTS = 61, MOST_CURVES = 24, SAGITTAL = 0, TANGENTIAL, PETZVAL, CURVES };
+
+struct painter {
+    struct run *run;
+    struct curves *curves;
+    size_t count, room;
+};
+
+/* What is asked for beside the lens's own state: "wide, 587.56 nm, object at 2000 mm". */
+static const char *case_words(const struct analysis_case *one, bool always, struct arena *arena)
+{
+    const struct analysis_question *question = one->question;
+    const struct setup *setup = one->setup;
+    const char *words = setup->position;
+    const struct {
+        bool shown;
+        const char *before;
+        double value;
+        const char *behind;
+    } parts[] = {
+        {always || question->wavelength.name != NULL, "", 1000 * setup->wavelengths[0].wavelength,
+         " nm"},
+        {!isnan(question->object), "object at ", question->object, " mm"},
+        {!isnan(question->fnumber), "f/", question->fnumber, ""},
+        {!isnan(question->defocus) && !always, "defocus ", question->defocus, " mm"},
+    };
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        if (parts[i].shown) {
+            words = arena_printf(arena, "%s%s%s%.6g%s", words != NULL ? words : "",
+                                 words != NULL ? ", " : "", parts[i].before, parts[i].value,
+                                 parts[i].behind);
+        }
+    }
+    return words;
+}
+
+/* How far a field lies along the direction of the farthest one. */
+static double along(const struct field_point *edge, const struct field_point *point)
+{
+    const double *a = edge->value, *b = point->value;
+    return copysign(field_extent(point->kind, b), a[0] * b[0] + a[1] * b[1] < 0 ? -1.0 : 1.0);
+}
+
+static bool add_field(const struct analysis_case *one, size_t field, void *context,
+                      struct error *error)
+{
+    struct painter *painter = context;
+    struct arena *arena = painter->run->arena;
+    const struct field_point *point = &one->setup->fields[field].point;
+    const char *words = arena_printf(
+        arena, "%s; image plane %s, %.6g mm from the last vertex", case_words(one, true, arena),
+        one->setup->focus != NULL ? one->setup->focus : "none", one->setup->image);
+    struct curves *curves = NULL;
+    (void)error;
+    for (size_t i = 0; i < painter->count; i++) {
+        bool same = strcmp(painter->curves[i].words, words) == 0 &&
+                    strcmp(painter->curves[i].setup->lens->title, one->setup->lens->title) == 0 &&
+                    painter->curves[i].edge.kind == point->kind;
+        curves = same ? &painter->curves[i] : curves;
+    }
+    if (curves == NULL) {
+        painter->curves = arena_grow(arena, painter->curves, painter->count, &painter->room,
+                                     sizeof *painter->curves);
+        curves = &painter->curves[painter->count++];
+        *curves = (struct curves){.words = words,
+                                  .name = case_words(one, false, arena),
+                                  .setup = one->setup,
+                                  .edge = *point};
+    }
+    if (field_extent(point->kind, point->value) >
+        field_extent(curves->edge.kind, curves->edge.value)) {
+        /* what lay on the other side still does */
+        if (along(&curves->edge, point) < 0) {
+            double low = curves->low;
+            curves->low = -curves->high;
+            curves->high = -low;
+        }
+        curves->edge = *point;
+    }
+    double here = along(&curves->edge, point);
+    curves->low = fmin(curves->low, here);
+    curves->high = fmax(curves->high, here);
+    return true;
+}
+
+static const struct analysis_answers collecting = {add_field, NULL};
+
+/* One panel: defocus to the right, field upwards. */
+static struct panel panel_of(const struct curves *curves, struct arena *arena)
+{
+    struct panel_series *series = ARENA_ARRAY(arena, CURVES, struct panel_series);
+    double *x[CURVES], *y = ARENA_ARRAY(arena, POINTS, double);
+    const double extent = field_extent(curves->edge.kind, curves->edge.value);
+    const double unit = curves->edge.kind == FIELD_ANGLE ? DEGREES_PER_RADIAN : 1;
+    for (size_t k = 0; k < CURVES; k++) {
+        x[k] = ARENA_ARRAY(arena, POINTS, double);
+        series[k] = (struct panel_series){.x = x[k], .y = y, .count = POINTS, .key = k};
+    }
+    for (size_t i = 0; i < POINTS; i++) {
+        const double share = (double)i / (POINTS - 1);
+        const double at = curves->low + share * (curves->high - curves->low);
+        struct field_point point = curves->edge;
+        struct field_curvature found;
+        struct error ignored;
+        point.value[0] *= at / extent;
+        point.value[1] *= at / extent;
+        y[i] = unit * at;
+        if (!field_curvature(curves->setup, 0, &point, &found, &ignored)) {
+            found.tangential = found.sagittal = found.petzval = NAN;
+        }
+        x[SAGITTAL][i] = found.sagittal;
+        x[TANGENTIAL][i] = found.tangential;
+        x[PETZVAL][i] = found.petzval;
+    }
+    return (struct panel){.series = series, .count = CURVES};
+}
+
+static const char *field_label(enum field_kind kind)
+{
+    static const char *const labels[] = {[FIELD_NONE] = "field",
+                                         [FIELD_ANGLE] = "field angle (deg)",
+                                         [FIELD_HEIGHT] = "object height (mm)",
+                                         [FIELD_IMAGE] = "paraxial image height (mm)",
+                                         [FIELD_REAL] = "image height (mm)"};
+    return labels[kind];
+}
+
+static const char *panel_title(const struct curves *curves, bool one_lens, struct arena *arena)
+{
+    const char *lens = curves->setup->lens->title;
+    return curves->name == NULL ? lens
+           : one_lens           ? curves->name
+                                : arena_printf(arena, "%s, %s", lens, curves->name);
+}
+
+static bool paint(struct painter *painter, struct svg *svg, struct error *error)
+{
+    static const char *const keys[CURVES] = {
+        [SAGITTAL] = "S: sagittal", [TANGENTIAL] = "T: tangential", [PETZVAL] = "Petzval surface"};
+    struct arena *arena = svg->arena;
+    struct panel *panels = ARENA_ARRAY(arena, painter->count + 1, struct panel);
+    const struct curves *first = &painter->curves[0];
+    bool one_kind = true, one_lens = true;
+    for (size_t i = 0; i < painter->count; i++) {
+        one_lens = one_lens &&
+                   strcmp(painter->curves[i].setup->lens->title, first->setup->lens->title) == 0;
+    }
+    for (size_t i = 0; i < painter->count; i++) {
+        if (isnan(painter->curves[i].setup->image)) {
+            return fail(error, ERROR_DOMAIN,
+                        "{--plot}: the image is infinitely far away, there is no plane to draw "
+                        "distances from");
+        }
+        one_kind = one_kind && painter->curves[i].edge.kind == painter->curves[0].edge.kind;
+        panels[i] = panel_of(&painter->curves[i], arena);
+        panels[i].y_label = field_label(painter->curves[i].edge.kind);
+        panels[i].title =
+            painter->count > 1 ? panel_title(&painter->curves[i], one_lens, arena) : NULL;
+    }
+    const struct panels page = {
+        .title = one_lens ? arena_printf(arena, "Field curvature of %s", first->setup->lens->title)
+                          : "Field curvature",
+        .subtitle = painter->count == 1 ? first->words : NULL,
+        .x_label = "distance from the image plane (mm)",
+        .y_label = one_kind ? field_label(first->edge.kind) : NULL,
+        .keys = keys,
+        .key_count = CURVES,
+        .own_y = !one_kind,
+        .tall = true,
+        .columns = painter->count < 3    ? painter->count
+                   : painter->count == 4 ? 2
+                                         : 3,
+        .panels = panels,
+        .count = painter->count,
+    };
+    return panels_draw(&page, svg, error);
+}
+
+/* A curve wants a field: of a lens that states none but the axis another one is taken. */
+static struct analysis_policy policy_of_plot(const struct input *input)
+{
+    const struct lens *lens = input->question.lens.lens;
+    struct analysis_policy wide = policy;
+    if (lens != NULL && !(lens_field_extent(lens) > 0)) {
+        wide.fields = FIELDS_EDGE;
+    }
+    return wide;
+}
+
+static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct svg svg = {.arena = job->run->arena};
+    struct painter painter = {.run = job->run};
+    for (size_t i = 0; i < job->count; i++) {
+        const struct input *input = job->inputs[i];
+        const struct analysis_policy wide = policy_of_plot(input);
+        if (!analysis_each_field(&input->question, &wide, job->run, &collecting, &painter, error)) {
+            return false;
+        }
+    }
+    return (painter.count <= MOST_CURVES ||
+            fail(error, ERROR_USAGE, "{--plot} would draw %zu panels: at most %d can be told apart",
+                 painter.count, MOST_CURVES)) &&
+           paint(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types, "draw both foci and the Petzval surface by field"),
+     .scope = ARTIFACT_OF_SWEEP, .make = draw},
+};
+
+static const struct explanation explanations[] = {
+    {"tangential", "z of the tangential focus less z of the image plane",
+     "Coddington's equations by exact derivatives of the chief ray, [Welford86]",
+     "rays farther from the chief ray meet elsewhere"},
+    {"sagittal", "z of the sagittal focus less z of the image plane", "the same", NULL},
+    {"medial", "{M} = ({T} + {S})/2", "the same", NULL},
+    {"astigmatism", "{A} = {T} - {S}", "the same", NULL},
+    {"petzval", "{P} = paraxial image + {h}^2/(2 R), 1/R = -n' sum (n' - n) c/(n n')",
+     "[Welford86]", "of third order"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"field double-gauss", "at the fields of the lens, from its image plane"},
+    {"field double-gauss --field 0..14#15 --plot field.svg", "the curves, and their numbers"},
+    {"field double-gauss --field 14deg -w d,F,C", "by wavelength, from one image plane"},
+    {"field nikkor-z-14-24 --position all --csv", "all positions of a zoom"},
+    {NULL, NULL},
+};
+
+const struct command command_field = {
+    .name = "field",
+    .group = "analyses",
+    .summary = "field curvature and astigmatism: tangential and sagittal foci",
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
+    .makes_many = makes_many,
+    .brings = brings,
+    .varies = varies,
+    .cell = "tangential",
+    COMMAND_MAKES(artifacts),
+};
