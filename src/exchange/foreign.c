@@ -73,6 +73,22 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
     return true;
 }
 
+void foreign_forget_repeated(struct foreign_job *job, size_t from)
+{
+    size_t count = from;
+    for (size_t i = from; i < job->loss_count; i++) {
+        bool again = false;
+        for (size_t k = 0; k < from && !again; k++) {
+            again = job->losses[k].line == job->losses[i].line &&
+                    strcmp(job->losses[k].message, job->losses[i].message) == 0;
+        }
+        if (!again) {
+            job->losses[count++] = job->losses[i];
+        }
+    }
+    job->loss_count = count;
+}
+
 void foreign_mark_power(const struct foreign_job *job, struct lens_build *build)
 {
     if (job->lost_power != NULL) {

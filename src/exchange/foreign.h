@@ -115,6 +115,9 @@ bool foreign_loss(struct foreign_job *job, const struct lens_words *words, struc
                   struct error *error, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 
+/* Take those losses from number `from` on out of the list that stand before it already. */
+void foreign_forget_repeated(struct foreign_job *job, size_t from);
+
 /* The same of a file that is being written: it cannot hold something of the lens. */
 #define foreign_lose(job, error, ...)                                                              \
     foreign_loss((job), NULL, (struct text){NULL, 0}, (error), __VA_ARGS__)

@@ -61,8 +61,8 @@ static bool are_same_apertures(const struct surface *a, const struct surface *b)
 /* What no position can set. */
 static bool is_alike(const struct surface *a, const struct surface *b)
 {
-    bool same = kind_of(a) == kind_of(b) && a->curved == b->curved &&
-                a->has_thickness == b->has_thickness && are_same_apertures(a, b);
+    bool same =
+        kind_of(a) == kind_of(b) && a->curved == b->curved && a->has_thickness == b->has_thickness;
     for (int i = 0; i < 3 && same && surface_has(a, SURFACE_HAS_FOCAL); i++) {
         same = is_same_value(&a->distortion[i], &b->distortion[i]);
     }
@@ -195,10 +195,15 @@ static bool merge_surface(struct merge *merge, size_t index, struct error *error
     const struct surface *first = surface_at(merge, 0, index);
     for (size_t p = 1; p < merge->count; p++) {
         if (!is_alike(first, surface_at(merge, p, index))) {
-            return differ(
-                merge,
-                arena_printf(merge->arena, "the kind or the apertures of surface %zu", index + 1),
-                error);
+            return differ(merge, arena_printf(merge->arena, "the kind of surface %zu", index + 1),
+                          error);
+        }
+        if (!are_same_apertures(first, surface_at(merge, p, index)) &&
+            !foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
+                          LOSS_VIGNETTES "the apertures of surface %zu differ between the "
+                                         "configurations" LOSS_INSTEAD "those of the first stand",
+                          index + 1)) {
+            return false;
         }
     }
     if (!merge_cells(merge, index, error)) {
@@ -263,23 +268,39 @@ static void merge_light_and_stop(struct merge *merge)
     lens->stops = same_stop ? NULL : stops;
 }
 
+static bool are_same_fields(const struct lens *a, const struct lens *b)
+{
+    bool same = a->field_kind == b->field_kind && a->field_count == b->field_count;
+    for (size_t i = 0; same && i < a->field_count; i++) {
+        const struct lens_field *one = &a->fields[i], *other = &b->fields[i];
+        same = is_same_value(&one->at[0], &other->at[0]) &&
+               is_same_value(&one->at[1], &other->at[1]) && one->weight == other->weight;
+    }
+    return same;
+}
+
+/* A lens has one list of fields. */
+static bool check_fields(const struct merge *merge, struct error *error)
+{
+    bool same = true;
+    for (size_t p = 1; p < merge->count; p++) {
+        same = same && are_same_fields(&merge->lenses[0], &merge->lenses[p]);
+    }
+    return same || foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
+                                "the fields differ between the configurations" LOSS_INSTEAD
+                                "those of the first stand");
+}
+
 /* What has no values of its own in the positions. */
 static const char *against(const struct lens *a, const struct lens *b)
 {
-    bool same_fields = a->field_kind == b->field_kind && a->field_count == b->field_count &&
-                       a->is_telecentric == b->is_telecentric;
-    for (size_t i = 0; same_fields && i < a->field_count; i++) {
-        const struct lens_field *one = &a->fields[i], *other = &b->fields[i];
-        same_fields = is_same_value(&one->at[0], &other->at[0]) &&
-                      is_same_value(&one->at[1], &other->at[1]) && one->weight == other->weight;
-    }
     return a->surface_count != b->surface_count                    ? "the number of surfaces"
            : a->aperture_kind != b->aperture_kind                  ? "the kind of aperture"
            : a->focus != b->focus                                  ? "where the image is"
            : (a->stop == LENS_NONE) != (b->stop == LENS_NONE)      ? "whether there is a stop"
            : !medium_is_same(&a->object_medium, &b->object_medium) ? "the medium of the object"
-           : !same_fields ? "the fields, or whether they are telecentric"
-                          : NULL;
+           : a->is_telecentric != b->is_telecentric ? "whether the object space is telecentric"
+                                                    : NULL;
 }
 
 bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,
@@ -317,5 +338,5 @@ bool merge_positions(struct lens_build *build, const struct lens *lenses, struct
     to->setting_count = merge.setting_count;
     merge_system(&merge);
     merge_light_and_stop(&merge);
-    return true;
+    return check_fields(&merge, error);
 }

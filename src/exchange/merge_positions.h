@@ -13,8 +13,8 @@
  * Given     build   its lens has the names of the positions; it receives all else of the first lens
  *           lenses  one a position
  * Errors    ERROR_DATA: what differs between the positions and may not: the number or kind of
- *           surfaces, the fields, the kind of aperture. A clear aperture that a surface has in
- *           some positions only is a loss
+ *           surfaces, the kind of aperture. Fields and apertures of surfaces that differ, and a
+ *           clear aperture that a surface has in some positions only, are losses
  */
 bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,
                      struct error *error);

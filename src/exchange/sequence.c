@@ -34,29 +34,13 @@ bool sequence_medium(const struct commands *commands, const struct command_word 
     return lens_words_medium(&words, words.line, medium, error);
 }
 
-/* A number in all positions, as one figure with a variable if there are several. */
-static struct figure cell(const struct sequence *sequence, const char *name,
-                          const struct figure *one, const struct figure *all, struct pair extra)
+/* A thickness with what shifts along z add to it. */
+static struct figure with_extra(const struct sequence *sequence, const struct figure *one,
+                                struct pair extra)
 {
-    struct lens_build *build = sequence->build;
-    size_t count = build->lens->position_count;
-    struct figure figure = *one;
-    if (extra.hi != 0) {
-        figure = figure_computed(pair_add(one->value, extra), sequence->commands->scale,
-                                 sequence->job->arena);
-    }
-    if (all == NULL || count == 0) {
-        return figure;
-    }
-    struct figure *values = ARENA_ARRAY(sequence->job->arena, count, struct figure);
-    for (size_t i = 0; i < count; i++) {
-        values[i] = extra.hi == 0
-                        ? all[i]
-                        : figure_computed(pair_add(all[i].value, extra), sequence->commands->scale,
-                                          sequence->job->arena);
-    }
-    return (struct figure){.typed = text_of(name),
-                           .variable = lens_build_variable(build, name, values)};
+    return extra.hi == 0 ? *one
+                         : figure_computed(pair_add(one->value, extra), sequence->commands->scale,
+                                           sequence->job->arena);
 }
 
 static void put_curve(const struct sequence *sequence, const struct sequence_surface *from,
@@ -186,6 +170,32 @@ static bool put_apertures(const struct sequence *sequence, const struct sequence
     return true;
 }
 
+/* A plane behind a surface that turns the axis once more; the surface's distance is the plane's. */
+static struct surface *bend(const struct sequence *sequence, struct sequence_surface *from,
+                            struct surface *surface)
+{
+    const struct medium medium = surface->medium;
+    surface->thickness = figure_of(0, sequence->job->arena);
+    surface = lens_build_surface(sequence->build);
+    surface->medium = medium;
+    surface->coordinate_break = is_decentred(from) ? displacement_of(sequence, from, true) : NULL;
+    from->has_plane_behind = true;
+    return surface;
+}
+
+/* Shift and turn a surface. Result: the one whose distance is that to the next. */
+static struct surface *move(const struct sequence *sequence, struct sequence_surface *from,
+                            struct surface *surface)
+{
+    if (is_decentred(from) && from->move == SEQUENCE_BACK) {
+        surface->decentre = displacement_of(sequence, from, false);
+    } else if (is_decentred(from)) {
+        surface->coordinate_break = displacement_of(sequence, from, false);
+    }
+    bool bends = from->move == SEQUENCE_BEND && (is_decentred(from) || sequence->has_positions);
+    return bends ? bend(sequence, from, surface) : surface;
+}
+
 /* The surface, and behind a bend a plane that turns the axis. */
 static bool put_surface(const struct sequence *sequence, size_t index, size_t *lens_index,
                         struct error *error)
@@ -212,12 +222,10 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     if (from->thickness.typed.start != NULL) {
         zero = from->thickness;
     }
-    const char *name = arena_printf(arena, "d%zu", *lens_index + 1);
-    struct figure thickness = cell(sequence, name, &zero, from->thicknesses, from->extra);
+    const struct figure thickness = with_extra(sequence, &zero, from->extra);
     surface->has_diameter = has_circle(from);
     if (surface->has_diameter) {
-        name = arena_printf(arena, "a%zu", *lens_index + 1);
-        surface->diameter = cell(sequence, name, &from->diameter, from->diameters, pair_of(0));
+        surface->diameter = from->diameter;
     }
     if (!put_apertures(sequence, from, surface, error)) {
         return false;
@@ -225,19 +233,7 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     if (from->is_stop) {
         lens_build_stop(build, *lens_index);
     }
-    if (is_decentred(from) && from->move == SEQUENCE_BACK) {
-        surface->decentre = displacement_of(sequence, from, false);
-    } else if (is_decentred(from)) {
-        surface->coordinate_break = displacement_of(sequence, from, false);
-    }
-    if (is_decentred(from) && from->move == SEQUENCE_BEND) {
-        const struct medium medium = surface->medium;
-        surface->thickness = figure_of(0, arena);
-        surface = lens_build_surface(build);
-        surface->medium = medium;
-        surface->coordinate_break = displacement_of(sequence, from, true);
-        from->has_plane_behind = true;
-    }
+    surface = move(sequence, from, surface);
     surface->thickness = thickness;
     return true;
 }
@@ -279,22 +275,11 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     lens->object_is_infinite = is_infinite(sequence, &object->thickness);
     lens->object = lens->object_is_infinite
                        ? infinite
-                       : cell(sequence, "", &object->thickness, NULL, object->extra);
+                       : with_extra(sequence, &object->thickness, object->extra);
     if (!lens->object_is_infinite && !(lens->object.value.hi > 0)) {
         return commands_fail(sequence->commands, &object->at, error,
                              "the object's distance %.6g mm is not above 0", lens->object.value.hi);
     }
-    size_t count = lens->position_count;
-    if (object->thicknesses == NULL || count == 0) {
-        return true;
-    }
-    struct figure *objects = ARENA_ARRAY(sequence->job->arena, count, struct figure);
-    for (size_t i = 0; i < count; i++) {
-        objects[i] = is_infinite(sequence, &object->thicknesses[i])
-                         ? infinite
-                         : cell(sequence, "", &object->thicknesses[i], NULL, object->extra);
-    }
-    lens->objects = objects;
     return true;
 }
 
@@ -304,11 +289,7 @@ static bool check_telecentric(const struct sequence *sequence, struct error *err
     struct lens *lens = sequence->build->lens;
     const struct command_word *at = &sequence->surfaces[0].at;
     const struct lens_words place = commands_place(sequence->commands, at);
-    bool far = lens->object_is_infinite;
-    for (size_t i = 0; lens->objects != NULL && i < lens->position_count; i++) {
-        far = far || isinf(lens->objects[i].value.hi);
-    }
-    if (!lens->is_telecentric || !far) {
+    if (!lens->is_telecentric || !lens->object_is_infinite) {
         return true;
     }
     lens->is_telecentric = false;

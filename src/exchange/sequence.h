@@ -67,8 +67,7 @@ struct sequence_surface {
     struct figure curve;    /* radius in mm, or curvature in 1/mm; not given: typed.start is null */
     bool is_radius;
     struct figure thickness;
-    const struct figure *thicknesses, *diameters; /* one a position, or null */
-    struct pair extra;                            /* mm, added to every thickness in the end */
+    struct pair extra; /* mm, added to every thickness in the end */
     struct medium medium;
     bool reflects;
     struct figure diameter, conic; /* not given: typed.start is null */
@@ -92,7 +91,8 @@ struct sequence_surface {
 
 /* A file's surfaces, the object first, the image last. */
 struct sequence {
-    bool is_afocal; /* the image is given by angles */
+    bool is_afocal;     /* the image is given by angles */
+    bool has_positions; /* it is that of one of them: bends have their planes in all */
     struct foreign_job *job;
     const struct commands *commands;
     struct lens_build *build;

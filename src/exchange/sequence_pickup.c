@@ -22,22 +22,6 @@ static struct figure follow(const struct sequence *sequence, struct figure sourc
     return figure_computed(value, unit, sequence->job->arena);
 }
 
-/* The same for the numbers of all positions. */
-static const struct figure *follow_all(const struct sequence *sequence,
-                                       const struct figure *sources,
-                                       const struct sequence_pickup *pickup)
-{
-    size_t count = sequence->build->lens->position_count;
-    if (sources == NULL) {
-        return NULL;
-    }
-    struct figure *all = ARENA_ARRAY(sequence->job->arena, count, struct figure);
-    for (size_t i = 0; i < count; i++) {
-        all[i] = follow(sequence, sources[i], pickup, sequence->commands->scale);
-    }
-    return all;
-}
-
 static void follow_curve(const struct sequence *sequence, const struct sequence_pickup *pickup,
                          const struct sequence_surface *source, struct sequence_surface *target)
 {
@@ -112,14 +96,12 @@ static bool apply_pickup(const struct sequence *sequence, const struct sequence_
         break;
     case SEQUENCE_THICKNESS:
         target->thickness = follow(sequence, source->thickness, pickup, scale);
-        target->thicknesses = follow_all(sequence, source->thicknesses, pickup);
         break;
     case SEQUENCE_LENGTH:
         follow_length(sequence, pickup, target);
         break;
     case SEQUENCE_DIAMETER:
         target->diameter = follow(sequence, source->diameter, pickup, scale);
-        target->diameters = follow_all(sequence, source->diameters, pickup);
         break;
     case SEQUENCE_CONIC:
         target->conic = follow(sequence, source->conic, pickup, (struct number_scale){1, 0});

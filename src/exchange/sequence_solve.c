@@ -19,15 +19,13 @@ struct solving {
     bool is_thickness;
 };
 
-static bool solve_one(const struct solving *solving, size_t position, struct pair *value,
-                      struct error *error)
+static bool solve_one(const struct solving *solving, struct pair *value, struct error *error)
 {
     struct arena *arena = solving->sequence->job->arena;
     const struct lens *lens = solving->sequence->build->lens;
     struct solve_state state;
     const struct arena_mark mark = arena_mark(arena);
-    bool followed = solve_follow(lens_at_position(lens, position, arena), solving->surface,
-                                 solving->solve->ray, arena, &state, error);
+    bool followed = solve_follow(lens, solving->surface, solving->solve->ray, arena, &state, error);
     arena_reset(arena, mark);
     if (!followed) {
         return false;
@@ -62,52 +60,25 @@ static bool is_near(struct pair a, struct pair b)
     return fabs(pair_subtract(a, b).hi) <= same_enough * (fabs(a.hi) + 1);
 }
 
-static bool set_thickness(const struct solving *solving, const struct figure *values, size_t count)
+/* Result: was it so already? */
+static bool set_thickness(const struct solving *solving, struct figure value)
 {
-    struct lens_build *build = solving->sequence->build;
-    struct figure *figure = &build->lens->surfaces[solving->surface].thickness;
-    bool differ = false, near = true;
-    for (size_t i = 0; i < count; i++) {
-        const struct figure *old = figure->variable != LENS_NONE
-                                       ? &build->lens->variables[figure->variable].values[i]
-                                       : figure;
-        near = near && is_near(old->value, values[i].value);
-        differ = differ || values[i].value.hi != values[0].value.hi ||
-                 values[i].value.lo != values[0].value.lo;
-    }
-    if (figure->variable != LENS_NONE) {
-        build->lens->variables[figure->variable].values = values;
-    } else if (differ) {
-        const char *name = arena_printf(build->arena, "d%zu", solving->surface + 1);
-        *figure = (struct figure){.typed = text_of(name),
-                                  .variable = lens_build_variable(build, name, values)};
-    } else {
-        *figure = values[0];
-    }
+    struct lens *lens = solving->sequence->build->lens;
+    struct figure *figure = &lens->surfaces[solving->surface].thickness;
+    const bool near = is_near(figure->value, value.value);
+    *figure = value;
     return near;
 }
 
-static bool set_curvature(const struct solving *solving, const struct figure *values, size_t count,
-                          bool *near, struct error *error)
+static bool set_curvature(const struct solving *solving, struct figure value)
 {
     struct surface *surface = &solving->sequence->build->lens->surfaces[solving->surface];
-    const struct lens_words place =
-        commands_place(solving->sequence->commands, &solving->solve->at);
     const struct pair old = surface_curvature(surface, SECTION_Y);
-    for (size_t i = 1; i < count; i++) {
-        if (!is_near(values[i].value, values[0].value) &&
-            !foreign_loss(solving->sequence->job, &place, solving->solve->at.text, error,
-                          "a curvature that is solved in every position" LOSS_INSTEAD
-                          "that of the first stands")) {
-            return false;
-        }
-    }
     surface->is_plane = true;
     surface->radius = sequence_nothing;
-    surface->has_curvature = values[0].value.hi != 0;
-    surface->curvature = values[0];
-    *near = is_near(old, values[0].value);
-    return true;
+    surface->has_curvature = value.value.hi != 0;
+    surface->curvature = value;
+    return is_near(old, value.value);
 }
 
 static const char through_loss[] = "it follows rays through what is lost";
@@ -116,10 +87,7 @@ static const char through_loss[] = "it follows rays through what is lost";
 static const struct figure *stored_of(const struct solving *solving)
 {
     const struct sequence_surface *from = solving->from;
-    if (!solving->is_thickness) {
-        return &from->curve;
-    }
-    return from->thicknesses != NULL ? &from->thicknesses[0] : &from->thickness;
+    return solving->is_thickness ? &from->thickness : &from->curve;
 }
 
 static bool is_stored(const struct solving *solving)
@@ -135,9 +103,8 @@ static bool keep(const struct solving *solving, const char *why, struct error *e
 {
     const struct sequence *sequence = solving->sequence;
     const struct lens_words place = commands_place(sequence->commands, &solving->solve->at);
-    const bool is_one = sequence->build->lens->position_count < 2;
     error->code = ERROR_NONE;
-    if (is_one && is_stored(solving) && why != through_loss) {
+    if (!sequence->has_positions && is_stored(solving) && why != through_loss) {
         const char *note =
             arena_printf(sequence->job->arena,
                          "line %ld: a solve: %s; the number of the file stands", place.number, why);
@@ -152,28 +119,20 @@ static bool keep(const struct solving *solving, const char *why, struct error *e
 /* Result: false with ERROR_NONE where the stored number stands, as a loss that is listed. */
 static bool apply(const struct solving *solving, bool *near, struct error *error)
 {
-    size_t positions = solving->sequence->build->lens->position_count;
-    size_t count = positions > 0 ? positions : 1;
-    struct figure *values = ARENA_ARRAY(solving->sequence->job->arena, count, struct figure);
+    struct pair value;
     if (solving->sequence->job->lost_power != NULL && is_stored(solving)) {
         return keep(solving, through_loss, error);
     }
     if (solving->solve->is_unknown) {
         return keep(solving, "it is not known", error);
     }
-    for (size_t i = 0; i < count; i++) {
-        struct pair value;
-        if (!solve_one(solving, i, &value, error)) {
-            const struct error found = *error;
-            return keep(solving, found.message, error);
-        }
-        values[i] = figure_solved(solving, value);
+    if (!solve_one(solving, &value, error)) {
+        const struct error found = *error;
+        return keep(solving, found.message, error);
     }
-    if (solving->is_thickness) {
-        *near = set_thickness(solving, values, count);
-        return true;
-    }
-    return set_curvature(solving, values, count, near, error);
+    const struct figure figure = figure_solved(solving, value);
+    *near = solving->is_thickness ? set_thickness(solving, figure) : set_curvature(solving, figure);
+    return true;
 }
 
 /* Result: whether nothing moved any more; false with a code where it failed. */
@@ -211,10 +170,6 @@ static void remark(const struct solving *solving, size_t number)
     const struct surface *surface = &sequence->build->lens->surfaces[solving->surface];
     const struct figure *was = stored_of(solving), *is = &surface->thickness;
     struct pair value = is->value, old = pair_add(was->value, solving->from->extra);
-    if (solving->is_thickness && is->variable != LENS_NONE) {
-        is = &sequence->build->lens->variables[is->variable].values[0];
-        value = is->value;
-    }
     if (!solving->is_thickness) {
         is = &surface->curvature;
         value = surface_curvature(surface, SECTION_Y);

@@ -1,5 +1,6 @@
 /* tests/unit/test_codev.c - CODE V sequence files: what each command means, or why it is lost. */
 /* SPDX-License-Identifier: MIT */
+#include "file/lens_change.h"
 #include "foreign_cases.h"
 
 static const char good[] = "RDM;LEN\n"
@@ -191,17 +192,37 @@ static const struct meaning of_positions[] = {
     {"GO", "ZOO EPD 5 4 3", "let aperture epd 5 epd 4 epd 3"},
     {"EPD 5", "FNO 4;!", "aperture f/4"},
     {"EPD 5\nSO", "FNO 4\nSO", "aperture f/4"},
-    {"GO", "ZOO CIR S1 4 5 6", "let a1 8 10 12"},
+    {"GO", "ZOO CIR S1 4 5 6", "let D1 8 10 12"},
     {"GO", "ZOO THI SO 1e13 200 100", "let object inf 200 100"},
     {"GO", "THI S2 Z2 12.5", "let d2 10 12.5 10"},
-    {"GO", "CIR S1 Z3 5", "let a1 8 8 10"},
+    {"GO", "CIR S1 Z3 5", "let D1 8 8 10"},
+    {"GO", "ZOO CIR S1 CLR 4 5 6", "let D1 8 10 12"},
+    {"GO", "EPD Z2 4", "let aperture epd 5 epd 4 epd 5"},
+    {"GO", "ZOO RDY S1 50 40 30", "set R1 50 40 30"},
+    {"GO", "ZOO CUY S1 0.02 0.025 0.04", "set R1 50 40 25"},
+    {"GO", "RDY S1 Z2 40", "set R1 50 40 50"},
+    {"GO", "ZOO K S1 0 -1 -2", "set k1 0 -1 -2"},
+    {"GO", "ZOO A S1 0 1e-6 2e-6;A Z3 S1 3e-6", "set A4_1 0 1e-6 3e-6"},
+    {"GO", "SPS S1 ODD;ZOO SCO S1 AR3 0 1e-6 2e-6", "set A3_1 0 1e-6 2e-6"},
+    {"GO", "ZOO GLA S1 1.5 1.6 NBK7_SCHOTT", "set glass1 1.5 1.6 SCHOTT:N-BK7"},
+    {"GO", "ZOO YDE S2 0 1 -1;DAR S2", "set decenter_y2 0 1 -1"},
+    {"GO", "ZOO ADE S2 0 10 20;DAR S2", "set tilt_x2 0 -10 -20"},
+    {"GO", "ZOO WTF F1 1 1 1;WL 500 600;ZOO WTW W2 1 1 1", "wavelength 500nm 600nm"},
+    {"GO", "WL 500 600;REF 1;WTW 1 1;ZOO WTW W2 1 0.5 0",
+     "set wavelength 500nm,600nm 500nm,600nm:0.5 500nm,600nm:0"},
+    {"GO", "WL 500 600;ZOO REF 1 2 1", "set wavelength 500nm,600nm 600nm,500nm 500nm,600nm"},
+    {"GO", "PIK THI S2 Z2 THI S1 Z2 2", "let d2 10 14 10"},
+    /* a mirror that bends the axis in some positions has its plane in all */
+    {"S 0 10\nSI", "S 0 -10 REFL\nBEN\nSI 0 0;ZOO ADE S2 0 -45 45;!",
+     "bend decenter=0,0 tilt=0,0,0\nsurface - 0 mirror -"},
+    {"GO", "CUY S2 UMY 0;CUY S2 Z3 0", "position z1 z2 z3"},
+    {"GO", "YAN 0 7;ZOO YAN F2 7 7 7", "field angle 0 7"},
+    {"GO", "XAN 1 2;YAN F1 5;YAN F2 6", "field angle 1,5 2,6"},
     {"GO", "PIK THI S2 THI S1 1 0.5", "let d2 6.5 7.5 8.5"},
     {"GO", "ZOO THC S1 0 0 0;ZOO XAN 0 0 0", "let d1 6 7 8"},
     {"GO", "ZDE S2 1", "let d1 7 8 9"},
 };
 
-static const char position_words[] =
-    "ZOO: 'RDY' in positions: only thicknesses, diameters and apertures change with them";
 static const char stands[] = "the number of the file stands";
 
 static const struct refusal losses[] = {
@@ -222,11 +243,11 @@ static const struct refusal losses[] = {
     {"STO", "STO\n@XOD 1", "XOD: an offset of the point about which a surface turns", ""},
     {"STO", "STO\n@RDX 40", "RDX: a curvature in x of a surface that is no cylinder", ""},
     {"STO", "STO\nCYL\n@CUX 0.1", "CUX: a surface that is curved in x and in y", ""},
-    {"STO", "STO\n@RDY Z2 40", "RDY: a curvature of position 2 alone", ""},
-    {"STO", "STO\n@GLA Z2 AIR", "GLA: a glass of position 2 alone", ""},
-    {"STO", "STO\n@K Z2 1", "K: a constant of position 2 alone", ""},
-    {"STO", "STO\n@ADE Z2 1", "ADE: a shift or turn of position 2 alone", ""},
-    {"STO", "STO\n@EPD Z2 1", "EPD: an aperture of position 2 alone: write ZOO EPD", ""},
+    {"STO", "STO\n@RDY Z2 40", "RDY: it is of position 2 of 1", ""},
+    {"STO", "STO\n@GLA Z2 AIR", "GLA: it is of position 2 of 1", ""},
+    {"STO", "STO\n@K Z2 1", "K: it is of position 2 of 1", ""},
+    {"STO", "STO\n@ADE Z2 1", "ADE: it is of position 2 of 1", ""},
+    {"STO", "STO\n@EPD Z2 1", "EPD: it is of position 2 of 1", ""},
     {"STO", "STO\n@SPS QBF", "SPS: a surface of a shape that lenscalc has not", ""},
     {"STO", "STO\n@SPS ODD 2", "SPS: a radius that r is divided by", ""},
     {"STO", "STO\nSPS ODD\n@SCO AR21 1", "SCO: a constant of a shape that lenscalc has not", ""},
@@ -235,7 +256,6 @@ static const struct refusal losses[] = {
     {"GO", "@PIK XDE S1 XDE S2", "PIK: a pick-up that is not known", stands},
     {"GO", "@PIK RDY S2 THI S1", "PIK: a pick-up between unlike numbers or positions", ""},
     {"GO", "@PIK RDY S2 Z2 RDY S1", "PIK: a pick-up between unlike numbers or positions", ""},
-    {"YAN 0 10", "YAN 0 10\n@YAN F2 8", "YAN: a field of one position or of one number alone", ""},
     {"EPD 10\nWL 587.5618\nYAN 0 10\nSO 0 1e13", "FNO 4\n@SO 0 200",
      "the working f-number of a near object", "taken as that of the lens"},
     {"SO 0 1e13", "@SO 500 1e13", "a curved or tilted object", "taken as a plane"},
@@ -244,7 +264,8 @@ static const struct refusal losses[] = {
     {"STO", "STO\nADE 10;BDE 5\n@BEN", "a bend with turns about more than one axis",
      "only the first is kept"},
     {"STO", "STO\nCYL;CDE 10\n@DAR", "a cylinder turned about z", "left unturned"},
-    {"GO", "ZOO 2\n@ZOO RDY S1 50 40", position_words, ""},
+    {"GO", "ZOO 2\nZOO @VUY F1 0 0.1", "VUY: vignetting factors", ""},
+    {"GO", "ZOO 2\nZOO THI S1 3 @x", "a solve: it is not known", stands},
 };
 
 static const char macro[] = "a command of a macro: lenscalc reads lens data and runs no macros";
@@ -317,12 +338,13 @@ static const struct refusal errors[] = {
     {"GO", "ZOO 2\nZOO @3", "ZOO stands here twice", NULL},
     {"GO", "ZOO 2 @3", "'3' does not belong here", NULL},
     {"GO", "ZOO 2\n@ZOO THI S1 3 4 5", "3 numbers for 2 positions", NULL},
-    {"GO", "ZOO 2\nZOO @EPD 3", "1 numbers for 2 positions", NULL},
+    {"GO", "ZOO 2\n@ZOO EPD 3", "1 numbers for 2 positions", NULL},
     {"GO", "ZOO 2\nZOO EPD 3 @-4", "the aperture must be above 0", NULL},
-    {"GO", "ZOO 2\nZOO THI S1 3 @x", "the value 'x' is no number", NULL},
-    {"GO", "@THI S1 Z2 5", "1 numbers for 0 positions", NULL},
-    {"TITLE 'Singlet'", "ZOO 2\n@ZOO THI 1 2", "positions of a surface before the first surface",
-     NULL},
+    {"GO", "ZOO 2\nZOO RDY S1 3 5@x", "the radius '5x' is no number", NULL},
+    {"GO", "@ZOO THI S1 5 6", "2 numbers for 0 positions", NULL},
+    {"TITLE 'Singlet'", "ZOO 2\nZOO @THI 1 2", "'THI' before the first surface", NULL},
+    {"GO", "@YAN F4 5", "field 4, where 2 are listed", NULL},
+    {"GO", "@WTW W2 5", "wavelength 2 of 1", NULL},
     {"GO", "PRV\nPWL @x\nEND", "the wavelength 'x' is no number", NULL},
     {"GO", "PRV @x\nEND", "'x' does not belong here", NULL},
     {"GO", "PRV\nPWL 500 600\n'A' @1.5\nEND", "1 indices for 2 wavelengths of PWL", NULL},
@@ -341,8 +363,72 @@ static const struct refusal errors[] = {
      "LEN\nNAO 0.1\nSO 0 1e3\n@S 50", NO_RDM("a beam of 201.008 mm"), NULL}, /* 2 s tan u */
 };
 
+/* Lines of a zoom, and the same lines of each position alone: both are the same lens there. */
+static const char *const alone[][4] = {
+    /* in the zoom; in positions 1, 2, 3 */
+    {"ZOO EPD 5 4 3", "EPD 5", "EPD 4", "EPD 3"},
+    {"ZOO RDY S1 50 -45 40", "RDY S1 50", "RDY S1 -45", "RDY S1 40"},
+    {"CUY S2 Z2 -0.0125", "", "CUY S2 -0.0125", ""},
+    {"ZOO THI S2 20 25 30", "THI S2 20", "THI S2 25", "THI S2 30"},
+    {"ZOO GLA S1 1.5 1.6 NBK7_SCHOTT", "GLA S1 1.5", "GLA S1 1.6", "GLA S1 NBK7_SCHOTT"},
+    {"ASP S1;ZOO A S1 3e-7 1e-6 -2e-6;ZOO K S1 -1 0 0.5", "A S1 3e-7;K S1 -1", "A S1 1e-6",
+     "A S1 -2e-6;K S1 0.5"},
+    {"ZOO YDE S2 0.5 0 -0.5;ZOO ADE S2 1 2 3;DAR S2", "YDE S2 0.5;ADE S2 1;DAR S2",
+     "YDE S2 0;ADE S2 2;DAR S2", "YDE S2 -0.5;ADE S2 3;DAR S2"},
+    {"ZOO XDE S2 0.5 1 -0.5", "XDE S2 0.5", "XDE S2 1", "XDE S2 -0.5"},
+    {"RDY S2 -60;THI S2 HMY 0.5", "RDY S2 -60;THI S2 HMY 0.5", "RDY S2 -60;THI S2 HMY 0.5",
+     "RDY S2 -60;THI S2 HMY 0.5"},
+    {"RDY S2 -60;PIM", "RDY S2 -60;PIM", "RDY S2 -60;PIM", "RDY S2 -60;PIM"},
+    {"PIK RDY S2 RDY S1 -1;ZOO RDY S1 50 60 70", "RDY S2 -50", "RDY S1 60;RDY S2 -60",
+     "RDY S1 70;RDY S2 -70"},
+    {"WL 500 600;REF 1;ZOO REF 1 2 2", "WL 500 600;REF 1", "WL 500 600;REF 2", "WL 500 600;REF 2"},
+};
+
+/* The lens in JSON, which has every number; null where the file is not read. */
+static const char *json_of(struct fixture *fixture, const char *lines, const char *what,
+                           size_t position)
+{
+    const struct foreign_format *json = foreign_by_name(text_of("json"));
+    const char *file = arena_printf(&fixture->arena,
+                                    "RDM;LEN\nEPD 5\nWL 587.6\nSO 0 1e13\nS 50 6 1.5\nSTO\n"
+                                    "S 0 10\n%s\nSI 0 0\n%s\nGO\n",
+                                    lines, what);
+    struct text text = {NULL, 0};
+    bool read = foreign_read(&fixture->job, text_of(file), &fixture->lens, &fixture->error);
+    if (!read) {
+        printf("%s: %s\n", lines, fixture->error.message);
+        return NULL;
+    }
+    struct lens plain = *lens_one_position(&fixture->lens, position, &fixture->arena);
+    plain.note_count = 0;
+    return json->write(&fixture->job, &plain, &text, &fixture->error)
+               ? arena_string(&fixture->arena, text.start, text.length)
+               : NULL;
+}
+
+static void test_positions_alone(void)
+{
+    for (size_t i = 0; i < sizeof alone / sizeof alone[0]; i++) {
+        for (size_t p = 0; p < 3; p++) {
+            struct fixture zoomed, single;
+            fixture_open(&zoomed, "zoom.seq");
+            fixture_open(&single, "single.seq");
+            const char *in_zoom = json_of(&zoomed, alone[i][0], "ZOO 3", p);
+            const char *by_itself = json_of(&single, alone[i][p + 1], "", 0);
+            bool same = in_zoom != NULL && by_itself != NULL && strcmp(in_zoom, by_itself) == 0;
+            if (!same) {
+                printf("%s in position %zu:\n%s\n%s\n", alone[i][0], p + 1, in_zoom, by_itself);
+            }
+            CHECK(same);
+            arena_free(&zoomed.arena);
+            arena_free(&single.arena);
+        }
+    }
+}
+
 int main(void)
 {
+    test_positions_alone();
     check_meanings("lens.seq", good, CASES(of_lens));
     check_meanings("surfaces.seq", good, CASES(of_surfaces));
     check_meanings("shifts.seq", good, CASES(of_shifts));

@@ -33,13 +33,16 @@ struct codev {
     struct commands commands;
     struct sequence sequence;
     struct lens_build build;
-    size_t surface;   /* the present one */
-    bool radius_mode; /* RDM: else the numbers of a surface are curvatures */
+    size_t positions;   /* of ZOO; 0 = the file has no positions */
+    size_t position;    /* the present one, from 1 on */
+    const char **names; /* of the positions */
+    size_t surface;     /* the present one */
+    bool radius_mode;   /* RDM: else the numbers of a surface are curvatures */
     bool mode_is_given;
     bool has_image;
     struct command_word image_solve; /* PIM */
     struct command_word *wavelengths, *weights;
-    size_t wavelength_count, weight_count, primary;
+    size_t wavelength_count, weight_count, weight_room, primary;
     struct figure *fields[CODEV_FIELD_ROWS]; /* x, y, weight */
     size_t field_count[CODEV_FIELD_ROWS];
     struct command_word fields_at[CODEV_FIELD_ROWS];
@@ -54,8 +57,8 @@ struct codev {
 struct codev_qualifiers {
     size_t surface, end; /* Sk or Sk..m; the present surface if there is none */
     bool has_surface;
-    size_t zoom, field; /* Zk, Fk; 0 = none */
-    size_t next;        /* the first word behind them */
+    size_t zoom, field, wave; /* Zk, Fk, Wk; 0 = none */
+    size_t next;              /* the first word behind them */
 };
 
 /* Read the qualifiers from word `first` on. */
@@ -83,7 +86,6 @@ codev_command codev_aperture_shift; /* ADX, ADY; 'X', 'Y' */
 codev_command codev_shift;          /* XDE .. CDE */
 codev_command codev_move;           /* DAR BEN */
 codev_command codev_pickup;
-codev_command codev_zoom;
 codev_command codev_catalog; /* PRV PWL END */
 
 /* A glass inside PRV .. END. */
@@ -104,10 +106,20 @@ extern const struct word_group codev_words[];
 /* The group of a command; null: it is unknown. */
 const struct word_group *codev_group(struct text word);
 
-/* One number of each position behind `ZOO NAME`, or a single one with Zk. */
-bool codev_values(struct codev *codev, const struct codev_qualifiers *qualifiers,
-                  const struct figure *usual, const struct figure **values, bool double_them,
-                  struct error *error);
+/* ZOO n: how many positions there are. */
+bool codev_set_positions(struct codev *codev, struct error *error);
+
+/*
+ * `ZOO NAME .. v1 .. vn` becomes `NAME .. vi` in position i, and a command with Zk is one of
+ * position k alone, where it loses this word.
+ *
+ * Result    is_here  is there something to do in the present position?
+ * Errors    ERROR_DATA: not as many values as positions, a position that is not there
+ */
+bool codev_place(struct codev *codev, bool *is_here, struct error *error);
+
+/* The letter of a word that narrows a command: 's' surfaces; 'z', 'f', 'w' with a number; or 0. */
+char codev_qualifier_kind(const struct command_word *word);
 
 /* The words of DIM: millimetres, centimetres, inches. */
 extern const struct foreign_unit codev_units[];

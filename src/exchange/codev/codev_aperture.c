@@ -88,36 +88,16 @@ static struct sequence_aperture *find_aperture(struct codev *codev,
     return one;
 }
 
-/* The radius of a clear circle, or those of positions. */
-static bool read_circle(struct codev *codev, struct codev_qualifiers *qualifiers, size_t at,
-                        const struct figure *radius, struct error *error)
-{
-    struct sequence_surface *surface = &codev->sequence.surfaces[qualifiers->surface];
-    if (qualifiers->zoom > 0) {
-        qualifiers->next = at;
-        return codev_values(codev, qualifiers, &surface->diameter, &surface->diameters, true,
-                            error);
-    }
-    surface->diameter = sequence_diameter(radius, codev->job->arena);
-    return true;
-}
-
 /* Half a size along x or y of what is no clear circle. */
-static bool read_half(struct codev *codev, const struct codev_qualifiers *qualifiers,
-                      const struct aperture_words *words, int what, const struct figure *half,
-                      struct error *error)
+static void put_half(struct codev *codev, const struct codev_qualifiers *qualifiers,
+                     const struct aperture_words *words, int what, const struct figure *half)
 {
     const enum aperture_shape shape = what == 'C'                  ? SHAPE_CIRCLE
                                       : what == 'X' || what == 'Y' ? SHAPE_ELLIPSE
                                                                    : SHAPE_RECTANGLE;
-    if (qualifiers->zoom > 1) {
-        return commands_lose(&codev->commands, error, "a size of position %zu" LOSS_VIGNETTES,
-                             qualifiers->zoom);
-    }
     struct sequence_surface *surface = &codev->sequence.surfaces[qualifiers->surface];
     struct sequence_aperture *one = find_aperture(codev, surface, words, shape);
     one->aperture.size[what == 'Y' || what == 'y'] = sequence_diameter(half, codev->job->arena);
-    return true;
 }
 
 bool codev_aperture(struct codev *codev, int what, struct error *error)
@@ -142,8 +122,13 @@ bool codev_aperture(struct codev *codev, int what, struct error *error)
     if (words.is_edge || (half.value.hi == 0 && !is_clear_circle)) {
         return true; /* the rim of the glass, for drawings; none */
     }
-    return is_clear_circle ? read_circle(codev, &qualifiers, words.next, &half, error)
-                           : read_half(codev, &qualifiers, &words, what, &half, error);
+    if (is_clear_circle) {
+        codev->sequence.surfaces[qualifiers.surface].diameter =
+            sequence_diameter(&half, codev->job->arena);
+    } else {
+        put_half(codev, &qualifiers, &words, what, &half);
+    }
+    return true;
 }
 
 bool codev_aperture_shift(struct codev *codev, int what, struct error *error)
@@ -164,10 +149,6 @@ bool codev_aperture_shift(struct codev *codev, int what, struct error *error)
         return true;
     }
     struct sequence_surface *surface = &codev->sequence.surfaces[qualifiers.surface];
-    if (qualifiers.zoom > 1 || surface->diameters != NULL) {
-        surface->has_lost_aperture = true;
-        return commands_lose(commands, error, "a shifted aperture of positions" LOSS_VIGNETTES);
-    }
     find_aperture(codev, surface, &words, APERTURE_SHAPES)->aperture.decenter[what == 'Y'] = shift;
     return true;
 }

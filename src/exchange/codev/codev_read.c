@@ -4,6 +4,7 @@
 
 #include "exchange/codev/codev_system.h"
 #include "exchange/keep_notes.h"
+#include "exchange/merge_positions.h"
 
 #include <string.h>
 
@@ -138,7 +139,7 @@ static const struct {
     {"TEL", read_space, 'T', false},
     {"AFC", read_space, 'A', false},
     {"PIK", codev_pickup, 0, true},
-    {"ZOO", codev_zoom, 0, false},
+    {"ZOO", read_nothing, 0, false}, /* what it has not become */
     {"PRV", codev_catalog, 'P', false},
     {"PWL", codev_catalog, 'W', false},
     {"END", codev_catalog, 'P', false},
@@ -168,7 +169,14 @@ static bool run_group(struct codev *codev, struct text word, struct error *error
 static bool run_command(struct codev *codev, struct error *error)
 {
     const struct command_word *word = &codev->commands.words[0];
+    bool is_here = true;
+    if (!codev->in_catalog && !codev_place(codev, &is_here, error)) {
+        return false;
+    }
     const struct codev_key key = codev_key(word->text);
+    if (!is_here) {
+        return true;
+    }
     if (codev->in_catalog && strcmp(key.letters, "PWL") != 0 && strcmp(key.letters, "END") != 0) {
         return codev_private_glass(codev, error);
     }
@@ -191,14 +199,17 @@ static bool run_command(struct codev *codev, struct error *error)
     return run_group(codev, word->text, error);
 }
 
-/* The unit may stand behind the lengths that it is of. */
-static bool read_unit(struct codev *codev, struct text content, struct error *error)
+/* The unit may stand behind the lengths that it is of, ZOO behind everything. */
+static bool read_ahead(struct codev *codev, struct text content, struct error *error)
 {
     commands_open(&codev->commands, codev->job, content, &grammar);
     while (commands_next(&codev->commands, error)) {
         const struct codev_key key = codev_key(codev->commands.words[0].text);
-        if (strcmp(key.letters, "DIM") == 0 && !codev->commands.words[0].is_quoted &&
-            !codev_unit(codev, 0, error)) {
+        const bool quoted = codev->commands.words[0].is_quoted;
+        if (strcmp(key.letters, "DIM") == 0 && !quoted && !codev_unit(codev, 0, error)) {
+            return false;
+        }
+        if (strcmp(key.letters, "ZOO") == 0 && !quoted && !codev_set_positions(codev, error)) {
             return false;
         }
     }
@@ -237,7 +248,6 @@ static void read_keep_notes(struct codev *codev, struct text content)
         if (text_equal(kept, CODEV_STOP_RULES)) {
             lens->aperture_kind = APERTURE_STOP;
             lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
-            lens->apertures = NULL;
         } else if (note.start != NULL) {
             lens_build_note(&codev->build, note);
         } else if (kept.start != NULL) {
@@ -247,27 +257,60 @@ static void read_keep_notes(struct codev *codev, struct text content)
     keep_notes_apply(&notes, &codev->build);
 }
 
-static bool codev_read(struct foreign_job *job, struct text content, struct lens *lens,
-                       struct error *error)
+/* The lens of the present position. */
+static bool read_position(struct codev *codev, struct text content, struct lens *lens,
+                          struct error *error)
 {
-    struct codev *codev = ARENA_NEW(job->arena, struct codev);
-    codev->job = job;
-    lens_build_begin(&codev->build, lens, job->arena);
-    if (!read_unit(codev, content, error)) {
-        return false;
-    }
     const struct number_scale scale = codev->commands.scale;
-    commands_open(&codev->commands, job, content, &grammar);
+    const char *unit = codev->build.lens->unit;
+    lens_build_begin(&codev->build, lens, codev->job->arena);
+    lens->unit = unit;
+    commands_open(&codev->commands, codev->job, content, &grammar);
     codev->commands.scale = scale;
-    codev->sequence =
-        (struct sequence){.job = job, .commands = &codev->commands, .build = &codev->build};
+    codev->sequence = (struct sequence){.job = codev->job,
+                                        .commands = &codev->commands,
+                                        .build = &codev->build,
+                                        .has_positions = codev->positions > 0};
     while (commands_next(&codev->commands, error)) {
         if (!run_command(codev, error)) {
             return false;
         }
     }
+    if (error->code != ERROR_NONE) {
+        return false;
+    }
     read_keep_notes(codev, content);
-    return error->code == ERROR_NONE && finish(codev, error);
+    return finish(codev, error);
+}
+
+/* A file with positions is read once for each of them. */
+static bool codev_read(struct foreign_job *job, struct text content, struct lens *lens,
+                       struct error *error)
+{
+    struct codev *first = ARENA_NEW(job->arena, struct codev);
+    first->job = job;
+    lens_build_begin(&first->build, lens, job->arena);
+    if (!read_ahead(first, content, error)) {
+        return false;
+    }
+    if (first->positions == 0) {
+        return read_position(first, content, lens, error);
+    }
+    struct lens_build build = first->build;
+    struct lens *lenses = ARENA_ARRAY(job->arena, first->positions, struct lens);
+    for (size_t p = 0; p < first->positions; p++) {
+        struct codev *one = ARENA_NEW(job->arena, struct codev);
+        const size_t losses = job->loss_count;
+        *one = *first;
+        one->position = p + 1;
+        if (!read_position(one, content, &lenses[p], error)) {
+            return false;
+        }
+        foreign_forget_repeated(job, p > 0 ? losses : job->loss_count);
+    }
+    lens->positions = first->names;
+    lens->position_count = first->positions;
+    return merge_positions(&build, lenses, job, error);
 }
 
 /* Lines that begin with S O and with S I, or RDM. */

@@ -178,10 +178,6 @@ bool codev_curve(struct codev *codev, int what, struct error *error)
         return false;
     }
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
-    if (qualifiers.zoom > 1) {
-        return commands_lose(&codev->commands, error, "a curvature of position %zu alone",
-                             qualifiers.zoom);
-    }
     if (is_x) {
         return set_curve_x(codev, surface, figure, is_radius, error);
     }
@@ -198,16 +194,12 @@ bool codev_thickness(struct codev *codev, int what, struct error *error)
         return false;
     }
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
-    bool of_object = surface == &codev->sequence.surfaces[0] && qualifiers.zoom == 0;
+    bool of_object = surface == &codev->sequence.surfaces[0];
     if (!of_object && !read_solve(codev, &qualifiers, true, &is_solve, error)) {
         return false;
     }
     if (!of_object && is_solve) {
         return true;
-    }
-    if (qualifiers.zoom > 0) {
-        return codev_values(codev, &qualifiers, &surface->thickness, &surface->thicknesses, false,
-                            error);
     }
     if (of_object) {
         return commands_object(&codev->commands, qualifiers.next, &surface->thickness, error) &&
@@ -227,10 +219,6 @@ bool codev_glass(struct codev *codev, int what, struct error *error)
     if (qualifiers.next >= codev->commands.count) {
         const struct command_word word = commands_word(&codev->commands, qualifiers.next);
         return commands_fail(&codev->commands, &word, error, "the glass is missing");
-    }
-    if (qualifiers.zoom > 1) {
-        return commands_lose(&codev->commands, error, "a glass of position %zu alone",
-                             qualifiers.zoom);
     }
     set_glass(codev, surface_of(codev, &qualifiers), qualifiers.next);
     return commands_end(&codev->commands, qualifiers.next + 1, error);
@@ -271,10 +259,6 @@ bool codev_constant(struct codev *codev, int what, struct error *error)
         return false;
     }
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
-    if (qualifiers.zoom > 1) {
-        return commands_lose(&codev->commands, error, "a constant of position %zu alone",
-                             qualifiers.zoom);
-    }
     set_constant(codev, surface, what, figure);
     return true;
 }
@@ -339,7 +323,7 @@ bool codev_special_constant(struct codev *codev, int what, struct error *error)
         return false;
     }
     bool is_known = surface->is_special && (order == 0 || surface_term(order) >= 0);
-    if (!is_known || qualifiers.zoom > 1) {
+    if (!is_known) {
         return figure.value.hi == 0 || commands_lose(&codev->commands, error,
                                                      "a constant of a shape that lenscalc has not");
     }
@@ -388,10 +372,6 @@ bool codev_shift(struct codev *codev, int what, struct error *error)
     if (!read_value(codev, is_turn ? plain : codev->commands.scale, is_turn ? "tilt" : "decentre",
                     &qualifiers, &figure, error)) {
         return false;
-    }
-    if (qualifiers.zoom > 1) {
-        return commands_lose(&codev->commands, error, "a shift or turn of position %zu alone",
-                             qualifiers.zoom);
     }
     struct sequence_surface *surface = surface_of(codev, &qualifiers);
     surface->decentred_at = codev->commands.words[0];

@@ -21,14 +21,16 @@ static struct text without_quotes(struct text text)
 /* A title as the name of a position, which is one word; one that cannot be a name is left out. */
 static void name_position(struct codev *codev, size_t position, struct text title)
 {
-    struct lens *lens = codev->build.lens;
     char *name = arena_string(codev->job->arena, title.start, title.length);
+    bool is_new = name[0] != '\0';
     for (char *at = name; *at != '\0'; at++) {
         *at = strchr(" \t#\"", *at) != NULL ? '-' : *at;
     }
-    if (name[0] != '\0' && !text_same(text_of(name), "all") &&
-        lens_position_find(lens, text_of(name)) == LENS_NONE) {
-        lens->positions[position] = name;
+    for (size_t i = 0; i < codev->positions; i++) {
+        is_new = is_new && !text_same(text_of(name), codev->names[i]);
+    }
+    if (is_new && !text_same(text_of(name), "all")) {
+        codev->names[position] = name;
     }
 }
 
@@ -41,14 +43,14 @@ bool codev_title(struct codev *codev, int what, struct error *error)
         return false;
     }
     struct text title = without_quotes(commands_word(&codev->commands, qualifiers.next).text);
-    if (qualifiers.zoom == 0 || (qualifiers.zoom == 1 && lens->position_count == 0)) {
+    if (qualifiers.zoom == 0 || (qualifiers.zoom == 1 && codev->positions == 0)) {
         lens->title = title.length > 0 ? arena_string(codev->job->arena, title.start, title.length)
                                        : lens->title;
         return true;
     }
-    if (qualifiers.zoom > lens->position_count) {
+    if (qualifiers.zoom > codev->positions) {
         return commands_fail(&codev->commands, &codev->commands.words[0], error,
-                             "position %zu of %zu", qualifiers.zoom, lens->position_count);
+                             "position %zu of %zu", qualifiers.zoom, codev->positions);
     }
     name_position(codev, qualifiers.zoom - 1, title);
     return true;
@@ -80,6 +82,26 @@ bool codev_unit(struct codev *codev, int what, struct error *error)
     return commands_end(&codev->commands, 2, error);
 }
 
+/* WTW W2 0.5: one of the list. */
+static bool put_wave(struct codev *codev, bool is_length, size_t number, struct command_word one,
+                     struct error *error)
+{
+    static const char usual[] = "1";
+    while (codev->wavelength_count > codev->weight_count && !is_length) { /* not given: 1 */
+        codev->weights = arena_grow(codev->job->arena, codev->weights, codev->weight_count,
+                                    &codev->weight_room, sizeof codev->weights[0]);
+        codev->weights[codev->weight_count++] = (struct command_word){.text = text_of(usual)};
+    }
+    struct command_word *all = is_length ? codev->wavelengths : codev->weights;
+    const size_t count = is_length ? codev->wavelength_count : codev->weight_count;
+    if (number > count || codev->commands.count != 3) {
+        return commands_fail(&codev->commands, &codev->commands.words[0], error,
+                             "wavelength %zu of %zu", number, count);
+    }
+    all[number - 1] = one;
+    return true;
+}
+
 /* WL, WTW: kept until REF is known. */
 bool codev_waves(struct codev *codev, int what, struct error *error)
 {
@@ -104,8 +126,12 @@ bool codev_waves(struct codev *codev, int what, struct error *error)
                                              : "a weight is not below 0");
         }
     }
+    if (qualifiers.wave > 0) {
+        return put_wave(codev, what == 'L', qualifiers.wave, words[0], error);
+    }
     *(what == 'L' ? &codev->wavelengths : &codev->weights) = words;
     *(what == 'L' ? &codev->wavelength_count : &codev->weight_count) = count;
+    codev->weight_room = what == 'L' ? codev->weight_room : 0;
     return true;
 }
 
@@ -190,15 +216,32 @@ bool codev_aperture_of_lens(struct codev *codev, int what, struct error *error)
         !commands_end(&codev->commands, qualifiers.next + 1, error)) {
         return false;
     }
-    if (qualifiers.zoom > 1) {
-        return commands_lose(&codev->commands, error,
-                             "an aperture of position %zu alone: write ZOO EPD", qualifiers.zoom);
-    }
     lens->aperture = figure;
     lens->aperture_kind = APERTURE_FNUMBER;
     for (size_t i = 0; i < sizeof apertures / sizeof apertures[0]; i++) {
         lens->aperture_kind = what == apertures[i].letter ? apertures[i].kind : lens->aperture_kind;
     }
+    return true;
+}
+
+/* YAN F2 8: one of a list, or one more. */
+static bool put_field(struct codev *codev, int row, size_t number, const struct figure *field,
+                      struct error *error)
+{
+    const struct command_word *word = &codev->commands.words[0];
+    const size_t count = codev->field_count[row], next = count + 1;
+    if (codev->commands.count < 3 || number > next || number > CODEV_MOST_VALUES) {
+        return commands_fail(&codev->commands, word, error, "field %zu, where %zu are listed",
+                             number, count);
+    }
+    struct figure *all = ARENA_ARRAY(codev->job->arena, next, struct figure);
+    for (size_t i = 0; i < count; i++) {
+        all[i] = codev->fields[row][i];
+    }
+    all[number - 1] = *field;
+    codev->fields[row] = all;
+    codev->field_count[row] = number > count ? number : count;
+    codev->fields_at[row] = *word;
     return true;
 }
 
@@ -222,9 +265,9 @@ bool codev_fields(struct codev *codev, int what, struct error *error)
             return false;
         }
     }
-    if (qualifiers.zoom > 1 || qualifiers.field > 0) {
-        return commands_lose(&codev->commands, error,
-                             "a field of one position or of one number alone");
+    if (qualifiers.field > 0) {
+        return put_field(codev, row, qualifiers.field, &fields[0], error) &&
+               commands_end(commands, qualifiers.next + 1, error);
     }
     if (kind != 'w') {
         lens->field_kind = kind == 'a'   ? FIELD_ANGLE
@@ -271,133 +314,6 @@ static bool finish_fields(struct codev *codev, struct error *error)
         }
     }
     return true;
-}
-
-static bool set_positions(struct codev *codev, struct error *error)
-{
-    struct lens *lens = codev->build.lens;
-    const struct command_word word = codev->commands.words[1];
-    size_t count;
-    if (!commands_count(&codev->commands, &word,
-                        &(struct command_count){word.text, "number of positions", 1}, &count,
-                        error) ||
-        !commands_end(&codev->commands, 2, error)) {
-        return false;
-    }
-    if (lens->position_count > 0 || count > CODEV_MOST_VALUES) {
-        return commands_fail(&codev->commands, &word, error,
-                             lens->position_count > 0 ? "ZOO stands here twice"
-                                                      : "more than 100 positions");
-    }
-    lens->position_count = count > 1 ? count : 0;
-    lens->positions = ARENA_ARRAY(codev->job->arena, count, const char *);
-    for (size_t i = 0; i < count; i++) {
-        lens->positions[i] = arena_printf(codev->job->arena, "z%zu", i + 1);
-    }
-    return true;
-}
-
-bool codev_values(struct codev *codev, const struct codev_qualifiers *qualifiers,
-                  const struct figure *usual, const struct figure **values, bool double_them,
-                  struct error *error)
-{
-    struct commands *commands = &codev->commands;
-    struct arena *arena = codev->job->arena;
-    size_t positions = codev->build.lens->position_count;
-    size_t given = commands->count - qualifiers->next;
-    struct figure *all = ARENA_ARRAY(arena, positions + 1, struct figure);
-    if (positions == 0 || qualifiers->zoom > positions ||
-        (given != (qualifiers->zoom > 0 ? 1 : positions))) {
-        return commands_fail(commands, &commands->words[0], error, "%zu numbers for %zu positions",
-                             given, positions);
-    }
-    for (size_t i = 0; i < positions; i++) {
-        bool is_read = qualifiers->zoom == 0 || qualifiers->zoom == i + 1;
-        size_t word = qualifiers->next + (qualifiers->zoom == 0 ? i : 0);
-        if (is_read && !commands_figure(commands, word, commands->scale, "value", &all[i], error)) {
-            return false;
-        }
-        if (is_read && double_them) {
-            all[i] = sequence_diameter(&all[i], arena);
-        } else if (!is_read) {
-            all[i] = *values != NULL ? (*values)[i] : *usual;
-        }
-    }
-    *values = all;
-    return true;
-}
-
-static bool zoom_aperture(struct codev *codev, int what, struct error *error)
-{
-    struct lens *lens = codev->build.lens;
-    struct commands *commands = &codev->commands;
-    size_t count = commands->count - 2;
-    if (count == 0) {
-        return true;
-    }
-    if (count != lens->position_count) {
-        return commands_fail(commands, &commands->words[1], error, "%zu numbers for %zu positions",
-                             count, lens->position_count);
-    }
-    struct figure *all = ARENA_ARRAY(codev->job->arena, count, struct figure);
-    for (size_t i = 0; i < count; i++) {
-        if (!read_aperture(codev, what, i + 2, &all[i], error)) {
-            return false;
-        }
-    }
-    lens->apertures = all;
-    return true;
-}
-
-/* Numbers of a surface in positions: of a thickness or a diameter, or none that differs. */
-static bool zoom_surface(struct codev *codev, char kind, struct error *error)
-{
-    struct codev_qualifiers qualifiers;
-    struct commands *commands = &codev->commands;
-    if (!codev_qualifiers(codev, 2, &qualifiers, error)) {
-        return false;
-    }
-    if (codev->sequence.count == 0) {
-        return commands_fail(commands, &commands->words[0], error,
-                             "positions of a surface before the first surface");
-    }
-    bool is_list = qualifiers.next < commands->count;
-    struct sequence_surface *surface = &codev->sequence.surfaces[qualifiers.surface];
-    if (kind != 0) {
-        return !is_list || codev_values(codev, &qualifiers,
-                                        kind == 't' ? &surface->thickness : &surface->diameter,
-                                        kind == 't' ? &surface->thicknesses : &surface->diameters,
-                                        kind == 'c', error);
-    }
-    const struct text word = commands_word(commands, 1).text;
-    return (is_list && codev_is_zero(codev, qualifiers.next)) ||
-           commands_lose(&codev->commands, error,
-                         "'%.*s' in positions: only thicknesses, diameters and "
-                         "apertures change with them",
-                         (int)(word.length < 20 ? word.length : 20), word.start);
-}
-
-bool codev_zoom(struct codev *codev, int what, struct error *error)
-{
-    (void)what;
-    static const struct {
-        const char *name;
-        char what;
-    } names[] = {{"TIT", ' '}, {"EPD", 'E'}, {"FNO", 'F'}, {"NAO", 'O'},
-                 {"NA", 'N'},  {"THI", 't'}, {"CIR", 'c'}};
-    const struct text word = commands_word(&codev->commands, 1).text;
-    char kind = 0;
-    if (word.length > 0 && word.start[0] >= '0' && word.start[0] <= '9') {
-        return set_positions(codev, error);
-    }
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        kind = text_same(word, names[i].name) ? names[i].what : kind;
-    }
-    if (kind == ' ' || (kind == 0 && codev_is_harmless(word))) {
-        return true;
-    }
-    return kind >= 'A' && kind <= 'Z' ? zoom_aperture(codev, kind, error)
-                                      : zoom_surface(codev, kind, error);
 }
 
 static const struct pickup_name {
@@ -454,8 +370,12 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
         !codev_qualifiers(codev, to.next + 1, &from, error)) {
         return false;
     }
-    if (!text_same(commands_word(commands, to.next).text, name->name) || to.zoom > 1 ||
-        from.zoom > 1) {
+    if (to.zoom > 0 && codev->positions > 0 && to.zoom != codev->position) {
+        return true;
+    }
+    const size_t here = codev->positions > 0 ? codev->position : 1;
+    if (!text_same(commands_word(commands, to.next).text, name->name) ||
+        (to.zoom > 0 && to.zoom != here) || (from.zoom > 0 && from.zoom != here)) {
         return commands_lose(&codev->commands, error,
                              "a pick-up between unlike numbers or positions");
     }
@@ -470,13 +390,5 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
 
 bool codev_finish_system(struct codev *codev, struct error *error)
 {
-    struct lens *lens = codev->build.lens;
-    if (!finish_waves(codev, error) || !finish_fields(codev, error)) {
-        return false;
-    }
-    if (lens->apertures != NULL && lens->aperture_kind == APERTURE_NONE) {
-        fail(error, ERROR_DATA, "an aperture in positions, but none of the lens itself");
-        return error_locate(error, codev->job->source, 0, 0);
-    }
-    return true;
+    return finish_waves(codev, error) && finish_fields(codev, error);
 }

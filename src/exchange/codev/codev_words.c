@@ -133,8 +133,7 @@ static bool read_surfaces(struct codev *codev, const struct command_word *word,
                          (int)(word->text.length < 40 ? word->text.length : 40), word->text.start);
 }
 
-/* What a word behind a command narrows it to: 's' surfaces, or the number of 'z', 'f', 'w'. */
-static char qualifier_kind(const struct command_word *word)
+char codev_qualifier_kind(const struct command_word *word)
 {
     char letter = word->text.length > 1 ? (char)(word->text.start[0] | 32) : 0;
     if (letter == 0 || word->is_quoted) {
@@ -155,7 +154,7 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
         (struct codev_qualifiers){.surface = codev->surface, .end = codev->surface, .next = first};
     for (; qualifiers->next < commands->count; qualifiers->next++) {
         struct command_word word = commands->words[qualifiers->next];
-        char kind = qualifier_kind(&word);
+        char kind = codev_qualifier_kind(&word);
         size_t value = 0;
         if (kind == 0) {
             break;
@@ -173,6 +172,7 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
         }
         qualifiers->zoom = kind == 'z' ? value : qualifiers->zoom;
         qualifiers->field = kind == 'f' ? value : qualifiers->field;
+        qualifiers->wave = kind == 'w' ? value : qualifiers->wave;
     }
     return true;
 }

@@ -273,23 +273,6 @@ static bool place_settings(struct zemax_file *file, size_t configuration, struct
     return true;
 }
 
-/* What is lost in one configuration was said, if it was lost in those before it. */
-static void forget_repeated(struct foreign_job *job, size_t from)
-{
-    size_t count = from;
-    for (size_t i = from; i < job->loss_count; i++) {
-        bool again = false;
-        for (size_t k = 0; k < from && !again; k++) {
-            again = job->losses[k].line == job->losses[i].line &&
-                    strcmp(job->losses[k].message, job->losses[i].message) == 0;
-        }
-        if (!again) {
-            job->losses[count++] = job->losses[i];
-        }
-    }
-    job->loss_count = count;
-}
-
 bool zemax_read_positions(struct zemax_file *file, zemax_build_function *build, struct error *error)
 {
     struct arena *arena = file->job->arena;
@@ -307,7 +290,7 @@ bool zemax_read_positions(struct zemax_file *file, zemax_build_function *build, 
         if (!place_settings(&one, p, error) || !build(&one, error)) {
             return false;
         }
-        forget_repeated(file->job, p > 0 ? losses : file->job->loss_count);
+        foreign_forget_repeated(file->job, p > 0 ? losses : file->job->loss_count);
     }
     return merge_positions(&file->build, lenses, file->job, error);
 }
