@@ -8,6 +8,9 @@
 
 #include <math.h>
 
+/* A ray aimed at the very edge of the stop passes it, whichever way its last bit falls. */
+static const double within = 1 - 1e-12;
+
 static bool open_systems(struct bundle_source *source, struct error *error)
 {
     const struct bundle_question *question = source->question;
@@ -36,21 +39,27 @@ static void open_without_chief(struct bundle_source *source)
     };
 }
 
-static bool open_stop(struct bundle_source *source, struct arena *arena, struct error *error)
+/* The ray through the centre of the stop. */
+static bool open_chief(struct bundle_source *source, struct arena *arena, struct error *error)
 {
     const struct system *aiming =
         setup_system(source->question->setup, source->question->wavelength, SETUP_OPEN, error);
-    if (aiming == NULL) {
-        return false;
-    }
-    source->has_chief = aim_open(aiming, &source->beam, arena, &source->aim, error);
+    source->has_chief =
+        aiming != NULL && aim_open(aiming, &source->beam, arena, &source->aim, error);
     if (source->has_chief) {
         source->chief = aim_chief(&source->aim);
+    }
+    return source->has_chief;
+}
+
+static bool open_stop(struct bundle_source *source, struct arena *arena, struct error *error)
+{
+    if (open_chief(source, arena, error)) {
         source->pupil = stop_beam_of_stop(&source->aim, source->system, source->question->weight);
         return true;
     }
     /* other patterns have no centre to be counted from */
-    if (source->question->pattern != PATTERN_GAUSS || !(aiming->stop_radius > 0)) {
+    if (source->question->pattern != PATTERN_GAUSS || !(source->open->stop_radius > 0)) {
         return false;
     }
     open_without_chief(source);
@@ -58,13 +67,21 @@ static bool open_stop(struct bundle_source *source, struct arena *arena, struct 
     return true;
 }
 
-static bool open_entrance(struct bundle_source *source, struct error *error)
+/* What is near the chief ray is so of the real one, whatever the rays are aimed at. */
+static bool open_entrance(struct bundle_source *source, bool has_stop, struct arena *arena,
+                          struct error *error)
 {
     const struct first_order *first = &source->question->setup->first;
-    source->has_chief = aim_at_entrance(&source->beam, first, 0, 0, &source->chief, error);
-    return source->has_chief &&
-           stop_beam_of_entrance(source->system, &source->beam, first, source->question->weight,
-                                 &source->pupil, error);
+    struct error ignored;
+    if (!stop_beam_of_entrance(source->system, &source->beam, first, source->question->weight,
+                               &source->pupil, error)) {
+        return false;
+    }
+    if (!has_stop || !open_chief(source, arena, &ignored)) {
+        source->has_chief = aim_at_entrance(&source->beam, first, 0, 0, &source->chief, error);
+        return source->has_chief;
+    }
+    return true;
 }
 
 /* A lens without a stop: its aperture is a disc in the plane of the first vertex. */
@@ -97,9 +114,10 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
     }
     bool has_stop = source->open->stop != LENS_NONE && source->open->stop_radius > 0;
     /* a telecentric object space has its pupil where it says, not where the stop is seen */
-    return question->from_entrance || setup->first.is_telecentric ? open_entrance(source, error)
-           : has_stop                                             ? open_stop(source, arena, error)
-                                                                  : open_disc(source, error);
+    return question->from_entrance || setup->first.is_telecentric
+               ? open_entrance(source, has_stop, arena, error)
+           : has_stop ? open_stop(source, arena, error)
+                      : open_disc(source, error);
 }
 
 /* -------- filling the pupil -------- */
@@ -112,6 +130,10 @@ static bool fill_pattern(const struct bundle_source *source, size_t rays, struct
     struct sample sample;
     if (!sample_make(question->pattern, rays, question->seed, arena, &sample, error)) {
         return false;
+    }
+    for (size_t i = 0; i < sample.count && question->clip; i++) {
+        sample.points[i].x *= within;
+        sample.points[i].y *= within;
     }
     bundle->points = sample.points;
     bundle->count = sample.count;

@@ -183,7 +183,7 @@ static bool find_marks(const struct seeking *seeking, size_t rays, struct arena 
 /* -------- what they say -------- */
 
 /* Root mean squares about the centroid and about the origin. */
-static void sum_up(struct marks *marks, struct spot *spot)
+static void sum_up(struct marks *marks, bool about_chief, struct spot *spot)
 {
     double weight = 0, mean[2] = {0, 0}, square[2] = {0, 0}, widest = 0;
     for (size_t i = 0; i < marks->count; i++) {
@@ -199,7 +199,7 @@ static void sum_up(struct marks *marks, struct spot *spot)
         double x = mark->at[0] - mean[0], y = mark->at[1] - mean[1];
         square[0] += mark->weight * x * x;
         square[1] += mark->weight * y * y;
-        mark->distance = hypot(x, y);
+        mark->distance = about_chief ? hypot(mark->at[0], mark->at[1]) : hypot(x, y);
         widest = mark->distance > widest ? mark->distance : widest;
     }
     for (int i = 0; i < 2; i++) {
@@ -264,7 +264,7 @@ static bool measure(const struct seeking *seeking, size_t rays, struct arena *ar
     if (!find_marks(seeking, rays, arena, &marks, error)) {
         return false;
     }
-    sum_up(&marks, spot);
+    sum_up(&marks, seeking->question->about_chief, spot);
     double share = seeking->question->energy;
     spot->energy_radius = isnan(share) ? share : quantile(&marks, share);
     arena_reset(arena, mark);
@@ -322,8 +322,13 @@ bool spot_find(const struct spot_question *question, struct arena *arena, struct
                struct error *error)
 {
     struct seeking seeking;
-    if (!open_seeking(question, arena, &seeking, error) ||
-        !converge(&seeking, arena, spot, error)) {
+    if (!open_seeking(question, arena, &seeking, error)) {
+        return false;
+    }
+    if (question->about_chief && !seeking.has_chief) {
+        return fail(error, ERROR_DOMAIN, "the chief ray that radii are to be about is lost");
+    }
+    if (!converge(&seeking, arena, spot, error)) {
         return false;
     }
     spot->is_angular = seeking.is_angular;
@@ -335,5 +340,23 @@ bool spot_find(const struct spot_question *question, struct arena *arena, struct
     if (!seeking.has_chief) {
         spot->rms_chief = NAN;
     }
+    return true;
+}
+
+bool spot_points_find(const struct spot_question *question, size_t wavelength, size_t rays,
+                      struct arena *arena, struct spot_points *points, struct error *error)
+{
+    struct seeking seeking;
+    struct marks marks = {.count = 0};
+    if (!open_seeking(question, arena, &seeking, error) ||
+        !add_marks(&seeking, wavelength, rays, 1, arena, &marks, error)) {
+        return false;
+    }
+    double(*at)[2] = arena_array(arena, marks.count, sizeof *at);
+    for (size_t i = 0; i < marks.count; i++) {
+        at[i][0] = marks.list[i].at[0];
+        at[i][1] = marks.list[i].at[1];
+    }
+    *points = (struct spot_points){marks.count, (const double(*)[2])at};
     return true;
 }

@@ -14,6 +14,7 @@ struct spot_question {
     size_t rays;                   /* of each wavelength; 0: doubled until `error` is met */
     double error;                  /* relative to the root mean square */
     size_t to;                     /* the place behind the surface looked at; 0: the last */
+    bool about_chief;              /* radius and energy radius, else about the centroid */
     double energy;                 /* the share of `energy_radius`; NaN: none is wanted */
 };
 
@@ -41,10 +42,25 @@ struct spot {
  *           Angular: components of the direction along two axes across that of the chief ray, the
  *           first in the plane of x
  * Source    weights [Forbes88]; tested against an independent 50-digit program
- * Errors    as bundle_open and bundle_trace
+ * Errors    as bundle_open and bundle_trace; ERROR_DOMAIN: about a chief ray that is lost
  * Limits    2^17 rays of a wavelength; what has not converged then says so
  */
 bool spot_find(const struct spot_question *question, struct arena *arena, struct spot *spot,
                struct error *error);
+
+/* Where rays meet the plane, about the chief ray: what a spot diagram shows. */
+struct spot_points {
+    size_t count;
+    const double (*at)[2]; /* mm, or sines of angles */
+};
+
+/*
+ * The points of about so many rays at one wavelength, evenly spread over the pupil.
+ *
+ * Given     wavelength  its place in the setup; points are about the chief ray of the first one
+ * Errors    as spot_find
+ */
+bool spot_points_find(const struct spot_question *question, size_t wavelength, size_t rays,
+                      struct arena *arena, struct spot_points *points, struct error *error);
 
 #endif

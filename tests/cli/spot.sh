@@ -20,3 +20,6 @@ lenscalc spot double-gauss --field 1 --height 2
 lenscalc spot double-gauss --pattern sobol --weight beam --rays 100
 lenscalc spot double-gauss --rays 100 --error 1e-3
 lenscalc spot double-gauss --error 2
+lenscalc spot double-gauss --field 14 -w d --energy 80% --reference chief --csv --digits 6 --columns radius,energy_radius
+lenscalc spot double-gauss --defocus -0.1..0.1#3 --plot spots.svg > /dev/null && grep -c "<text" spots.svg
+lenscalc spot double-gauss -w d --field 0,14 --defocus -0.1..0.1#11 --plot curves.svg > /dev/null && grep -c "<path\|<poly" curves.svg

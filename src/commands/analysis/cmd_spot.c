@@ -1,28 +1,28 @@
 /* commands/analysis/cmd_spot.c - lenscalc spot: how widely the rays of a field spread. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/spot.h"
-#include "commands/analysis/analysis_options.h"
+#include "commands/analysis/spot_diagram.h"
 
-struct input {
-    struct analysis_question question;
-    double energy;
-    long to;
+static const struct word references[] = {
+    [SPOT_ABOUT_CENTROID] = {"centroid", "where their weighted mean is"},
+    [SPOT_ABOUT_CHIEF] = {"chief", "where the chief ray is"},
+    {NULL, NULL},
 };
 
-static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_ALL};
-
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct input, question, "all of the lens by their weights, as one spot"),
-    ANALYSIS_FIELD_OPTIONS(struct input, question),
-    ANALYSIS_SPECTRUM_OPTION(struct input, question),
-    {OPTION(struct input, energy), .name = "energy", .column = "energy",
+    ANALYSIS_OPTIONS(struct spot_input, question, "all of the lens by their weights, as one spot"),
+    ANALYSIS_FIELD_OPTIONS(struct spot_input, question),
+    ANALYSIS_SPECTRUM_OPTION(struct spot_input, question),
+    {OPTION(struct spot_input, reference), .name = "reference", .words = references,
+     .fallback = "centroid", .value = "POINT",
+     .help = "what the largest radius and the energy radius are about"},
+    {OPTION(struct spot_input, energy), .name = "energy", .column = "energy",
      .dimension = &dimension_ratio, .unit = "%", .lowest = 0, .highest = 1,
      .flags = OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "SHARE",
-     .help = "the radius about the centroid that holds this share of the light, as 80%"},
-    {OPTION(struct input, to), .name = "to", .lowest = 1, .highest = 1e6, .value = "SURFACE",
+     .help = "the radius that holds this share of the light, as 80%"},
+    {OPTION(struct spot_input, to), .name = "to", .lowest = 1, .highest = 1e6, .value = "SURFACE",
      .excludes = "focus defocus",
      .help = "the footprint on this surface, from 1, the stop counted, in place of the image"},
-    ANALYSIS_PUPIL_OPTIONS(struct input, question),
+    ANALYSIS_PUPIL_OPTIONS(struct spot_input, question),
 };
 
 struct row {
@@ -59,12 +59,12 @@ static const struct column columns[] = {
      .help = "root mean square distance from the chief ray, of the primary wavelength where there "
              "are several; absent where that is lost"},
     {SMALL(radius, COLUMN_BRIEF | COLUMN_SPARSE), .name = "radius", .label = "largest radius",
-     .help = "the largest distance from the centroid"},
+     .help = "the largest distance from the centroid, or from what --reference says"},
     {COLUMN(struct row, energy), .name = "energy", .dimension = &dimension_ratio, .unit = "%",
      .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "energy", .label = "share",
      .help = "share of the light"},
     {SMALL(energy_radius, COLUMN_BRIEF | COLUMN_EXTRA), .with = "energy", .name = "energy_radius",
-     .label = "energy radius", .help = "the radius about the centroid that holds it"},
+     .label = "energy radius", .help = "the radius that holds it"},
     {SMALL(energy_error, COLUMN_EXTRA), .with = "energy", .name = "energy_error",
      .label = "error of that", .help = "what the energy radius may be off"},
     {SMALL(error, COLUMN_BRIEF | COLUMN_SPARSE), .name = "error", .label = "error",
@@ -76,7 +76,7 @@ static const struct column columns[] = {
     {ANGLE(rms_chief_angle, 0), .name = "rms_chief", .label = "RMS about the chief ray",
      .help = "about the chief ray"},
     {ANGLE(radius_angle, COLUMN_BRIEF), .name = "radius", .label = "largest radius",
-     .help = "the largest from the centroid"},
+     .help = "the largest"},
     {ANGLE(energy_angle, COLUMN_EXTRA), .with = "energy", .name = "energy_radius",
      .label = "energy radius", .help = "the angle that holds the share"},
     {ANGLE(energy_error_angle, COLUMN_EXTRA), .with = "energy", .name = "energy_error",
@@ -164,30 +164,9 @@ static void fill(const struct spot *spot, struct row *row)
 
 /* Where the rows go. */
 struct asked {
-    const struct input *input;
+    const struct spot_input *input;
     struct run *run;
 };
-
-static bool question_of(const struct analysis_case *one, size_t field, const struct input *input,
-                        struct spot_question *question, struct error *error)
-{
-    const struct analysis_question *asked = &input->question;
-    const size_t surfaces = one->setup->lens->surface_count;
-    *question = (struct spot_question){
-        .bundle = {.setup = one->setup,
-                   .field = &one->setup->fields[field].point,
-                   .clip = one->clip,
-                   .from_entrance = asked->aim == ANALYSIS_AIM_ENTRANCE,
-                   .weight = asked->weight == ANALYSIS_WEIGHT_BEAM ? WEIGHT_BEAM : WEIGHT_PUPIL,
-                   .pattern = (enum pattern)asked->pattern,
-                   .seed = (uint64_t)asked->seed},
-        .rays = asked->rays != NO_INTEGER && asked->rays > 0 ? (size_t)asked->rays : 0,
-        .error = asked->error,
-        .to = input->to > 0 ? (size_t)input->to : 0,
-        .energy = input->energy};
-    return question->to <= surfaces ||
-           fail(error, ERROR_USAGE, "{--to} %ld: the lens has %zu surfaces", input->to, surfaces);
-}
 
 static bool answer(const struct analysis_case *one, size_t field, void *context,
                    struct error *error)
@@ -195,7 +174,7 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     const struct asked *asked = context;
     struct spot_question question;
     struct spot spot;
-    if (!question_of(one, field, asked->input, &question, error) ||
+    if (!spot_question_of(one, field, asked->input, &question, error) ||
         !spot_find(&question, asked->run->arena, &spot, error)) {
         return false;
     }
@@ -222,25 +201,31 @@ static const struct analysis_answers answers = {answer, lost};
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct spot_input *input = data;
     struct asked asked = {input, run};
-    return analysis_each_field(&input->question, &policy, run, &answers, &asked, error);
+    return analysis_each_field(&input->question, &spot_policy, run, &answers, &asked, error);
 }
 
 static bool makes_many(const void *data)
 {
-    return analysis_makes_many(&((const struct input *)data)->question, &policy);
+    return analysis_makes_many(&((const struct spot_input *)data)->question, &spot_policy);
 }
 
 static bool brings(const void *data, const char *option)
 {
-    return analysis_brings(&((const struct input *)data)->question, option);
+    return analysis_brings(&((const struct spot_input *)data)->question, option);
 }
 
 static bool varies(const void *data, const char *option)
 {
-    return analysis_varies(&((const struct input *)data)->question, option);
+    return analysis_varies(&((const struct spot_input *)data)->question, option);
 }
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types,
+                     "draw the spots, by field and through focus; of many their RMS radius"),
+     .scope = ARTIFACT_OF_SWEEP, .make = spot_diagram},
+};
 
 static const struct explanation explanations[] = {
     {"rms", "square of it = sum w |(x, y) - centroid|^2/sum w over the clear pupil",
@@ -261,10 +246,10 @@ const struct command command_spot = {
     .name = "spot",
     .group = "analyses",
     .summary = "how widely the rays of a field spread on the image plane",
-    COMMAND_ASKS(struct input),
+    COMMAND_ASKS(struct spot_input),
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
     .brings = brings,
     .varies = varies,
-    .plot = "rms",
+    COMMAND_MAKES(artifacts),
 };

@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""tests/truth/check_spots.py - spots against numbers from outside:
+check_spots.py BUILD_DIR [--worst] [--write]
+
+spots.json: systems as .lens files, with the spots on grids of 8 x 8 of the stop and of the paraxial
+entrance pupil of an independent 50-digit program; where ../shared is here too, spots.json must hold
+every case of its truth (--write makes it anew). INTEGRALS: converged spots of another independent
+program, over the clear pupil and over the whole one.
+
+The statistics of a spot are made again from the rays of `trace` by this script: in --pattern sobol
+over the pupils of lenses of lensdb, where an error that is printed must not be less than the true
+one.
+"""
+# SPDX-License-Identifier: MIT
+
+import csv
+import io
+import json
+import math
+import os
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import ROOT, SHARED, Checks, Program
+import reference
+
+OWN = "tests/truth/spots.json"
+NUMBERS = ("rms", "rms_x", "rms_y", "rms_chief")
+GRIDS = {"spot_stop_grid_8": "stop", "spot_ep_grid_8": "entrance"}
+
+# what follows `lenscalc spot`: RMS radius in um, and its tolerance in um
+WHOLE = "double-gauss -w d -N 2 --focus paraxial --aim entrance --no-clip --field "
+CLEAR = " -w d --focus paraxial --weight beam --error 1e-8"
+INTEGRALS = {
+    WHOLE + "0": (31.500230, 1e-6),
+    WHOLE + "10": (206.056176, 1e-6),
+    WHOLE + "14": (374.155069, 1e-6),
+    "double-gauss --field 14" + CLEAR: (74.843921, 1e-6),
+    "cs348b-dgauss-50 --field 22" + CLEAR: (48.428111, 1e-6),
+    "nikkor-z-58-f095 --field 18" + CLEAR: (8.701232, 1e-6),
+    "fisheye-16 --field 60" + CLEAR: (16.821149, 1e-6),
+    "double-gauss --field 14 -w d --focus paraxial --error 1e-8": (74.5987, 1e-4),
+}
+worst = {}
+
+
+def reference_cases():
+    """All cases with spots of ../shared/reference/truth."""
+    found = []
+    for case in reference.cases():
+        fields = case["expected"].get("fields", {}) if isinstance(case["expected"], dict) else {}
+        spots = {name: one for name, one in fields.items() if "rms" in one.get("spot_stop_grid_8", {})}
+        if not spots:
+            continue
+        focus = case["system"].get("focus", "paraxial")
+        words = ["--focus", "paraxial"]
+        if isinstance(focus, dict):
+            words = ["--focus", focus["from_last"] + "mm"]
+        elif focus != "paraxial":
+            words += ["--defocus", focus + "mm"]
+        found.append({
+            "lens": reference.lens_text(case["system"], list(spots)), "words": words,
+            "grids": {grid: [{name: one[grid][name] for name in NUMBERS}
+                             if "rms" in one[grid] else None for one in spots.values()]
+                      for grid in GRIDS}})  # null: a ray of the grid is lost
+    return found
+
+
+def rows_of(checks, program, name, *words, stdin=None, partly=False):
+    result = program.run("spot", *words, "--csv", stdin=stdin)
+    if not checks.check(result.returncode == 0 or partly, f"{name}: {result.stderr.decode().strip()}"):
+        return []
+    return list(csv.DictReader(io.StringIO(result.stdout.decode(), newline="")))
+
+
+def check_grids(checks, program, case):
+    """Rays are right to 1e-13 mm; the numbers are sums of them, and of plain doubles in um."""
+    name = case["lens"].splitlines()[0][5:]
+    for grid, aim in GRIDS.items():
+        rows = rows_of(checks, program, f"{name}, {aim}", "-", "--no-clip", "--aim", aim,
+                       "--pattern", "square", "--rays", "52", *case["words"], stdin=case["lens"],
+                       partly=None in case["grids"][grid])
+        checks.check(len(rows) in (0, len(case["grids"][grid])), f"{name}: {len(rows)} rows")
+        for row, expected in zip(rows, case["grids"][grid]):
+            for number in NUMBERS if expected is not None else ():
+                truth, text = 1000 * float(expected[number]), row[number + "_um"]
+                error = abs(float(text or "nan") - truth)
+                allowed = 1e-10 + 1e-12 * abs(truth)
+                worst[aim] = max(worst.get(aim, (0, "")), (error / allowed, f"{name} {number}"))
+                checks.check(error <= allowed, f"{name}, {aim}, field {row['field_deg']}: {number} "
+                                               f"is {text} um, expected {truth}")
+
+
+def check_integrals(checks, program):
+    for words, (expected, allowed) in INTEGRALS.items():
+        for row in rows_of(checks, program, words, *words.split()):
+            checks.check(abs(float(row["rms_um"]) - expected) <= allowed,
+                         f"spot {words}: {row['rms_um']} um, expected {expected}")
+
+
+# -------- the printed error against the true one --------
+
+def sobol_rms(program, lens, field):
+    """(RMS radius in um, its standard error) of 2^15 rays of the stop, by their places."""
+    squares = []
+    for seed in range(4):
+        result = program.run("trace", lens, "-w", "d", "--field", field + "deg", "--pattern",
+                             "sobol", "--rays", "8192", "--seed", str(seed), "--csv", "--columns",
+                             "x_out,y_out,status")
+        rows = [line.split(",") for line in result.stdout.decode().splitlines()[1:]]
+        at = [(float(row[0]), float(row[1])) for row in rows if len(row) > 2 and row[2] == "ok"]
+        if len(at) < 1000:
+            return None
+        x, y = (sum(one[i] for one in at) / len(at) for i in (0, 1))
+        squares.append(sum((a - x) ** 2 + (b - y) ** 2 for a, b in at) / len(at))
+    mean = sum(squares) / len(squares)
+    spread = math.sqrt(sum((one - mean) ** 2 for one in squares) / 12)
+    return 1000 * math.sqrt(mean), 1000 * spread / (2 * math.sqrt(mean))
+
+
+def check_error(checks, program, lens, field):
+    rows = rows_of(checks, program, f"{lens} {field}", lens, "-w", "d", "--field", field + "deg")
+    truth = sobol_rms(program, lens, field)
+    if not rows or truth is None:
+        return
+    value, error = float(rows[0]["rms_um"]), float(rows[0]["error_um"])
+    checks.check(abs(value - truth[0]) <= error + 5 * truth[1],
+                 f"spot {lens} --field {field}: {value} um and its error {error}, by rays of sobol "
+                 f"{truth[0]} +- {truth[1]}")
+
+
+def main():
+    words = [word for word in sys.argv[1:] if not word.startswith("--")]
+    checks, program = Checks(), Program(words[0])
+    outside = reference_cases()
+    if "--write" in sys.argv and outside:
+        with open(os.path.join(ROOT, OWN), "w", encoding="utf-8") as file:
+            json.dump(outside, file, indent=0)
+            file.write("\n")
+    with open(os.path.join(ROOT, OWN), encoding="utf-8") as file:
+        own = json.load(file)
+    if os.path.isdir(os.path.join(SHARED, "reference")):
+        checks.check(own == outside, f"{OWN} is not what ../shared has: --write")
+    else:
+        print("skipped: ../shared is not here, its cases are taken from", OWN)
+    for case in own:
+        check_grids(checks, program, case)
+    check_integrals(checks, program)
+    for lens, field in (("double-gauss", "14"), ("nikkor-z-58-f095", "18"), ("fisheye-16", "60"),
+                        ("phone-80deg", "28"), ("mirror-tele-us5331467", "0.3")):
+        check_error(checks, program, lens, field)
+    if "--worst" in sys.argv:
+        print(worst)
+    checks.finish()
+
+
+main()

@@ -1,0 +1,64 @@
+"""tests/truth/reference.py - systems of an independent 50-digit program as .lens files.
+
+The program's files are JSON, ../shared/reference/truth; numbers are read as strings, so that what a
+.lens file says has the same digits.
+"""
+# SPDX-License-Identifier: MIT
+
+import glob
+import json
+import os
+import sys
+from decimal import Decimal
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import SHARED
+
+
+def cases():
+    """All cases of ../shared/reference/truth; none where that is not there."""
+    for path in sorted(glob.glob(os.path.join(SHARED, "reference/truth/*.json"))):
+        with open(path, encoding="utf-8") as file:
+            yield from json.load(file, parse_float=str, parse_int=str)["cases"]
+
+
+def medium(words):
+    if isinstance(words, str):
+        return words
+    if "glass" in words:
+        return words["glass"]
+    return words["n"] if "n" in words else f"{words['nd']}/{words['Vd']}"
+
+
+def surface_line(surface, aperture):
+    radius, more = surface.get("R", "inf"), []
+    if "c" in surface:
+        radius, more = "inf", ["c=" + surface["c"]]
+    if float(surface.get("k", 0)) != 0:
+        more.append("k=" + surface["k"])
+    more += [f"A{2 * i + 4}={number}" for i, number in enumerate(surface.get("A", []))
+             if float(number) != 0]
+    diameter = surface.get("ap", "-")
+    if surface.get("stop"):
+        more.append("stop")
+        if aperture["type"] == "stop":
+            diameter = repr(2 * float(aperture["value"]))
+    following = "mirror" if surface.get("mirror") else medium(surface.get("m", "air"))
+    return " ".join(["surface", "-" if radius == "inf" else radius, surface.get("t", "0"),
+                     following, diameter] + more)
+
+
+def lens_text(system, fractions=("1",)):
+    """One system; its fields are so many times the largest."""
+    aperture, field, thing = system["aperture"], system["field"], system["object"]
+    kinds = {"EPD": "epd ", "fno": "f/", "NAobj": "na "}
+    fields = [f"{Decimal(field['value']) * Decimal(one):f}" for one in fractions]
+    lines = ["lens " + system["name"], "wavelength " + system["primary"],
+             "object " + thing["distance"],
+             "aperture " + (kinds[aperture["type"]] + aperture["value"]
+                            if aperture["type"] in kinds else "stop"),
+             f"field {'height' if field['type'] == 'height' else 'angle'} {' '.join(fields)}"]
+    if thing.get("medium", "air") != "air":
+        lines.append("medium " + medium(thing["medium"]))
+    return "\n".join(lines + [surface_line(one, aperture) for one in system["surfaces"]]) + "\n"
