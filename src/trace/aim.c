@@ -146,7 +146,6 @@ static void judge(const struct aim *aim, const struct pupil_point *point, size_t
 static bool refresh(const struct aim *aim, struct search *search)
 {
     double slope[4];
-    double size = hypot(search->step[0], search->step[1]);
     if (!chief_slope(aim, search->at, slope)) {
         return false;
     }
@@ -161,7 +160,7 @@ static bool refresh(const struct aim *aim, struct search *search)
     multiply(search->inverse, search->miss, search->step);
     search->halvings = 0;
     search->is_fresh = true;
-    return size > 0;
+    return true;
 }
 
 /* One step of all rays of a block that are still searching; are there any? */

@@ -268,7 +268,7 @@ static bool close_bracket(struct aim *aim, const struct region *region, struct b
             last = y;
         }
         if (root == 0) {
-            return width <= 1e-9 * (region->high[1] - region->low[1]);
+            return false; /* the rays between are lost */
         }
         bracket->low = at[root - 1][1];
         bracket->high = at[root][1];

@@ -127,6 +127,29 @@ static void test_thin(void)
     arena_free(&arena);
 }
 
+/* The middle of a hollow front lies behind its edge: what is nearer than the edge is not seen from
+   there. Chief rays are straight lines through the stop, 10 mm behind. */
+static void test_hollow(void)
+{
+    struct arena arena = {0};
+    struct camera camera;
+    struct view view;
+    struct error error;
+    open_text(&camera, "object inf\nsurface -20 10 air 40\nstop - 0 air 2\nthick 50 0 air -\n",
+              &arena);
+    look(&camera, 0.5875618, 80, 10, &arena);
+    /* half of 80 mm at 50 mm: 0.8, so that the ray leaves 8.8 mm off the axis and 2.1 before it */
+    camera.question.subject = -1;
+    CHECK(view_of_lens(&camera.question, &arena, &view, &error));
+    CHECK(isnan(view.horizontal.size));
+    CHECK_NEAR(view.horizontal.angle, 2 * atan(0.8), 1e-13, "80 mm at 50 mm");
+    CHECK_NEAR(view.vertical.size, 2.2, 1e-12, "10 mm at 11 mm through 50 mm");
+    camera.question.subject = -3;
+    CHECK(view_of_lens(&camera.question, &arena, &view, &error));
+    CHECK_NEAR(view.horizontal.size, 20.8, 1e-12, "80 mm at 13 mm through 50 mm");
+    arena_free(&arena);
+}
+
 /* A tube before the lens: its clear aperture, and nothing else, ends the field. */
 static void test_circle(void)
 {
@@ -178,6 +201,7 @@ int main(void)
     test_heights();
     test_wide();
     test_thin();
+    test_hollow();
     test_circle();
     test_refusals();
     return check_report();

@@ -152,6 +152,57 @@ static void test_lost(void)
     }
 }
 
+/*
+ * A front that is bent so much that three rays of a field go through the centre of the stop, and
+ * two of them alike: the one nearer to the paraxial ray is meant. Places and angles by rays from
+ * the centre of the stop outwards, in 30 digits.
+ */
+static void test_several(void)
+{
+    static const char text[] =
+        "object inf\naperture stop\nsurface - 30 1.5 - A4=1e-3 A6=-8e-6\nstop - 10 1.5 10\n";
+    static const double cases[][3] = {/* deg; height and place along the axis at the front */
+                                      {5, 2.09587598341562071, 0.0186176953957985443},
+                                      {4.5, 1.79399384787280677, 0.0100914927031581424}};
+    struct arena arena = {0};
+    struct opened opened;
+    struct aim aim;
+    struct error error;
+    open_text(text, &arena, &opened);
+    for (size_t i = 0; i < 4; i++) {
+        const double *one = cases[i / 2], side = i % 2 == 0 ? 1 : -1;
+        double point[2];
+        CHECK(open_aim(&opened, 0, side * one[0] * degree, &arena, &aim, &error));
+        const struct ray chief = aim_chief(&aim);
+        at_plane(&chief, one[2], point);
+        CHECK_NEAR(point[1], -side * one[1], 1e-9, "the nearest to the paraxial chief ray");
+    }
+    arena_free(&arena);
+}
+
+/* At the edge of a ball of air rays to one side are lost: the slopes of straight lines all the
+   same, from rays that are nearer. */
+static void test_slope_at_edge(void)
+{
+    static const double edges[][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    struct arena arena = {0};
+    struct opened opened;
+    struct aim aim;
+    struct error error;
+    open_text("object inf\naperture stop\nsurface 10 30 air -\nstop - 10 air 10\n", &arena,
+              &opened);
+    CHECK(open_aim(&opened, 0, 0, &arena, &aim, &error));
+    for (size_t i = 0; i < 4; i++) {
+        const double at[2] = {9.998 * edges[i][0], 9.998 * edges[i][1]};
+        double slope[4] = {NAN, NAN, NAN, NAN};
+        CHECK(chief_slope(&aim, at, slope));
+        for (int k = 0; k < 4; k++) {
+            CHECK_NEAR(slope[k], k % 3 == 0, 1e-9, "d(x, y)/d(a, b)");
+        }
+    }
+    arena_free(&arena);
+}
+
 static void find_aperture(struct opened *opened)
 {
     struct error error;
@@ -254,5 +305,7 @@ int main(void)
     test_open_at();
     test_straight();
     test_lost();
+    test_several();
+    test_slope_at_edge();
     return check_report();
 }

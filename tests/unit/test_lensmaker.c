@@ -104,7 +104,15 @@ static void test_by_hand(void)
     f = facts_of((struct lensmaker){4. / 3, 1.5, 4. / 3, 50, -50, 0, NAN, NAN});
     CHECK_RELATIVE(f.efl, 150.0, 16 * DBL_EPSILON, "under water");
     CHECK_RELATIVE(f.rear_focal, 200.0, 16 * DBL_EPSILON, "under water");
+    CHECK_RELATIVE(f.front_focal, -200.0, 16 * DBL_EPSILON, "under water");
     CHECK(f.N == 0 && f.N_rear == 0);
+    /* water on one side: by the product of three matrices */
+    f = facts_of((struct lensmaker){1.333, 1.5, 1, 50, -40, 10, NAN, NAN});
+    CHECK_RELATIVE(f.front_focal, -85.659205312198779, 16 * DBL_EPSILON, "before the lens");
+    CHECK_RELATIVE(f.rear_focal, 64.26046910142444, 16 * DBL_EPSILON, "before the lens");
+    f = facts_of((struct lensmaker){1, 1.7, 1.333, -30, 70, 4, NAN, NAN});
+    CHECK_RELATIVE(f.front_focal, 34.645192470056655, 16 * DBL_EPSILON, "behind the lens");
+    CHECK_RELATIVE(f.rear_focal, -46.182041562585521, 16 * DBL_EPSILON, "behind the lens");
     /* one surface only: nodal points at the centre of curvature */
     f = facts_of((struct lensmaker){1, 1.5, 1.5, 20, 70, 5, NAN, NAN});
     CHECK_RELATIVE(f.N, 20.0, 4 * DBL_EPSILON, "nodal point at the centre");
@@ -145,7 +153,9 @@ static void test_afocal(void)
     struct lensmaker lens = {1, 1.5, 1, 60, 40, NAN, INFINITY, NAN};
     lens = one(lens);
     CHECK(lens.d == 60);
-    CHECK(facts_of(lens).power == 0 && isinf(facts_of(lens).bfl));
+    const struct lensmaker_facts none = facts_of(lens);
+    CHECK(none.power == 0 && isinf(none.bfl));
+    CHECK(none.front_focal == -INFINITY && none.rear_focal == INFINITY && isinf(none.ffl));
     for (int k = 1; k < 46; k++) {
         lens.d = 60 + ldexp(1, -k);
         struct lensmaker_facts f = facts_of(lens);
