@@ -132,6 +132,55 @@ static void test_exit(void)
     arena_free(&arena);
 }
 
+/*
+ * Parallel light behind a sphere of R = 8, n = 1.5, whose paraxial focus is 24 mm behind it. A ray
+ * at h meets the plane at z at h - (z - sag) tan(i - i'), with sin i = h/R. At 23.5 the rays of the
+ * edge are the outermost, and where the fold ends is known; at 20 those of h = 4 are.
+ */
+static void test_fold(void)
+{
+    static const char *const texts[] = {
+        "object inf\naperture stop\nstop - 0 air 10\nsurface 8 23.5 1.5 -\nsurface - - 1.5 -\n",
+        "object inf\naperture stop\nstop - 0 air 10\nsurface 8 20 1.5 -\nsurface - - 1.5 -\n"};
+    const double turn = asin(STOP / 8) - asin(STOP / 12), sag = 8 - sqrt(64 - STOP * STOP);
+    const double edge = (23.5 - sag) * tan(turn) - STOP;
+    struct arena arena = {0};
+    const struct field_point field = {FIELD_NONE, {0, 0}};
+    struct pupil_extent extent = shape_of(texts[0], field, &arena).exit.vertex;
+    CHECK(extent.folds && isnan(extent.area));
+    for (int k = 0; k < 2; k++) {
+        CHECK_NEAR(extent.high[k], edge, 1e-9, "the edge is farther out than the fold");
+        CHECK_NEAR(extent.low[k], -edge, 1e-9, "the edge is farther out than the fold");
+    }
+    extent = shape_of(texts[1], field, &arena).exit.vertex;
+    CHECK(extent.folds && isnan(extent.area));
+    for (int k = 0; k < 2; k++) {
+        CHECK(isnan(extent.high[k]) && isnan(extent.low[k]));
+    }
+    arena_free(&arena);
+}
+
+/* Light along the plane does not cross it: from 89.9 degrees on. A stop seen from its edge. */
+static void test_grazing(void)
+{
+    static const char *const texts[] = {
+        "object inf\naperture stop\nstop - 10 air 10\nthick 100 100 air -\n",
+        "object inf\naperture stop\nsurface - -10 mirror 10 stop\n"};
+    struct arena arena = {0};
+    for (int i = 0; i < 4; i++) {
+        const double angle = i % 2 == 0 ? 89.85 : 89.95;
+        const struct field_point field = {FIELD_ANGLE, {0, angle * degree}};
+        const struct pupil_shape shape = shape_of(texts[i / 2], field, &arena);
+        const struct pupil_extent *planes[] = {&shape.entrance.pupil, &shape.exit.vertex};
+        for (int k = 0; k < 2; k++) {
+            const double high = planes[k]->high[0], low = planes[k]->low[0];
+            CHECK(angle < 89.9 ? fabs(high - STOP) < 1e-6 : isnan(high));
+            CHECK(angle < 89.9 ? fabs(low + STOP) < 1e-6 : isnan(low));
+        }
+    }
+    arena_free(&arena);
+}
+
 /* The extent is the region, scaled about the origin by m and moved. */
 static void check_extent(const struct pupil_extent *extent, const struct region *region, double m,
                          const double shift[2], const char *what)
@@ -306,5 +355,7 @@ int main(void)
     test_cats_eye();
     test_near_object();
     test_exit();
+    test_grazing();
+    test_fold();
     return check_report();
 }
