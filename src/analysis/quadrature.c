@@ -434,7 +434,8 @@ static void put_points(const struct stop_beam *beam, const struct arms *arms, si
                        struct arena *arena, struct quadrature *all)
 {
     double *r2 = ARENA_ARRAY(arena, rings, double), *w = ARENA_ARRAY(arena, rings, double);
-    size_t count = 0, most = 0;
+    size_t count = 0;
+    size_t most = 0; /* spans of an arm */
     for (size_t k = 0; k < arms->count; k++) {
         count += rings * arms->spans[k].count;
         most = arms->spans[k].count > most ? arms->spans[k].count : most;

@@ -336,6 +336,24 @@ static void test_plane(void)
     arena_free(&arena);
 }
 
+/* A real image height behind a break of 90 degrees about z, where x' = y and y' = -x. An ideal lens
+   in its stop, f = 100: tan = height/100. */
+static void test_turned_image(void)
+{
+    struct arena arena = {0};
+    struct beam beam;
+    struct error error = {0};
+    const struct setup_question question = question_of(
+        "object inf\naperture stop\nbend tilt=0,0,90\nstop - 0 air 10\nthick 100 100 air 60\n",
+        &arena);
+    const struct setup setup = open_question(&question, &arena);
+    const struct field_point field = {FIELD_REAL, {3, 4}};
+    CHECK(setup_beam(&setup, &field, &beam, &error));
+    CHECK_NEAR(beam.axis[0] / beam.axis[2], -0.04, 1e-12, "tangent in x");
+    CHECK_NEAR(beam.axis[1] / beam.axis[2], 0.03, 1e-12, "tangent in y");
+    arena_free(&arena);
+}
+
 /* A zoom: the stop moves with its gap, its aperture and its object with the position. */
 static void test_position(void)
 {
@@ -413,6 +431,7 @@ int main(void)
     test_light();
     test_plane();
     test_position();
+    test_turned_image();
     test_systems();
     return check_report();
 }
