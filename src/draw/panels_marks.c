@@ -22,7 +22,7 @@ static const char *const spectrum[] = {"#6a3d9a", "#0072b2", "#56b4e9", "#009e73
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 /* Which of the spectrum's colours so many wavelengths take, the shortest first. */
-static const char *const chosen[] = {"1", "15", "135", "1345", "1245", "012345", "0123456"};
+static const char *const chosen[] = {"1", "15", "135", "1345", "12345", "012345", "0123456"};
 
 static const char *colour_of(const struct panels *panels, size_t key)
 {
