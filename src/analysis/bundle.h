@@ -4,8 +4,8 @@
 #define LENSCALC_ANALYSIS_BUNDLE_H
 
 #include "analysis/setup.h"
-#include "analysis/stop_beam.h"
 #include "trace/sample.h"
+#include "trace/stop_beam.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -124,10 +124,9 @@ static void start_rays(const struct tracing *tracing, const struct rays *rays)
     }
 }
 
-static void open_ray_data(const struct ray_data_request *request, size_t sample,
-                          struct arena *arena, struct ray_data *ray_data)
+static void open_ray_data(const struct ray_data_request *request, size_t most, struct arena *arena,
+                          struct ray_data *ray_data)
 {
-    size_t most = request->setup->field_count * request->setup->wavelength_count * sample;
     ray_data->clear = ARENA_ARRAY(arena, request->setup->field_count, double);
     for (size_t i = 0; i < 11; i++) {
         ray_data->columns[i] = ARENA_ARRAY(arena, most, double);
@@ -242,27 +241,39 @@ static void trace_pupil(struct tracing *tracing, const struct quadrature *all, s
     }
 }
 
-/* All rays of one field. */
-static void trace_field(struct tracing *tracing, size_t field, struct ray_data *ray_data)
+/* The rays of all fields at all wavelengths, one quadrature each; empty: no chief ray. */
+static struct quadrature *choose_all(struct tracing *tracing, size_t *count)
 {
-    for (size_t g = 0; g < tracing->request->setup->wavelength_count; g++) {
+    const struct setup *setup = tracing->request->setup;
+    const size_t groups = setup->wavelength_count;
+    struct quadrature *all =
+        ARENA_ARRAY(tracing->arena, setup->field_count * groups, struct quadrature);
+    *count = 0;
+    for (size_t i = 0; i < setup->field_count * groups; i++) {
+        bool found = open_field(tracing, i / groups, i % groups, &tracing->last);
+        all[i] = found ? choose_rays(tracing) : (struct quadrature){.is_empty = true};
+        *count += all[i].sample.count;
+    }
+    return all;
+}
+
+/* All rays of one field. */
+static void trace_field(struct tracing *tracing, size_t field, const struct quadrature *all,
+                        struct ray_data *ray_data)
+{
+    const size_t groups = tracing->request->setup->wavelength_count;
+    for (size_t g = 0; g < groups; g++) {
+        const struct quadrature *one = &all[field * groups + g];
         struct arena_mark mark = arena_mark(tracing->arena);
-        if (open_field(tracing, field, g, &tracing->last)) {
-            const struct quadrature all = choose_rays(tracing);
-            trace_pupil(tracing, &all, field, g, ray_data);
+        tracing->ways = &tracing->all[g];
+        if (one->sample.count > 0) {
+            trace_pupil(tracing, one, field, g, ray_data);
         } else {
             ray_data->wanted += tracing->sample.count;
             ray_data->unreachable += tracing->sample.count;
         }
         arena_reset(tracing->arena, mark);
     }
-}
-
-/* Corners want more directions than a whole stop has; see quadrature_make. */
-static size_t most_points(const struct tracing *tracing)
-{
-    size_t count = tracing->sample.count, rings = (size_t)sqrt((double)count / 2) + 1;
-    return tracing->request->pattern == PATTERN_GAUSS ? count + 2 * 8 * rings : count;
 }
 
 static bool check_left(const struct tracing *tracing, const struct ray_data *ray_data,
@@ -293,9 +304,11 @@ bool ray_data_trace(const struct ray_data_request *request, struct arena *arena,
     if (!open_tracing(&tracing, ray_data, error)) {
         return false;
     }
-    open_ray_data(request, most_points(&tracing), arena, ray_data);
+    size_t most;
+    const struct quadrature *all = choose_all(&tracing, &most);
+    open_ray_data(request, most, arena, ray_data);
     for (size_t f = 0; f < request->setup->field_count; f++) {
-        trace_field(&tracing, f, ray_data);
+        trace_field(&tracing, f, all, ray_data);
     }
     return check_left(&tracing, ray_data, error);
 }

@@ -1,7 +1,7 @@
-/* analysis/stop_beam.h - the pupil that is integrated over, and what equal parts of it are. */
+/* trace/stop_beam.h - the pupil that is integrated over, and what equal parts of it are. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_ANALYSIS_STOP_BEAM_H
-#define LENSCALC_ANALYSIS_STOP_BEAM_H
+#ifndef LENSCALC_TRACE_STOP_BEAM_H
+#define LENSCALC_TRACE_STOP_BEAM_H
 
 #include "base/error.h"
 #include "optics/first_order.h"

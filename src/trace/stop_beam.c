@@ -1,6 +1,6 @@
-/* analysis/stop_beam.c - from points of a pupil to the beam. */
+/* trace/stop_beam.c - from points of a pupil to the beam. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/stop_beam.h"
+#include "trace/stop_beam.h"
 
 #include <math.h>
 

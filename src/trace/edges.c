@@ -1,0 +1,216 @@
+/* trace/edges.c - brackets, then parabolas, a block of directions at a time. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/edges.h"
+
+#include <math.h>
+
+/* How far out edges usually and at most lie in u and v, for the aberrations of the pupil. */
+static const double usual_reach = 1.125, farthest = 64;
+
+enum { STRIDES = 8, TURNS = 70, SURE = 12 };
+
+/* Half of what a guess may be wrong by. */
+static const double slack = 0.03;
+
+/* One edge, while it is looked for: a radius that passes, one that does not, and a third. */
+struct hunt {
+    double at[3], excess[3];
+    size_t limit;
+    bool is_closed, is_done;
+};
+
+void edge_point(const struct edge_frame *frame, double angle, double radius, double point[2])
+{
+    point[0] = frame->centre[0] + frame->stretch[0] * radius * sin(angle);
+    point[1] = frame->centre[1] + frame->stretch[1] * radius * cos(angle);
+}
+
+/* Up to 128 directions that are looked in together. */
+struct hunting {
+    const struct margins *margins;
+    const struct edge_frame *frame;
+    double way[RAYS_BLOCK][2];
+    struct hunt hunts[RAYS_BLOCK];
+    size_t count;
+    size_t which[RAYS_BLOCK]; /* lanes -> hunts */
+    double radius[RAYS_BLOCK];
+};
+
+static void look(struct hunting *all, size_t lanes)
+{
+    double points[RAYS_BLOCK][2];
+    for (size_t i = 0; i < lanes; i++) {
+        const double *way = all->way[all->which[i]];
+        points[i][0] = all->frame->centre[0] + all->radius[i] * way[0];
+        points[i][1] = all->frame->centre[1] + all->radius[i] * way[1];
+    }
+    margins_look(all->margins, (const double(*)[2])points, lanes);
+}
+
+/* What a ray at a radius beyond all before says while there is no bracket yet. */
+static void step_out(struct hunt *hunt, double radius, double excess, size_t limit)
+{
+    int place = excess <= 0 ? 0 : 1;
+    if (hunt->is_closed) {
+        return;
+    }
+    if (place == 0) {
+        hunt->at[2] = hunt->at[0];
+        hunt->excess[2] = hunt->excess[0];
+    } else {
+        hunt->limit = limit;
+        hunt->is_closed = true;
+    }
+    hunt->at[place] = radius;
+    hunt->excess[place] = excess;
+}
+
+/* Outwards step by step, several of them at once. */
+static void bracket(struct hunting *all)
+{
+    double far = 0, stride = usual_reach / STRIDES;
+    for (;;) {
+        size_t open[RAYS_BLOCK], left = 0, lanes = 0, parts;
+        double from = far;
+        for (size_t i = 0; i < all->count; i++) {
+            if (!all->hunts[i].is_closed && !all->hunts[i].is_done) {
+                open[left++] = i;
+            }
+        }
+        if (left == 0 || far >= farthest) {
+            break;
+        }
+        parts = RAYS_BLOCK / left < STRIDES / 2 ? RAYS_BLOCK / left : STRIDES / 2;
+        for (size_t k = 0; k < left; k++) {
+            far = from;
+            for (size_t j = 0; j < parts; j++) {
+                far += far < usual_reach - 1e-9 ? stride : far;
+                all->which[lanes] = open[k];
+                all->radius[lanes++] = far;
+            }
+        }
+        look(all, lanes);
+        for (size_t i = 0; i < lanes; i++) {
+            step_out(&all->hunts[all->which[i]], all->radius[i], all->margins->excess[i],
+                     all->margins->limit[i]);
+        }
+    }
+}
+
+/* Three radii about a guess each. Those that do not hold the edge are left open. */
+static void try_guesses(struct hunting *all, const double *near)
+{
+    for (size_t done = 0; done < all->count; done += RAYS_BLOCK / 3) {
+        size_t lanes = 0;
+        for (size_t i = done; i < all->count && i < done + RAYS_BLOCK / 3; i++) {
+            for (int k = 0; k < 3 && near[i] > 0; k++) {
+                all->which[lanes] = i;
+                all->radius[lanes++] = near[i] * (1 + slack * (k - 1));
+            }
+        }
+        if (lanes == 0) {
+            continue;
+        }
+        look(all, lanes);
+        const double *excess = all->margins->excess, *r = all->radius;
+        for (size_t i = 0; i < lanes; i += 3) {
+            size_t dark = excess[i + 1] > 0 ? i + 1 : i + 2, clear = dark - 1;
+            size_t other = dark == i + 1 ? i + 2 : i;
+            if (excess[clear] <= 0 && excess[dark] > 0) {
+                struct hunt *hunt = &all->hunts[all->which[i]];
+                *hunt = (struct hunt){.at = {r[clear], r[dark], r[other]},
+                                      .excess = {excess[clear], excess[dark], excess[other]},
+                                      .limit = all->margins->limit[dark],
+                                      .is_closed = true};
+            }
+        }
+    }
+}
+
+/* The next radius to try, within the bracket. */
+static double next_of(const struct hunt *hunt, int turn)
+{
+    const double *t = hunt->at, *f = hunt->excess, middle = (t[0] + t[1]) / 2;
+    if (!isfinite(f[1]) || (turn > SURE && turn % 2 == 0)) {
+        return middle;
+    }
+    double slope = (f[1] - f[0]) / (t[1] - t[0]), at = t[0] - f[0] / slope;
+    double bend = ((f[2] - f[1]) / (t[2] - t[1]) - slope) / (t[2] - t[0]);
+    if (isfinite(bend) && isfinite(f[2])) {
+        /* Newton's method on the parabola */
+        for (int step = 0; step < 3; step++) {
+            double value = f[0] + (at - t[0]) * (slope + bend * (at - t[1]));
+            at -= value / (slope + bend * (2 * at - t[0] - t[1]));
+        }
+    }
+    if (!(at > t[0] && at < t[1])) {
+        at = t[0] - f[0] / slope;
+    }
+    return at > t[0] && at < t[1] ? at : middle;
+}
+
+static void take(struct hunt *hunt, double radius, double excess, size_t limit, double tolerance)
+{
+    int place = excess <= 0 ? 0 : 1;
+    hunt->at[2] = hunt->at[place];
+    hunt->excess[2] = hunt->excess[place];
+    hunt->at[place] = radius;
+    hunt->excess[place] = excess;
+    if (place == 1 || fabs(excess) <= tolerance) {
+        hunt->limit = limit;
+    }
+    if (fabs(excess) <= tolerance) {
+        hunt->at[0] = radius;
+        hunt->is_done = true;
+    }
+    double width = isfinite(hunt->excess[1]) ? 3e-16 : 1e-13;
+    hunt->is_done = hunt->is_done || !(hunt->at[1] - hunt->at[0] > width * hunt->at[1]);
+}
+
+static void close_brackets(struct hunting *all, double tolerance)
+{
+    for (int turn = 0; turn < TURNS; turn++) {
+        size_t lanes = 0;
+        for (size_t i = 0; i < all->count; i++) {
+            const struct hunt *hunt = &all->hunts[i];
+            if (hunt->is_closed && !hunt->is_done) {
+                all->which[lanes] = i;
+                all->radius[lanes++] = next_of(hunt, turn);
+            }
+        }
+        if (lanes == 0) {
+            return;
+        }
+        look(all, lanes);
+        for (size_t i = 0; i < lanes; i++) {
+            take(&all->hunts[all->which[i]], all->radius[i], all->margins->excess[i],
+                 all->margins->limit[i], tolerance);
+        }
+    }
+}
+
+void edges_find(const struct margins *margins, const struct edge_directions *directions,
+                double tolerance, struct edge *edges)
+{
+    struct hunting all;
+    const size_t count = directions->count;
+    all.margins = margins;
+    all.frame = &directions->frame;
+    for (size_t done = 0; done < count; done += RAYS_BLOCK) {
+        all.count = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        for (size_t i = 0; i < all.count; i++) {
+            all.way[i][0] = all.frame->stretch[0] * sin(directions->angles[done + i]);
+            all.way[i][1] = all.frame->stretch[1] * cos(directions->angles[done + i]);
+            all.hunts[i] =
+                (struct hunt){.at = {0, 0, NAN}, .excess = {-1, 0, NAN}, .is_closed = false};
+        }
+        if (directions->near != NULL) {
+            try_guesses(&all, directions->near + done);
+        }
+        bracket(&all);
+        close_brackets(&all, tolerance);
+        for (size_t i = 0; i < all.count; i++) {
+            edges[done + i] = (struct edge){all.hunts[i].at[0], all.hunts[i].limit};
+        }
+    }
+}

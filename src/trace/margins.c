@@ -1,0 +1,153 @@
+/* trace/margins.c - rays looked at wherever something may end them. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/margins.h"
+
+#include "trace/dispatch.h"
+
+#include <math.h>
+
+static const struct clip *clip_at(const struct system *system, size_t surface)
+{
+    return system->clips != NULL ? system->clips[surface] : NULL;
+}
+
+struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
+{
+    const struct system *system = system_outer(beam->system);
+    const size_t surfaces = system->lens->surface_count;
+    const bool has_stop = !isnan(beam->radius);
+    struct margin *all = ARENA_ARRAY(arena, surfaces + 2, struct margin);
+    size_t count = 0;
+    if (!has_stop) {
+        all[count++] = (struct margin){0, LENS_NONE, 1, NULL};
+    }
+    for (size_t place = 0; place < system->places; place++) {
+        const size_t surface = system_surface(system, place);
+        if (surface >= surfaces) {
+            continue;
+        }
+        double clear = system_clear_radius(system, surface);
+        if (has_stop && surface == system->stop) {
+            clear = fmin(clear, beam->radius);
+        }
+        const struct clip *clip = clip_at(system, surface);
+        if (isfinite(clear) || clip != NULL) {
+            all[count++] = (struct margin){place + 1, surface, clear * clear, clip};
+        }
+    }
+    double *rows = ARENA_ARRAY(arena, (count + 1) * RAYS_BLOCK, double);
+    return (struct margins){.beam = beam,
+                            .system = system,
+                            .all = all,
+                            .count = count,
+                            .is_listed = beam->system->clips != NULL,
+                            .work = rays_new(arena, RAYS_BLOCK),
+                            .rows = rows,
+                            .excess = rows + count * RAYS_BLOCK,
+                            .limit = ARENA_ARRAY(arena, RAYS_BLOCK, size_t),
+                            .at = arena_array(arena, RAYS_BLOCK, 2 * sizeof(double))};
+}
+
+static void start(const struct margins *margins, const double (*points)[2], size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        stop_beam_place(margins->beam, points[i][0], points[i][1], margins->at[i]);
+    }
+    beam_fill(margins->beam->beam, (const double(*)[2])margins->at, count, margins->work.blocks);
+}
+
+void margins_go(const struct margins *margins, const double (*points)[2], size_t count, size_t to)
+{
+    const struct rays rays = {margins->work.blocks, count};
+    start(margins, points, count);
+    if (to > 0) {
+        rays_trace_part(margins->system, 0, to, &rays, NULL);
+    }
+}
+
+void margins_cross(const struct margins *margins, size_t surface, size_t i, double point[3])
+{
+    const struct ray_block *block = margins->work.blocks;
+    point[0] = block->x[i];
+    point[1] = block->y[i];
+    point[2] = block->z[i];
+    if (margins->system->lens->surfaces[surface].decentre != NULL) {
+        system_to_own(margins->system, surface, point);
+    }
+}
+
+/* One row, of rays that stand on the surface. */
+static void fill_row(const struct margins *margins, const struct margin *margin, size_t count,
+                     double *row)
+{
+    const struct ray_block *block = margins->work.blocks;
+    const double over = 1 / margin->clear2;
+    if (margin->clip == NULL && margins->system->lens->surfaces[margin->surface].decentre == NULL) {
+        for (size_t i = 0; i < count; i++) {
+            row[i] = (block->x[i] * block->x[i] + block->y[i] * block->y[i]) * over - 1;
+        }
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        double point[3];
+        margins_cross(margins, margin->surface, i, point);
+        row[i] = (point[0] * point[0] + point[1] * point[1]) * over - 1;
+        if (margin->clip != NULL) {
+            double listed = clip_excess(margin->clip, point[0], point[1], NULL);
+            row[i] = listed > row[i] ? listed : row[i];
+        }
+    }
+}
+
+/* The worst of all rows. */
+static void compare(const struct margins *margins, size_t count)
+{
+    double *excess = margins->excess;
+    size_t *limit = margins->limit;
+    for (size_t i = 0; i < count; i++) {
+        excess[i] = -1;
+        limit[i] = 0;
+    }
+    for (size_t k = 0; k < margins->count; k++) {
+        const double *row = margins->rows + k * RAYS_BLOCK;
+        for (size_t i = 0; i < count; i++) {
+            bool more = row[i] > excess[i];
+            excess[i] = more ? row[i] : excess[i];
+            limit[i] = more ? k : limit[i];
+        }
+    }
+}
+
+void margins_look(const struct margins *margins, const double (*points)[2], size_t count)
+{
+    const struct system *system = margins->system;
+    const struct ray_block *block = margins->work.blocks;
+    const struct rays rays = {margins->work.blocks, count};
+    size_t from = 0;
+    start(margins, points, count);
+    for (size_t k = 0; k < margins->count; k++) {
+        const struct margin *margin = &margins->all[k];
+        double *row = margins->rows + k * RAYS_BLOCK;
+        if (margin->surface == LENS_NONE) {
+            for (size_t i = 0; i < count; i++) {
+                row[i] = points[i][0] * points[i][0] + points[i][1] * points[i][1] - 1;
+            }
+            continue;
+        }
+        rays_trace_part(system, from, margin->place, &rays, NULL);
+        from = margin->place;
+        fill_row(margins, margin, count, row);
+    }
+    if (from < system->places) {
+        rays_trace_part(system, from, system->places, &rays, NULL);
+    }
+    compare(margins, count);
+    for (size_t i = 0; i < count; i++) {
+        enum ray_status status = ray_block_status(block, i);
+        bool arrives = isfinite(block->x[i]) && isfinite(block->y[i]);
+        if (!arrives || (status != RAY_OK && status != RAY_CLIPPED)) {
+            margins->excess[i] = INFINITY;
+            margins->limit[i] = ((size_t)1 << 32) + 8 * ray_block_surface(block, i) + status;
+        }
+    }
+}

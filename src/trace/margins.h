@@ -1,0 +1,56 @@
+/* trace/margins.h - by how much rays of a pupil pass what may stop them: smooth numbers. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_MARGINS_H
+#define LENSCALC_TRACE_MARGINS_H
+
+#include "base/arena.h"
+#include "trace/clip.h"
+#include "trace/rays.h"
+#include "trace/stop_beam.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Something that ends a bundle: its excess over 0 is smooth in u and v, but for lists. */
+struct margin {
+    size_t place;            /* behind which it is looked at: surfaces in the order of light + 1 */
+    size_t surface;          /* LENS_NONE: the disc of u and v */
+    double clear2;           /* squared clear radius, mm^2; infinite: none */
+    const struct clip *clip; /* null: no list of apertures */
+};
+
+/* What is looked at, and one block to do it in. */
+struct margins {
+    const struct stop_beam *beam;
+    const struct system *system; /* of the edge: unobstructed */
+    const struct margin *all;
+    size_t count;
+    bool is_listed; /* some surface has apertures beside its diameter */
+    struct rays work;
+    double *rows;   /* one a margin, RAYS_BLOCK numbers each */
+    double *excess; /* the largest of them; infinite where a ray is lost */
+    size_t *limit;  /* which that is; margins_lost: lost there */
+    double (*at)[2];
+};
+
+struct margins margins_open(const struct stop_beam *beam, struct arena *arena);
+
+/*
+ * Take up to RAYS_BLOCK rays at u, v through the system: rows, excess and limit of each. What
+ * passes has an excess of 0 and less: r^2/a^2 - 1 of a clear radius a.
+ */
+void margins_look(const struct margins *margins, const double (*points)[2], size_t count);
+
+/* A number for rays that are lost otherwise, more than that of any margin. */
+static inline bool margins_lost(size_t limit)
+{
+    return limit >= ((size_t)1 << 32);
+}
+
+/* Take rays at u, v to before a place; they stand in the block. */
+void margins_go(const struct margins *margins, const double (*points)[2], size_t count, size_t to);
+
+/* Where ray i, that stands there, crosses a surface, in its own frame. */
+void margins_cross(const struct margins *margins, size_t surface, size_t i, double point[3]);
+
+#endif

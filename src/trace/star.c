@@ -1,0 +1,519 @@
+/* trace/star.c - centre, directions and corners of a clear pupil. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/star.h"
+
+#include "base/constants.h"
+
+#include <math.h>
+
+enum { DIRECTIONS = 32, MORE_DIRECTIONS = 256, EXTRA = 32, GRID = 24, ROUNDS = 10, PARTS = 5 };
+
+/* Excesses that count as none. */
+static const double roughly = 1e-7, at_corner = 1e-11;
+
+struct search {
+    const struct margins *margins;
+    const struct probe *probe;
+    struct star *star;
+};
+
+/* -------- what ends an edge -------- */
+
+void star_spans(const struct margins *margins, const struct probe *probe,
+                const struct edge_directions *directions, const struct edge *edges,
+                struct spans *spans)
+{
+    const struct stop_beam *beam = margins->beam;
+    const size_t count = directions->count;
+    const double *centre = directions->frame.centre;
+    double from[2], ends[RAYS_BLOCK][2], points[RAYS_BLOCK][2];
+    stop_beam_place(beam, centre[0], centre[1], from);
+    for (size_t i = 0; i < count; i++) {
+        spans[i] = spans_whole;
+    }
+    for (size_t done = 0; done < count && probe->full != NULL; done += RAYS_BLOCK) {
+        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        for (size_t i = 0; i < here; i++) {
+            edge_point(&directions->frame, directions->angles[done + i], edges[done + i].radius,
+                       points[i]);
+            stop_beam_place(beam, points[i][0], points[i][1], ends[i]);
+        }
+        spans_find(probe, from, (const double(*)[2])ends, here, spans + done);
+        for (size_t i = 0; i < here; i++) {
+            struct spans *clear = &spans[done + i];
+            for (size_t k = 0; k < clear->count; k++) {
+                clear->low[k] = stop_beam_share(beam, centre, points[i], clear->low[k]);
+                clear->high[k] = stop_beam_share(beam, centre, points[i], clear->high[k]);
+            }
+        }
+    }
+}
+
+/* Where apertures are listed it counts which piece of one ends an edge, and what is crossed. */
+static void tell_parts(const struct search *search, const double *angles, size_t count,
+                       struct edge *edges)
+{
+    const struct margins *margins = search->margins;
+    double at[RAYS_BLOCK][2];
+    struct clear_edge ends[RAYS_BLOCK];
+    struct spans spans[RAYS_BLOCK];
+    for (size_t i = 0; i < count; i++) {
+        const struct edge *edge = &edges[i];
+        double point[2];
+        edge_point(&search->star->frame, angles[i], edge->radius, point);
+        stop_beam_place(margins->beam, point[0], point[1], at[i]);
+        bool known = edge->limit < margins->count;
+        size_t surface = known ? margins->all[edge->limit].surface : LENS_NONE;
+        ends[i] = (struct clear_edge){.status = surface != LENS_NONE ? RAY_CLIPPED : RAY_OK,
+                                      .surface = surface != LENS_NONE ? surface + 1 : 0};
+    }
+    probe_parts(search->probe, (const double(*)[2])at, count, ends);
+    const struct edge_directions directions = {search->star->frame, angles, NULL, count};
+    star_spans(margins, search->probe, &directions, edges, spans);
+    for (size_t i = 0; i < count; i++) {
+        size_t *limit = &edges[i].limit;
+        *limit = (*limit * 1000003 + ends[i].part) * 1000003 + spans[i].part;
+    }
+}
+
+/* Edges to compare with each other. */
+static void find_limits(const struct search *search, const double *angles, const double *near,
+                        size_t count, struct edge *edges)
+{
+    const struct margins *margins = search->margins;
+    const struct edge_directions directions = {search->star->frame, angles, near, count};
+    edges_find(margins, &directions, margins->is_listed ? 1e-12 : roughly, edges);
+    for (size_t done = 0; done < count && margins->is_listed; done += RAYS_BLOCK) {
+        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        tell_parts(search, angles + done, here, edges + done);
+    }
+}
+
+/* -------- the centre -------- */
+
+/* The points of a grid that are clear: their centroid, and which is nearest to it. */
+static bool search_grid(const struct margins *margins, double centre[2])
+{
+    double points[GRID * GRID][2], sum[2] = {0, 0}, best = INFINITY;
+    bool clear[GRID * GRID];
+    size_t count = 0;
+    for (size_t i = 0; i < GRID * GRID; i++) {
+        points[i][0] = 1.5 * ((2 * (double)(i % GRID) + 1) / GRID - 1);
+        points[i][1] = 1.5 * ((2 * (double)(i / GRID) + 1) / GRID - 1);
+    }
+    for (size_t done = 0; done < GRID * GRID; done += RAYS_BLOCK) {
+        size_t left = GRID * GRID - done, here = left < RAYS_BLOCK ? left : RAYS_BLOCK;
+        margins_look(margins, (const double(*)[2])points + done, here);
+        for (size_t i = 0; i < here; i++) {
+            clear[done + i] = margins->excess[i] <= 0;
+            sum[0] += clear[done + i] ? points[done + i][0] : 0;
+            sum[1] += clear[done + i] ? points[done + i][1] : 0;
+            count += clear[done + i];
+        }
+    }
+    for (size_t i = 0; i < GRID * GRID && count > 0; i++) {
+        double away =
+            hypot(points[i][0] - sum[0] / (double)count, points[i][1] - sum[1] / (double)count);
+        if (clear[i] && away < best) {
+            best = away;
+            centre[0] = points[i][0];
+            centre[1] = points[i][1];
+        }
+    }
+    return count > 0;
+}
+
+static bool find_centre(const struct margins *margins, double centre[2])
+{
+    static const double middle[1][2] = {{0, 0}};
+    centre[0] = centre[1] = 0;
+    margins_look(margins, middle, 1);
+    return margins->excess[0] <= 0 || search_grid(margins, centre);
+}
+
+/* Centroid and widths of what lies within edges in equal directions. */
+static void measure(const struct star *star, double centroid[2], double widths[2])
+{
+    const struct edge_frame *frame = &star->frame;
+    double area = 0, moment[2] = {0, 0}, low[2] = {INFINITY, INFINITY};
+    double high[2] = {-INFINITY, -INFINITY};
+    for (size_t i = 0; i < star->count; i++) {
+        double at[2], r = star->edges[i].radius;
+        edge_point(frame, star->angles[i], r, at);
+        area += r * r / 2;
+        for (int k = 0; k < 2; k++) {
+            moment[k] += r * r / 3 * (at[k] - frame->centre[k]);
+            low[k] = fmin(low[k], at[k]);
+            high[k] = fmax(high[k], at[k]);
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        widths[k] = high[k] - low[k];
+        centroid[k] = frame->centre[k] + moment[k] / area;
+        /* what symmetry makes 0 */
+        centroid[k] = fabs(centroid[k]) < 1e-6 * widths[k] ? 0 : centroid[k];
+    }
+}
+
+/* The frame's angle and radius of a point; the angle next to `about`. */
+static void polar_of(const struct edge_frame *frame, const double point[2], double about,
+                     double *angle, double *radius)
+{
+    double u = (point[0] - frame->centre[0]) / frame->stretch[0];
+    double v = (point[1] - frame->centre[1]) / frame->stretch[1];
+    *radius = sqrt(u * u + v * v);
+    *angle = atan2(u, v);
+    *angle += 2 * PI * round((about - *angle) / (2 * PI));
+}
+
+/* The same edges in another frame; false where they are out of order there, or far apart. */
+static bool change_frame(struct star *star, const struct edge_frame *frame)
+{
+    const double widest = 0.45;
+    bool sound = true;
+    for (size_t i = 0; i < star->count; i++) {
+        double point[2], before = i > 0 ? star->angles[i - 1] : star->angles[0];
+        edge_point(&star->frame, star->angles[i], star->edges[i].radius, point);
+        polar_of(frame, point, before, &star->angles[i], &star->edges[i].radius);
+        double gap = star->angles[i] - before;
+        sound = sound && (i == 0 || (gap > 0 && gap < widest));
+    }
+    double gap = star->angles[0] + 2 * PI - star->angles[star->count - 1];
+    star->frame = *frame;
+    return sound && gap > 0 && gap < widest;
+}
+
+/* About the centroid, stretched as the edge is. Result: false: directions are to be made anew. */
+static bool fit_frame(const struct search *search)
+{
+    struct star *star = search->star;
+    struct edge_frame frame = star->frame;
+    double centroid[2], widths[2];
+    measure(star, centroid, widths);
+    if (!(widths[0] > 0 && widths[1] > 0 && isfinite(centroid[0] + centroid[1]))) {
+        return true;
+    }
+    margins_look(search->margins, (const double(*)[2])centroid, 1);
+    if (!(search->margins->excess[0] <= 0)) {
+        return true;
+    }
+    for (int k = 0; k < 2; k++) {
+        frame.centre[k] = centroid[k];
+        frame.stretch[k] = widths[k] / 2;
+    }
+    return change_frame(star, &frame);
+}
+
+/* -------- directions -------- */
+
+static void scan(const struct search *search)
+{
+    struct star *star = search->star;
+    star->count = search->margins->is_listed ? MORE_DIRECTIONS : DIRECTIONS;
+    for (size_t i = 0; i < star->count; i++) {
+        star->angles[i] = 2 * PI * ((double)i + 0.5) / (double)star->count;
+    }
+    find_limits(search, star->angles, NULL, star->count, star->edges);
+}
+
+/* A piece of the edge that may be hidden between directions: its excess peaks about here. */
+static bool may_peak(double before, double here, double after, double *where)
+{
+    double bend = before - 2 * here + after, slope = (after - before) / 2;
+    if (!(here > before + 1e-6 && here >= after && bend < 0)) {
+        return false;
+    }
+    *where = -slope / bend;
+    return here - slope * slope / (2 * bend) > -0.03;
+}
+
+/* From a direction to the next one. */
+static double gap_of(const struct star *star, size_t i)
+{
+    bool is_last = i + 1 == star->count;
+    return star->angles[is_last ? 0 : i + 1] + (is_last ? 2 * PI : 0) - star->angles[i];
+}
+
+/* Directions in between where another margin comes near to 0 without ending an edge. */
+static void look_between(const struct search *search)
+{
+    struct star *star = search->star;
+    const struct margins *margins = search->margins;
+    double points[DIRECTIONS][2], angles[EXTRA];
+    struct edge edges[EXTRA];
+    size_t extra = 0;
+    for (size_t i = 0; i < DIRECTIONS; i++) {
+        edge_point(&star->frame, star->angles[i], star->edges[i].radius, points[i]);
+    }
+    margins_look(margins, (const double(*)[2])points, DIRECTIONS);
+    for (size_t k = 0; k < margins->count; k++) {
+        const double *row = margins->rows + k * RAYS_BLOCK;
+        for (size_t i = 0; i < DIRECTIONS && extra < EXTRA; i++) {
+            const size_t last = (i + DIRECTIONS - 1) % DIRECTIONS, next = (i + 1) % DIRECTIONS;
+            double where;
+            if (star->edges[i].limit != k && star->edges[last].limit != k &&
+                star->edges[next].limit != k && may_peak(row[last], row[i], row[next], &where)) {
+                angles[extra++] = star->angles[i] + where * gap_of(star, where > 0 ? i : last);
+            }
+        }
+    }
+    if (extra == 0) {
+        return;
+    }
+    find_limits(search, angles, NULL, extra, edges);
+    for (size_t i = 0; i < extra; i++) {
+        size_t k = star->count++;
+        for (; k > 0 && star->angles[k - 1] > angles[i]; k--) {
+            star->angles[k] = star->angles[k - 1];
+            star->edges[k] = star->edges[k - 1];
+        }
+        star->angles[k] = angles[i];
+        star->edges[k] = edges[i];
+    }
+}
+
+/* -------- corners -------- */
+
+/* Two directions with a corner between them. */
+struct bracket {
+    double low, high;
+    struct edge before, after;
+    double angle, radius; /* of the corner, once it is found */
+    bool is_found;
+};
+
+enum { AT_ONCE = RAYS_BLOCK / 3 };
+
+/* One step of Newton's method towards the points where two excesses are 0. */
+static void step_corners(const struct margins *margins, struct bracket *const *brackets,
+                         size_t count, double (*at)[2])
+{
+    static const double h = 1e-6;
+    double points[RAYS_BLOCK][2];
+    for (size_t i = 0; i < 3 * count; i++) {
+        points[i][0] = at[i / 3][0] + (i % 3 == 1 ? h : 0);
+        points[i][1] = at[i / 3][1] + (i % 3 == 2 ? h : 0);
+    }
+    margins_look(margins, (const double(*)[2])points, 3 * count);
+    for (size_t i = 0; i < count; i++) {
+        const double *a = margins->rows + brackets[i]->before.limit * RAYS_BLOCK + 3 * i;
+        const double *b = margins->rows + brackets[i]->after.limit * RAYS_BLOCK + 3 * i;
+        double au = a[1] - a[0], av = a[2] - a[0], bu = b[1] - b[0], bv = b[2] - b[0];
+        double scale = h / (au * bv - av * bu);
+        at[i][0] -= (bv * a[0] - av * b[0]) * scale;
+        at[i][1] -= (au * b[0] - bu * a[0]) * scale;
+    }
+}
+
+/* Corners of two margins each, all at once; those that lie elsewhere stay as they are. */
+static void meet_margins(const struct search *search, struct bracket *const *brackets, size_t count)
+{
+    enum { STEPS = 6 };
+    const struct edge_frame *frame = &search->star->frame;
+    const struct margins *margins = search->margins;
+    double at[AT_ONCE][2];
+    for (size_t i = 0; i < count; i++) {
+        const struct bracket *one = brackets[i];
+        edge_point(frame, (one->low + one->high) / 2, (one->before.radius + one->after.radius) / 2,
+                   at[i]);
+    }
+    for (int step = 0; step < STEPS; step++) {
+        step_corners(margins, brackets, count, at);
+    }
+    margins_look(margins, (const double(*)[2])at, count);
+    for (size_t i = 0; i < count; i++) {
+        struct bracket *one = brackets[i];
+        double a = margins->rows[one->before.limit * RAYS_BLOCK + i];
+        double b = margins->rows[one->after.limit * RAYS_BLOCK + i];
+        polar_of(frame, at[i], (one->low + one->high) / 2, &one->angle, &one->radius);
+        one->is_found = fabs(a) <= at_corner && fabs(b) <= at_corner &&
+                        margins->excess[i] <= at_corner && one->angle > one->low - 1e-12 &&
+                        one->angle < one->high + 1e-12;
+    }
+}
+
+/* Brackets that are kept, as far as there is room. */
+struct kept {
+    struct bracket brackets[STAR_CORNERS];
+    size_t count;
+};
+
+static void keep(struct kept *kept, const struct bracket *bracket)
+{
+    if (kept->count < STAR_CORNERS) {
+        kept->brackets[kept->count] = *bracket;
+    }
+    kept->count++;
+}
+
+/* The parts of a bracket between whose ends something changes. */
+static void keep_parts(const struct bracket *whole, const double *angles, const struct edge *edges,
+                       struct kept *kept)
+{
+    struct bracket part = {.low = whole->low, .before = whole->before};
+    for (size_t j = 0; j < PARTS; j++) {
+        bool is_last = j == PARTS - 1;
+        part.high = is_last ? whole->high : angles[j];
+        part.after = is_last ? whole->after : edges[j];
+        if (part.before.limit != part.after.limit) {
+            keep(kept, &part);
+        }
+        part.low = part.high;
+        part.before = part.after;
+    }
+}
+
+/* Cut brackets into parts, and keep those between whose ends something changes. */
+static size_t cut_brackets(const struct search *search, struct bracket *brackets, size_t count)
+{
+    double angles[STAR_CORNERS * (PARTS - 1)], near[STAR_CORNERS * (PARTS - 1)];
+    struct edge edges[STAR_CORNERS * (PARTS - 1)];
+    struct kept kept = {.count = 0};
+    size_t asked = 0;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t j = 1; j < PARTS && !brackets[i].is_found; j++) {
+            double share = (double)j / PARTS;
+            near[asked] = brackets[i].before.radius +
+                          share * (brackets[i].after.radius - brackets[i].before.radius);
+            angles[asked++] = brackets[i].low + share * (brackets[i].high - brackets[i].low);
+        }
+    }
+    find_limits(search, angles, near, asked, edges);
+    asked = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (brackets[i].is_found) {
+            keep(&kept, &brackets[i]);
+        } else {
+            keep_parts(&brackets[i], angles + asked, edges + asked, &kept);
+            asked += PARTS - 1;
+        }
+    }
+    for (size_t i = 0; i < kept.count && i < STAR_CORNERS; i++) {
+        brackets[i] = kept.brackets[i];
+    }
+    return kept.count;
+}
+
+/* One round: Newton's method where two margins meet, cuts elsewhere. Are any left to be found? */
+static bool narrow(const struct search *search, struct bracket *brackets, size_t *count)
+{
+    const struct margins *margins = search->margins;
+    struct bracket *open[STAR_CORNERS];
+    size_t tried = 0, left = 0;
+    for (size_t i = 0; i < *count && !margins->is_listed; i++) {
+        struct bracket *one = &brackets[i];
+        if (!one->is_found && one->before.limit < margins->count &&
+            one->after.limit < margins->count) {
+            open[tried++] = one;
+        }
+    }
+    for (size_t done = 0; done < tried; done += AT_ONCE) {
+        meet_margins(search, open + done, tried - done < AT_ONCE ? tried - done : AT_ONCE);
+    }
+    for (size_t i = 0; i < *count; i++) {
+        left += !brackets[i].is_found;
+    }
+    if (left > 0) {
+        *count = cut_brackets(search, brackets, *count);
+    }
+    return left > 0 && *count <= STAR_CORNERS;
+}
+
+static void find_corners(const struct search *search)
+{
+    struct star *star = search->star;
+    struct bracket brackets[STAR_CORNERS];
+    size_t count = 0;
+    star->corner_count = 0;
+    for (size_t i = 0; i < star->count; i++) {
+        const size_t next = (i + 1) % star->count;
+        if (star->edges[i].limit == star->edges[next].limit) {
+            continue;
+        }
+        if (count == STAR_CORNERS) {
+            return;
+        }
+        brackets[count++] = (struct bracket){.low = star->angles[i],
+                                             .high = star->angles[next] + (next == 0 ? 2 * PI : 0),
+                                             .before = star->edges[i],
+                                             .after = star->edges[next]};
+    }
+    for (int round = 0; round < ROUNDS && narrow(search, brackets, &count); round++) {
+    }
+    if (count > STAR_CORNERS) {
+        return;
+    }
+    for (size_t k = 0; k < count; k++) {
+        const struct bracket *one = &brackets[k];
+        star->corners[k] = one->is_found ? one->angle : (one->low + one->high) / 2;
+        star->radii[k] = one->is_found ? one->radius : (one->before.radius + one->after.radius) / 2;
+    }
+    star->corner_count = count;
+}
+
+double star_near(const struct star *star, double angle)
+{
+    double low = -INFINITY, high = INFINITY, before = 0, after = 0;
+    for (size_t i = 0; i < star->count + star->corner_count; i++) {
+        bool is_corner = i >= star->count;
+        double at = is_corner ? star->corners[i - star->count] : star->angles[i];
+        double radius = is_corner ? star->radii[i - star->count] : star->edges[i].radius;
+        double below = at - 2 * PI * ceil((at - angle) / (2 * PI)), above = below + 2 * PI;
+        before = below > low ? radius : before;
+        low = below > low ? below : low;
+        after = above < high ? radius : after;
+        high = above < high ? above : high;
+    }
+    return before + (after - before) * (high > low ? (angle - low) / (high - low) : 0);
+}
+
+/* Is one thing all of the edge, and as far on one side of the centre as on the other? */
+static bool is_even(const struct margins *margins, const struct star *star)
+{
+    const double alike = 1e-6;
+    const size_t half = star->count / 2;
+    bool even = !margins->is_listed && star->count == DIRECTIONS;
+    for (size_t i = 0; i < star->count && even; i++) {
+        const struct edge *edge = &star->edges[i], *other = &star->edges[(i + half) % star->count];
+        even = edge->limit == star->edges[0].limit &&
+               fabs(edge->radius - other->radius) < alike * edge->radius;
+    }
+    return even;
+}
+
+/* Does nothing but the stop or the disc end it? */
+static bool is_whole(const struct margins *margins, const struct star *star)
+{
+    const size_t first = star->edges[0].limit;
+    bool whole = first < margins->count && !margins->is_listed && star->frame.centre[0] == 0 &&
+                 star->frame.centre[1] == 0;
+    for (size_t i = 0; i < star->count; i++) {
+        whole = whole && star->edges[i].limit == first;
+    }
+    return whole && (margins->all[first].surface == LENS_NONE ||
+                     margins->all[first].surface == margins->system->stop);
+}
+
+bool star_find(const struct margins *margins, const struct probe *probe, struct star *star)
+{
+    enum { FITS = 3 };
+    const struct search search = {margins, probe, star};
+    star->frame = (struct edge_frame){.stretch = {1, 1}};
+    star->corner_count = 0;
+    if (!find_centre(margins, star->frame.centre)) {
+        return false;
+    }
+    for (int fit = 0;; fit++) {
+        scan(&search);
+        if (is_whole(margins, star) || is_even(margins, star) || margins->is_listed ||
+            fit == FITS || fit_frame(&search)) {
+            break;
+        }
+    }
+    if (!margins->is_listed) {
+        look_between(&search);
+    }
+    star->is_whole = is_whole(margins, star) || is_even(margins, star);
+    find_corners(&search);
+    return true;
+}

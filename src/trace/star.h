@@ -1,0 +1,48 @@
+/* trace/star.h - what is clear of a pupil, as a star about a point within it. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_STAR_H
+#define LENSCALC_TRACE_STAR_H
+
+#include "trace/edges.h"
+#include "trace/spans.h"
+
+enum { STAR_DIRECTIONS = 256 + 64, STAR_CORNERS = 64 };
+
+/* Its edge in some directions, ascending in angle, and the corners between smooth pieces of it. */
+struct star {
+    struct edge_frame frame;
+    double angles[STAR_DIRECTIONS]; /* rad */
+    struct edge edges[STAR_DIRECTIONS];
+    size_t count;
+    double corners[STAR_CORNERS]; /* rad, ascending */
+    double radii[STAR_CORNERS];
+    size_t corner_count;
+    bool is_whole; /* nothing but the stop or the disc ends it, or its edge is even */
+};
+
+/*
+ * The clear part of a pupil.
+ *
+ * Given     probe  for what cuts within
+ * Result    false: nothing is clear
+ * Formula   about the chief ray if it passes, else about the middle of what passes of a grid; where
+ *           more than the stop ends it about its centroid, in a frame stretched as it is. Edges in
+ *           32 directions, 256 where apertures are listed. Two neighbours that end at different
+ *           things hold a corner: where both excesses are 0, by Newton's method; where that does
+ *           not lead to a corner between the two, by cutting the angle in five. A piece that no
+ *           direction meets is looked for where its excess, a parabola through three neighbours,
+ *           has its peak above or near 0
+ * Limits    more than STAR_CORNERS corners are none. What lies behind a gap, seen from the centre,
+ *           is not found
+ */
+bool star_find(const struct margins *margins, const struct probe *probe, struct star *star);
+
+/* About where the edge is in a direction, by its neighbours: within 1 % but for narrow pieces. */
+double star_near(const struct star *star, double angle);
+
+/* What is clear of lines from the centre to edges. */
+void star_spans(const struct margins *margins, const struct probe *probe,
+                const struct edge_directions *directions, const struct edge *edges,
+                struct spans *spans);
+
+#endif
