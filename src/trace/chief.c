@@ -87,7 +87,8 @@ static void include_surface(struct region *region, const struct aim *aim)
                                           : 2 * (pupil + hypot(region->guess[0], region->guess[1]));
     for (int i = -16; i <= 16; i++) {
         double r = radius * i / 16, z = surface_sag(surface, r);
-        if (isfinite(z)) {
+        /* a wall so steep that its rim lies far away would widen the region beyond all use */
+        if (fabs(z) <= 100 * radius) {
             include(region, &aim->beam, (double[3]){r * region->up[0], r * region->up[1], z});
             include(region, &aim->beam, (double[3]){-r * region->up[1], r * region->up[0], z});
         }

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/rays.h"
 
+#include <assert.h>
 #include <stdint.h>
 
 struct rays rays_new(struct arena *arena, size_t count)
@@ -22,6 +23,7 @@ struct rays rays_new(struct arena *arena, size_t count)
 
 void rays_set(const struct rays *rays, size_t i, double n, const struct ray *ray)
 {
+    assert(i < rays->count);
     struct ray_block *block = &rays->blocks[i / RAYS_BLOCK];
     size_t lane = i % RAYS_BLOCK;
     block->x[lane] = ray->point[0];
@@ -36,6 +38,7 @@ void rays_set(const struct rays *rays, size_t i, double n, const struct ray *ray
 
 struct ray rays_get(const struct rays *rays, size_t i, double n)
 {
+    assert(i < rays->count);
     const struct ray_block *block = &rays->blocks[i / RAYS_BLOCK];
     size_t lane = i % RAYS_BLOCK;
     return (struct ray){.point = {block->x[lane], block->y[lane], block->z[lane]},

@@ -180,6 +180,26 @@ static void test_several(void)
     arena_free(&arena);
 }
 
+/* A front whose rim lies 9e9 mm behind its vertex, in which the stop is: the chief ray goes through
+   the vertex all the same, where the surface stands across the axis. */
+static void test_wall(void)
+{
+    struct arena arena = {0};
+    struct opened opened;
+    struct aim aim;
+    struct error error;
+    open_text("object inf\naperture stop\nsurface 20 7 1.7847 20 stop A8=90\nsurface - 20 air -\n",
+              &arena, &opened);
+    for (int i = -2; i <= 2; i++) {
+        double point[2];
+        CHECK(open_aim(&opened, 0, 2.5 * i * degree, &arena, &aim, &error));
+        const struct ray chief = aim_chief(&aim);
+        at_plane(&chief, 0, point);
+        CHECK_NEAR(hypot(point[0], point[1]), 0, 1e-9, "through the vertex");
+    }
+    arena_free(&arena);
+}
+
 /* At the edge of a ball of air rays to one side are lost: the slopes of straight lines all the
    same, from rays that are nearer. */
 static void test_slope_at_edge(void)
@@ -307,5 +327,6 @@ int main(void)
     test_lost();
     test_several();
     test_slope_at_edge();
+    test_wall();
     return check_report();
 }
