@@ -148,15 +148,26 @@ static const struct refusal losses[] = {
     {"AST", "AST\n@GSP 0.001", "GSP: a grating", ""},
     {"AST", "AST\n@GC 1", "GC: coordinates of another surface", ""},
     {"AST", "AST\n@TOY 1", "TOY: coordinates of another surface", ""},
-    {"AST", "AST\n@CFG 2", "CFG: a zoom configuration", ""},
+    {"AST", "AST\n@CFG 2", "CFG: configurations, in a block behind END", ""},
     {"AST", "AST\n@CVX 0.1", "CVX: a toric surface", ""},
-    {"AST", "AST\n@APN 1", "APN: an aperture that is no circle", ""},
+    {"AST", "AST\n@APN 1", "APN: apertures that are no circle, by their number", ""},
+    {"AST", "AST\n@AX1 A 2", "AX1: an aperture that is no circle", ""},
     {"AST", "AST\n@GRT 1", "GRT: an index that changes inside of the glass", ""},
     {"AST", "AST\n@ASP ZER 3", "ASP: an asphere that is no polynomial of r", ""},
     {"AST", "AST\n@AS1 1e-3", shape, ""},
     {"AST", "AST\nASP ASR\n@AS11 1e-3",
      "AS11: a coefficient of another asphere than ASP ASR and ASP ARA, of order 1 to 20", ""},
-    {"AST", "AST\nTLA 5\n@RCO 0", "RCO: coordinates of another surface", ""},
+    {"RD -50", "RD -50\nTLA 5\n@RCO 1", "RCO: coordinates of another surface", ""},
+    {"END 2", "END 2\nCFG NEW\n@PK 1 2 5\nEND",
+     "PK: a setting of a configuration that is not known", ""},
+    {"END 2", "END 2\nCFG NEW\n@TH 1 5\nEND", "TH: a setting of a configuration that is not known",
+     ""},
+    {"RD -50\nTH 90\nNXT\nEND 2", "RD -50\nPK TH 1\nNXT\nEND 2\nCFG NEW\n@TH 2 2 5\nEND",
+     "TH: a setting of a configuration, of a surface that follows another", ""},
+    {"RD -50\nTH 90\nNXT\nEND 2", "RD -50\n@PY 0\nNXT\nEND 2\nCFG NEW\nTH 1 2 5\nEND",
+     "a solve in a file with configurations", "each is solved by itself"},
+    {"END 2", "END 2\nCFG NEW\nANG 2 5\nEND", "the fields differ between the configurations",
+     "those of the first stand"},
     {"AST", "AST\nDT -1;DCX 1;@TLA 5", "a surface that is turned before it is shifted",
      "shifted first"},
     {"AST", "AST\nTLA 5;TLB 1;@BEN", "a bend with turns about more than one axis",
@@ -165,12 +176,35 @@ static const struct refusal losses[] = {
     {"END 2", "END 2\n@RD 50", "RD: a command behind END: further data of the lens", ""},
     {"END 2", "END 2\nRST NEW\n@F 1 0.5 0.1 0 0.2\nEND",
      "F: a point of the field with a place or a pupil of its own", ""},
-    {"EBR 5\nANG 10\nWV 0.5875618\nTH 1e20", "@EBR 5\nWV 0.55\nTH 200",
-     "EBR: the beam's radius at the first surface, of a finite object", ""},
     {"EBR 5", "@NAO 0.1", "NAO: a numerical aperture of an object at infinity", ""},
-    {"LEN NEW \"Singlet\" 50 2\nEBR 5\nANG 10\nWV 0.5875618\nTH 1e20",
-     "@LEN NEW\nFNO 4\nWV 0.55\nTH 200", "the working f-number of a near object",
-     "taken as that of the lens"},
+};
+
+/* What stands behind END. */
+static const struct meaning of_blocks[] = {
+    {"END 2", "END 2\nVAR NEW\nV 1 CV 1\nEND\nOPE NEW\nO 1 \"OCM1\"\nEND 1", "focus table"},
+    {"END 2", "END 2\nCFG NEW\nTH 2 2 80\nTH 2 3 70\nEND 3\nCFWT 2 0.5\nCFAC 3 NO",
+     "position 1 2 3\nlet d2 90 80 70"},
+    {"END 2", "END 2\nCFG NEW\nRD 1 2 40\nEND", "set R1 50 40"},
+    {"END 2", "END 2\nCFG NEW\nGLA 1 2 1.6\nCC 2 2 -1\nAS2 1 2 0\nEND",
+     "set glass1 1.5 1.6\nset k2 0 -1"},
+    {"END 2", "END 2\nCFG NEW\nEBR 2 4\nEND", "let aperture epd 10 epd 8"},
+    {"END 2", "END 2\nCFG NEW\nWV1 2 0.6328\nEND", "set wavelength 0.5875618um 0.6328um"},
+    {"END 2", "END 2\nCFG NEW\nTH 0 2 100\nEND", "let object inf 100"},
+    {"END 2", "END 2\nCFG NEW\nTH 2 1 80\nEND", "surface -50 80 air -"},
+    {"TH 4", "THF 4", "surface 50 4 1.5 - stop"},
+    {"RD 50", "RDF 50", "surface 50 4 1.5 - stop"},
+    {"AST", "AST\nAPF 5\nLDP 1\nVX 2", "surface 50 4 1.5 10 stop"},
+    {"AST", "AST\nDCY 1\nRCO 0", "surface 50 4 1.5 - stop decenter=0,1 tilt=0,0"},
+    /*
+     * a near object: the beam at the first vertex, where the stop is; or 1/(2 u') of a thin lens of
+     * 50 mm, u' = y (1/50 - 1/200): D = 200/12
+     */
+    {"EBR 5\nANG 10\nWV 0.5875618\nTH 1e20", "EBR 5\nWV 0.55\nTH 200", "aperture epd 10"},
+    {"EBR 5\nANG 10\nWV 0.5875618\nTH 1e20\nNXT\nRD 50\nTH 4\n",
+     "FNO 4\nWV 0.55\nTH 200\nNXT\nRD 50\nTH 0\n", "aperture epd 16.6666666666667"},
+    /* the stop 50 mm behind the first vertex, in air: 10 (200 + 50)/200 */
+    {"EBR 5\nANG 10\nWV 0.5875618\nTH 1e20\nNXT\nRD 50\nTH 4\nGLA 1.5\nAST\nNXT\nRD -50\nTH 90\n",
+     "EBR 5\nWV 0.55\nTH 200\nNXT\nTH 50\nNXT\nAST\nTH 90\n", "aperture epd 12.5"},
 };
 
 static const struct refusal errors[] = {
@@ -217,6 +251,10 @@ static const struct refusal errors[] = {
     {"RD -50", "PK LN 1 @x", "the number of the surface is a whole number from 0 on", NULL},
     {"END 2", "END 2\nRST NEW\nF 1@", "the point of the field is missing", NULL},
     {"END 2", "END 2\nRST NEW\nF 1 0 @x", "the point of the field 'x' is no number", NULL},
+    {"END 2", "END 2\nCFG NEW\nTH @7 2 5\nEND", "surface 7 of 3", NULL},
+    {"END 2", "END 2\nCFG NEW\nTH 2 @101 5\nEND", "more than 100 configurations", NULL},
+    {"END 2", "END 2\nCFG NEW\nTH 2 @x 5\nEND",
+     "the number of the configuration is a whole number from 1 on", NULL},
     {"NXT\nRD -50\nTH 90\nNXT\n", "", "the file has no surface between object and image", NULL},
 };
 
@@ -227,6 +265,7 @@ int main(void)
     check_meanings("shifts.len", good, CASES(of_shifts));
     check_meanings("pickups.len", good, CASES(of_pickups));
     check_meanings("solves.len", plano, CASES(of_solves));
+    check_meanings("blocks.len", good, CASES(of_blocks));
     check_refusals("lost.len", good, CASES(losses));
     check_refusals("bad.len", good, CASES(errors));
     return check_report();

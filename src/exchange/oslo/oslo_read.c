@@ -1,6 +1,6 @@
 /* exchange/oslo/oslo_read.c - read an OSLO lens file. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/keep_notes.h"
+#include "exchange/merge_positions.h"
 #include "exchange/oslo/oslo.h"
 #include "exchange/oslo/oslo_reading.h"
 #include "exchange/sequence.h"
@@ -138,7 +138,10 @@ static bool read_diameter(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
     const struct command_word word = commands_word(&oslo->commands, 1);
-    size_t at = text_same(word.text, "CHK") || text_same(word.text, "NOT") ? 2 : 1;
+    size_t at =
+        text_same(word.text, "CHK") || text_same(word.text, "UNC") || text_same(word.text, "NOT")
+            ? 2
+            : 1;
     struct figure radius;
     if (!commands_figure(&oslo->commands, at, oslo->commands.scale, "radius of the aperture",
                          &radius, error) ||
@@ -263,7 +266,8 @@ static bool read_move(struct oslo *oslo, int what, struct error *error)
     }
     surface->move = (enum sequence_move)what;
     surface->decentred_at = oslo->commands.words[0];
-    return (to == oslo->surface && what == SEQUENCE_BACK) || what != SEQUENCE_BACK ||
+    bool is_own = to == oslo->surface || to == 0; /* RCO 0: its own */
+    return is_own || what != SEQUENCE_BACK ||
            commands_lose(&oslo->commands, error, "coordinates of another surface");
 }
 
@@ -303,15 +307,6 @@ static bool read_end(struct oslo *oslo, int what, struct error *error)
 {
     (void)what, (void)error;
     oslo->has_ended = true;
-    oslo->in_points = false;
-    return true;
-}
-
-/* RST NEW .. END behind the lens: points of the field. */
-static bool read_set(struct oslo *oslo, int what, struct error *error)
-{
-    (void)what, (void)error;
-    oslo->in_points = true;
     return true;
 }
 
@@ -360,13 +355,19 @@ static const struct {
     {"UNI", read_nothing, 0}, /* read before all others */
     {"NXT", next_surface, 0},
     {"AIR", read_medium, 0},
+    {"AIF", read_medium, 0},
     {"RFL", read_medium, 1},
     {"RFH", read_medium, 1},
     {"GLA", oslo_glass, 0},
+    {"GLF", oslo_glass, 0},
     {"RD", read_curve, 0},
+    {"RDF", read_curve, 0},
     {"CV", read_curve, 1},
+    {"CVF", read_curve, 1},
     {"TH", read_thickness, 0},
+    {"THF", read_thickness, 0},
     {"AP", read_diameter, 0},
+    {"APF", read_diameter, 0},
     {"AST", read_stop, 0},
     {"CC", read_conic, 0},
     {"AD", put_coefficient, 4},
@@ -395,7 +396,6 @@ static const struct {
     {"WV", oslo_waves, 0},
     {"WW", oslo_weights, 0},
     {"END", read_end, 0},
-    {"RST", read_set, 0},
     {"F", oslo_point, 0},
     {"TEM", read_environment, 20},
     {"PRE", read_environment, 1},
@@ -426,20 +426,10 @@ static bool run_numbered(struct oslo *oslo, struct text name, bool *known, struc
     return true;
 }
 
-static bool run_command(struct oslo *oslo, struct error *error)
+static bool run_keyword(struct oslo *oslo, struct error *error)
 {
     const struct command_word *word = &oslo->commands.words[0];
     bool known;
-    if (!oslo->has_begun && !text_same(word->text, "LEN")) {
-        return commands_fail(&oslo->commands, word, error, "the file does not begin with LEN NEW");
-    }
-    bool of_points =
-        text_same(word->text, "RST") ||
-        (oslo->in_points && (text_same(word->text, "F") || text_same(word->text, "END")));
-    if (oslo->has_ended && !of_points) {
-        return commands_lose(&oslo->commands, error,
-                             "a command behind END: further data of the lens");
-    }
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
         if (!word->is_quoted && text_same(word->text, keywords[i].name)) {
             return keywords[i].run(oslo, keywords[i].what, error);
@@ -456,94 +446,67 @@ static bool run_command(struct oslo *oslo, struct error *error)
                          : group->fate == WORD_HARMLESS || lose(oslo, group, error);
 }
 
-/* The unit may stand behind lengths. */
-static bool read_unit(struct oslo *oslo, struct text content, struct error *error)
+/* Behind END stand blocks and single commands. */
+static bool run_behind(struct oslo *oslo, struct error *error)
+{
+    const struct text word = oslo->commands.words[0].text;
+    const struct word_group *group = word_group_of(oslo_words, NULL, word);
+    bool is_here = false;
+    if (oslo_enter(oslo, word) || oslo->block == OSLO_PASSED_OVER ||
+        (group != NULL && group->fate == WORD_HARMLESS)) {
+        return true;
+    }
+    if (oslo->block == OSLO_POINTS && text_same(word, "F")) {
+        return oslo_point(oslo, 0, error);
+    }
+    if (oslo->block == OSLO_CONFIGURATIONS) {
+        return oslo_place(oslo, &is_here, error) && (!is_here || run_keyword(oslo, error));
+    }
+    return commands_lose(&oslo->commands, error, "a command behind END: further data of the lens");
+}
+
+static bool run_command(struct oslo *oslo, struct error *error)
+{
+    const struct command_word *word = &oslo->commands.words[0];
+    if (!oslo->has_begun && !text_same(word->text, "LEN")) {
+        return commands_fail(&oslo->commands, word, error, "the file does not begin with LEN NEW");
+    }
+    return oslo->has_ended ? run_behind(oslo, error) : run_keyword(oslo, error);
+}
+
+/* The unit may stand behind lengths, the configurations stand behind END. */
+static bool read_ahead(struct oslo *oslo, struct text content, struct error *error)
 {
     commands_open(&oslo->commands, oslo->job, content, &grammar);
     while (commands_next(&oslo->commands, error)) {
         if (text_same(oslo->commands.words[0].text, "UNI") && !oslo_unit(oslo, error)) {
             return false;
         }
+        if (!oslo_count_positions(oslo, error)) {
+            return false;
+        }
     }
     return error->code == ERROR_NONE;
 }
 
-/* Cut off the number of a surface; SEQUENCE_MOST where there is none. */
-static size_t cut_number(struct text *rest)
+/* The lens of the present configuration. */
+static bool read_position(struct oslo *oslo, struct text content, struct lens *lens,
+                          struct error *error)
 {
-    size_t number = 0;
-    for (struct text digits = text_cut(rest, ' '); digits.length > 0; digits.length--) {
-        bool is_digit = digits.start[0] >= '0' && digits.start[0] <= '9';
-        number = is_digit && number < SEQUENCE_MOST ? 10 * number + (size_t)(digits.start[0] - '0')
-                                                    : SEQUENCE_MOST;
-        digits.start++;
-    }
-    return number < SEQUENCE_MOST ? number : SEQUENCE_MOST;
-}
-
-/* The glasses that lenscalc has kept: 3 CDGM:H-K9L */
-static void read_kept_glasses(struct oslo *oslo, struct text content)
-{
-    for (struct text rest = content; rest.start != NULL;) {
-        const struct text line = text_trim(text_cut(&rest, '\n'));
-        struct text glass = text_behind(line, OSLO_KEEP_NOTE OSLO_GLASS);
-        size_t number = glass.start != NULL ? cut_number(&glass) : SEQUENCE_MOST;
-        if (number < SEQUENCE_MOST && glass.start != NULL) {
-            oslo->glasses[number] = glass;
-        }
-    }
-}
-
-/* 3 front: the name of surface 3 */
-static void name_surface(struct oslo *oslo, struct text rest)
-{
-    size_t number = cut_number(&rest);
-    if (number < oslo->sequence.count && rest.length > 0) {
-        oslo->sequence.surfaces[number].name = lens_build_string(&oslo->build, rest);
-    }
-}
-
-/* What lenscalc itself has written as comments. */
-static bool read_keep_notes(struct oslo *oslo, struct text content, struct error *error)
-{
-    struct lens *lens = oslo->build.lens;
-    struct keep_notes notes = {0};
-    for (struct text rest = content; rest.start != NULL;) {
-        const struct text line = text_trim(text_cut(&rest, '\n'));
-        const struct text kept = text_behind(line, OSLO_KEEP_NOTE);
-        const struct text fields = text_behind(kept, OSLO_FIELDS);
-        const struct text name = text_behind(kept, OSLO_NAME);
-        if (fields.start != NULL && !oslo_fields(oslo, fields, error)) {
-            return false;
-        }
-        if (text_equal(kept, OSLO_STOP_RULES)) {
-            lens->aperture_kind = APERTURE_STOP;
-            lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
-        } else if (name.start != NULL) {
-            name_surface(oslo, name);
-        } else if (kept.start != NULL) {
-            keep_notes_take(&notes, kept);
-        }
-    }
-    keep_notes_apply(&notes, &oslo->build);
-    return true;
-}
-
-static bool oslo_read(struct foreign_job *job, struct text content, struct lens *lens,
-                      struct error *error)
-{
-    struct oslo *oslo = ARENA_NEW(job->arena, struct oslo);
-    oslo->job = job;
-    lens_build_begin(&oslo->build, lens, job->arena);
-    if (!read_unit(oslo, content, error)) {
-        return false;
-    }
-    read_kept_glasses(oslo, content);
+    struct foreign_job *job = oslo->job;
     const struct number_scale scale = oslo->commands.scale;
+    const char *unit = oslo->build.lens->unit;
+    lens_build_begin(&oslo->build, lens, job->arena);
+    lens->unit = unit;
+    oslo->has_ended = false;
+    oslo->block = OSLO_NO_BLOCK;
+    oslo_kept_glasses(oslo, content);
     commands_open(&oslo->commands, job, content, &grammar);
     oslo->commands.scale = scale;
-    oslo->sequence =
-        (struct sequence){.job = job, .commands = &oslo->commands, .build = &oslo->build};
+    oslo->sequence = (struct sequence){.job = job,
+                                       .commands = &oslo->commands,
+                                       .build = &oslo->build,
+                                       .has_positions = oslo->positions > 0};
     struct command_word start = {{content.start, 0}, {content.start, 0}, 1, false};
     struct sequence_surface *object = sequence_add(&oslo->sequence, start);
     object->thickness = figure_computed(pair_of(1e20), scale, job->arena); /* if none is given */
@@ -558,8 +521,41 @@ static bool oslo_read(struct foreign_job *job, struct text content, struct lens 
     if (!oslo->has_stop && oslo->sequence.count > 2) { /* OSLO's stop, where none is named */
         oslo->sequence.surfaces[1].is_stop = true;
     }
-    return oslo_finish_system(oslo, error) && sequence_check_fnumber(&oslo->sequence, error) &&
-           read_keep_notes(oslo, content, error) && sequence_finish(&oslo->sequence, error);
+    return oslo_check_solves(oslo, error) && oslo_finish_system(oslo, error) &&
+           oslo_keep_notes(oslo, content, error) && sequence_finish(&oslo->sequence, error) &&
+           oslo_finish_aperture(oslo, error);
+}
+
+/* A file with configurations is read once for each of them. */
+static bool oslo_read(struct foreign_job *job, struct text content, struct lens *lens,
+                      struct error *error)
+{
+    struct oslo *first = ARENA_NEW(job->arena, struct oslo);
+    first->job = job;
+    lens_build_begin(&first->build, lens, job->arena);
+    if (!read_ahead(first, content, error)) {
+        return false;
+    }
+    if (first->positions == 0) {
+        return read_position(first, content, lens, error);
+    }
+    struct lens_build build = first->build;
+    struct lens *lenses = ARENA_ARRAY(job->arena, first->positions, struct lens);
+    const char **names = ARENA_ARRAY(job->arena, first->positions, const char *);
+    for (size_t p = 0; p < first->positions; p++) {
+        struct oslo *one = ARENA_NEW(job->arena, struct oslo);
+        const size_t losses = job->loss_count;
+        *one = *first;
+        one->position = p + 1;
+        names[p] = arena_printf(job->arena, "%zu", p + 1);
+        if (!read_position(one, content, &lenses[p], error)) {
+            return false;
+        }
+        foreign_forget_repeated(job, p > 0 ? losses : job->loss_count);
+    }
+    lens->positions = names;
+    lens->position_count = first->positions;
+    return merge_positions(&build, lenses, job, error);
 }
 
 /* Some line begins with LEN NEW. */

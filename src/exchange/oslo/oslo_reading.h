@@ -3,12 +3,21 @@
 #ifndef LENSCALC_EXCHANGE_OSLO_OSLO_READING_H
 #define LENSCALC_EXCHANGE_OSLO_OSLO_READING_H
 
+#include "exchange/entrance_pupil.h"
 #include "exchange/sequence.h"
 #include "exchange/word_table.h"
 
 enum { OSLO_MOST_WAVES = 100 };
 
 enum oslo_field { OSLO_NO_FIELD, OSLO_ANGLE, OSLO_OBJECT, OSLO_IMAGE };
+
+/* What a block behind END, up to the next END, is about. */
+enum oslo_block {
+    OSLO_NO_BLOCK,
+    OSLO_POINTS,         /* RST: points of the field */
+    OSLO_CONFIGURATIONS, /* CFG */
+    OSLO_PASSED_OVER     /* VAR, OPE: variables and operands of the optimiser */
+};
 
 /* A point of the field: fractions of the largest, of an angle those of its tangent. */
 struct oslo_point {
@@ -21,10 +30,14 @@ struct oslo {
     struct commands commands;
     struct sequence sequence;
     struct lens_build build;
-    size_t surface; /* the present one */
-    bool has_begun, has_ended, has_stop, in_points;
+    size_t surface;             /* the present one */
+    size_t positions, position; /* configurations: how many, 0 = one; the present, from 1 on */
+    bool has_begun, has_ended, has_stop;
+    enum oslo_block block;
     int asphere_step;             /* ASi is the coefficient of r^(step i); 0 = of no such asphere */
     struct command_word aperture; /* where it stands */
+    enum pupil_stated near_aperture;
+    double near_value; /* of an aperture that waits for the surfaces; 0 = none does */
     enum oslo_field field_is;
     struct figure field;
     struct command_word field_at;
@@ -60,10 +73,34 @@ bool oslo_mode(struct oslo *oslo, int what, struct error *error);
 /* The fields of a kept note that lenscalc wrote. */
 bool oslo_fields(struct oslo *oslo, struct text line, struct error *error);
 
+/* What lenscalc has kept in comments: glasses, ahead; all else, when the surfaces are there. */
+void oslo_kept_glasses(struct oslo *oslo, struct text content);
+bool oslo_keep_notes(struct oslo *oslo, struct text content, struct error *error);
+
 /* The unit of all lengths, wherever it stands. */
 bool oslo_unit(struct oslo *oslo, struct error *error);
 
+/* The command of a block that begins or ends here; false: it does neither. */
+bool oslo_enter(struct oslo *oslo, struct text word);
+
+/* Ahead of all else: the number of configurations, from each command of the file. */
+bool oslo_count_positions(struct oslo *oslo, struct error *error);
+
+/*
+ * A command of the block CFG: `TH surface configuration value`, `EBR configuration value`. It
+ * becomes one of the lens, without these numbers.
+ *
+ * Result    is_here  it is of the present configuration
+ */
+bool oslo_place(struct oslo *oslo, bool *is_here, struct error *error);
+
+/* Solves of several configurations, which may be solved in the first alone, are lost. */
+bool oslo_check_solves(const struct oslo *oslo, struct error *error);
+
 /* Wavelengths, aperture and fields, when all of the file is read. */
 bool oslo_finish_system(struct oslo *oslo, struct error *error);
+
+/* EBR and FNO of a near object, when the surfaces are there. */
+bool oslo_finish_aperture(struct oslo *oslo, struct error *error);
 
 #endif

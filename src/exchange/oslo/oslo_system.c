@@ -404,12 +404,14 @@ bool oslo_finish_system(struct oslo *oslo, struct error *error)
         pair_multiply(distance->value, lens_words_per_length(pair_of(1), oslo->commands.scale, 1));
     bool is_infinite = fabs(units.hi) >= oslo->commands.grammar->infinity;
     const struct lens_words place = commands_place(&oslo->commands, &oslo->aperture);
+    const bool is_beam = lens->aperture_kind == APERTURE_EPD;
     finish_waves(oslo);
     finish_field(oslo, is_infinite);
-    if (lens->aperture_kind == APERTURE_EPD && !is_infinite) {
+    if (!is_infinite && (is_beam || lens->aperture_kind == APERTURE_FNUMBER)) {
+        oslo->near_aperture = is_beam ? PUPIL_BEAM_RADIUS : PUPIL_WORKING_FNUMBER;
+        oslo->near_value = is_beam ? lens->aperture.value.hi / 2 : lens->aperture.value.hi;
         lens->aperture_kind = APERTURE_NONE;
-        return foreign_loss(oslo->job, &place, oslo->aperture.text, error,
-                            "EBR: the beam's radius at the first surface, of a finite object");
+        return true;
     }
     if (lens->aperture_kind == APERTURE_NA && is_infinite) {
         lens->aperture_kind = APERTURE_NONE;
@@ -417,4 +419,15 @@ bool oslo_finish_system(struct oslo *oslo, struct error *error)
                             "NAO: a numerical aperture of an object at infinity");
     }
     return true;
+}
+
+bool oslo_finish_aperture(struct oslo *oslo, struct error *error)
+{
+    const struct lens_words place = commands_place(&oslo->commands, &oslo->aperture);
+    struct lens *lens = oslo->build.lens;
+    return !(oslo->near_value > 0) || lens->aperture_kind == APERTURE_STOP ||
+           entrance_pupil_set(lens, oslo->near_aperture, oslo->near_value, oslo->job->arena) ||
+           foreign_loss(oslo->job, &place, oslo->aperture.text, error,
+                        "%.*s: an aperture that no entrance pupil gives",
+                        text_shown(oslo->aperture.text), oslo->aperture.text.start);
 }

@@ -1,11 +1,11 @@
 /* exchange/zemax/zemax_read.c - a .zmx file as a lens: system data, positions, solves. */
 /* SPDX-License-Identifier: MIT */
+#include "exchange/entrance_pupil.h"
 #include "exchange/zemax/zemax.h"
 #include "exchange/zemax/zemax_circle.h"
 #include "exchange/zemax/zemax_keyword.h"
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_surface.h"
-#include "exchange/zemax/zemax_working.h"
 
 #include "file/lens_unit.h"
 
@@ -337,12 +337,26 @@ static bool check_floating(struct zemax_file *file, struct error *error)
                       "the lens gets none");
 }
 
+/* FNUM N 1 of a near object. */
+static bool set_working_aperture(struct zemax_file *file, struct error *error)
+{
+    const struct zemax_line *line = file->aperture;
+    struct lens *lens = file->build.lens;
+    return line == NULL || !text_same(line->keyword, "FNUM") || zemax_number(line, 1) == 0 ||
+           lens->object_is_infinite ||
+           entrance_pupil_set(lens, PUPIL_WORKING_FNUMBER, zemax_number(line, 0),
+                              file->job->arena) ||
+           zemax_loss(file, line, error,
+                      "a working f-number that no entrance pupil gives" LOSS_INSTEAD
+                      "the lens gets no aperture");
+}
+
 /* The lens of a file, or of one of its configurations. */
 static bool build_lens(struct zemax_file *file, struct error *error)
 {
     if (!set_object(file, error) || !set_telecentric(file, error) || !check_image(file, error) ||
         !set_aperture(file, error) || !set_fields(file, error) || !set_waves(file, error) ||
-        !zemax_surfaces(file, error) || !zemax_set_working_aperture(file, error) ||
+        !zemax_surfaces(file, error) || !set_working_aperture(file, error) ||
         !check_floating(file, error)) {
         return false;
     }
