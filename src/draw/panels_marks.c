@@ -3,20 +3,16 @@
 #include "draw/panels_marks.h"
 
 #include "base/arena.h"
+#include "draw/palette.h"
 #include "draw/panels.h"
 #include "draw/svg.h"
 
 #include <math.h>
 
-/*
- * Okabe and Ito, Color Universal Design, 2008, without yellow, which is lost on white. The dashes
- * are for round line ends, which lengthen each by the line's width.
- */
-static const char *const colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                      "#000000", "#e69f00", "#56b4e9"};
+/* For round line ends, which lengthen each dash by the line's width. */
 static const char *const dashes[] = {NULL, "5 4", "0.1 3.2", "8 4 0.1 4", "10 4 3 4"};
 
-/* The same in the order of the spectrum, with a violet and a deep red. */
+/* The palette in the order of the spectrum, with a violet and a deep red. */
 static const char *const spectrum[] = {"#6a3d9a", "#0072b2", "#56b4e9", "#009e73",
                                        "#e69f00", "#d55e00", "#800020"};
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
@@ -28,7 +24,7 @@ static const char *colour_of(const struct panels *panels, size_t key)
 {
     size_t count = panels->key_count;
     if (!panels->light || count == 0) {
-        return colours[key % COUNT(colours)];
+        return palette_colour(key);
     }
     if (count > COUNT(chosen)) {
         return spectrum[key % COUNT(spectrum)];
