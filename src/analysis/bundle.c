@@ -122,6 +122,21 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
 
 /* -------- filling the pupil -------- */
 
+void bundle_aim(const struct bundle_source *source, const struct pupil_point *points, size_t count,
+                const struct rays *rays)
+{
+    if (!source->pupil.has_disc && !isnan(source->pupil.radius)) {
+        aim_rays(&source->aim, points, count, rays);
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        double at[2];
+        stop_beam_place(&source->pupil, points[i].x, points[i].y, at);
+        const struct ray ray = beam_ray(&source->beam, at[0], at[1]);
+        rays_set(rays, i, source->system->index_first, &ray);
+    }
+}
+
 /* Points of the whole pupil, whether rays arrive or not. */
 static bool fill_pattern(const struct bundle_source *source, size_t rays, struct arena *arena,
                          struct bundle *bundle, struct error *error)
@@ -138,16 +153,7 @@ static bool fill_pattern(const struct bundle_source *source, size_t rays, struct
     bundle->points = sample.points;
     bundle->count = sample.count;
     bundle->rays = rays_new(arena, sample.count);
-    if (!source->pupil.has_disc && !isnan(source->pupil.radius)) {
-        aim_rays(&source->aim, sample.points, sample.count, &bundle->rays);
-        return true;
-    }
-    for (size_t i = 0; i < sample.count; i++) {
-        double at[2];
-        stop_beam_place(&source->pupil, sample.points[i].x, sample.points[i].y, at);
-        const struct ray ray = beam_ray(&source->beam, at[0], at[1]);
-        rays_set(&bundle->rays, i, source->system->index_first, &ray);
-    }
+    bundle_aim(source, sample.points, sample.count, &bundle->rays);
     return true;
 }
 

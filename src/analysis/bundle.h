@@ -54,6 +54,16 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
                  struct bundle_source *source, struct error *error);
 
 /*
+ * Rays through points of the pupil, where they start.
+ *
+ * Given     source  with a chief ray
+ *           points  of the stop or the entrance pupil of radius 1
+ *           rays    room for `count`; one that could not be aimed is lost already
+ */
+void bundle_aim(const struct bundle_source *source, const struct pupil_point *points, size_t count,
+                const struct rays *rays);
+
+/*
  * Fill the pupil and trace.
  *
  * Given     rays  about how many

@@ -33,8 +33,7 @@ struct marks {
     double clear;
 };
 
-/* Two axes across a direction, the first in the plane of x. */
-static void axes_across(const double direction[3], double across[2][3])
+void spot_axes(const double direction[3], double across[2][3])
 {
     double length = hypot(direction[1], direction[2]), sign = direction[2] < 0 ? -1 : 1;
     if (length > 0) {
@@ -89,7 +88,7 @@ static bool set_origin(struct seeking *seeking, struct arena *arena, struct erro
     }
     seeking->origin[0] = ray.point[0];
     seeking->origin[1] = ray.point[1];
-    axes_across(ray.cosine, seeking->across);
+    spot_axes(ray.cosine, seeking->across);
     return true;
 }
 

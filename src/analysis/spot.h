@@ -63,4 +63,7 @@ struct spot_points {
 bool spot_points_find(const struct spot_question *question, size_t wavelength, size_t rays,
                       struct arena *arena, struct spot_points *points, struct error *error);
 
+/* Two unit vectors across a direction, the first in the plane of x: those that angles lie along. */
+void spot_axes(const double direction[3], double across[2][3]);
+
 #endif

@@ -1,0 +1,66 @@
+/* analysis/fan.h - ray fans: aberrations along two sections of the pupil. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_ANALYSIS_FAN_H
+#define LENSCALC_ANALYSIS_FAN_H
+
+#include "analysis/bundle.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The plane that holds the axis and the field point, and the one across it. */
+enum fan_section { FAN_TANGENTIAL, FAN_SAGITTAL, FAN_SECTIONS };
+
+/* What aberrations are counted from. */
+enum fan_about {
+    FAN_CHIEF,    /* the chief ray */
+    FAN_CENTROID, /* the centroid of the spot */
+    FAN_BEST      /* the centre of the sphere that fits the wave front best */
+};
+
+struct fan_question {
+    struct bundle_question bundle; /* its wavelength and pattern are not used */
+    enum fan_about about;
+    size_t points; /* in each section, 2 and more; odd: the chief ray is one of them */
+};
+
+struct fan_ray {
+    double pupil[2]; /* in units of the stop's radius, or of the entrance pupil's */
+    double off[2];   /* x and y from the reference, mm, or of an angular fan rad; NaN: lost */
+    double opd;      /* of the wavelength's own chief ray less that of the ray, mm; NaN: lost */
+    enum ray_status status;
+    size_t surface; /* where it was lost, 1-based; 0 = nowhere */
+};
+
+/* The fans of one field, at all wavelengths of the setup. */
+struct fan {
+    bool is_angular;     /* the image lies infinitely far away */
+    double along[2];     /* unit: the tangential section in the pupil, and in the image */
+    double reference[3]; /* in the frame of the image plane, mm; z is not 0 of FAN_BEST alone */
+    double radius;       /* of the reference sphere, mm; infinite: a plane */
+    const char *no_opd;  /* why there are no optical path differences; null: there are */
+    const struct fan_ray *rays; /* [wavelength][section][point] */
+    size_t points;
+};
+
+/*
+ * Trace the fans of a field.
+ *
+ * Result    points run from -1 to 1 in equal steps: of the tangential section upwards (of a field
+ *           on the x axis to +x), of the sagittal one to +x (to -y). Lost rays keep their places
+ * Formula   Every wavelength aims for itself at the same stop radius, and its chief ray has W = 0;
+ *           all have one reference: the chief ray of the first wavelength, or the centroid of all
+ *           by their weights (spot_find to 1e-6), or the sphere with the least weighted mean square
+ *           of W/wavelength, its piston for each wavelength free: Gauss and Newton's method in its
+ *           centre, over a quadrature of the clear pupil.
+ *           Spheres go through the crossing of the first wavelength's chief ray and its paraxial
+ *           exit pupil; without a stop their radius is infinite. Angular: sines of angles from the
+ *           chief ray along spot_axes, and a plane wave across the reference
+ * Source    [Welford86]; W and places tested against a program of 50 digits
+ * Errors    as bundle_open and spot_find; ERROR_DOMAIN: the chief ray is lost, FAN_BEST of an image
+ *           infinitely far away, no ray of the fans arrives
+ */
+bool fan_trace(const struct fan_question *question, struct arena *arena, struct fan *fan,
+               struct error *error);
+
+#endif

@@ -1,0 +1,44 @@
+/* analysis/fan_sphere.h - the wavelengths of a fan, and the sphere that fits their wave fronts. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_ANALYSIS_FAN_SPHERE_H
+#define LENSCALC_ANALYSIS_FAN_SPHERE_H
+
+#include "analysis/bundle.h"
+#include "analysis/opd.h"
+
+#include <stddef.h>
+
+/* One wavelength. Its source points into it. */
+struct fan_light {
+    double wavelength, weight; /* um */
+    struct bundle_question question;
+    struct bundle_source source;
+    const struct system *system; /* with paths, to the image plane */
+    const struct system *open;   /* the same, but nothing is clipped */
+    struct ray chief;            /* where it arrives */
+};
+
+struct fan_lights {
+    struct fan_light *list;
+    size_t count;
+};
+
+/* One ray from its start through a system. */
+struct ray fan_light_trace(const struct system *system, const struct ray *start,
+                           struct arena *arena);
+
+/*
+ * The reference sphere that fits the wave fronts best.
+ *
+ * Given     pupil      z of the exit pupil, as opd_sphere has it
+ *           reference  a sphere about the chief ray; receives the best
+ * Formula   the centre C that makes sum w ((W - mean W)/wavelength)^2 smallest, the mean that of
+ *           each wavelength: dW/dC = -n e, e the ray's direction, so that each step is a linear
+ *           least-squares problem. Ends when C moves by less than 1e-12 of the radius or, as the
+ *           step is all but exact, after 8 steps
+ * Errors    ERROR_DOMAIN: no ray arrives
+ */
+bool fan_sphere_fit(const struct fan_lights *lights, double pupil, struct arena *arena,
+                    struct opd_reference *reference, struct error *error);
+
+#endif

@@ -1,0 +1,249 @@
+/* tests/unit/test_fan.c - ray fans by symmetries and closed forms; numbers: truth/check_fan.py. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/fan.h"
+#include "analysis/spot.h"
+#include "base/constants.h"
+#include "check.h"
+#include "file/lens_file.h"
+
+static const double degree = RADIANS_PER_DEGREE;
+
+/* The double Gauss of the lecture without clear apertures, and with some. */
+#define GAUSS(first, last)                                                                         \
+    "wavelength d F C\nobject inf\nfield angle 14\nfocus paraxial\n"                               \
+    "surface 58.95 7.52 1.67/47.1 " first "\nsurface 169.66 0.24 air -\n"                          \
+    "surface 38.55 8.05 1.67/47.1 -\nsurface 81.54 6.55 1.699/30.1 -\nsurface 25.5 11.41 air -\n"  \
+    "stop - 9 air 34.2\nsurface -28.99 2.36 1.603/38 -\nsurface 81.54 12.13 1.658/57.3 -\n"        \
+    "surface -40.77 0.38 air -\nsurface 874.13 6.44 1.717/48 -\nsurface -79.46 72.228 air " last   \
+    "\n"
+
+/* A paraboloid of f = 100 and its stop; two of them with one focus, an afocal telescope. */
+#define MIRROR "wavelength d\nobject inf\naperture stop\nsurface -200 -100 mirror 80 k=-1 stop\n"
+#define MERSENNE                                                                                   \
+    "wavelength d\nobject inf\naperture stop\nfocus afocal\n"                                      \
+    "surface -200 -150 mirror 80 k=-1 stop\nsurface 100 120 mirror 200 k=-1\n"
+
+static struct setup open_setup(const char *text, double image, struct arena *arena)
+{
+    struct setup setup = {0};
+    struct error error = {0};
+    struct lens *lens = ARENA_NEW(arena, struct lens);
+    struct setup_question question = {
+        .lens = lens, .wavelength = NAN, .fnumber = NAN, .wavelengths = WAVELENGTHS_ALL};
+    const struct plane_value plane = {isnan(image) ? PLANE_OF_LENS : PLANE_AT, image};
+    bool opened = lens_read("test", text_of(text), NULL, arena, lens, &error) &&
+                  setup_open(&question, arena, &setup, &error) &&
+                  setup_place_image(&setup, &plane, &error);
+    if (!opened) {
+        printf("%s\n", error.message);
+    }
+    CHECK(opened);
+    return setup;
+}
+
+static struct fan_question question_of(const struct setup *setup, const struct field_point *field,
+                                       enum fan_about about)
+{
+    return (struct fan_question){
+        .bundle = {.setup = setup, .field = field, .clip = true}, .about = about, .points = 9};
+}
+
+static struct fan trace(const struct fan_question *question, struct arena *arena)
+{
+    struct fan fan = {0};
+    struct error error = {0};
+    bool traced = fan_trace(question, arena, &fan, &error);
+    if (!traced) {
+        printf("%s\n", error.message);
+    }
+    CHECK(traced && fan.no_opd == NULL);
+    return fan;
+}
+
+static const struct fan_ray *ray_at(const struct fan *fan, size_t g, size_t section, size_t i)
+{
+    return &fan->rays[(g * FAN_SECTIONS + section) * fan->points + i];
+}
+
+/* A round lens has the same fans at every azimuth, about every reference. */
+static void test_azimuths(enum fan_about about)
+{
+    struct arena arena = {0};
+    struct setup setup = open_setup(GAUSS("50.4", "40"), NAN, &arena);
+    double t = atan(tan(14 * degree) / sqrt(2));
+    const struct field_point fields[] = {{FIELD_ANGLE, {0, 14 * degree}},
+                                         {FIELD_ANGLE, {14 * degree, 0}},
+                                         {FIELD_ANGLE, {t, t}},
+                                         {FIELD_ANGLE, {0, -14 * degree}}};
+    static const double along[][2] = {{0, 1}, {1, 0}, {0.7071067811865476, 0.7071067811865476}};
+    struct fan_question question = question_of(&setup, &fields[0], about);
+    struct fan up = trace(&question, &arena);
+    for (size_t f = 1; f < 3 && up.rays != NULL; f++) {
+        question.bundle.field = &fields[f];
+        struct fan other = trace(&question, &arena);
+        const double *a = other.along;
+        CHECK_NEAR(a[0], along[f][0], 1e-15, "section x");
+        CHECK_NEAR(a[1], along[f][1], 1e-15, "section y");
+        CHECK_NEAR(other.radius, up.radius, 1e-10, "radius");
+        for (size_t k = 0; k < 3 * FAN_SECTIONS * up.points && other.rays != NULL; k++) {
+            const struct fan_ray *one = &up.rays[k], *two = &other.rays[k];
+            CHECK(one->status == two->status && one->surface == two->surface);
+            if (one->status == RAY_OK) {
+                CHECK_NEAR(two->opd, one->opd, 1e-12, "W");
+                CHECK_NEAR(two->off[0] * a[0] + two->off[1] * a[1], one->off[1], 1e-10, "along");
+                CHECK_NEAR(two->off[0] * a[1] - two->off[1] * a[0], one->off[0], 1e-10, "across");
+                CHECK_NEAR(two->pupil[0] * a[0] + two->pupil[1] * a[1], one->pupil[1], 1e-15, "p");
+            }
+        }
+    }
+    /* below the axis the tangential fan runs the other way: dy(-p) = -dy(p), W(-p) = W(p) */
+    question.bundle.field = &fields[3];
+    struct fan down = trace(&question, &arena);
+    for (size_t i = 0; i < up.points && up.rays != NULL && down.rays != NULL; i++) {
+        const struct fan_ray *one = ray_at(&up, 1, FAN_TANGENTIAL, i);
+        const struct fan_ray *two = ray_at(&down, 1, FAN_TANGENTIAL, up.points - 1 - i);
+        CHECK(one->status == two->status);
+        CHECK(one->status != RAY_OK || fabs(one->off[1] + two->off[1]) < 1e-10);
+        CHECK(one->status != RAY_OK || fabs(one->opd - two->opd) < 1e-12);
+    }
+    arena_free(&arena);
+}
+
+/* Rays lost at rims keep their places; the edge of the stop itself is in. */
+static void test_lost(void)
+{
+    struct arena arena = {0};
+    const struct field_point field = {FIELD_ANGLE, {0, 14 * degree}};
+    struct setup setup = open_setup(GAUSS("50.4", "40"), NAN, &arena);
+    struct fan_question question = question_of(&setup, &field, FAN_CHIEF);
+    struct fan fan = trace(&question, &arena);
+    const struct fan_ray *low = ray_at(&fan, 0, FAN_TANGENTIAL, 0);
+    CHECK(low->status == RAY_CLIPPED && low->surface == 1);
+    CHECK(isnan(low->off[1]) && isnan(low->opd));
+    CHECK_NEAR(low->pupil[1], -1, 0, "its place");
+    question.bundle.clip = false;
+    fan = trace(&question, &arena);
+    for (size_t k = 0; k < 3 * FAN_SECTIONS * fan.points; k++) {
+        CHECK(fan.rays[k].status == RAY_OK);
+    }
+    setup = open_setup(GAUSS("-", "-"), NAN, &arena);
+    question = question_of(&setup, &field, FAN_CHIEF);
+    fan = trace(&question, &arena);
+    for (size_t k = 0; k < 3 * FAN_SECTIONS * fan.points; k++) {
+        CHECK(fan.rays[k].status == RAY_OK);
+    }
+    arena_free(&arena);
+}
+
+/* One reference for all: each chief ray has W = 0, and only that of the first no dy. */
+static void test_colours(void)
+{
+    struct arena arena = {0};
+    const struct field_point field = {FIELD_ANGLE, {0, 14 * degree}};
+    struct setup setup = open_setup(GAUSS("-", "-"), NAN, &arena);
+    struct fan_question question = question_of(&setup, &field, FAN_CHIEF);
+    struct fan fan = trace(&question, &arena);
+    /* chief rays of d, F, C by a program of 50 digits: double_gauss of ../shared/reference/truth */
+    static const double heights[] = {24.99567298304572989117, 24.99839617537574822596,
+                                     24.99447550446368386536};
+    for (size_t g = 0; g < 3; g++) {
+        const struct fan_ray *middle = ray_at(&fan, g, FAN_SAGITTAL, 4);
+        CHECK_NEAR(middle->opd, 0, 1e-15, "W of a chief ray");
+        CHECK_NEAR(middle->off[1], heights[g] - heights[0], 1e-13, "colour");
+    }
+    /* about the centroid all move by the same, and that is where spot has it */
+    struct fan_question other = question_of(&setup, &field, FAN_CENTROID);
+    struct fan about = trace(&other, &arena);
+    struct spot_question asked = {.bundle = question.bundle, .error = 1e-6, .energy = NAN};
+    struct spot spot;
+    struct error error;
+    CHECK(spot_find(&asked, &arena, &spot, &error));
+    CHECK_NEAR(about.reference[1], spot.centroid[1], 1e-7, "centroid");
+    for (size_t k = 0; k < 3 * FAN_SECTIONS * fan.points; k++) {
+        double move = fan.rays[k].off[1] - about.rays[k].off[1];
+        CHECK_NEAR(move, about.reference[1] - fan.reference[1], 1e-12, "moved alike");
+    }
+    arena_free(&arena);
+}
+
+/*
+ * A paraboloid images the axis perfectly: all ways to the focus are alike. 1 mm behind it W is what
+ * is left of the way from there back to the sphere; the best sphere finds the focus again.
+ */
+static void test_mirror(void)
+{
+    struct arena arena = {0};
+    const struct field_point axis = {FIELD_NONE, {0, 0}};
+    struct setup setup = open_setup(MIRROR, -101, &arena);
+    struct fan_question question = question_of(&setup, &axis, FAN_CHIEF);
+    struct fan fan = trace(&question, &arena);
+    CHECK_NEAR(fan.radius, 101, 1e-12, "radius");
+    for (size_t i = 0; i < fan.points; i++) {
+        const struct fan_ray *ray = ray_at(&fan, 0, FAN_TANGENTIAL, i);
+        double h = 40 * ray->pupil[1], sag = h * h / 400; /* the mirror there is at z = -sag */
+        double slope = h / (100 - sag), cosine = 1 / sqrt(1 + slope * slope), off = slope;
+        CHECK_NEAR(ray->off[1], -off, 1e-12, "where the ray is 1 mm behind the focus");
+        /* from the focus, 1 mm before the centre of the sphere of 101 mm */
+        double back = -cosine + sqrt(cosine * cosine + 101 * 101 - 1);
+        CHECK_NEAR(ray->opd, -(100 - back), 1e-11, "W of a defocus");
+    }
+    question.about = FAN_BEST;
+    fan = trace(&question, &arena);
+    CHECK_NEAR(fan.reference[2], 1, 1e-9, "the focus before the plane");
+    for (size_t k = 0; k < FAN_SECTIONS * fan.points; k++) {
+        CHECK_NEAR(fan.rays[k].opd, 0, 1e-12, "W of the best sphere");
+        CHECK_NEAR(hypot(fan.rays[k].off[0], fan.rays[k].off[1]), 0, 1e-9, "all in its centre");
+    }
+    /* a plane in the pupil has no sphere, but rays arrive */
+    setup = open_setup(MIRROR, 0, &arena);
+    question = question_of(&setup, &axis, FAN_CHIEF);
+    struct error error;
+    CHECK(fan_trace(&question, &arena, &fan, &error));
+    CHECK(fan.no_opd != NULL && isnan(fan.rays[0].opd) && isfinite(fan.rays[0].off[1]));
+    question.about = FAN_BEST;
+    CHECK(!fan_trace(&question, &arena, &fan, &error) && error.code == ERROR_DOMAIN);
+    arena_free(&arena);
+}
+
+/* Two paraboloids with one focus: plane waves stay plane on the axis. */
+static void test_afocal(void)
+{
+    struct arena arena = {0};
+    const struct field_point axis = {FIELD_NONE, {0, 0}}, field = {FIELD_ANGLE, {0, 0.1 * degree}};
+    struct setup setup = open_setup(MERSENNE, NAN, &arena);
+    struct fan_question question = question_of(&setup, &axis, FAN_CHIEF);
+    struct fan fan = trace(&question, &arena);
+    CHECK(fan.is_angular && isinf(fan.radius));
+    for (size_t k = 0; k < FAN_SECTIONS * fan.points; k++) {
+        CHECK_NEAR(fan.rays[k].opd, 0, 1e-12, "W of a plane wave");
+        CHECK_NEAR(hypot(fan.rays[k].off[0], fan.rays[k].off[1]), 0, 1e-13, "angle");
+    }
+    /* off the axis W falls along the exit pupil by the angles: dW/dy' = -angle, y' = y/2 */
+    question.bundle.field = &field;
+    question.points = 101;
+    fan = trace(&question, &arena);
+    for (size_t i = 10; i + 10 < fan.points; i += 10) {
+        const struct fan_ray *ray = ray_at(&fan, 0, FAN_TANGENTIAL, i);
+        double rise = (ray[1].opd - ray[-1].opd) / (2 * 0.02 * 40);
+        double scale = fabs(ray_at(&fan, 0, FAN_TANGENTIAL, 90)->off[1]);
+        CHECK_NEAR(fabs(rise), fabs(ray->off[1] / 2), 0.02 * scale, "slope of W");
+    }
+    question.about = FAN_BEST;
+    struct error error;
+    CHECK(!fan_trace(&question, &arena, &fan, &error) && error.code == ERROR_DOMAIN);
+    question.about = FAN_CENTROID;
+    fan = trace(&question, &arena);
+    arena_free(&arena);
+}
+
+int main(void)
+{
+    test_azimuths(FAN_CHIEF);
+    test_azimuths(FAN_CENTROID);
+    test_azimuths(FAN_BEST);
+    test_lost();
+    test_colours();
+    test_mirror();
+    test_afocal();
+    return check_report();
+}
