@@ -12,7 +12,7 @@ extern const struct command command_trace, command_check, command_pupil, command
 extern const struct command command_lens, command_surfaces, command_matrix, command_conjugate;
 extern const struct command command_seidel;
 extern const struct command command_list, command_glass, command_convert;
-extern const struct command command_spot, command_field;
+extern const struct command command_spot, command_fan, command_field;
 extern const struct command command_fit;
 extern const struct command command_help, command_completion;
 
@@ -42,6 +42,7 @@ const struct command *const commands[] = {
     &command_draw, /* a lens */
     &command_seidel,
     &command_spot,
+    &command_fan,
     &command_field, /* analyses */
     &command_fit,   /* design */
     &command_list,

@@ -45,6 +45,7 @@ ASKED = {
     "check": ("double-gauss -N 5.6 --steps 2", None, "N\n4\n8\n"),
     "pupil": ("double-gauss -N 5.6 --field 0", None, "N\n4\n8\n"),
     "draw": ("double-gauss -N 5.6", None, None),
+    "fan": ("double-gauss -N 5.6 --field 0 -w d --points 3", None, "N\n4\n8\n"),
     "fit": ("double-gauss -N 5.6 --distortion 0", ("N", "4,8", "w", "486,587"), "N\n4\n8\n"),
     "list": ("formats", None, None),
     "glass": ("N-BK7 -w 500 --thickness 10mm", ("w", "486,587", "thickness", "5,10"),

@@ -81,8 +81,6 @@ OPEN_TABLES = {"commands"}
 PUBLIC_FOLDERS = ("photo",)  # formulas, complete whether a command asks for them or not
 FOR_TESTS = {
     # formulas that are tested where their numbers come out, before others use them up
-    "panels_draw": "pages of small plots, for the analyses by rays",
-    "opd_sphere": "for the analyses by rays", "opd_plane": "", "opd_path": "",
     "text_distance": "edit distance, by hand",
     "air_refractivity": "tables of air",
     "rays_best_focus": "lines given as numbers",

@@ -30,6 +30,9 @@ DRAWINGS = ("double-gauss", "double-gauss --planes", "double-gauss --constructio
 OTHERS = ("dof -f 50mm -N 5.6 -s 3m --scale {}", "dof -f 50mm -N 2.8,5.6,11 -s 0.5..20#50 --plot {}",
           "tilt -f 150 -N 22 --hinge 1.6m --angle 90deg --sensor 4x5 --wedge {}",
           "glass --abbe {} --catalog SCHOTT", "lens double-gauss -w 400..700#31 --plot {}",
+          "fan double-gauss --plot {}", "fan fisheye-16 --field 0,50deg --plot {}",
+          "fan canon-nfd-70-210 --position all --plot {}", "fan phone-80deg --show opd --plot {}",
+          "fan questar-35 --plot {}", "fan edmund-49-847 --show opd --plot {}",
           "conjugate double-gauss --object 0.5m..3m:0.1m --plot {}")
 
 

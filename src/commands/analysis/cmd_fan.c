@@ -1,0 +1,249 @@
+/* commands/analysis/cmd_fan.c - lenscalc fan: aberrations along two sections of the pupil. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/analysis/fan_input.h"
+
+static const struct word shows[] = {
+    [FAN_TRANSVERSE] = {"transverse", "where rays arrive, from the reference"},
+    [FAN_OPD] = {"opd", "optical path differences to the reference sphere"},
+    {NULL, NULL},
+};
+
+static const struct word references[] = {
+    [FAN_CHIEF] = {"chief", "the chief ray, of the first wavelength where there are several"},
+    [FAN_CENTROID] = {"centroid", "the centroid of all rays and wavelengths by their weights"},
+    [FAN_BEST] = {"best", "the centre of the sphere that fits the wave fronts best"},
+    {NULL, NULL},
+};
+
+static const struct option options[] = {
+    ANALYSIS_OPTIONS(struct fan_input, question, "all of the lens, each by itself"),
+    ANALYSIS_FIELD_OPTIONS(struct fan_input, question),
+    ANALYSIS_SPECTRUM_OPTION(struct fan_input, question),
+    {OPTION(struct fan_input, show), .name = "show", .words = shows, .fallback = "transverse",
+     .value = "WHAT", .help = "what people read and --plot draws"},
+    {OPTION(struct fan_input, reference), .name = "reference", .words = references,
+     .fallback = "chief", .value = "WHAT", .help = "what aberrations are counted from"},
+    {OPTION(struct fan_input, points), .name = "points", .lowest = 3, .highest = 100001,
+     .fallback = "21", .value = "COUNT",
+     .help = "rays in each section, an odd number: the middle one is the chief ray"},
+    {OPTION(struct fan_input, question.aim), .name = "aim", .words = analysis_aims,
+     .fallback = "stop", .value = "WHERE", .help = "what the points of the pupil are points of"},
+    ANALYSIS_CLIP_OPTIONS(struct fan_input, question),
+};
+
+struct row {
+    struct analysis_point point;
+    const char *section, *status, *reference;
+    double pupil_x, pupil_y;
+    double dx, dy;             /* mm */
+    double dx_angle, dy_angle; /* rad */
+    double opd;                /* waves */
+    double at_x, at_y, at_z;   /* mm */
+    double radius;             /* mm */
+    long surface;
+};
+
+#define SMALL(member_name, more)                                                                   \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "um", .flags = (more)
+#define PLACE(member_name, more)                                                                   \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+#define ANGLE(member_name, more)                                                                   \
+    COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "mrad", .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+
+/* With what people read of the transverse aberrations, and of the path differences. */
+#define FAN_COLUMNS(off, path)                                                                     \
+    ANALYSIS_POINT_COLUMNS(struct row, point), ANALYSIS_DEFOCUS_COLUMN(struct row, point),         \
+        ANALYSIS_WAVELENGTH_COLUMN(struct row, point),                                             \
+        {PLAIN(section, COLUMN_BRIEF), .name = "section", .label = "section",                      \
+         .help = "tangential: through the axis and the field point; or sagittal, across it"},      \
+        {PLAIN(pupil_x, COLUMN_BRIEF), .name = "pupil_x", .label = "pupil x",                      \
+         .help = "where the ray crosses the pupil, in units of its radius"},                       \
+        {PLAIN(pupil_y, COLUMN_BRIEF), .name = "pupil_y", .label = "pupil y",                      \
+         .help = "the same upwards"},                                                              \
+        {SMALL(dx, (off) | COLUMN_SPARSE), .name = "dx", .label = "dx",                            \
+         .help = "from the reference to where the ray meets the image plane, in x"},               \
+        {SMALL(dy, (off) | COLUMN_SPARSE), .name = "dy", .label = "dy", .help = "and in y"},       \
+        {ANGLE(dx_angle, (off) | COLUMN_SPARSE), .name = "dx", .label = "dx",                      \
+         .help = "the same of an image at infinity: sine of the angle from the chief ray"},        \
+        {ANGLE(dy_angle, (off) | COLUMN_SPARSE), .name = "dy", .label = "dy", .help = "and in y"}, \
+        {PLAIN(opd, (path)), .name = "opd_waves", .label = "OPD, waves", .symbol = "W",            \
+         .help = "optical path of the chief ray less that of the ray, to the reference sphere, "   \
+                 "in wavelengths of its own"},                                                     \
+        {PLAIN(status, COLUMN_BRIEF), .name = "status", .label = "status",                         \
+         .help = "ok, miss, total_reflection, clipped or not_converged"},                          \
+        {PLAIN(surface, COLUMN_BRIEF | COLUMN_SPARSE), .name = "surface", .label = "surface",      \
+         .help = "where the ray was lost, from 1, the stop counted"},                              \
+        {PLACE(at_x, COLUMN_HIDDEN), .name = "reference_x", .label = "reference x",                \
+         .help = "the reference on the image plane"},                                              \
+        {PLACE(at_y, COLUMN_HIDDEN), .name = "reference_y", .label = "reference y",                \
+         .help = "the same upwards"},                                                              \
+        {PLACE(at_z, COLUMN_HIDDEN), .name = "reference_z", .label = "reference z",                \
+         .help = "of the best-fitting sphere its centre behind that plane, where dx and dy are "   \
+                 "too; else 0"},                                                                   \
+        {PLACE(radius, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sphere", .label = "sphere",      \
+         .help = "radius of the reference sphere"},                                                \
+        {PLAIN(reference, COLUMN_ASSUMED), .name = "reference",                                    \
+         .depends = "reference lens wavelength spectrum", .label = "reference",                    \
+         .help = "what aberrations are counted from"},                                             \
+        ANALYSIS_SPECTRUM_COLUMN(struct row, point), ANALYSIS_TAIL_COLUMNS(struct row, point)
+
+static const struct column transverse_columns[] = {FAN_COLUMNS(COLUMN_BRIEF, COLUMN_HIDDEN)};
+static const struct column opd_columns[] = {FAN_COLUMNS(COLUMN_HIDDEN, COLUMN_BRIEF)};
+
+static const struct sheet transverse_sheet = SHEET(transverse_columns, struct row);
+static const struct sheet opd_sheet = SHEET(opd_columns, struct row);
+
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+{
+    (void)asking;
+    return ((const struct fan_input *)data)->show == FAN_OPD ? &opd_sheet : &transverse_sheet;
+}
+
+/* Where the rows go. */
+struct asked {
+    const struct fan_input *input;
+    struct run *run;
+};
+
+static struct row row_of(const struct analysis_point *point)
+{
+    return (struct row){.point = *point,
+                        .pupil_x = NAN,
+                        .pupil_y = NAN,
+                        .dx = NAN,
+                        .dy = NAN,
+                        .dx_angle = NAN,
+                        .dy_angle = NAN,
+                        .opd = NAN,
+                        .at_x = NAN,
+                        .at_y = NAN,
+                        .at_z = NAN,
+                        .radius = NAN,
+                        .surface = NO_INTEGER};
+}
+
+/* What the rows of a field have in common. */
+static struct row row_of_fan(const struct analysis_case *one, size_t field, const struct fan *fan,
+                             const struct asked *asked)
+{
+    struct analysis_point point = analysis_point_of(one, field);
+    struct arena *arena = asked->run->arena;
+    if (asked->input->reference == FAN_CHIEF) {
+        point.spectrum = NULL; /* their weights are not used */
+    }
+    point.warning = lens_warnings_join(point.warning, fan->no_opd, arena);
+    struct row row = row_of(&point);
+    row.reference = fan_reference_words(one, asked->input, arena);
+    if (!fan->is_angular) {
+        row.at_x = fan->reference[0];
+        row.at_y = fan->reference[1];
+        row.at_z = fan->reference[2];
+    }
+    row.radius = fan->no_opd != NULL ? (double)NAN : fan->radius;
+    return row;
+}
+
+static void fill(const struct fan *fan, const struct fan_ray *ray, struct row *row)
+{
+    row->pupil_x = ray->pupil[0];
+    row->pupil_y = ray->pupil[1];
+    *(fan->is_angular ? &row->dx_angle : &row->dx) = ray->off[0];
+    *(fan->is_angular ? &row->dy_angle : &row->dy) = ray->off[1];
+    row->opd = 1000 * ray->opd / row->point.wavelength;
+    row->status = ray_status_name(ray->status);
+    row->surface = ray->surface > 0 ? (long)ray->surface : NO_INTEGER;
+}
+
+static bool answer(const struct analysis_case *one, size_t field, void *context,
+                   struct error *error)
+{
+    static const char *const names[FAN_SECTIONS] = {"tangential", "sagittal"};
+    const struct asked *asked = context;
+    struct fan fan;
+    if (!fan_of_case(one, field, asked->input, asked->run->arena, &fan, error)) {
+        return false;
+    }
+    struct row row = row_of_fan(one, field, &fan, asked);
+    const struct fan_ray *ray = fan.rays;
+    for (size_t g = 0; g < one->setup->wavelength_count; g++) {
+        row.point.wavelength = one->setup->wavelengths[g].wavelength;
+        for (size_t s = 0; s < FAN_SECTIONS; s++) {
+            row.section = names[s];
+            for (size_t i = 0; i < fan.points; i++) {
+                fill(&fan, ray++, &row);
+                if (!run_emit(asked->run, &row)) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+static bool lost(const struct analysis_point *point, void *context)
+{
+    const struct asked *asked = context;
+    struct row row = row_of(point);
+    return run_emit(asked->run, &row);
+}
+
+static const struct analysis_answers answers = {answer, lost};
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct fan_input *input = data;
+    struct asked asked = {input, run};
+    if (input->points % 2 == 0) {
+        return fail(error, ERROR_USAGE,
+                    "{--points} %ld: an odd number, so that the middle one is the chief ray",
+                    input->points);
+    }
+    return analysis_each_field(&input->question, &fan_policy, run, &answers, &asked, error);
+}
+
+static bool brings(const void *data, const char *option)
+{
+    return analysis_brings(&((const struct fan_input *)data)->question, option);
+}
+
+static bool varies(const void *data, const char *option)
+{
+    return analysis_varies(&((const struct fan_input *)data)->question, option);
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types, "draw the fans: two panels a field"),
+     .scope = ARTIFACT_OF_SWEEP, .make = fan_figure},
+};
+
+static const struct explanation explanations[] = {
+    {"opd_waves",
+     "W = OPL(chief ray) - OPL(ray), to the sphere about the reference through the "
+     "chief ray's crossing of the paraxial exit pupil",
+     "[Welford86]", "no sphere where that pupil lies in the image plane"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"fan double-gauss --plot fans.svg", "ray fans of all fields and wavelengths"},
+    {"fan double-gauss --show opd --plot paths.svg", "the same as optical path differences"},
+    {"fan double-gauss --field 14deg -w d --points 5", "few rays of one field, at one wavelength"},
+    {"fan cooke-triplet-50 --reference centroid --csv", "from the centroid, for another program"},
+    {NULL, NULL},
+};
+
+const struct command command_fan = {
+    .name = "fan",
+    .group = "analyses",
+    .summary = "ray fans: aberrations along two sections of the pupil",
+    COMMAND_ASKS(struct fan_input),
+    .sheet = SHEET(transverse_columns, struct row),
+    .choose_sheet = choose_sheet,
+    .explanations = explanations,
+    .run = run,
+    .makes_many = command_always_many,
+    .brings = brings,
+    .varies = varies,
+    COMMAND_MAKES(artifacts),
+};
