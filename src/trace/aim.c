@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/aim.h"
 
+#include "trace/aim_block.h"
 #include "trace/chief.h"
 #include "trace/dispatch.h"
 
@@ -275,50 +276,6 @@ static void lead(const struct aim *aim, const struct pupil_point *point, struct 
     search->surface = aim->system->stop + 1;
 }
 
-/* Where a block of rays crosses the stop, moved by `more` from where their searches ended. */
-static void look_beside(const struct aim *aim, const struct search *searches, size_t count,
-                        const double more[2])
-{
-    double at[RAYS_BLOCK][2];
-    for (size_t i = 0; i < count; i++) {
-        at[i][0] = searches[i].at[0] + more[0];
-        at[i][1] = searches[i].at[1] + more[1];
-    }
-    chief_trace(aim, (const double(*)[2])at, count);
-}
-
-/*
- * Searches that may have ended on another sheet of a folded pupil, or not at all, are led to their
- * targets instead.
- */
-static void keep_sheet(const struct aim *aim, const struct pupil_point *points, size_t count,
-                       struct search *searches)
-{
-    const struct ray_block *block = aim->work.blocks;
-    const double scale = sqrt(fabs(determinant(aim->slope)));
-    const double h = 1e-6 * (scale > 0 ? aim->stop_radius / scale : 1);
-    double x[RAYS_BLOCK], y[RAYS_BLOCK];
-    bool doubtful[RAYS_BLOCK];
-    look_beside(aim, searches, count, (double[2]){h, 0});
-    for (size_t i = 0; i < count; i++) {
-        x[i] = block->x[i] - (points[i].x * aim->stop_radius - searches[i].miss[0]);
-        y[i] = block->y[i] - (points[i].y * aim->stop_radius - searches[i].miss[1]);
-    }
-    look_beside(aim, searches, count, (double[2]){0, h});
-    for (size_t i = 0; i < count; i++) {
-        double up = block->y[i] - (points[i].y * aim->stop_radius - searches[i].miss[1]);
-        double aside = block->x[i] - (points[i].x * aim->stop_radius - searches[i].miss[0]);
-        double det = x[i] * up - y[i] * aside;
-        doubtful[i] = searches[i].is_rough || !has_reached(aim, &searches[i]) ||
-                      !(det * determinant(aim->slope) > 0);
-    }
-    for (size_t i = 0; i < count; i++) {
-        if (doubtful[i]) {
-            lead(aim, &points[i], &searches[i]);
-        }
-    }
-}
-
 static bool finish(const struct aim *aim, const struct search *search, struct ray *ray)
 {
     *ray = beam_ray(&aim->beam, search->at[0], search->at[1]);
@@ -330,30 +287,181 @@ static bool finish(const struct aim *aim, const struct search *search, struct ra
     return false;
 }
 
+/* -------- whole blocks -------- */
+
+/* From the chief ray, with its slopes. */
+static void start_block(const struct aim *aim, const struct pupil_point *points, size_t count,
+                        struct aim_block *block)
+{
+    struct search first;
+    start_search(aim, &points[0], &first);
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        const struct pupil_point *point = &points[i < count ? i : 0];
+        const double *m = first.inverse;
+        double goal_x = point->x * aim->stop_radius, goal_y = point->y * aim->stop_radius;
+        double x = goal_x - aim->centre[0], y = goal_y - aim->centre[1];
+        block->goal_x[i] = goal_x;
+        block->goal_y[i] = goal_y;
+        block->a[i] = first.at[0];
+        block->b[i] = first.at[1];
+        block->step_a[i] = m[0] * x + m[1] * y;
+        block->step_b[i] = m[2] * x + m[3] * y;
+        block->miss_x[i] = x;
+        block->miss_y[i] = y;
+        block->state[i] = x == 0 && y == 0 ? AIM_DONE : AIM_OPEN;
+        for (int k = 0; k < 4; k++) {
+            block->m[k][i] = m[k];
+        }
+    }
+}
+
+/* Take the rays of a block to the stop, each a step, or a way of its own, on from where it is. */
+static void try_block(const struct aim *aim, const struct aim_block *block, size_t count,
+                      bool steps, const double more[2])
+{
+    double at[RAYS_BLOCK][2];
+    for (size_t i = 0; i < count; i++) {
+        at[i][0] = block->a[i] + (steps ? block->step_a[i] : more[0]);
+        at[i][1] = block->b[i] + (steps ? block->step_b[i] : more[1]);
+    }
+    chief_trace(aim, (const double(*)[2])at, count);
+}
+
+/* Steps of all rays at once, as long as whole ones lead nearer; those that go astray are left. */
+static void steer_block(const struct aim *aim, size_t count, struct aim_block *block)
+{
+    enum { ALL = 16 };
+    const double reached = 4e-15 * aim->stop_radius, near = 1e-12 * aim->stop_radius;
+    const double none[2] = {0, 0};
+    kernel_aim *kernel = dispatch_aim(SET_BEST);
+    bool busy = true;
+    for (int step = 0; step < ALL && busy; step++) {
+        try_block(aim, block, count, true, none);
+        kernel(aim->work.blocks, reached * reached, near * near, block);
+        busy = false;
+        for (size_t i = 0; i < count; i++) {
+            busy = busy || block->state[i] == AIM_OPEN;
+        }
+    }
+}
+
+/* Searches with halved steps, from the chief ray again. */
+static void search_points(const struct aim *aim, const struct pupil_point *points, size_t count,
+                          struct search *searches)
+{
+    for (size_t i = 0; i < count; i++) {
+        start_search(aim, &points[i], &searches[i]);
+    }
+    for (int step = 0; step < STEPS && advance_block(aim, points, count, searches); step++) {
+    }
+    for (size_t i = 0; i < count; i++) {
+        retry(aim, &points[i], &searches[i]);
+    }
+}
+
+/*
+ * The sign of the Jacobian where searches ended, as that of the chief ray: +1, or the other sheet
+ * of a folded pupil.
+ */
+static void find_sheets(const struct aim *aim, const struct aim_block *block, size_t count,
+                        bool *same)
+{
+    const struct ray_block *rays = aim->work.blocks;
+    const double scale = sqrt(fabs(determinant(aim->slope)));
+    const double h = 1e-6 * (scale > 0 ? aim->stop_radius / scale : 1);
+    double x[RAYS_BLOCK], y[RAYS_BLOCK];
+    try_block(aim, block, count, false, (double[2]){h, 0});
+    for (size_t i = 0; i < count; i++) {
+        x[i] = rays->x[i] - (block->goal_x[i] - block->miss_x[i]);
+        y[i] = rays->y[i] - (block->goal_y[i] - block->miss_y[i]);
+    }
+    try_block(aim, block, count, false, (double[2]){0, h});
+    for (size_t i = 0; i < count; i++) {
+        double aside = rays->x[i] - (block->goal_x[i] - block->miss_x[i]);
+        double up = rays->y[i] - (block->goal_y[i] - block->miss_y[i]);
+        same[i] = (x[i] * up - y[i] * aside) * determinant(aim->slope) > 0;
+    }
+}
+
+/* The rays of a block that went astray. */
+struct strays {
+    struct pupil_point points[RAYS_BLOCK];
+    struct search searches[RAYS_BLOCK];
+    size_t which[RAYS_BLOCK], count;
+};
+
+static void find_strays(const struct aim *aim, const struct pupil_point *points, size_t count,
+                        struct aim_block *block, struct strays *strays)
+{
+    strays->count = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (block->state[i] != AIM_DONE) {
+            strays->points[strays->count] = points[i];
+            strays->which[strays->count++] = i;
+        }
+    }
+    search_points(aim, strays->points, strays->count, strays->searches);
+    for (size_t k = 0; k < strays->count; k++) {
+        const size_t i = strays->which[k];
+        block->a[i] = strays->searches[k].at[0];
+        block->b[i] = strays->searches[k].at[1];
+        block->miss_x[i] = strays->searches[k].miss[0];
+        block->miss_y[i] = strays->searches[k].miss[1];
+    }
+}
+
+/* A ray that may have ended on another sheet of a folded pupil, or nowhere, is led to its goal. */
+static bool settle(const struct aim *aim, const struct pupil_point *point, bool is_same,
+                   struct search *search, struct ray *ray)
+{
+    if (search->is_rough || !has_reached(aim, search) || !is_same) {
+        lead(aim, point, search);
+    }
+    return finish(aim, search, ray);
+}
+
+/* A block of rays. Result: how many have been aimed. */
+static size_t aim_block(const struct aim *aim, const struct pupil_point *points, size_t count,
+                        const struct rays *rays)
+{
+    struct aim_block block;
+    struct strays strays;
+    size_t aimed = 0;
+    bool same[RAYS_BLOCK];
+    double at[RAYS_BLOCK][2];
+    start_block(aim, points, count, &block);
+    steer_block(aim, count, &block);
+    find_strays(aim, points, count, &block, &strays);
+    find_sheets(aim, &block, count, same);
+    for (size_t i = 0; i < count; i++) {
+        at[i][0] = block.a[i];
+        at[i][1] = block.b[i];
+    }
+    beam_fill(&aim->beam, (const double(*)[2])at, count, rays->blocks);
+    for (size_t i = 0, k = 0; i < count; i++) {
+        bool is_stray = k < strays.count && strays.which[k] == i;
+        struct search search = {.at = {block.a[i], block.b[i]},
+                                .miss = {block.miss_x[i], block.miss_y[i]}};
+        struct ray ray;
+        if (!is_stray && same[i]) {
+            aimed++;
+            continue;
+        }
+        search = is_stray ? strays.searches[k++] : search;
+        aimed += settle(aim, &points[i], same[i], &search, &ray) ? 1 : 0;
+        rays_set(rays, i, aim->beam.n, &ray);
+    }
+    return aimed;
+}
+
 size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t count,
                 const struct rays *rays)
 {
-    struct search searches[RAYS_BLOCK];
     size_t aimed = 0;
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
-        for (size_t i = 0; i < here; i++) {
-            start_search(aim, &points[done + i], &searches[i]);
-        }
-        for (int step = 0; step < STEPS; step++) {
-            if (!advance_block(aim, points + done, here, searches)) {
-                break;
-            }
-        }
-        for (size_t i = 0; i < here; i++) {
-            retry(aim, &points[done + i], &searches[i]);
-        }
-        keep_sheet(aim, points + done, here, searches);
-        for (size_t i = 0; i < here; i++) {
-            struct ray ray;
-            aimed += finish(aim, &searches[i], &ray) ? 1 : 0;
-            rays_set(rays, done + i, aim->beam.n, &ray);
-        }
+        const struct rays block = {rays->blocks + done / RAYS_BLOCK, here};
+        aimed += aim_block(aim, points + done, here, &block);
     }
     return aimed;
 }
@@ -361,15 +469,10 @@ size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t 
 struct ray aim_ray(const struct aim *aim, double x, double y)
 {
     const struct pupil_point point = {x, y, 1};
-    struct search search;
-    struct ray ray;
-    start_search(aim, &point, &search);
-    for (int step = 0; step < STEPS && advance_block(aim, &point, 1, &search); step++) {
-    }
-    retry(aim, &point, &search);
-    keep_sheet(aim, &point, 1, &search);
-    finish(aim, &search, &ray);
-    return ray;
+    struct ray_block block;
+    const struct rays one = {&block, 1};
+    aim_rays(aim, &point, 1, &one);
+    return rays_get(&one, 0, aim->beam.n);
 }
 
 /* From a point of a telecentric object space: x, y of the slope that the marginal ray has. */

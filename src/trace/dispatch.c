@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/processor.h"
 #include "trace/adjoint.h"
+#include "trace/aim_block.h"
 #include "trace/tangent.h"
 
 bool instruction_set_works(enum instruction_set set)
@@ -62,6 +63,13 @@ kernel_tangent *dispatch_tangent(enum instruction_set set)
 {
     static kernel_tangent *const kernels[] = {NULL, kernel_tangent_sse2, kernel_tangent_avx2,
                                               kernel_tangent_avx512};
+    return kernels[best(set)];
+}
+
+kernel_aim *dispatch_aim(enum instruction_set set)
+{
+    static kernel_aim *const kernels[] = {NULL, kernel_aim_sse2, kernel_aim_avx2,
+                                          kernel_aim_avx512};
     return kernels[best(set)];
 }
 

@@ -1,0 +1,33 @@
+/* trace/aim_block.h - the searches of trace/aim for a block of rays, one array a number. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_AIM_BLOCK_H
+#define LENSCALC_TRACE_AIM_BLOCK_H
+
+#include "trace/dispatch.h"
+#include "trace/rays.h"
+
+enum aim_state { AIM_OPEN, AIM_DONE, AIM_ASTRAY }; /* astray: a whole step leads nowhere nearer */
+
+struct aim_block {
+    double goal_x[RAYS_BLOCK], goal_y[RAYS_BLOCK]; /* in the stop, mm */
+    double a[RAYS_BLOCK], b[RAYS_BLOCK];           /* as near as the search has come */
+    double step_a[RAYS_BLOCK], step_b[RAYS_BLOCK]; /* what is tried next */
+    double miss_x[RAYS_BLOCK], miss_y[RAYS_BLOCK]; /* there */
+    double m[4][RAYS_BLOCK];                       /* d(a, b)/d(x, y), row by row: an estimate */
+    double state[RAYS_BLOCK];
+};
+
+/*
+ * What one step of all rays has brought.
+ *
+ * Given     at_stop        where rays from a + step_a, b + step_b cross the stop
+ *           enough2, near2 squared misses: reached; at rounding if a step brings no ray closer
+ * Formula   the step is taken where it leads closer; m then takes the change of the miss to it
+ *           (Broyden's rank-one correction, by Sherman and Morrison)
+ */
+typedef void kernel_aim(const struct ray_block *at_stop, double enough2, double near2,
+                        struct aim_block *block);
+kernel_aim kernel_aim_sse2, kernel_aim_avx2, kernel_aim_avx512;
+kernel_aim *dispatch_aim(enum instruction_set set);
+
+#endif
