@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/quantity.h"
 
+#include "base/quantity_form.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -151,9 +153,40 @@ static bool unknown_unit(struct reading *reading, struct text name, int shown)
     return false;
 }
 
+/* "f/2.8-f/8", "24 to 70": what stands between two ends, and how long it is; 0 if nothing does. */
+static size_t between_ends(const struct reading *reading)
+{
+    static const char *const words[] = {"-", "to ", "\xe2\x80\x93", "..."};
+    size_t room = (size_t)(reading->end - reading->at);
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        size_t length = strlen(words[i]);
+        if (room > length && memcmp(reading->at, words[i], length) == 0) {
+            return length;
+        }
+    }
+    return 0;
+}
+
+/* Two ends of a range: say how it is written. */
+static bool join_ends(struct reading *reading, size_t between)
+{
+    struct text first = text_trim(text_between(reading->text.start, reading->at));
+    struct text last = text_trim(text_between(reading->at + between, reading->end));
+    wrong(reading, reading->at, "the ends of a range stand apart by '..'");
+    if (reading->text.length < 40) {
+        error_hint(reading->error, "use \"%.*s..%.*s\"", (int)first.length, first.start,
+                   (int)last.length, last.start);
+    }
+    return false;
+}
+
 static bool wrong_unit(struct reading *reading, struct text name)
 {
     const char *wanted = reading->dimension->name;
+    size_t between = between_ends(reading);
+    if (between > 0) {
+        return join_ends(reading, between);
+    }
     size_t caret = (size_t)(name.start - reading->text.start) + 1;
     int shown = name.length < 40 ? (int)name.length : 40;
     const struct dimension *other = dimension_of(name);
@@ -261,7 +294,7 @@ static bool read_inches(struct reading *reading, double *value)
     const struct unit *unit;
     if (reading->typed != feet || !read_scaled(reading, inch->scale, &inches) ||
         !read_unit(reading, &unit) || (unit != inch && unit != NULL)) {
-        return wrong(reading, from, "this does not belong to the quantity");
+        return wrong(reading, from, "unexpected text after the number");
     }
     if (!(inches >= 0) || !(inches < unit_to_own(feet, 1)) || !(*value >= 0)) {
         return wrong(reading, from, "inches behind feet must be 0 to less than 12");
@@ -273,8 +306,12 @@ static bool read_inches(struct reading *reading, double *value)
 /* What is left over: name the usual causes. */
 static bool left_over(struct reading *reading)
 {
+    size_t between = between_ends(reading);
+    if (between > 0) {
+        return join_ends(reading, between);
+    }
     if (*reading->at != ',') {
-        return wrong(reading, reading->at, "this does not belong to the quantity");
+        return wrong(reading, reading->at, "unexpected text after the number");
     }
     wrong(reading, reading->at, "a decimal comma: the decimal point is '.'");
     if (reading->text.length < 40) {
@@ -327,8 +364,9 @@ static bool read_shutter(struct text text, double *value, struct error *error)
     return true;
 }
 
-bool quantity_read(struct text text, const struct dimension *dimension, const struct unit *unit,
-                   double *value, const struct unit **typed, struct error *error)
+/* A number with or without one unit, as nearly all are. */
+static bool read_usual(struct text text, const struct dimension *dimension, const struct unit *unit,
+                       double *value, const struct unit **typed, struct error *error)
 {
     if (dimension == &dimension_time && memchr(text.start, '@', text.length) != NULL) {
         if (typed != NULL) {
@@ -368,6 +406,30 @@ bool quantity_read(struct text text, const struct dimension *dimension, const st
         *typed = reading.typed;
     }
     return true;
+}
+
+bool quantity_read(struct text text, const struct dimension *dimension, const struct unit *unit,
+                   double *value, const struct unit **typed, struct error *error)
+{
+    struct quantity_formed formed;
+    struct error other;
+    if (read_usual(text, dimension, unit, value, typed, error)) {
+        return true;
+    }
+    switch (quantity_form_read(text_trim(text), dimension, unit, &formed, &other)) {
+    case QUANTITY_FORM_READ:
+        error->code = ERROR_NONE;
+        *value = formed.value;
+        if (typed != NULL) {
+            *typed = formed.typed;
+        }
+        return true;
+    case QUANTITY_FORM_WRONG:
+        *error = other;
+        return false;
+    default:
+        return false;
+    }
 }
 
 /* Does the text, read in this unit, give the value back? */

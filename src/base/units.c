@@ -13,15 +13,18 @@ static const struct unit number_units[] = {
 };
 
 /* Units of length, where the program's own one is 10^-p mm. */
-#define NM(p) "nm", "nm", {1, (p)-6}, 1, NULL, "nanometre"
+#define NM(p) "nm", "nm", {1, (p)-6}, 1, "nanometer nanometers nanometre nanometres", "nanometre"
 #define UM(p) "um", "um", {1, (p)-3}, 1, "\xc2\xb5m \xce\xbcm", "micrometre"
-#define MM(p) "mm", "mm", {1, p}, 1, NULL, "millimetre"
-#define CM(p) "cm", "cm", {1, (p) + 1}, 1, NULL, "centimetre"
-#define M(p)  "m", "m", {1, (p) + 3}, 1, NULL, "metre"
+#define MM(p) "mm", "mm", {1, p}, 1, "millimeter millimeters millimetre millimetres", "millimetre"
+#define CM(p)                                                                                      \
+    "cm", "cm", {1, (p) + 1}, 1, "centimeter centimeters centimetre centimetres", "centimetre"
+#define M(p)  "m", "m", {1, (p) + 3}, 1, "meter meters metre metres", "metre"
 #define KM(p) "km", "km", {1, (p) + 6}, 1, NULL, "kilometre"
-#define IN(p) "in", "in", {254, (p)-1}, 1, "\" \xe2\x80\xb3 inch", "inch, 25.4 mm"
-#define FT(p) "ft", "ft", {3048, (p)-1}, 1, "' \xe2\x80\xb2 feet foot", "foot, 304.8 mm"
-#define YD(p) "yd", "yd", {9144, (p)-1}, 1, NULL, "yard, 914.4 mm"
+#define IN(p)                                                                                      \
+    "in", "in", {254, (p)-1}, 1, "\" \xe2\x80\xb3 \xe2\x80\x9d inch inches", "inch, 25.4 mm"
+#define FT(p)                                                                                      \
+    "ft", "ft", {3048, (p)-1}, 1, "' \xe2\x80\xb2 \xe2\x80\x99 feet foot", "foot, 304.8 mm"
+#define YD(p) "yd", "yd", {9144, (p)-1}, 1, "yard yards", "yard, 914.4 mm"
 #define MI(p) "mi", "mi", {1609344, p}, 1, "mile miles", "mile, 1609.344 m"
 
 static const struct unit length_units[] = {
@@ -42,12 +45,20 @@ static const struct unit angle_units[] = {
 };
 
 static const struct unit time_units[] = {
-    {"s", "s", {1, 0}, 1, "sec", "second"},
+    {"s", "s", {1, 0}, 1, "sec secs second seconds", "second"},
     {"ns", "ns", {1, -9}, 1, NULL, "nanosecond"},
     {"us", "us", {1, -6}, 1, "\xc2\xb5s \xce\xbcs", "microsecond"},
     {"ms", "ms", {1, -3}, 1, NULL, "millisecond"},
-    {"min", "min", {60, 0}, 1, NULL, "minute, 60 s"},
-    {"h", "h", {3600, 0}, 1, NULL, "hour, 3600 s"},
+    {"min", "min", {60, 0}, 1, "minute minutes mins", "minute, 60 s"},
+    {"h", "h", {3600, 0}, 1, "hr hour hours", "hour, 3600 s"},
+};
+
+static const struct unit iso_units[] = {
+    {"", "", {1, 0}, 1, "ISO iso ASA asa", "arithmetic film speed"},
+};
+
+static const struct unit ev_units[] = {
+    {"", "", {1, 0}, 1, "EV ev", "exposure value"},
 };
 
 static const struct unit ratio_units[] = {
@@ -121,16 +132,17 @@ const struct dimension dimension_length = {.name = "length", .fraction = true, U
 const struct dimension dimension_angle = {.name = "angle", UNITS(angle_units)};
 const struct dimension dimension_time = {
     .name = "time", .fraction = true, .series = "shutters.tsv", UNITS(time_units)};
-const struct dimension dimension_fnumber = {
-    .name = "f-number", .prefixes = "f/ f t/ t", .series = "fstops.tsv", UNITS(number_units)};
+const struct dimension dimension_fnumber = {.name = "f-number",
+                                            .prefixes = "f/ f: f t/ t \xc6\x92/ \xc6\x92 1:",
+                                            .series = "fstops.tsv",
+                                            UNITS(number_units)};
 const struct dimension dimension_ratio = {
     .name = "ratio", .fraction = true, .ratio = true, UNITS(ratio_units)};
 const struct dimension dimension_vergence = {.name = "vergence", UNITS(vergence_units)};
 
 const struct dimension dimension_iso = {
-    .name = "ISO speed", .prefixes = "iso", .series = "iso.tsv", UNITS(number_units)};
-const struct dimension dimension_ev = {
-    .name = "exposure value", .prefixes = "ev", UNITS(number_units)};
+    .name = "ISO speed", .prefixes = "iso asa ei", .series = "iso.tsv", UNITS(iso_units)};
+const struct dimension dimension_ev = {.name = "exposure value", .prefixes = "ev", UNITS(ev_units)};
 const struct dimension dimension_stops = {
     .name = "number of stops", .fraction = true, UNITS(stops_units)};
 const struct dimension dimension_luminance = {.name = "luminance", UNITS(luminance_units)};

@@ -117,6 +117,12 @@ static bool has_colon(const struct option *option, struct text text)
            memchr(text.start, ':', text.length) != NULL;
 }
 
+/* Is it the f-number of 1:2.8? */
+static bool is_written_as_ratio(const struct option *option, struct text text)
+{
+    return option->dimension == &dimension_fnumber && memchr(text.start, ':', text.length) != NULL;
+}
+
 /* Does a tail begin here: a step, a factor, a count or a series? */
 static bool begins_tail(struct text text, size_t i)
 {
@@ -139,7 +145,8 @@ static bool split_range(const struct option *option, struct text text, struct ra
     }
     *range = (struct range){.text = text, .first = {text.start, at}};
     struct text last = {text.start + at + 2, text.length - at - 2};
-    bool colon = has_colon(option, range->first); /* 1:8..1:1, whose colon is no step */
+    /* 1:8..1:1 and 1:2.8..1:8, whose colons are no steps */
+    bool colon = has_colon(option, range->first) || is_written_as_ratio(option, range->first);
     for (size_t i = 0; i < last.length && range->kind == 0; i++) {
         char c = last.start[i];
         if (c == ':' && colon) {
