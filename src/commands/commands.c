@@ -10,7 +10,7 @@ extern const struct command command_tilt, command_panorama;
 extern const struct command command_refract, command_lensmaker;
 extern const struct command command_trace, command_check, command_pupil, command_draw;
 extern const struct command command_lens, command_surfaces, command_matrix, command_conjugate;
-extern const struct command command_seidel;
+extern const struct command command_seidel, command_color;
 extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_spot, command_fan, command_field;
 extern const struct command command_fit;
@@ -43,7 +43,8 @@ const struct command *const commands[] = {
     &command_seidel,
     &command_spot,
     &command_fan,
-    &command_field, /* analyses */
+    &command_field,
+    &command_color, /* analyses */
     &command_fit,   /* design */
     &command_list,
     &command_glass,

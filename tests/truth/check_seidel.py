@@ -10,7 +10,6 @@ vanishes: the sums are made in pairs of doubles, so that nothing is lost where t
 # SPDX-License-Identifier: MIT
 
 import csv
-import glob
 import io
 import json
 import os
@@ -19,7 +18,9 @@ from fractions import Fraction
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from harness import ROOT, SHARED, Checks, Program
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import reference_lens
+from harness import ROOT, Checks, Program
 
 OWN = "tests/truth/seidel.json"
 UNIT = Fraction(1, 2 ** 53)
@@ -31,47 +32,7 @@ WAVES = ("W040", "W131", "W222", "W220", "W311", "W020c", "W111c")
 worst = {}
 
 
-# -------- systems of the reference as .lens files --------
-
-def medium(words):
-    if isinstance(words, str):
-        return words
-    if "glass" in words:
-        return words["glass"]
-    return words["n"] if "n" in words else f"{words['nd']}/{words['Vd']}"
-
-
-def surface_line(surface, aperture):
-    radius, more = surface.get("R", "inf"), []
-    if "c" in surface:
-        radius, more = "inf", ["c=" + surface["c"]]
-    if float(surface.get("k", 0)) != 0:
-        more.append("k=" + surface["k"])
-    more += [f"A{2 * i + 4}={number}" for i, number in enumerate(surface.get("A", []))
-             if float(number) != 0]
-    diameter = surface.get("ap", "-")
-    if surface.get("stop"):
-        more.append("stop")
-        if aperture["type"] == "stop":
-            diameter = repr(2 * float(aperture["value"]))
-    following = "mirror" if surface.get("mirror") else medium(surface.get("m", "air"))
-    return " ".join(["surface", "-" if radius == "inf" else radius, surface.get("t", "0"),
-                     following, diameter] + more)
-
-
-def lens_text(system):
-    """One of the reference's systems; its numbers are strings."""
-    aperture, field, thing = system["aperture"], system["field"], system["object"]
-    kinds = {"EPD": "epd ", "fno": "f/", "NAobj": "na "}
-    lines = ["lens " + system["name"], "wavelength " + system["primary"],
-             "object " + thing["distance"],
-             "aperture " + (kinds[aperture["type"]] + aperture["value"]
-                            if aperture["type"] in kinds else "stop"),
-             f"field {'height' if field['type'] == 'height' else 'angle'} {field['value']}"]
-    if thing.get("medium", "air") != "air":
-        lines.append("medium " + medium(thing["medium"]))
-    return "\n".join(lines + [surface_line(one, aperture) for one in system["surfaces"]]) + "\n"
-
+# -------- the reference --------
 
 def values_of(part):
     """A surface or the whole of the reference by the names of the program."""
@@ -86,18 +47,15 @@ def values_of(part):
 def reference_cases():
     """All cases with Seidel sums of ../shared/reference/truth."""
     cases = []
-    for path in sorted(glob.glob(os.path.join(SHARED, "reference/truth/*.json"))):
-        with open(path, encoding="utf-8") as file:
-            found = json.load(file, parse_float=str, parse_int=str)["cases"]
-        for case in found:
-            sums = case["expected"].get("seidel") if isinstance(case["expected"], dict) else None
-            if sums:
-                cases.append({"lens": lens_text(case["system"]), "wavelength": "0.5875618",
-                              "surfaces": [values_of(one) for one in sums["surf"]],
-                              "sum": values_of(sums), "lagrange": sums["H"],
-                              "transverse": sums["T"],
-                              "waves": {name: sums["W"][name] for name in WAVES
-                                        if name in sums["W"]}})
+    for case in reference_lens.systems():
+        sums = case["expected"].get("seidel")
+        if sums:
+            cases.append({"lens": reference_lens.lens_text(case["system"]),
+                          "wavelength": "0.5875618",
+                          "surfaces": [values_of(one) for one in sums["surf"]],
+                          "sum": values_of(sums), "lagrange": sums["H"], "transverse": sums["T"],
+                          "waves": {name: sums["W"][name] for name in WAVES
+                                    if name in sums["W"]}})
     return cases
 
 

@@ -81,18 +81,17 @@ extern const struct word analysis_aims[], analysis_weights[];
                                                    "vertex, in place of the lens's"                \
     }
 
-/* Of commands that ask field by field. */
+/* Of commands that ask field by field; and of those that ask for the edge of the field alone. */
 #define ANALYSIS_FIELD_OPTIONS(S, member)                                                          \
-    {OPTION(S, member.field),                                                                      \
-     .name = "field",                                                                              \
-     .column = "field",                                                                            \
-     .dimension = &dimension_angle,                                                                \
-     .unit = "deg",                                                                                \
-     .lowest = -PI,                                                                                \
-     .highest = PI,                                                                                \
-     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,                           \
-     .value = "ANGLE",                                                                             \
-     .help = "field angle in object space, a list is swept; default all fields of the lens"},      \
+    ANALYSIS_FIELDS_BY(S, member, "default all fields of the lens")
+#define ANALYSIS_EDGE_OPTIONS(S, member)                                                           \
+    ANALYSIS_FIELDS_BY(S, member, "default the largest of the lens; without one 5 deg")
+#define ANALYSIS_FIELDS_BY(S, member, without)                                                     \
+    {OPTION(S, member.field), .name = "field",                                                     \
+     .column = "field",       .dimension = &dimension_angle,                                       \
+     .unit = "deg",           .lowest = -PI,                                                       \
+     .highest = PI,           .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,  \
+     .value = "ANGLE",        .help = "field angle in object space, a list is swept; " without},   \
         LENS_FIELD_X_OPTION(S, member.field_x),                                                    \
         {ANALYSIS_LENGTH(S, member.height), .name = "height", .column = "height",                  \
          .flags = OPTION_NO_INFINITY, .help = "field by the height of its paraxial image"},        \

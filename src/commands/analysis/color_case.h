@@ -1,0 +1,50 @@
+/* commands/analysis/color_case.h - the questions of lenscalc color, and what they ask. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_ANALYSIS_COLOR_CASE_H
+#define LENSCALC_COMMANDS_ANALYSIS_COLOR_CASE_H
+
+#include "analysis/chromatic.h"
+#include "commands/analysis/analysis_options.h"
+
+/* --show */
+enum { COLOR_BY_WAVELENGTH, COLOR_BY_ZONE, COLOR_BY_FIELD };
+
+struct color_input {
+    struct analysis_question question;
+    int show;
+    long steps;
+};
+
+extern const struct analysis_policy color_policy;
+
+/*
+ * Are there wavelengths to compare?
+ *
+ * Errors    ERROR_DOMAIN: the lens states one wavelength only, and the question names none
+ */
+bool color_check(const struct analysis_question *question, struct error *error);
+
+/* Are the glasses of the lens without dispersion, which no glass is? In words; null = no. */
+const char *color_doubt(const struct lens *lens);
+
+/* Is the image infinitely far away, so that differences are those of vergences and angles? */
+bool color_is_afocal(const struct setup *setup);
+
+/* Step i of the field from the axis (0) to the edge (steps). */
+struct field_point color_field(const struct field_point *edge, long i, long steps);
+
+/* The direction of a field, upwards: that in which heights count. Unit. */
+void color_direction(const struct setup *setup, const struct field_point *field, double along[2]);
+
+/* Axial colour of the extreme wavelengths, and the secondary spectrum. */
+struct color_summary {
+    double shortest, longest;     /* um; NaN: there is no range of wavelengths */
+    struct chromatic_axial axial; /* mm */
+    double vergence;              /* of an afocal lens: the shortest less the longest, 1/mm */
+    const char *words;            /* null = nothing to say */
+};
+
+bool color_summarize(const struct analysis_case *one, struct color_summary *summary,
+                     struct error *error);
+
+#endif

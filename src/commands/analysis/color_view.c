@@ -1,0 +1,316 @@
+/* commands/analysis/color_view.c - the three curves of lenscalc color. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/analysis/color_view.h"
+
+#include "commands/analysis/color_case.h"
+#include "draw/panels.h"
+
+#include <stdlib.h>
+
+enum { MOST_COLOURS = 5, SAMPLES = 121, ZONES = 40, FIELDS = 32, PANELS = 3 };
+
+static const double TO_NM = 1000, TO_UM = 1000, TO_MRAD = 1000, SMALL = 0.2;
+
+/* The page in the making. */
+struct painter {
+    const struct artifact_job *job;
+    const struct color_input *input;
+    struct arena *arena;
+    const struct analysis_case *one;
+    size_t field;
+    double *waves; /* um, ascending */
+    size_t wave_count;
+    struct chromatic_focus primary;
+    struct panel panels[PANELS];
+    struct panels page;
+};
+
+static const struct color_input *input_at(const struct artifact_job *job, size_t i)
+{
+    return job->inputs[i];
+}
+
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* All that the sweep asks for, and the primary one; each once. */
+static void collect_waves(struct painter *painter)
+{
+    const struct setup *setup = painter->one->setup;
+    const bool asked = painter->input->question.wavelength.name != NULL;
+    const size_t most = (asked ? painter->job->count : setup->wavelength_count) + 1;
+    double *waves = ARENA_ARRAY(painter->arena, most, double);
+    size_t count = 0;
+    waves[most - 1] = lens_primary_wavelength(setup->lens);
+    for (size_t i = 0; i + 1 < most; i++) {
+        waves[i] = asked ? input_at(painter->job, i)->question.wavelength.wavelength
+                         : setup->wavelengths[i].wavelength;
+    }
+    qsort(waves, most, sizeof *waves, by_value);
+    for (size_t i = 0; i < most; i++) {
+        if (i == 0 || waves[i] > waves[count - 1]) {
+            waves[count++] = waves[i];
+        }
+    }
+    painter->waves = waves;
+    painter->wave_count = count;
+}
+
+/* So many that each can be told apart: both ends, and what lies between in even steps. */
+static void thin_waves(struct painter *painter)
+{
+    const size_t count = painter->wave_count;
+    if (count <= MOST_COLOURS) {
+        return;
+    }
+    for (size_t i = 0; i < MOST_COLOURS; i++) {
+        painter->waves[i] = painter->waves[i * (count - 1) / (MOST_COLOURS - 1)];
+    }
+    painter->wave_count = MOST_COLOURS;
+}
+
+static double *numbers(const struct painter *painter, size_t count)
+{
+    return ARENA_ARRAY(painter->arena, count, double);
+}
+
+/* In thousandths of the unit where all of it is small; which of two words says it. */
+static const char *scale(const struct panel *panel, bool along_x, const char *large,
+                         const char *small)
+{
+    double most = 0;
+    for (size_t s = 0; s < panel->count; s++) {
+        const double *values = along_x ? panel->series[s].x : panel->series[s].y;
+        for (size_t i = 0; i < panel->series[s].count; i++) {
+            most = isfinite(values[i]) ? fmax(most, fabs(values[i])) : most;
+        }
+    }
+    return most < SMALL ? small : large;
+}
+
+static void multiply(const struct panel *panel, bool along_x, double factor)
+{
+    for (size_t s = 0; s < panel->count; s++) {
+        /* the painter's own numbers */
+        double *values = (double *)(along_x ? panel->series[s].x : panel->series[s].y);
+        for (size_t i = 0; i < panel->series[s].count; i++) {
+            values[i] *= factor;
+        }
+    }
+}
+
+/* A shift along the axis: mm, or 1/m of an afocal lens. */
+static double axial_of(const struct painter *painter, const struct chromatic_focus *focus)
+{
+    return color_is_afocal(painter->one->setup)
+               ? 1000 * (focus->vergence - painter->primary.vergence)
+               : focus->image - painter->primary.image;
+}
+
+static const char *axial_label(const struct painter *painter, const struct panel *panel,
+                               bool along_x, const char *words)
+{
+    const char *unit = "1/m";
+    if (!color_is_afocal(painter->one->setup)) {
+        unit = scale(panel, along_x, "mm", "\xc2\xb5m");
+        multiply(panel, along_x, unit[0] == 'm' ? 1 : TO_UM);
+    }
+    return arena_printf(painter->arena, "%s (%s)", words, unit);
+}
+
+/* -------- the panels -------- */
+
+/* The curve, then a dot a wavelength. */
+static bool draw_shift(struct painter *painter, struct error *error)
+{
+    const struct setup *setup = painter->one->setup;
+    const size_t count = painter->wave_count + 1;
+    const double low = painter->waves[0], high = painter->waves[painter->wave_count - 1];
+    struct panel_series *series = ARENA_ARRAY(painter->arena, count, struct panel_series);
+    for (size_t s = 0; s < count; s++) {
+        const size_t points = s == 0 ? SAMPLES : 1;
+        double *x = numbers(painter, points), *y = numbers(painter, points);
+        for (size_t i = 0; i < points; i++) {
+            const double at =
+                s > 0 ? painter->waves[s - 1] : low + (high - low) * (double)i / (SAMPLES - 1);
+            struct chromatic_focus focus;
+            if (!chromatic_focus(setup, at, &focus, error)) {
+                return false;
+            }
+            x[i] = TO_NM * at;
+            y[i] = axial_of(painter, &focus);
+        }
+        series[s] = (struct panel_series){
+            .x = x, .y = y, .count = points, .key = s > 0 ? s - 1 : 0, .spots = s > 0};
+    }
+    struct panel *panel = &painter->panels[0];
+    *panel = (struct panel){
+        .title = "Focal shift", .x_label = "wavelength (nm)", .series = series, .count = count};
+    /* the curve beneath the dots is that of the middle colour */
+    series[0].key = painter->wave_count / 2;
+    panel->y_label = axial_label(painter, panel, false, "shift");
+    return true;
+}
+
+static bool draw_zones(struct painter *painter, struct error *error)
+{
+    const struct setup *setup = painter->one->setup;
+    const bool entrance = painter->input->question.aim == ANALYSIS_AIM_ENTRANCE;
+    struct panel_series *series =
+        ARENA_ARRAY(painter->arena, painter->wave_count, struct panel_series);
+    struct panel *panel = &painter->panels[1];
+    *panel = (struct panel){
+        .title = "Spherochromatism", .y_label = "zone", .series = series, .x_label = "shift"};
+    for (size_t s = 0; s < painter->wave_count; s++) {
+        double *x = numbers(painter, ZONES + 1), *y = numbers(painter, ZONES + 1);
+        for (size_t i = 0; i <= ZONES; i++) {
+            struct chromatic_focus focus;
+            y[i] = (double)i / ZONES;
+            if (!chromatic_zone(setup, painter->waves[s], y[i], entrance, &focus, error)) {
+                panel->note = "no ray through a zone"; /* no stop, or no aperture */
+                return true;
+            }
+            x[i] = axial_of(painter, &focus);
+        }
+        series[s] = (struct panel_series){.x = x, .y = y, .count = ZONES + 1, .key = s};
+    }
+    panel->count = painter->wave_count;
+    panel->x_label = axial_label(painter, panel, true, "shift");
+    return true;
+}
+
+/* Of a field, so far from the axis as it is drawn: deg, or mm. */
+static double field_number(const struct field_point *field)
+{
+    const bool angle = field->kind == FIELD_ANGLE || field->kind == FIELD_NONE;
+    return field_extent(field->kind, field->value) * (angle ? DEGREES_PER_RADIAN : 1);
+}
+
+static bool draw_fields(struct painter *painter, struct error *error)
+{
+    const struct setup *setup = painter->one->setup;
+    const struct field_point *edge = &setup->fields[painter->field].point;
+    const bool angular = isnan(setup->image), angle = edge->kind == FIELD_ANGLE;
+    const double middle = lens_primary_wavelength(setup->lens);
+    double along[2];
+    struct panel_series *series =
+        ARENA_ARRAY(painter->arena, painter->wave_count, struct panel_series);
+    struct panel *panel = &painter->panels[2];
+    *panel = (struct panel){.title = "Lateral colour",
+                            .x_label = angular ? "shift (mrad)" : "shift (\xc2\xb5m)",
+                            .y_label = angle ? "field (deg)" : "field height (mm)",
+                            .series = series};
+    for (size_t s = 0; s < painter->wave_count; s++) {
+        series[s] = (struct panel_series){.x = numbers(painter, FIELDS + 1),
+                                          .y = numbers(painter, FIELDS + 1),
+                                          .count = FIELDS + 1,
+                                          .key = s};
+    }
+    color_direction(setup, edge, along);
+    for (long i = 0; i <= FIELDS; i++) {
+        const struct field_point at = color_field(edge, i, FIELDS);
+        struct chromatic_chief primary, chief;
+        bool found = chromatic_chief(setup, &at, middle, &primary, error);
+        for (size_t s = 0; s < painter->wave_count; s++) {
+            found = found && chromatic_chief(setup, &at, painter->waves[s], &chief, error);
+            const struct chromatic_lateral lateral =
+                found ? chromatic_lateral(&primary, &chief, along)
+                      : (struct chromatic_lateral){NAN, NAN};
+            ((double *)series[s].x)[i] = angular ? TO_MRAD * lateral.angle : TO_UM * lateral.height;
+            ((double *)series[s].y)[i] = field_number(&at);
+        }
+        panel->note = found ? panel->note : "no chief ray where a curve ends";
+    }
+    panel->count = painter->wave_count;
+    return true;
+}
+
+/* -------- the page -------- */
+
+static const char *subtitle_of(const struct painter *painter, const char *summary)
+{
+    const struct setup *setup = painter->one->setup;
+    struct arena *arena = painter->arena;
+    const char *aperture =
+        isfinite(setup->first.fnumber) ? arena_printf(arena, "f/%.4g, ", setup->first.fnumber) : "";
+    return arena_printf(
+        arena, "%s%s%srelative to %.5g nm%s%s", setup->position != NULL ? setup->position : "",
+        setup->position != NULL ? ", " : "", aperture, TO_NM * lens_primary_wavelength(setup->lens),
+        summary != NULL ? "; " : "", summary != NULL ? summary : "");
+}
+
+static bool paint(const struct analysis_case *one, size_t field, void *context, struct error *error)
+{
+    struct painter *painter = context;
+    const struct setup *setup = one->setup;
+    struct color_summary summary;
+    painter->one = one;
+    painter->field = field;
+    collect_waves(painter);
+    thin_waves(painter);
+    if (!color_summarize(one, &summary, error) ||
+        !chromatic_focus(setup, lens_primary_wavelength(setup->lens), &painter->primary, error) ||
+        !draw_shift(painter, error) || !draw_zones(painter, error) ||
+        !draw_fields(painter, error)) {
+        return false;
+    }
+    const char **keys = ARENA_ARRAY(painter->arena, painter->wave_count, const char *);
+    for (size_t i = 0; i < painter->wave_count; i++) {
+        keys[i] = arena_printf(painter->arena, "%.5g nm", TO_NM * painter->waves[i]);
+    }
+    painter->page = (struct panels){
+        .title = arena_printf(painter->arena, "Colour of %s", setup->lens->title),
+        .subtitle = subtitle_of(painter, summary.words),
+        .keys = keys,
+        .key_count = painter->wave_count,
+        .light = true,
+        .own_x = true,
+        .own_y = true,
+        .columns = PANELS,
+        .panels = painter->panels,
+        .count = PANELS,
+    };
+    error->code = ERROR_NONE;
+    return true;
+}
+
+/* Is it the same question at another wavelength? */
+static bool is_alike(const struct analysis_question *a, const struct analysis_question *b)
+{
+    const double pairs[][2] = {{a->fnumber, b->fnumber},   {a->field, b->field},
+                               {a->field_x, b->field_x},   {a->height, b->height},
+                               {a->height_x, b->height_x}, {a->object, b->object},
+                               {a->defocus, b->defocus}};
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        if (pairs[i][0] < pairs[i][1] || pairs[i][0] > pairs[i][1]) {
+            return false;
+        }
+    }
+    return a->lens.lens == b->lens.lens;
+}
+
+bool color_view_check(const struct artifact_job *job, struct error *error)
+{
+    const struct analysis_question *first = &input_at(job, 0)->question;
+    for (size_t i = 1; i < job->count; i++) {
+        if (!is_alike(first, &input_at(job, i)->question)) {
+            return fail(error, ERROR_USAGE,
+                        "{--plot} shows one lens and one field: only {--wavelength} may be a list");
+        }
+    }
+    return !lens_positions_several(first->lens.lens, first->position) ||
+           fail(error, ERROR_USAGE, "{--plot} shows one position: name it with {--position}");
+}
+
+bool color_view_draw(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    static const struct analysis_answers answers = {.answer = paint};
+    struct svg svg = {.arena = job->run->arena};
+    struct painter painter = {.job = job, .input = input_at(job, 0), .arena = svg.arena};
+    return analysis_each_field(&painter.input->question, &color_policy, job->run, &answers,
+                               &painter, error) &&
+           panels_draw(&painter.page, &svg, error) && drawing_write(job, &svg, sink, error);
+}
