@@ -149,15 +149,15 @@ static bool set_reference(const struct fan_question *question, const struct fan_
 
 /* -------- the rays -------- */
 
-static void set_points(const struct fan *fan, enum fan_section section, double scale,
-                       struct pupil_point *points)
+/* Both sections, one behind the other: they are aimed as one block. */
+static void set_points(const struct fan *fan, double scale, struct pupil_point *points)
 {
     for (size_t i = 0; i < fan->points; i++) {
         bool middle = 2 * i + 1 == fan->points;
         double h = middle ? 0 : scale * (2 * (double)i / (double)(fan->points - 1) - 1);
-        points[i] = section == FAN_TANGENTIAL
-                        ? (struct pupil_point){h * fan->along[0] + 0.0, h * fan->along[1] + 0.0, 0}
-                        : (struct pupil_point){h * fan->along[1] + 0.0, 0.0 - h * fan->along[0], 0};
+        double x = h * fan->along[0] + 0.0, y = h * fan->along[1] + 0.0;
+        points[FAN_TANGENTIAL * fan->points + i] = (struct pupil_point){x, y, 0};
+        points[FAN_SAGITTAL * fan->points + i] = (struct pupil_point){y, 0.0 - x, 0};
     }
 }
 
@@ -176,18 +176,18 @@ static void find_off(const struct fan *fan, const struct origin *origin, const s
     }
 }
 
-static void trace_section(const struct fan *fan, const struct origin *origin,
-                          const struct fan_light *light, enum fan_section section,
-                          struct arena *arena, struct fan_ray *list)
+static void trace_light(const struct fan *fan, const struct origin *origin,
+                        const struct fan_light *light, struct arena *arena, struct fan_ray *list)
 {
-    struct pupil_point *points = ARENA_ARRAY(arena, fan->points, struct pupil_point);
-    struct rays rays = rays_new(arena, fan->points);
+    const size_t count = FAN_SECTIONS * fan->points;
+    struct pupil_point *points = ARENA_ARRAY(arena, count, struct pupil_point);
+    struct rays rays = rays_new(arena, count);
     double zero = origin->has_opd ? opd_path(&origin->opd, &light->chief) : (double)NAN;
-    set_points(fan, section, light->question.clip ? edge : 1, points);
-    bundle_aim(&light->source, points, fan->points, &rays);
-    set_points(fan, section, 1, points);
+    set_points(fan, light->question.clip ? edge : 1, points);
+    bundle_aim(&light->source, points, count, &rays);
+    set_points(fan, 1, points);
     rays_trace(light->system, &rays, NULL);
-    for (size_t i = 0; i < fan->points; i++) {
+    for (size_t i = 0; i < count; i++) {
         const struct ray ray = rays_get(&rays, i, light->system->index_last);
         list[i] = (struct fan_ray){.pupil = {points[i].x, points[i].y},
                                    .off = {NAN, NAN},
@@ -237,10 +237,7 @@ bool fan_trace(const struct fan_question *question, struct arena *arena, struct 
     const size_t count = lights.count * FAN_SECTIONS * fan->points;
     struct fan_ray *rays = ARENA_ARRAY(arena, count, struct fan_ray);
     for (size_t g = 0; g < lights.count; g++) {
-        for (size_t s = 0; s < FAN_SECTIONS; s++) {
-            trace_section(fan, &origin, &lights.list[g], (enum fan_section)s, arena,
-                          rays + (g * FAN_SECTIONS + s) * fan->points);
-        }
+        trace_light(fan, &origin, &lights.list[g], arena, rays + g * FAN_SECTIONS * fan->points);
     }
     fan->rays = rays;
     return check_light(&lights, rays, count, arena, error);

@@ -21,7 +21,7 @@ enum fan_about {
 struct fan_question {
     struct bundle_question bundle; /* its wavelength and pattern are not used */
     enum fan_about about;
-    size_t points; /* in each section, 2 and more; odd: the chief ray is one of them */
+    size_t points; /* in each section, 2 and more; odd: the middle of the pupil is one of them */
 };
 
 struct fan_ray {

@@ -78,20 +78,22 @@ static void test_azimuths(enum fan_about about)
     static const double along[][2] = {{0, 1}, {1, 0}, {0.7071067811865476, 0.7071067811865476}};
     struct fan_question question = question_of(&setup, &fields[0], about);
     struct fan up = trace(&question, &arena);
+    /* the others are integrals over the clear pupil, whose edge is looked for along x and y */
+    double place = about == FAN_CHIEF ? 1e-10 : 1e-7, path = about == FAN_CHIEF ? 1e-12 : 3e-8;
     for (size_t f = 1; f < 3 && up.rays != NULL; f++) {
         question.bundle.field = &fields[f];
         struct fan other = trace(&question, &arena);
         const double *a = other.along;
         CHECK_NEAR(a[0], along[f][0], 1e-15, "section x");
         CHECK_NEAR(a[1], along[f][1], 1e-15, "section y");
-        CHECK_NEAR(other.radius, up.radius, 1e-10, "radius");
+        CHECK_NEAR(other.radius, up.radius, place, "radius");
         for (size_t k = 0; k < 3 * FAN_SECTIONS * up.points && other.rays != NULL; k++) {
             const struct fan_ray *one = &up.rays[k], *two = &other.rays[k];
             CHECK(one->status == two->status && one->surface == two->surface);
             if (one->status == RAY_OK) {
-                CHECK_NEAR(two->opd, one->opd, 1e-12, "W");
-                CHECK_NEAR(two->off[0] * a[0] + two->off[1] * a[1], one->off[1], 1e-10, "along");
-                CHECK_NEAR(two->off[0] * a[1] - two->off[1] * a[0], one->off[0], 1e-10, "across");
+                CHECK_NEAR(two->opd, one->opd, path, "W");
+                CHECK_NEAR(two->off[0] * a[0] + two->off[1] * a[1], one->off[1], place, "along");
+                CHECK_NEAR(two->off[0] * a[1] - two->off[1] * a[0], one->off[0], place, "across");
                 CHECK_NEAR(two->pupil[0] * a[0] + two->pupil[1] * a[1], one->pupil[1], 1e-15, "p");
             }
         }
@@ -103,8 +105,8 @@ static void test_azimuths(enum fan_about about)
         const struct fan_ray *one = ray_at(&up, 1, FAN_TANGENTIAL, i);
         const struct fan_ray *two = ray_at(&down, 1, FAN_TANGENTIAL, up.points - 1 - i);
         CHECK(one->status == two->status);
-        CHECK(one->status != RAY_OK || fabs(one->off[1] + two->off[1]) < 1e-10);
-        CHECK(one->status != RAY_OK || fabs(one->opd - two->opd) < 1e-12);
+        CHECK(one->status != RAY_OK || fabs(one->off[1] + two->off[1]) < place);
+        CHECK(one->status != RAY_OK || fabs(one->opd - two->opd) < path);
     }
     arena_free(&arena);
 }

@@ -25,7 +25,7 @@ static const struct option options[] = {
      .fallback = "chief", .value = "WHAT", .help = "what aberrations are counted from"},
     {OPTION(struct fan_input, points), .name = "points", .lowest = 3, .highest = 100001,
      .fallback = "21", .value = "COUNT",
-     .help = "rays in each section, an odd number: the middle one is the chief ray"},
+     .help = "rays in each section, an odd number: one lies in the middle"},
     {OPTION(struct fan_input, question.aim), .name = "aim", .words = analysis_aims,
      .fallback = "stop", .value = "WHERE", .help = "what the points of the pupil are points of"},
     ANALYSIS_CLIP_OPTIONS(struct fan_input, question),
@@ -196,7 +196,7 @@ static bool run(const void *data, struct run *run, struct error *error)
     struct asked asked = {input, run};
     if (input->points % 2 == 0) {
         return fail(error, ERROR_USAGE,
-                    "{--points} %ld: an odd number, so that the middle one is the chief ray",
+                    "{--points} %ld: an odd number, so that one ray lies in the middle",
                     input->points);
     }
     return analysis_each_field(&input->question, &fan_policy, run, &answers, &asked, error);
