@@ -13,6 +13,7 @@ extern const struct command command_lens, command_surfaces, command_matrix, comm
 extern const struct command command_seidel, command_color;
 extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_spot, command_fan, command_field;
+extern const struct command command_distortion;
 extern const struct command command_fit;
 extern const struct command command_help, command_completion;
 
@@ -44,8 +45,9 @@ const struct command *const commands[] = {
     &command_spot,
     &command_fan,
     &command_field,
-    &command_color, /* analyses */
-    &command_fit,   /* design */
+    &command_color,
+    &command_distortion, /* analyses */
+    &command_fit,        /* design */
     &command_list,
     &command_glass,
     &command_convert, /* data */

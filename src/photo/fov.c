@@ -100,6 +100,20 @@ bool fov_angle(enum projection projection, double scale, double dimension, doubl
     return true;
 }
 
+bool fov_height(enum projection projection, double angle, double *height, struct error *error)
+{
+    const struct rule *rule = &rules[projection];
+    const double largest = rule->largest_angle / 2;
+    if (!(angle >= 0 && (rule->open ? angle < largest : angle <= largest))) {
+        return fail(error, ERROR_DOMAIN,
+                    "a field of %.6g deg lies beyond the %s projection, which ends %s %.6g deg",
+                    angle * DEGREES_PER_RADIAN, projections[projection].word,
+                    rule->open ? "before" : "at", largest * DEGREES_PER_RADIAN);
+    }
+    *height = rule->height(angle);
+    return true;
+}
+
 static bool check_setting(const struct fov_setting *a, struct error *error)
 {
     if (!check_positive("focal length", " mm", a->f, error) ||

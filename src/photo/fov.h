@@ -55,6 +55,18 @@ bool fov_angle(enum projection projection, double scale, double dimension, doubl
                struct error *error);
 
 /*
+ * Where a projection images an angle: fov_angle, backwards.
+ *
+ * Given     angle   from the axis, rad, >= 0
+ *           height  receives r/f', 0 on the axis
+ * Formula   tan t, t, 2 sin(t/2), 2 tan(t/2), sin t
+ * Source    The definitions of the projections
+ * Errors    an angle beyond the edge of the projection: 90 deg of the rectilinear and the
+ *           orthographic, 180 deg of the others; rectilinear and stereographic end before it
+ */
+bool fov_height(enum projection projection, double angle, double *height, struct error *error);
+
+/*
  * Angles and field sizes of a lens on a sensor, breathing included.
  *
  * Given     setting, sensor

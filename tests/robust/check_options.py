@@ -46,6 +46,8 @@ ASKED = {
     "pupil": ("double-gauss -N 5.6 --field 0", None, "N\n4\n8\n"),
     "draw": ("double-gauss -N 5.6", None, None),
     "fan": ("double-gauss -N 5.6 --field 0 -w d --points 3", None, "N\n4\n8\n"),
+    "distortion": ("double-gauss --field 10", ("field", "5,10", "w", "486,587"),
+                   "field\n5\n10\n"),
     "fit": ("double-gauss -N 5.6 --distortion 0", ("N", "4,8", "w", "486,587"), "N\n4\n8\n"),
     "list": ("formats", None, None),
     "glass": ("N-BK7 -w 500 --thickness 10mm", ("w", "486,587", "thickness", "5,10"),
@@ -222,6 +224,9 @@ def try_force(asked):
 
 def try_output(asked):
     ending = {"draw": "out.svg", "convert": "out.lens", "fit": "out.lens"}.get(asked.command, "out")
+    saves = {"distortion": "double-gauss --fit poly3 -o out.xml".split()}
+    if asked.command in saves:
+        return asked.run(question=saves[asked.command]).returncode == 0
     result = asked.run("-o", ending)
     path = os.path.join(asked.folder, ending)
     with open(path if os.path.exists(path) else os.devnull, "rb") as file:

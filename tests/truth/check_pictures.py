@@ -33,7 +33,16 @@ OTHERS = ("dof -f 50mm -N 5.6 -s 3m --scale {}", "dof -f 50mm -N 2.8,5.6,11 -s 0
           "fan double-gauss --plot {}", "fan fisheye-16 --field 0,50deg --plot {}",
           "fan canon-nfd-70-210 --position all --plot {}", "fan phone-80deg --show opd --plot {}",
           "fan questar-35 --plot {}", "fan edmund-49-847 --show opd --plot {}",
-          "conjugate double-gauss --object 0.5m..3m:0.1m --plot {}")
+          "conjugate double-gauss --object 0.5m..3m:0.1m --plot {}",
+          "distortion double-gauss -w d,F,C --plot {}", "distortion double-gauss --grid {}",
+          "distortion fisheye-16 --projection equidistant --calibrated --plot {}",
+          "distortion fisheye-16 --projection equisolid --grid {}",
+          "distortion canon-nfd-70-210 --position all --plot {}",
+          "distortion canon-nfd-70-210 --position tele --field 5 --grid {}",
+          "distortion phone-80deg --plot {}", "distortion phone-80deg --grid {}",
+          "distortion questar-35 --defocus 0,1 --plot {}", "distortion questar-35 --grid {}",
+          "distortion edmund-49-847 --field 10 --plot {}", "distortion edmund-49-847 --grid {}",
+          "distortion double-gauss --object 1500 --height 20 --plot {}")
 
 
 def check_picture(checks, name, svg):

@@ -96,6 +96,33 @@ static void test_projections(void)
 }
 
 /* Breathing: at 1:1 and P = 1 the scale is 2 f; the field is as large as the sensor. */
+/* Heights of 60 deg are those of half an angle of view of 120 deg; where each projection ends. */
+static void test_heights(void)
+{
+    static const struct {
+        enum projection projection;
+        double at_60, last; /* r/f'; deg */
+        bool is_reached;
+    } cases[] = {
+        {RECTILINEAR, 1.7320508075688772, 90, false},
+        {EQUIDISTANT, 1.0471975511965976, 180, true},
+        {EQUISOLID, 1, 180, true},
+        {STEREOGRAPHIC, 1.1547005383792515, 180, false},
+        {ORTHOGRAPHIC, 0.86602540378443865, 90, true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct error error = {0};
+        double height = NAN, last = cases[i].last * RADIANS_PER_DEGREE;
+        CHECK(fov_height(cases[i].projection, 60 * RADIANS_PER_DEGREE, &height, &error));
+        CHECK_RELATIVE(height, cases[i].at_60, 4e-16, projections[cases[i].projection].word);
+        CHECK(fov_height(cases[i].projection, last, &height, &error) == cases[i].is_reached);
+        CHECK(!fov_height(cases[i].projection, last * 1.000001, &height, &error));
+        CHECK(error.code == ERROR_DOMAIN);
+        CHECK(!fov_height(cases[i].projection, NAN, &height, &error));
+        CHECK(fov_height(cases[i].projection, 0, &height, &error) && !(height > 0));
+    }
+}
+
 static void test_breathing(void)
 {
     struct fov fov = view(RECTILINEAR, 50, 100, 1, 1);
@@ -199,6 +226,7 @@ int main(void)
     test_published();
     test_kinds();
     test_projections();
+    test_heights();
     test_breathing();
     test_inverse();
     test_format();

@@ -130,12 +130,8 @@ static bool visit_position(const struct analysis_question *question,
     return true;
 }
 
-/* Gets a case; returns false to fail. */
-typedef bool analysis_visit(const struct analysis_case *one, void *context, struct error *error);
-
-static bool analysis_each(const struct analysis_question *question,
-                          const struct analysis_policy *policy, struct arena *arena,
-                          analysis_visit *visit, void *context, struct error *error)
+bool analysis_each(const struct analysis_question *question, const struct analysis_policy *policy,
+                   struct arena *arena, analysis_visit *visit, void *context, struct error *error)
 {
     const size_t *positions;
     size_t count;

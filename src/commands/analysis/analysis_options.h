@@ -229,6 +229,18 @@ extern const struct word analysis_aims[], analysis_weights[];
          .help = "from the last vertex"},                                                          \
         LENS_TITLE_COLUMN(S, member.lens), LENS_WARNING_COLUMN(S, member.warning)
 
+/* Gets a case; returns false to fail, or without an error when no more rows are wanted. */
+typedef bool analysis_visit(const struct analysis_case *one, void *context, struct error *error);
+
+/*
+ * Answer position by position: what is not of single fields.
+ *
+ * Errors    ERROR_USAGE: options that exclude each other, an unknown position; as setup_open,
+ *           setup_place_image and `visit`
+ */
+bool analysis_each(const struct analysis_question *question, const struct analysis_policy *policy,
+                   struct arena *arena, analysis_visit *visit, void *context, struct error *error);
+
 /* What the rows of a field say of it; `field` is its place in the setup. */
 struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field);
 

@@ -1,0 +1,282 @@
+/* commands/analysis/cmd_distortion.c - lenscalc distortion: image heights against a projection. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/analysis/distortion_asked.h"
+#include "commands/photo/photo_options.h"
+
+/* "auto", then those of photo/fov.h. */
+static const struct word *projection_word_at(size_t i)
+{
+    static const struct word automatic = {"auto",
+                                          "equidistant for --fit fisheye, else rectilinear"};
+    return i == 0 ? &automatic : i <= PROJECTIONS ? &projections[i - 1] : NULL;
+}
+
+/* "none", then the models. */
+static const struct word *fit_word_at(size_t i)
+{
+    static const struct word none = {"none", "field by field, no model"};
+    return i == 0 ? &none : i <= DISTORTION_MODELS ? &distortion_models[i - 1].word : NULL;
+}
+
+static const struct option options[] = {
+    ANALYSIS_OPTIONS(struct distortion_input, question, LENS_PRIMARY_WAVELENGTH),
+    ANALYSIS_FIELD_OPTIONS(struct distortion_input, question),
+    {OPTION(struct distortion_input, projection), .name = "projection",
+     .word_at = projection_word_at, .fallback = "auto", .value = "KIND",
+     .help = "the ideal image that distortion is the difference from"},
+    {OPTION(struct distortion_input, calibrated), .name = "calibrated",
+     .help = "compare with the focal length that makes the largest and the smallest distortion "
+             "over the field of the lens equal and opposite; with --fit, with the one that fits "
+             "best"},
+    {OPTION(struct distortion_input, fit), .name = "fit", .word_at = fit_word_at,
+     .fallback = "none", .value = "MODEL", .excludes = "field field-x height height-x",
+     .help = "the coefficients that programs undistort photographs with, over the diagonal of the "
+             "sensor"},
+    {OPTION(struct distortion_input, sensor), .name = "sensor", .column = "sensor",
+     .fallback = "35mm", .value = "NAME|WxH", .wants = "fit!=none",
+     .help = "format or camera by name, or a size: 36x24mm"},
+    {OPTION(struct distortion_input, pitch), .name = "pitch", .quantity = "pixel pitch",
+     .column = "pitch", .dimension = &dimension_length, .unit = "um", OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH", .wants = "fit!=none",
+     .usual = {0.3e-3, 30e-3}, .unusual = "pixels are 0.3 to 30 um wide: is the unit right?",
+     .help = "pixel pitch (otherwise that of the camera, else 6000 pixels along the longer side)"},
+};
+
+struct row {
+    struct analysis_point point;
+    double angle, object;        /* rad, mm: of the field; the one it has */
+    double ideal, image, x, y;   /* mm */
+    double distortion;           /* of 1 */
+    double focal, magnification; /* paraxial */
+    double calibrated_focal, calibrated_magnification;
+    const char *projection;
+};
+
+#define LENGTH(member_name, more)                                                                  \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+
+static const struct column columns[] = {
+    ANALYSIS_POINT_COLUMNS(struct row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    {COLUMN(struct row, angle), .name = "angle", .dimension = &dimension_angle, .unit = "deg",
+     .flags = COLUMN_SPARSE, .symbol = "t", .label = "angle from the axis",
+     .help = "of the light before the lens; absent for a near object"},
+    {LENGTH(object, COLUMN_SPARSE), .name = "object_height", .symbol = "h",
+     .label = "object height", .help = "its distance from the axis; absent at infinity"},
+    {LENGTH(ideal, COLUMN_BRIEF), .name = "ideal_height", .symbol = "yp", .label = "ideal height",
+     .help = "where the projection images it"},
+    {LENGTH(image, COLUMN_BRIEF), .name = "image_height", .symbol = "y", .label = "image height",
+     .help = "where the chief ray meets the image plane"},
+    {COLUMN(struct row, distortion), .dimension = &dimension_ratio, .unit = "percent",
+     .flags = COLUMN_BRIEF, .name = "distortion", .symbol = "D", .label = "distortion",
+     .help = "image height less ideal height, over that; absent on the axis"},
+    {LENGTH(x, COLUMN_HIDDEN), .name = "image_x", .label = "image x",
+     .help = "of the chief ray in the image plane"},
+    {LENGTH(y, COLUMN_HIDDEN), .name = "image_y", .label = "image y", .help = "upwards"},
+    {COLUMN(struct row, projection), .name = "projection", .flags = COLUMN_ASSUMED,
+     .depends = "projection", .label = "projection", .help = "of the ideal image"},
+    {LENGTH(focal, COLUMN_ASSUMED), .name = "focal", .symbol = "f", .depends = "lens position",
+     .label = "focal length",
+     .help = "paraxial, at the primary wavelength; absent for a near object"},
+    {COLUMN(struct row, magnification), .flags = COLUMN_ASSUMED, .name = "magnification",
+     .symbol = "m", .depends = "lens position object", .label = "magnification",
+     .help = "paraxial, at the primary wavelength; absent for an object at infinity"},
+    {LENGTH(calibrated_focal, COLUMN_ASSUMED | COLUMN_EXTRA), .with = "calibrated",
+     .name = "calibrated_focal", .depends = "calibrated", .label = "calibrated focal length",
+     .help = "that of the ideal heights: its largest and smallest distortion over the field of "
+             "the lens are equal and opposite"},
+    {COLUMN(struct row, calibrated_magnification), .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .with = "calibrated", .name = "calibrated_magnification", .depends = "calibrated",
+     .label = "calibrated magnification", .help = "the same for a near object"},
+    ANALYSIS_TAIL_COLUMNS(struct row, point),
+};
+
+static struct row row_of(const struct analysis_point *point)
+{
+    return (struct row){.point = *point,
+                        .angle = NAN,
+                        .object = NAN,
+                        .ideal = NAN,
+                        .image = NAN,
+                        .x = NAN,
+                        .y = NAN,
+                        .distortion = NAN,
+                        .focal = NAN,
+                        .magnification = NAN,
+                        .calibrated_focal = NAN,
+                        .calibrated_magnification = NAN};
+}
+
+/* Where the rows go. */
+struct asked {
+    const struct distortion_input *input;
+    struct run *run;
+};
+
+static void fill(const struct distortion_case *ready, const struct distortion_point *found,
+                 struct row *row)
+{
+    const bool far = ready->map.setup.object.is_infinite;
+    *(far ? &row->angle : &row->object) = found->field;
+    *(far ? &row->calibrated_focal : &row->calibrated_magnification) = ready->calibrated;
+    row->ideal = found->ideal;
+    row->image = found->height;
+    row->x = found->image[0] + 0.0;
+    row->y = found->image[1] + 0.0;
+    row->distortion = found->percent / 100;
+    row->focal = ready->focal;
+    row->magnification = ready->magnification;
+    row->projection = ready->projection;
+}
+
+static bool answer(const struct analysis_case *one, size_t field, void *context,
+                   struct error *error)
+{
+    const struct asked *asked = context;
+    const struct analysis_point point = analysis_point_of(one, field);
+    struct row row = row_of(&point);
+    struct distortion_case ready;
+    struct distortion_point found;
+    if (!distortion_ready(asked->input, one, &ready, error) ||
+        !distortion_at(&ready.map, &one->setup->fields[field].point, &found, error)) {
+        return false;
+    }
+    fill(&ready, &found, &row);
+    if (!found.is_lit) {
+        row.point.warning =
+            lens_warnings_join(row.point.warning,
+                               "clear apertures stop the chief ray of some field: what light "
+                               "there is lies beside it",
+                               asked->run->arena);
+    }
+    return run_emit(asked->run, &row);
+}
+
+static bool lost(const struct analysis_point *point, void *context)
+{
+    const struct asked *asked = context;
+    const struct row row = row_of(point);
+    return run_emit(asked->run, &row);
+}
+
+static const struct analysis_answers answers = {answer, lost};
+static const struct sheet field_sheet = SHEET(columns, struct row);
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct distortion_input *input = data;
+    struct asked asked = {input, run};
+    if (input->fit > 0) {
+        return distortion_fit_run(input, run, error);
+    }
+    return analysis_each_field(&input->question, &distortion_by_field, run, &answers, &asked,
+                               error);
+}
+
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+{
+    const struct distortion_input *input = data;
+    (void)asking;
+    return input->fit > 0 ? &distortion_fit_sheet : &field_sheet;
+}
+
+static bool makes_many(const void *data)
+{
+    const struct distortion_input *input = data;
+    return input->fit > 0 || analysis_makes_many(&input->question, &distortion_by_field);
+}
+
+static bool brings(const void *data, const char *option)
+{
+    const struct distortion_input *input = data;
+    return input->fit == 0 && analysis_brings(&input->question, option);
+}
+
+static bool varies(const void *data, const char *option)
+{
+    return analysis_varies(&((const struct distortion_input *)data)->question, option);
+}
+
+static const struct artifact artifacts[] = {
+    {.option = {.kind = &kind_text,
+                .name = "output",
+                .letter = 'o',
+                .value = "FILE",
+                .flags = OPTION_FILE,
+                .types = distortion_file_types,
+                .wants = "fit!=none",
+                .help = "write what --fit found: for lensfun (.xml) poly3, poly5 or ptlens, for "
+                        "OpenCV (.yml) opencv or fisheye; rows go to standard output"},
+     .is_kept = true,
+     .check = distortion_fit_check,
+     .make = distortion_fit_save},
+    {ARTIFACT_OPTION("grid", drawing_types,
+                     "draw a square grid as the lens images it, its corners at the largest field"),
+     .scope = ARTIFACT_OF_ANSWER, .check = distortion_grid_check, .make = distortion_grid},
+    {ARTIFACT_OPTION("plot", drawing_types, "draw the distortion against the field"),
+     .scope = ARTIFACT_OF_SWEEP, .make = distortion_plot},
+};
+
+#define FITTED    "; least squares over the radius"
+#define HALF_SIDE ", r = 1 at half the shorter side"
+
+static const struct explanation explanations[] = {
+    {"ideal_height projection=rectilinear",
+     "yp = n {f} tan {t}; of a near object m h; calibrated: with that focal length",
+     "the definition of the projection", NULL},
+    {"ideal_height projection=equidistant", "yp = n {f} {t}", "the definition of the projection",
+     NULL},
+    {"ideal_height projection=equisolid", "yp = 2 n {f} sin({t}/2)",
+     "the definition of the projection", NULL},
+    {"ideal_height projection=stereographic", "yp = 2 n {f} tan({t}/2)",
+     "the definition of the projection", NULL},
+    {"ideal_height projection=orthographic", "yp = n {f} sin {t}",
+     "the definition of the projection", NULL},
+    {"image_height", "y = where the ray through the centre of the stop meets the image plane",
+     "Snell's law in vectors, [Welford86]", "clear apertures do not stop it"},
+    {"distortion", "D = ({y} - {yp})/{yp}", "[Welford86]", NULL},
+    {"rms_pixels model=brown", "of r_u = r_d (1 + k1 r_d^2 + k2 r_d^4 + k3 r_d^6), r in mm" FITTED,
+     "[Brown71]", "the inverse is another polynomial of the same kind"},
+    {"rms_pixels model=opencv",
+     "of r_d = r_u (1 + k1 r_u^2 + k2 r_u^4 + k3 r_u^6), r over f" FITTED, "[OpenCV], p1 = p2 = 0",
+     "the inverse is another polynomial of the same kind"},
+    {"rms_pixels model=fisheye",
+     "of t_d = t (1 + k1 t^2 + k2 t^4 + k3 t^6 + k4 t^8), r_d = f t_d" FITTED, "[OpenCV]",
+     "the inverse is another polynomial of the same kind"},
+    {"rms_pixels model=poly3", "of r_d = r_u (1 - k1 + k1 r_u^2)" HALF_SIDE FITTED, "[Lensfun]",
+     "the inverse is another polynomial of the same kind"},
+    {"rms_pixels model=poly5", "of r_d = r_u (1 + k1 r_u^2 + k2 r_u^4)" HALF_SIDE FITTED,
+     "[Lensfun]", "the inverse is another polynomial of the same kind"},
+    {"rms_pixels model=ptlens",
+     "of r_d = r_u (a r_u^3 + b r_u^2 + c r_u + 1 - a - b - c)" HALF_SIDE FITTED, "[Lensfun]",
+     "the inverse is another polynomial of the same kind"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"distortion double-gauss", "the distortion at each field of the lens"},
+    {"distortion double-gauss --field 0..14#8 -w d,F,C", "a sweep, at three wavelengths"},
+    {"distortion fisheye-16 --field 20,40,60,80deg --projection equidistant --calibrated",
+     "a fisheye against f t, with the focal length that balances it"},
+    {"distortion canon-nfd-70-210 --position all --plot zoom.svg", "a zoom, drawn"},
+    {"distortion wide-35 --grid grid.svg", "a square grid through the lens"},
+    {"distortion wide-35 --fit ptlens -o wide-35.xml", "a profile for lensfun"},
+    {"distortion double-gauss-50 --fit opencv --pitch 4um", "coefficients for OpenCV"},
+    {NULL, NULL},
+};
+
+const struct command command_distortion = {
+    .name = "distortion",
+    .group = "analyses",
+    .summary = "image heights of exact chief rays against an ideal projection",
+    COMMAND_ASKS(struct distortion_input),
+    .choose_sheet = choose_sheet,
+    .run = run,
+    .explanations = explanations,
+    COMMAND_MAKES(artifacts),
+    .makes_many = makes_many,
+    .brings = brings,
+    .varies = varies,
+    .cell = "distortion_percent",
+};

@@ -1,0 +1,54 @@
+/* commands/analysis/distortion_asked.h - what is asked of a lens's distortion. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_ANALYSIS_DISTORTION_ASKED_H
+#define LENSCALC_COMMANDS_ANALYSIS_DISTORTION_ASKED_H
+
+#include "analysis/distortion.h"
+#include "analysis/distortion_fit.h"
+#include "commands/analysis/analysis_options.h"
+
+struct distortion_input {
+    struct analysis_question question;
+    int projection; /* 0: automatic; else 1 + enum projection */
+    bool calibrated;
+    int fit; /* 0: none; else 1 + enum distortion_model */
+    struct sensor_value sensor;
+    double pitch; /* mm; NaN = not given */
+};
+
+/* Field by field, and one answer for the whole lens. */
+extern const struct analysis_policy distortion_by_field, distortion_as_whole;
+
+/* A lens ready to be asked. */
+struct distortion_case {
+    struct distortion_map map;   /* with the scale in use */
+    double focal, magnification; /* paraxial, the one of the two that it has; else NaN */
+    double calibrated;           /* the scale in use where it is a calibrated one; else NaN */
+    const char *projection;      /* its word */
+};
+
+/*
+ * Compare the lens with the projection that is asked for.
+ *
+ * Errors    as distortion_open and distortion_calibrate, with the options' names
+ */
+bool distortion_ready(const struct distortion_input *input, const struct analysis_case *one,
+                      struct distortion_case *ready, struct error *error);
+
+/* -------- commands/analysis/distortion_models.c -------- */
+
+extern const struct sheet distortion_fit_sheet;
+
+/* The rows of --fit, and the file of --output. */
+bool distortion_fit_run(const struct distortion_input *input, struct run *run, struct error *error);
+file_types distortion_file_types;
+bool distortion_fit_check(const struct artifact_job *job, struct error *error);
+bool distortion_fit_save(const struct artifact_job *job, struct output *sink, struct error *error);
+
+/* -------- commands/analysis/distortion_view.c -------- */
+
+bool distortion_plot(const struct artifact_job *job, struct output *sink, struct error *error);
+bool distortion_grid_check(const struct artifact_job *job, struct error *error);
+bool distortion_grid(const struct artifact_job *job, struct output *sink, struct error *error);
+
+#endif

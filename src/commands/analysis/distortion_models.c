@@ -1,0 +1,409 @@
+/* commands/analysis/distortion_models.c - distortion --fit: coefficients, and files of them. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/analysis/distortion_asked.h"
+
+#include <string.h>
+
+/* -------- rows -------- */
+
+struct row {
+    struct analysis_point point;
+    const char *model, *direction, *form, *projection, *sensor, *resolution;
+    double k1, k2, k3, k4, a, b, c;
+    double rms_pixels, max_pixels, rms, max; /* the last two in mm */
+    double unit, focal, radius, pitch;       /* mm */
+};
+
+#define NUMBER(member_name, words)                                                                 \
+    {                                                                                              \
+        COLUMN(struct row, member_name),                                                           \
+            .name = #member_name, .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = #member_name,    \
+            .help = words, .digits = 7                                                             \
+    }
+#define LENGTH(member_name, in_unit, more)                                                         \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit,              \
+                                     .flags = (more)
+
+static const struct column columns[] = {
+    LENS_POSITION_COLUMN(struct row, point.position, COLUMN_BRIEF),
+    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    {COLUMN(struct row, model), .name = "model", .flags = COLUMN_BRIEF, .label = "model",
+     .help = "whose coefficients they are"},
+    {COLUMN(struct row, direction), .name = "direction", .flags = COLUMN_BRIEF,
+     .label = "direction",
+     .help = "distort: from the ideal image to the real one; undistort: back"},
+    {COLUMN(struct row, form), .name = "form", .flags = COLUMN_BRIEF, .label = "form",
+     .help = "published: as the model is defined; inverse: a polynomial of the same kind for the "
+             "other direction"},
+    NUMBER(k1, "coefficient"),
+    NUMBER(k2, "coefficient"),
+    NUMBER(k3, "coefficient"),
+    NUMBER(k4, "coefficient"),
+    NUMBER(a, "coefficient"),
+    NUMBER(b, "coefficient"),
+    NUMBER(c, "coefficient"),
+    {COLUMN(struct row, rms_pixels), .name = "rms_pixels", .flags = COLUMN_BRIEF,
+     .label = "RMS residual in pixels", .help = "what is left, over the radius of the picture"},
+    {COLUMN(struct row, max_pixels), .name = "max_pixels", .flags = COLUMN_BRIEF,
+     .label = "largest residual in pixels", .help = "the most that is left"},
+    {LENGTH(rms, "um", 0), .name = "rms", .label = "RMS residual", .help = "the same in um"},
+    {LENGTH(max, "um", 0), .name = "max", .label = "largest residual", .help = "the same in um"},
+    {LENGTH(unit, "mm", 0), .name = "unit", .label = "r = 1 is",
+     .help = "the length that the model's radius counts by"},
+    {LENGTH(focal, "mm", 0), .name = "focal", .label = "focal length",
+     .help = "of the ideal image: that of chief rays next to the axis; with --calibrated the one "
+             "that fits best"},
+    {LENGTH(radius, "mm", 0), .name = "radius", .label = "fitted radius",
+     .help = "as far from the middle as the fit goes"},
+    {COLUMN(struct row, projection), .name = "projection", .flags = COLUMN_ASSUMED,
+     .depends = "projection fit", .label = "projection", .help = "of the ideal image"},
+    {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED, .depends = "sensor",
+     .label = "sensor", .help = "format or camera"},
+    {LENGTH(pitch, "um", COLUMN_ASSUMED), .name = "pitch", .depends = "pitch sensor",
+     .label = "pixel pitch", .help = "distance of two pixels"},
+    {COLUMN(struct row, resolution), .name = "resolution", .flags = COLUMN_ASSUMED,
+     .depends = "pitch sensor", .label = "pixels", .help = "of the picture"},
+    ANALYSIS_TAIL_COLUMNS(struct row, point),
+};
+
+const struct sheet distortion_fit_sheet = SHEET(columns, struct row);
+
+/* -------- one lens in one position -------- */
+
+struct picture {
+    struct sensor size;   /* with its pitch */
+    double width, height; /* pixels */
+};
+
+static bool find_picture(const struct distortion_input *input, struct picture *picture,
+                         struct error *error)
+{
+    enum { LONGER_SIDE = 6000 };
+    const struct sensor *size = &input->sensor.size;
+    picture->size = *size;
+    if (!sensor_check(size, error)) {
+        return false;
+    }
+    if (!isnan(input->pitch)) {
+        picture->size.pitch = input->pitch;
+    } else if (isnan(size->pitch)) {
+        picture->size.pitch = fmax(size->width, size->height) / LONGER_SIDE;
+    }
+    picture->width = round(size->width / picture->size.pitch);
+    picture->height = round(size->height / picture->size.pitch);
+    return (picture->width >= 2 && picture->height >= 2) ||
+           fail(error, ERROR_DOMAIN, "{pixel pitch} %.6g mm leaves no picture of %.6g x %.6g mm",
+                picture->size.pitch, size->width, size->height);
+}
+
+/* What a model cannot be of. */
+static bool check_model(const struct distortion_input *input, struct error *error)
+{
+    const struct model_facts *facts = &distortion_models[input->fit - 1];
+    const int wanted = input->projection - 1;
+    return wanted < 0 || facts->projection == PROJECTIONS || wanted == (int)facts->projection ||
+           fail(error, ERROR_USAGE, "{--fit} %s is of %s images, not {--projection} %s",
+                facts->word.word, projections[facts->projection].word, projections[wanted].word);
+}
+
+struct found {
+    struct picture picture;
+    struct distortion_case ready;
+    struct distortion_profile profile;
+    struct distortion_fit fit;
+};
+
+static bool find(const struct distortion_input *input, const struct analysis_case *one,
+                 struct found *found, struct error *error)
+{
+    struct arena *arena = one->setup->arena;
+    if (!check_model(input, error) || !find_picture(input, &found->picture, error) ||
+        !distortion_ready(input, one, &found->ready, error)) {
+        return false;
+    }
+    const double radius = sensor_diagonal(&found->picture.size) / 2;
+    if (!distortion_trace(&found->ready.map, radius, arena, &found->profile, error)) {
+        return false;
+    }
+    const struct distortion_question question = {.model = (enum distortion_model)(input->fit - 1),
+                                                 .sensor = found->picture.size,
+                                                 .focal = input->calibrated ? (double)NAN
+                                                                            : found->profile.focal};
+    if (distortion_fit(&found->profile, &question, arena, &found->fit, error)) {
+        return true;
+    }
+    return found->profile.reached < 0.9 * radius
+               ? error_hint(error,
+                            "the image ends %.4g mm from its middle: {--sensor} may be of "
+                            "a smaller one",
+                            found->profile.reached)
+               : false;
+}
+
+static const char *warning_of(const struct analysis_case *one, const struct found *found)
+{
+    const double corner = sensor_diagonal(&found->picture.size) / 2;
+    struct arena *arena = one->setup->arena;
+    if (found->profile.reached >= corner * (1 - 1e-9)) {
+        return one->warning;
+    }
+    return lens_warnings_join(
+        one->warning,
+        arena_printf(arena,
+                     "the image ends %.4g mm from its middle, the corner of the sensor is at %.4g "
+                     "mm: the coefficients hold as far as the image goes",
+                     found->profile.reached, corner),
+        arena);
+}
+
+static double *coefficient(struct row *row, const char *name)
+{
+    const struct {
+        const char *name;
+        double *at;
+    } all[] = {{"k1", &row->k1}, {"k2", &row->k2}, {"k3", &row->k3}, {"k4", &row->k4},
+               {"a", &row->a},   {"b", &row->b},   {"c", &row->c}};
+    size_t i = 0;
+    while (strcmp(all[i].name, name) != 0) {
+        i++;
+    }
+    return all[i].at;
+}
+
+static struct row row_of(const struct analysis_case *one, const struct found *found,
+                         enum distortion_way way)
+{
+    const struct model_facts *facts = &distortion_models[found->fit.model];
+    const struct distortion_polynomial *polynomial = &found->fit.ways[way];
+    const double pitch = found->picture.size.pitch;
+    struct row row = {
+        .point = analysis_point_of(one, 0),
+        .model = facts->word.word,
+        .direction = way == WAY_DISTORT ? "distort" : "undistort",
+        .form = way == facts->way ? "published" : "inverse",
+        .projection = found->ready.projection,
+        .k1 = NAN,
+        .k2 = NAN,
+        .k3 = NAN,
+        .k4 = NAN,
+        .a = NAN,
+        .b = NAN,
+        .c = NAN,
+        .rms = polynomial->rms,
+        .max = polynomial->largest,
+        .rms_pixels = polynomial->rms / pitch,
+        .max_pixels = polynomial->largest / pitch,
+        .unit = found->fit.unit,
+        .focal = found->fit.focal,
+        .radius = found->profile.reached,
+        .pitch = pitch,
+        .resolution = arena_printf(one->setup->arena, "%.0f x %.0f", found->picture.width,
+                                   found->picture.height),
+    };
+    row.point.warning = warning_of(one, found);
+    for (size_t j = 0; j < facts->terms; j++) {
+        *coefficient(&row, facts->names[j]) = polynomial->published[j];
+    }
+    return row;
+}
+
+/* Where the rows go. */
+struct asked {
+    const struct distortion_input *input;
+    struct run *run;
+};
+
+static bool answer(const struct analysis_case *one, void *context, struct error *error)
+{
+    const struct asked *asked = context;
+    struct found found;
+    if (!find(asked->input, one, &found, error)) {
+        return false;
+    }
+    const enum distortion_way first = distortion_models[found.fit.model].way;
+    const enum distortion_way second = first == WAY_DISTORT ? WAY_UNDISTORT : WAY_DISTORT;
+    struct row rows[] = {row_of(one, &found, first), row_of(one, &found, second)};
+    rows[0].sensor = rows[1].sensor = asked->input->sensor.name;
+    return run_emit(asked->run, &rows[0]) && run_emit(asked->run, &rows[1]);
+}
+
+bool distortion_fit_run(const struct distortion_input *input, struct run *run, struct error *error)
+{
+    struct asked asked = {input, run};
+    error->code = ERROR_NONE;
+    return analysis_each(&input->question, &distortion_as_whole, run->arena, answer, &asked,
+                         error) ||
+           error->code == ERROR_NONE;
+}
+
+/* -------- files -------- */
+
+static const struct file_type lensfun_type = {{"lensfun", "lens profile"}, ".xml"};
+static const struct file_type opencv_types[] = {{{"opencv", "camera calibration"}, ".yml"},
+                                                {{"opencv", "camera calibration"}, ".yaml"}};
+
+const struct file_type *distortion_file_types(size_t i)
+{
+    return i == 0 ? &lensfun_type : i < 3 ? &opencv_types[i - 1] : NULL;
+}
+
+static bool is_for_lensfun(const struct distortion_input *input)
+{
+    return distortion_models[input->fit - 1].unit == UNIT_HALF_SIDE;
+}
+
+bool distortion_fit_check(const struct artifact_job *job, struct error *error)
+{
+    const struct distortion_input *input = job->inputs[0];
+    const char *model = distortion_models[input->fit - 1].word.word;
+    if (input->fit - 1 == MODEL_BROWN) {
+        fail(error, ERROR_USAGE, "{--output}: no file of another program has {--fit} %s", model);
+        return error_hint(error, "opencv is the same polynomial, of the other direction");
+    }
+    if (is_for_lensfun(input) != (job->type == &lensfun_type)) {
+        return fail(error, ERROR_USAGE,
+                    "{--output} '%s': {--fit} %s goes into files that end in %s", job->path, model,
+                    is_for_lensfun(input) ? ".xml" : ".yml or .yaml");
+    }
+    return is_for_lensfun(input) ||
+           !lens_positions_several(input->question.lens.lens, input->question.position) ||
+           fail(error, ERROR_USAGE, "{--output} '%s' holds one position: name it with {--position}",
+                job->path);
+}
+
+struct saving {
+    const struct distortion_input *input;
+    struct output *sink;
+    bool begun;
+};
+
+static void write_escaped(struct output *sink, const char *text)
+{
+    for (; *text != '\0'; text++) {
+        switch (*text) {
+        case '&':
+            output_string(sink, "&amp;");
+            break;
+        case '<':
+            output_string(sink, "&lt;");
+            break;
+        case '>':
+            output_string(sink, "&gt;");
+            break;
+        default:
+            output_character(sink, *text);
+        }
+    }
+}
+
+/* A profile without its coefficients. */
+static void begin_lensfun(const struct saving *saving, const struct analysis_case *one,
+                          const struct found *found)
+{
+    static const char *const types[] = {[RECTILINEAR] = "rectilinear",
+                                        [EQUIDISTANT] = "fisheye",
+                                        [EQUISOLID] = "equisolid",
+                                        [STEREOGRAPHIC] = "stereographic",
+                                        [ORTHOGRAPHIC] = "orthographic"};
+    const struct sensor *size = &found->picture.size;
+    const double longer = fmax(size->width, size->height);
+    struct output *sink = saving->sink;
+    const char *title = one->setup->lens->title;
+    output_string(sink, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                        "<!-- Made by lenscalc distortion from the exact chief rays of a design.\n"
+                        "     Maker, model and mount are to be set as cameras call them. -->\n"
+                        "<lensdatabase version=\"1\">\n"
+                        "    <lens>\n"
+                        "        <maker>lenscalc</maker>\n"
+                        "        <model>");
+    write_escaped(sink, title != NULL ? title : "lens");
+    output_printf(sink,
+                  "</model>\n"
+                  "        <mount>Generic</mount>\n"
+                  "        <cropfactor>%.6g</cropfactor>\n"
+                  "        <aspect-ratio>%.6g</aspect-ratio>\n"
+                  "        <type>%s</type>\n"
+                  "        <calibration>\n",
+                  sensor_crop(size), longer / fmin(size->width, size->height),
+                  types[found->ready.map.projection]);
+}
+
+static bool write_lensfun(const struct analysis_case *one, void *context, struct error *error)
+{
+    struct saving *saving = context;
+    struct output *sink = saving->sink;
+    struct found found;
+    if (!find(saving->input, one, &found, error)) {
+        return false;
+    }
+    if (!saving->begun) {
+        begin_lensfun(saving, one, &found);
+        saving->begun = true;
+    }
+    const struct model_facts *facts = &distortion_models[found.fit.model];
+    output_printf(sink, "            <distortion model=\"%s\" focal=\"%.4g\"", facts->word.word,
+                  found.fit.focal);
+    for (size_t j = 0; j < facts->terms; j++) {
+        output_printf(sink, " %s=\"%.9g\"", facts->names[j],
+                      found.fit.ways[WAY_DISTORT].published[j]);
+    }
+    output_printf(sink,
+                  "/>\n"
+                  "            <real-focal-length focal=\"%.4g\" real-focal=\"%.9g\"/>\n",
+                  found.fit.focal, found.fit.focal);
+    return true;
+}
+
+/* Pixel centres have whole coordinates, from 0. */
+static bool write_opencv(const struct analysis_case *one, void *context, struct error *error)
+{
+    const struct saving *saving = context;
+    struct output *sink = saving->sink;
+    struct found found;
+    if (!find(saving->input, one, &found, error)) {
+        return false;
+    }
+    const struct picture *picture = &found.picture;
+    const double f = found.fit.focal / picture->size.pitch;
+    const double *k = found.fit.ways[WAY_DISTORT].published;
+    const bool is_fisheye = found.fit.model == MODEL_FISHEYE;
+    output_printf(sink,
+                  "%%YAML:1.0\n---\n"
+                  "# made by lenscalc distortion from the exact chief rays of a design\n"
+                  "image_width: %.0f\nimage_height: %.0f\n"
+                  "fisheye_model: %d\n"
+                  "camera_matrix: !!opencv-matrix\n"
+                  "   rows: 3\n   cols: 3\n   dt: d\n"
+                  "   data: [ %.16e, 0., %.16e,\n"
+                  "       0., %.16e, %.16e,\n"
+                  "       0., 0., 1. ]\n",
+                  picture->width, picture->height, is_fisheye, f, (picture->width - 1) / 2, f,
+                  (picture->height - 1) / 2);
+    output_printf(sink,
+                  "distortion_coefficients: !!opencv-matrix\n"
+                  "   rows: %d\n   cols: 1\n   dt: d\n",
+                  is_fisheye ? 4 : 5);
+    if (is_fisheye) {
+        output_printf(sink, "   data: [ %.16e, %.16e,\n       %.16e, %.16e ]\n", k[0], k[1], k[2],
+                      k[3]);
+    } else {
+        output_printf(sink, "   data: [ %.16e, %.16e, 0., 0.,\n       %.16e ]\n", k[0], k[1], k[2]);
+    }
+    return true;
+}
+
+bool distortion_fit_save(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    const struct distortion_input *input = job->inputs[0];
+    struct saving saving = {.input = input, .sink = sink};
+    const bool lensfun = is_for_lensfun(input);
+    if (!analysis_each(&input->question, &distortion_as_whole, job->run->arena,
+                       lensfun ? write_lensfun : write_opencv, &saving, error)) {
+        return false;
+    }
+    if (lensfun) {
+        output_string(sink, "        </calibration>\n    </lens>\n</lensdatabase>\n");
+    }
+    return true;
+}

@@ -1,0 +1,157 @@
+/* draw/grid_image.c - a square grid as a lens images it. */
+/* SPDX-License-Identifier: MIT */
+#include "draw/grid_image.h"
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "draw/svg.h"
+#include "draw/ticks.h"
+
+#include <math.h>
+
+static const double LEFT = 76, TOP = 104, SIDE = 520, RIGHT = 28, BOTTOM = 92; /* px */
+static const double TICK = 5, MARGIN = 1.04;
+
+/* The page: a square of the image, its centre on the axis. */
+struct page {
+    const struct grid_image *grid;
+    struct svg *svg;
+    double reach; /* of the axes from the centre, mm */
+};
+
+static double page_x(const struct page *page, double x)
+{
+    return LEFT + SIDE / 2 * (1 + x / page->reach);
+}
+
+static double page_y(const struct page *page, double y)
+{
+    return TOP + SIDE / 2 * (1 - y / page->reach);
+}
+
+static void write_text(const struct page *page, double x, double y, double size,
+                       enum svg_anchor anchor, const char *text)
+{
+    const struct svg_label label = {.x = x, .y = y, .size = size, .anchor = anchor};
+    svg_text(page->svg, &label, text);
+}
+
+static bool find_reach(const struct grid_image *grid, double *reach, struct error *error)
+{
+    const size_t count = 2 * grid->lines * grid->points;
+    bool any = false;
+    *reach = grid->half;
+    for (size_t i = 0; i < count; i++) {
+        const double far = fmax(fabs(grid->x[i]), fabs(grid->y[i]));
+        if (isfinite(far)) {
+            *reach = fmax(*reach, far);
+            any = true;
+        }
+    }
+    *reach *= MARGIN;
+    return any || fail(error, ERROR_DOMAIN,
+                       "no point of the grid is imaged: there is nothing to "
+                       "draw");
+}
+
+static void draw_axes(const struct page *page)
+{
+    struct ticks ticks;
+    const struct svg_style frame = {.stroke = "#444444"};
+    struct svg *svg = page->svg;
+    ticks_linear(-page->reach, page->reach, &ticks);
+    svg_group_begin(svg, &frame);
+    svg_rect(svg, LEFT, TOP, SIDE, SIDE);
+    for (size_t i = 0; i < ticks.count; i++) {
+        if (fabs(ticks.value[i]) <= page->reach) {
+            const double x = page_x(page, ticks.value[i]), y = page_y(page, ticks.value[i]);
+            svg_line(svg, x, TOP + SIDE, x, TOP + SIDE + TICK);
+            svg_line(svg, LEFT, y, LEFT - TICK, y);
+        }
+    }
+    svg_group_end(svg);
+    for (size_t i = 0; i < ticks.count; i++) {
+        if (fabs(ticks.value[i]) <= page->reach) {
+            const char *text = ticks_text(svg->arena, &ticks, i);
+            write_text(page, page_x(page, ticks.value[i]), TOP + SIDE + 20, 12, SVG_MIDDLE, text);
+            write_text(page, LEFT - 9, page_y(page, ticks.value[i]) + 4, 12, SVG_END, text);
+        }
+    }
+    write_text(page, LEFT + SIDE / 2, TOP + SIDE + 40, 13, SVG_MIDDLE, "x in the image (mm)");
+    const struct svg_label up = {
+        .x = 22, .y = TOP + SIDE / 2, .size = 13, .rotation = -90, .anchor = SVG_MIDDLE};
+    svg_text(svg, &up, "y in the image (mm)");
+}
+
+static const struct svg_style ideal_style = {.stroke = "#777777", .dash = "5 4", .width = 1};
+static const struct svg_style image_style = {.stroke = "#0060a0", .width = 1.6};
+
+static void draw_ideal(const struct page *page)
+{
+    const struct grid_image *grid = page->grid;
+    svg_group_begin(page->svg, &ideal_style);
+    for (size_t k = 0; k < grid->lines; k++) {
+        const double at =
+            grid->half * (2 * (double)k / (double)(grid->lines > 1 ? grid->lines - 1 : 1) - 1);
+        const double low = page_x(page, -grid->half), high = page_x(page, grid->half);
+        svg_line(page->svg, low, page_y(page, at), high, page_y(page, at));
+        svg_line(page->svg, page_x(page, at), page_y(page, -grid->half), page_x(page, at),
+                 page_y(page, grid->half));
+    }
+    svg_group_end(page->svg);
+}
+
+static void draw_image(const struct page *page, double *x, double *y)
+{
+    const struct grid_image *grid = page->grid;
+    svg_clip_begin(page->svg, LEFT, TOP, SIDE, SIDE);
+    svg_group_begin(page->svg, &image_style);
+    for (size_t k = 0; k < 2 * grid->lines; k++) {
+        for (size_t i = 0; i < grid->points; i++) {
+            x[i] = page_x(page, grid->x[k * grid->points + i]);
+            y[i] = page_y(page, grid->y[k * grid->points + i]);
+        }
+        svg_polyline(page->svg, x, y, grid->points);
+    }
+    svg_group_end(page->svg);
+    svg_group_end(page->svg);
+}
+
+static void draw_legend(const struct page *page)
+{
+    const double y = TOP + SIDE + 66, middle = LEFT + SIDE / 2;
+    const struct grid_image *grid = page->grid;
+    svg_group_begin(page->svg, &image_style);
+    svg_line(page->svg, LEFT, y - 4, LEFT + 34, y - 4);
+    svg_group_end(page->svg);
+    write_text(page, LEFT + 42, y, 12, SVG_START, grid->image_label);
+    svg_group_begin(page->svg, &ideal_style);
+    svg_line(page->svg, middle, y - 4, middle + 34, y - 4);
+    svg_group_end(page->svg);
+    write_text(page, middle + 42, y, 12, SVG_START, grid->ideal_label);
+}
+
+bool grid_image_draw(const struct grid_image *grid, struct svg *svg, struct error *error)
+{
+    struct page page = {.grid = grid, .svg = svg};
+    if (!find_reach(grid, &page.reach, error)) {
+        return false;
+    }
+    const double width = LEFT + SIDE + RIGHT, room = width - 48;
+    double *x = ARENA_ARRAY(svg->arena, grid->points, double);
+    double *y = ARENA_ARRAY(svg->arena, grid->points, double);
+    svg_begin(svg, width, TOP + SIDE + BOTTOM, grid->title);
+    const struct svg_label title = {
+        .x = 24, .y = 32, .size = 16, .width = 0.93 * room, .bold = true};
+    svg_text(svg, &title, grid->title);
+    const struct svg_label subtitle = {.x = 24, .y = 54, .size = 12, .width = room};
+    svg_text(svg, &subtitle, grid->subtitle);
+    const struct svg_label note = {.x = 24, .y = 72, .size = 12, .width = room};
+    svg_text(svg, &note, grid->note);
+    draw_axes(&page);
+    draw_ideal(&page);
+    draw_image(&page, x, y);
+    draw_legend(&page);
+    svg_end(svg);
+    return true;
+}
