@@ -16,6 +16,7 @@ extern const struct command command_spot, command_fan, command_field;
 extern const struct command command_distortion;
 extern const struct command command_fit;
 extern const struct command command_help, command_completion;
+extern const struct command command_illumination;
 
 const struct command *const commands[] = {
     &command_dof,
@@ -43,6 +44,7 @@ const struct command *const commands[] = {
     &command_draw, /* a lens */
     &command_seidel,
     &command_spot,
+    &command_illumination,
     &command_fan,
     &command_field,
     &command_color,

@@ -29,6 +29,13 @@ DRAWINGS = ("double-gauss", "double-gauss --planes", "double-gauss --constructio
 # other commands that draw, {} is the file
 OTHERS = ("dof -f 50mm -N 5.6 -s 3m --scale {}", "dof -f 50mm -N 2.8,5.6,11 -s 0.5..20#50 --plot {}",
           "tilt -f 150 -N 22 --hinge 1.6m --angle 90deg --sensor 4x5 --wedge {}",
+          "field double-gauss --plot {}", "field fisheye-16 --plot {}",
+          "field canon-nfd-70-210 --position all --plot {}", "field phone-80deg --plot {}",
+          "field questar-35 --plot {}", "field edmund-49-847 --plot {}",
+          "illumination double-gauss --plot {}", "illumination fisheye-16 --plot {}",
+          "illumination canon-nfd-70-210 --position all --plot {}",
+          "illumination phone-80deg --plot {}", "illumination questar-35 --plot {}",
+          "illumination edmund-49-847 --plot {}",
           "glass --abbe {} --catalog SCHOTT", "lens double-gauss -w 400..700#31 --plot {}",
           "fan double-gauss --plot {}", "fan fisheye-16 --field 0,50deg --plot {}",
           "fan canon-nfd-70-210 --position all --plot {}", "fan phone-80deg --show opd --plot {}",

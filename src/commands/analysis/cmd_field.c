@@ -1,7 +1,7 @@
 /* commands/analysis/cmd_field.c - lenscalc field: field curvature and astigmatism. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/field_curvature.h"
-#include "commands/analysis/analysis_options.h"
+#include "commands/analysis/analysis_words.h"
 #include "draw/panels.h"
 
 #include <string.h>
@@ -167,34 +167,6 @@ struct painter {
     size_t count, room;
 };
 
-/* What is asked for beside the lens's own state: "wide, 587.56 nm, object at 2000 mm". */
-static const char *case_words(const struct analysis_case *one, bool always, struct arena *arena)
-{
-    const struct analysis_question *question = one->question;
-    const struct setup *setup = one->setup;
-    const char *words = setup->position;
-    const struct {
-        bool shown;
-        const char *before;
-        double value;
-        const char *behind;
-    } parts[] = {
-        {always || question->wavelength.name != NULL, "", 1000 * setup->wavelengths[0].wavelength,
-         " nm"},
-        {!isnan(question->object), "object at ", question->object, " mm"},
-        {!isnan(question->fnumber), "f/", question->fnumber, ""},
-        {!isnan(question->defocus) && !always, "defocus ", question->defocus, " mm"},
-    };
-    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
-        if (parts[i].shown) {
-            words = arena_printf(arena, "%s%s%s%.6g%s", words != NULL ? words : "",
-                                 words != NULL ? ", " : "", parts[i].before, parts[i].value,
-                                 parts[i].behind);
-        }
-    }
-    return words;
-}
-
 /* How far a field lies along the direction of the farthest one. */
 static double along(const struct field_point *edge, const struct field_point *point)
 {
@@ -208,9 +180,7 @@ static bool add_field(const struct analysis_case *one, size_t field, void *conte
     struct painter *painter = context;
     struct arena *arena = painter->run->arena;
     const struct field_point *point = &one->setup->fields[field].point;
-    const char *words = arena_printf(
-        arena, "%s; image plane %s, %.6g mm from the last vertex", case_words(one, true, arena),
-        one->setup->focus != NULL ? one->setup->focus : "none", one->setup->image);
+    const char *words = analysis_case_words(one, true, arena);
     struct curves *curves = NULL;
     (void)error;
     for (size_t i = 0; i < painter->count; i++) {
@@ -224,7 +194,7 @@ static bool add_field(const struct analysis_case *one, size_t field, void *conte
                                      sizeof *painter->curves);
         curves = &painter->curves[painter->count++];
         *curves = (struct curves){.words = words,
-                                  .name = case_words(one, false, arena),
+                                  .name = analysis_case_words(one, false, arena),
                                   .setup = one->setup,
                                   .edge = *point};
     }

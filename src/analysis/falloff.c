@@ -1,0 +1,219 @@
+/* analysis/falloff.c - light over the image, from both sides. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/falloff.h"
+
+#include "base/constants.h"
+#include "trace/aim.h"
+#include "trace/dispatch.h"
+
+#include <math.h>
+
+static bool check(const struct falloff_question *question, struct error *error)
+{
+    const struct setup *setup = question->setup;
+    const struct lens *lens = setup->lens;
+    const double wanted = question->stop_diameter;
+    if (lens->stop == LENS_NONE) {
+        return fail(error, ERROR_DOMAIN, "the lens has no stop: what limits its light is unknown");
+    }
+    if (setup->first.is_telecentric) {
+        return fail(error, ERROR_DOMAIN,
+                    "the object space of the lens is telecentric, and what is asked here is of "
+                    "beams that the stop limits");
+    }
+    const struct surface *stop = &lens->surfaces[lens->stop];
+    if (stop->has_diameter && wanted > stop->diameter.value.hi * (1 + 1e-12)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{stop diameter} %.6g mm: the lens has room for %.6g mm at most", wanted,
+                    stop->diameter.value.hi);
+    }
+    if (isnan(wanted) && !(setup->first.stop_radius > 0)) {
+        fail(error, ERROR_DOMAIN, "the stop has no diameter: how much light comes is not known");
+        return error_hint(error, "give an f-number, or a diameter in the file");
+    }
+    if (isnan(setup->image) || setup->image == 0) {
+        fail(error, ERROR_DOMAIN, "the image plane lies %s",
+             setup->image == 0 ? "in the last vertex" : "at infinity");
+        return error_hint(error, "say with {focus} how far behind the last vertex it is");
+    }
+    return true;
+}
+
+static bool open_systems(struct falloff *falloff, struct error *error)
+{
+    const struct setup *setup = &falloff->setup;
+    const struct lens *bare = illumination_stop_only(setup->lens, setup->arena);
+    struct system *stop[2];
+    for (unsigned back = 0; back < 2; back++) {
+        stop[back] = ARENA_NEW(setup->arena, struct system);
+        const unsigned way = back == 1 ? SETUP_REVERSED : 0;
+        if (!setup_compile(setup, bare, 0, SETUP_CLIPPED | way, stop[back], error)) {
+            return false;
+        }
+    }
+    falloff->film_stop = stop[1];
+    falloff->film = falloff->film_stop;
+    falloff->field = stop[0];
+    falloff->film_open = setup_system(setup, 0, SETUP_REVERSED, error);
+    falloff->field_open = setup_system(setup, 0, SETUP_OPEN, error);
+    if (falloff->clip) {
+        falloff->film = setup_system(setup, 0, SETUP_CLIPPED | SETUP_REVERSED, error);
+        falloff->field = setup_system(setup, 0, SETUP_CLIPPED, error);
+    }
+    return falloff->film_open != NULL && falloff->field_open != NULL && falloff->film != NULL &&
+           falloff->field != NULL;
+}
+
+/* -------- both sides of one point -------- */
+
+/* The beam of an object point and its chief ray; false: there is none. */
+static bool find_chief(const struct falloff *falloff, const struct field_point *field,
+                       struct beam *beam, double chief[2], struct error *error)
+{
+    struct aim aim;
+    if (!setup_beam(&falloff->setup, field, beam, error) ||
+        !aim_open(falloff->field_open, beam, falloff->setup.arena, &aim, error)) {
+        return false;
+    }
+    chief[0] = aim.chief[0];
+    chief[1] = aim.chief[1];
+    return true;
+}
+
+/* The chief ray behind the lens. */
+static struct ray chief_behind(const struct falloff *falloff, const struct beam *beam,
+                               const double chief[2])
+{
+    const struct rays rays = rays_new(falloff->setup.arena, 1);
+    const struct ray start = beam_ray(beam, chief[0], chief[1]);
+    rays_set(&rays, 0, beam->n, &start);
+    rays_trace(falloff->field_open, &rays, NULL);
+    return rays_get(&rays, 0, falloff->field_open->index_last);
+}
+
+static struct illumination from_film(const struct falloff *falloff, const struct system *clipped,
+                                     const struct beam *beam, const double *inside)
+{
+    const struct illumination_question question = {.clipped = clipped,
+                                                   .open = falloff->film_open,
+                                                   .beam = beam,
+                                                   .first = &falloff->first,
+                                                   .inside = inside,
+                                                   .error = falloff->error};
+    return illumination_of_film(&question, falloff->setup.arena);
+}
+
+static double from_field(const struct falloff *falloff, const struct beam *beam,
+                         const double chief[2])
+{
+    const struct illumination_question question = {.clipped = falloff->field,
+                                                   .open = falloff->field_open,
+                                                   .beam = beam,
+                                                   .first = &falloff->first,
+                                                   .inside = chief,
+                                                   .error = falloff->error};
+    return illumination_of_field(&question, falloff->setup.arena).value;
+}
+
+/* 1 - E/E of the stop alone; what is less than the errors of the two is 0. */
+static double vignetted_of(const struct illumination *light, const struct illumination *stop)
+{
+    const double taken = 1 - light->value / stop->value;
+    const double doubt = (light->error + stop->error) / stop->value;
+    return !(stop->value > 0) ? (double)NAN : fabs(taken) <= doubt ? 0 : taken;
+}
+
+/* Without ratios to the axis. */
+static struct falloff_point look(const struct falloff *falloff, const double height[2],
+                                 double *field)
+{
+    const struct setup *setup = &falloff->setup;
+    const struct field_point at = {FIELD_REAL, {height[0], height[1]}};
+    const struct beam film = beam_from_film((double[3]){height[0], height[1], setup->image},
+                                            falloff->film_open->index_first);
+    struct falloff_point point = {.height = {height[0], height[1]}, .angle = NAN, .cos4 = NAN};
+    struct beam beam;
+    double chief[2], inside[2];
+    struct error ignored;
+    bool found = find_chief(falloff, &at, &beam, chief, &ignored);
+    *field = NAN;
+    if (found) {
+        const struct ray behind = chief_behind(falloff, &beam, chief);
+        beam_place(&film, behind.point, inside);
+        point.angle = atan2(hypot(beam.axis[0], beam.axis[1]), beam.axis[2]);
+        point.cos4 = point.angle < PI / 2 ? pow(beam.axis[2], 4) : 0;
+        *field = from_field(falloff, &beam, chief);
+        found = behind.status == RAY_OK;
+    }
+    point.light = from_film(falloff, falloff->film, &film, found ? inside : NULL);
+    point.vignetted = 0;
+    if (falloff->clip) {
+        const struct illumination stop =
+            from_film(falloff, falloff->film_stop, &film, found ? inside : NULL);
+        point.vignetted = vignetted_of(&point.light, &stop);
+    }
+    return point;
+}
+
+struct falloff_point falloff_at(const struct falloff *falloff, const double height[2])
+{
+    const struct arena_mark mark = arena_mark(falloff->setup.arena);
+    double field;
+    struct falloff_point point = look(falloff, height, &field);
+    const double axis = falloff->axis.value;
+    arena_reset(falloff->setup.arena, mark);
+    point.relative_point = axis > 0 ? point.light.value / axis : (double)NAN;
+    point.relative_field = falloff->axis_field > 0 ? field / falloff->axis_field : (double)NAN;
+    return point;
+}
+
+bool falloff_height(const struct falloff *falloff, const struct field_point *field,
+                    double height[2], struct error *error)
+{
+    struct beam beam;
+    double chief[2];
+    if (!find_chief(falloff, field, &beam, chief, error)) {
+        return false;
+    }
+    const struct ray behind = chief_behind(falloff, &beam, chief);
+    if (behind.status != RAY_OK) {
+        return fail(error, ERROR_DOMAIN, "the chief ray is lost at surface %zu: %s", behind.surface,
+                    ray_status_name(behind.status));
+    }
+    const double t = (falloff->setup.image - behind.point[2]) / behind.cosine[2];
+    for (int i = 0; i < 2; i++) {
+        height[i] = behind.point[i] + t * behind.cosine[i];
+    }
+    return true;
+}
+
+bool falloff_open(const struct falloff_question *question, struct falloff *falloff,
+                  struct error *error)
+{
+    const struct setup *setup = question->setup;
+    struct setup_light light;
+    if (!check(question, error)) {
+        return false;
+    }
+    *falloff = (struct falloff){
+        .setup = setup_at_wavelength(setup, setup->wavelengths[question->wavelength].wavelength,
+                                     setup->arena),
+        .error = question->error,
+        .clip = question->clip,
+    };
+    struct setup *own = &falloff->setup;
+    if (!isnan(question->stop_diameter)) {
+        const struct field_point edge = setup_edge_in_object(setup);
+        first_order_use_stop(&own->first, &own->object, question->stop_diameter / 2, edge.kind,
+                             edge.value[setup_axis(setup)]);
+    }
+    if (!setup_light(own, 0, &light, error)) {
+        return false;
+    }
+    falloff->first = light.first;
+    if (!open_systems(falloff, error)) {
+        return false;
+    }
+    falloff->axis = look(falloff, (double[2]){0, 0}, &falloff->axis_field).light;
+    return true;
+}

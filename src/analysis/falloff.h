@@ -1,0 +1,65 @@
+/* analysis/falloff.h - light over the image: its fall towards the edge, and vignetting. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_ANALYSIS_FALLOFF_H
+#define LENSCALC_ANALYSIS_FALLOFF_H
+
+#include "analysis/illumination.h"
+#include "analysis/setup.h"
+
+/* A lens at one wavelength, with the light in the middle of its image. */
+struct falloff {
+    struct setup setup; /* with the stop that was asked for */
+    double error;
+    bool clip;
+    /* reversed: all apertures, none, the stop alone; forward: all, none */
+    const struct system *film, *film_open, *film_stop, *field, *field_open;
+    struct first_order first; /* at that wavelength */
+    struct illumination axis; /* of the film */
+    double axis_field;        /* by the rays of the object point on the axis; NaN: none */
+};
+
+struct falloff_question {
+    const struct setup *setup; /* with its image plane; must outlive the falloff */
+    size_t wavelength;         /* its place in the list */
+    double stop_diameter;      /* mm, in place of that of the setup; NaN = that */
+    double error;              /* relative, of each integral */
+    bool clip;                 /* apertures take light; else the stop alone does */
+};
+
+/*
+ * Make a lens ready.
+ *
+ * Errors    ERROR_DOMAIN: no stop, no diameter of it, one beyond its own; a telecentric object
+ *           space; no image plane, or one in the last vertex
+ */
+bool falloff_open(const struct falloff_question *question, struct falloff *falloff,
+                  struct error *error);
+
+/* A point of the image. */
+struct falloff_point {
+    double height[2];          /* x, y in the image plane, mm */
+    double angle;              /* of the light before the lens from the axis, of the chief ray that
+                                  comes here, rad; NaN: there is none */
+    struct illumination light; /* E/L */
+    double relative_point;     /* over that on the axis */
+    double relative_field;     /* the same by the rays of the object point; NaN: no chief ray */
+    double vignetted;          /* share of what the stop alone would let pass that apertures take */
+    double cos4;               /* cos^4 of the angle; NaN without one */
+};
+
+/*
+ * The light in a point of the image plane, and that of the object point whose chief ray comes here.
+ *
+ * Formula   analysis/illumination.h; the chief ray by setup_beam
+ */
+struct falloff_point falloff_at(const struct falloff *falloff, const double height[2]);
+
+/*
+ * Where the chief ray of a field meets the image plane.
+ *
+ * Errors    as setup_beam and aim_open; ERROR_DOMAIN: the chief ray is lost
+ */
+bool falloff_height(const struct falloff *falloff, const struct field_point *field,
+                    double height[2], struct error *error);
+
+#endif

@@ -1,0 +1,32 @@
+/* commands/analysis/analysis_words.c - what a case is called in drawings. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_words.h"
+
+const char *analysis_case_words(const struct analysis_case *one, bool whole, struct arena *arena)
+{
+    const struct analysis_question *question = one->question;
+    const struct setup *setup = one->setup;
+    const char *words = setup->position;
+    const struct {
+        bool shown;
+        const char *before;
+        double value;
+        const char *behind;
+    } parts[] = {
+        {whole || question->wavelength.name != NULL, "", 1000 * setup->wavelengths[0].wavelength,
+         " nm"},
+        {!isnan(question->object), "object at ", question->object, " mm"},
+        {!isnan(question->fnumber), "f/", question->fnumber, ""},
+        {!isnan(question->defocus) && !whole, "defocus ", question->defocus, " mm"},
+    };
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        if (parts[i].shown) {
+            words = arena_printf(arena, "%s%s%s%.6g%s", words != NULL ? words : "",
+                                 words != NULL ? ", " : "", parts[i].before, parts[i].value,
+                                 parts[i].behind);
+        }
+    }
+    return !whole ? words
+                  : arena_printf(arena, "%s; image plane %s, %.6g mm from the last vertex", words,
+                                 setup->focus != NULL ? setup->focus : "none", setup->image);
+}

@@ -1,0 +1,483 @@
+/* commands/analysis/cmd_illumination.c - lenscalc illumination: light over the image. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/falloff.h"
+#include "commands/analysis/analysis_words.h"
+#include "draw/plot.h"
+
+#include <string.h>
+
+struct input {
+    struct analysis_question question;
+    double stop_diameter; /* mm; NaN = not given */
+};
+
+static const struct option options[] = {
+    ANALYSIS_OPTIONS(struct input, question, LENS_PRIMARY_WAVELENGTH),
+    {ANALYSIS_LENGTH(struct input, question.height), .name = "height", .column = "height",
+     .flags = OPTION_NO_INFINITY,
+     .help = "a point of the image, so far from the axis, a list is swept; default from the axis "
+             "by tenths to the image of the largest field"},
+    {ANALYSIS_LENGTH(struct input, question.height_x), .name = "height-x", .column = "height_x",
+     .flags = OPTION_NO_INFINITY, .help = "so far beside it in x"},
+    {OPTION(struct input, question.field), .name = "field", .column = "field",
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -PI, .highest = PI,
+     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
+     .help = "the point where the chief ray of this field comes to, a list is swept"},
+    LENS_FIELD_X_OPTION(struct input, question.field_x),
+    {ANALYSIS_LENGTH(struct input, stop_diameter), .name = "stop-diameter", .lowest = 0,
+     .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
+     .column = "stop_diameter", .excludes = "aperture",
+     .help = "diameter of the stop, in place of the lens's own aperture"},
+    {OPTION(struct input, question.error), .name = "error", .dimension = &dimension_number,
+     .lowest = 1e-13, .highest = 1, .fallback = "1e-4", .value = "NUMBER",
+     .help = "rays are doubled until irradiances are right to this share of them"},
+    ANALYSIS_CLIP_OPTIONS(struct input, question),
+};
+
+struct row {
+    struct analysis_point point;
+    double height, height_x, field; /* mm, rad */
+    double irradiance, error, relative_point, relative_field, vignetted, cos4;
+    double stop_diameter; /* mm; NaN = that of the lens */
+};
+
+#define LENGTH(member_name, more)                                                                  \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "mm", .flags = (more)
+#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+
+static const struct column columns[] = {
+    LENS_POSITION_COLUMN(struct row, point.position, COLUMN_BRIEF),
+    {LENGTH(height, COLUMN_BRIEF | COLUMN_ECHO), .name = "height", .symbol = "h", .with = "height",
+     .label = "height", .help = "of the point, in the image plane"},
+    {LENGTH(height_x, COLUMN_BRIEF | COLUMN_EXTRA), .name = "height_x", .with = "height-x field-x",
+     .label = "height x", .help = "the same in x"},
+    {COLUMN(struct row, field), .name = "field", .symbol = "t", .dimension = &dimension_angle,
+     .unit = "deg", .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = "field",
+     .help = "angle from the axis, before the lens, of the light whose chief ray comes there; "
+             "absent where none does"},
+    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
+    {LENGTH(stop_diameter, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA), .name = "stop_diameter",
+     .with = "stop-diameter", .label = "stop", .help = "diameter of the stop"},
+    {PLAIN(irradiance, COLUMN_BRIEF), .name = "irradiance_per_radiance", .symbol = "E",
+     .label = "E/L", .head = "E/L",
+     .help = "irradiance per radiance of a scene that is as bright everywhere"},
+    {PLAIN(error, COLUMN_BRIEF), .name = "irradiance_error", .label = "error", .head = "error",
+     .digits = 2, .help = "what that may be off: what twice the rays change of it"},
+    {PLAIN(relative_point, COLUMN_BRIEF), .name = "relative_point", .label = "E/E axis",
+     .head = "E/E axis", .help = "irradiance of the point over that on the axis"},
+    {PLAIN(relative_field, COLUMN_BRIEF | COLUMN_SPARSE), .name = "relative_field",
+     .label = "by field", .head = "by field",
+     .help = "the same by the rays of the object point whose chief ray comes there, wherever they "
+             "meet; absent where none does"},
+    {PLAIN(vignetted, COLUMN_BRIEF), .name = "vignetted_fraction", .label = "vignetted",
+     .head = "vignetted",
+     .help = "share of what the stop alone would let pass that apertures and obstructions take"},
+    {PLAIN(cos4, 0), .name = "cos4", .label = "cos^4",
+     .help = "fourth power of the cosine of the field angle, for comparison"},
+    ANALYSIS_TAIL_COLUMNS(struct row, point),
+};
+
+static struct row row_of(const struct analysis_point *point)
+{
+    return (struct row){.point = *point,
+                        .height = NAN,
+                        .height_x = NAN,
+                        .field = NAN,
+                        .irradiance = NAN,
+                        .error = NAN,
+                        .relative_point = NAN,
+                        .relative_field = NAN,
+                        .vignetted = NAN,
+                        .cos4 = NAN,
+                        .stop_diameter = NAN};
+}
+
+/* -------- points of the image -------- */
+
+static bool open_falloff(const struct analysis_case *one, const struct input *input,
+                         struct falloff *falloff, struct error *error)
+{
+    const struct falloff_question question = {.setup = one->setup,
+                                              .stop_diameter = input->stop_diameter,
+                                              .error = input->question.error,
+                                              .clip = one->clip};
+    return falloff_open(&question, falloff, error);
+}
+
+static bool asks_height(const struct input *input)
+{
+    return !isnan(input->question.height) || !isnan(input->question.height_x);
+}
+
+static bool asks_point(const struct input *input)
+{
+    return asks_height(input) || !isnan(input->question.field) || !isnan(input->question.field_x);
+}
+
+/* The last point. */
+struct ending {
+    double height[2]; /* x, y, mm */
+    double share;     /* of the largest field; 1 where a point is asked for */
+};
+
+/* Where the chief ray of the largest field comes to, or of the largest that has one. */
+static bool find_edge(const struct falloff *falloff, const struct field_point *edge,
+                      struct ending *ending, struct error *error)
+{
+    enum { TRIES = 20 };
+    struct error none;
+    for (int try = 0; try < TRIES; try++) {
+        const double share = 1 - (double)try / TRIES;
+        const struct field_point point = {edge->kind,
+                                          {share * edge->value[0], share * edge->value[1]}};
+        if (falloff_height(falloff, &point, ending->height, try == 0 ? error : &none)) {
+            ending->share = share;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The point that is asked for; without one the edge of the image, upwards in a round lens. */
+static bool find_point(const struct analysis_case *one, size_t field, const struct input *input,
+                       const struct falloff *falloff, struct ending *ending, struct error *error)
+{
+    const struct field_point *point = &one->setup->fields[field].point;
+    double *height = ending->height;
+    *ending = (struct ending){.height = {point->value[0], point->value[1]}, .share = 1};
+    if (asks_height(input)) {
+        return true;
+    }
+    if (asks_point(input)) {
+        return falloff_height(falloff, point, height, error);
+    }
+    if (!find_edge(falloff, point, ending, error)) {
+        return false;
+    }
+    if (lens_is_round(one->setup->lens)) {
+        height[1] = hypot(height[0], height[1]);
+        height[0] = 0;
+    }
+    return true;
+}
+
+/* Where the rows go. */
+struct asked {
+    const struct input *input;
+    struct run *run;
+};
+
+static bool emit(const struct asked *asked, const struct analysis_case *one, size_t field,
+                 double share, const struct falloff_point *found)
+{
+    const struct analysis_point point = analysis_point_of(one, field);
+    struct row row = row_of(&point);
+    row.height = found->height[1];
+    row.height_x = found->height[0];
+    row.field = found->angle;
+    row.irradiance = found->light.value;
+    row.error = found->light.error;
+    row.relative_point = found->relative_point;
+    row.relative_field = found->relative_field;
+    row.vignetted = found->vignetted;
+    row.cos4 = found->cos4;
+    row.stop_diameter = asked->input->stop_diameter;
+    const char *const warnings[] = {
+        found->light.is_met ? NULL : "the irradiance has not converged: see its error",
+        share < 1
+            ? "no chief ray of the largest field comes to the image: the points end where one "
+              "does"
+            : NULL};
+    for (size_t i = 0; i < sizeof warnings / sizeof warnings[0]; i++) {
+        row.point.warning = lens_warnings_join(row.point.warning, warnings[i], asked->run->arena);
+    }
+    return run_emit(asked->run, &row);
+}
+
+static bool answer(const struct analysis_case *one, size_t field, void *context,
+                   struct error *error)
+{
+    enum { STEPS = 10 };
+    const struct asked *asked = context;
+    struct falloff falloff;
+    struct ending end;
+    if (!open_falloff(one, asked->input, &falloff, error) ||
+        !find_point(one, field, asked->input, &falloff, &end, error)) {
+        return false;
+    }
+    const int first = asks_point(asked->input) ? STEPS : 0;
+    for (int step = first; step <= STEPS; step++) {
+        const double share = (double)step / STEPS;
+        const double at[2] = {share * end.height[0], share * end.height[1]};
+        const struct falloff_point found = falloff_at(&falloff, at);
+        if (!emit(asked, one, field, end.share, &found)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool lost(const struct analysis_point *point, void *context)
+{
+    const struct asked *asked = context;
+    const struct row row = row_of(point);
+    return run_emit(asked->run, &row);
+}
+
+static const struct analysis_answers answers = {answer, lost};
+
+/* Without a point the edge of the field, and that is not the axis. */
+static struct analysis_policy policy_of(const struct input *input)
+{
+    return (struct analysis_policy){.wavelengths = WAVELENGTHS_PRIMARY,
+                                    .fields = asks_point(input) ? FIELDS_ALL : FIELDS_EDGE,
+                                    .one_wavelength = true};
+}
+
+/* A height is one in the image, where light arrives: that of the real image. */
+static struct analysis_question question_of(const struct input *input)
+{
+    struct analysis_question question = input->question;
+    question.real = true;
+    return question;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    struct asked asked = {data, run};
+    const struct analysis_question question = question_of(data);
+    const struct analysis_policy policy = policy_of(data);
+    return analysis_each_field(&question, &policy, run, &answers, &asked, error);
+}
+
+static bool makes_many(const void *data)
+{
+    const struct input *input = data;
+    return !asks_point(input) ||
+           lens_positions_several(input->question.lens.lens, input->question.position);
+}
+
+static bool brings(const void *data, const char *option)
+{
+    return analysis_brings(&((const struct input *)data)->question, option);
+}
+
+static bool varies(const void *data, const char *option)
+{
+    return analysis_varies(&((const struct input *)data)->question, option);
+}
+
+/* -------- the plot -------- */
+
+/* One lens in one case, and how far its image is looked at. */
+struct curve {
+    const char *words, *name; /* analysis_case_words, whole and not */
+    const char *title;        /* of the lens */
+    struct falloff falloff;
+    double farthest[2], reach; /* the point farthest from the axis, mm */
+};
+
+enum { POINTS = 41, MOST_CURVES = 12, SERIES = 4 };
+
+struct painter {
+    const struct input *input;
+    struct arena *arena;
+    struct curve *curves;
+    size_t count, room;
+};
+
+static const char *with_stop(const struct input *input, const char *words, struct arena *arena)
+{
+    return isnan(input->stop_diameter)
+               ? words
+               : arena_printf(arena, "%s%sstop %.6g mm", words != NULL ? words : "",
+                              words != NULL ? ", " : "", input->stop_diameter);
+}
+
+static struct curve *find_curve(const struct painter *painter, const char *words, const char *title)
+{
+    for (size_t i = 0; i < painter->count; i++) {
+        struct curve *curve = &painter->curves[i];
+        if (strcmp(curve->words, words) == 0 && strcmp(curve->title, title) == 0) {
+            return curve;
+        }
+    }
+    return NULL;
+}
+
+static bool add_point(const struct analysis_case *one, size_t field, void *context,
+                      struct error *error)
+{
+    struct painter *painter = context;
+    struct arena *arena = painter->arena;
+    const struct input *input = painter->input;
+    const char *words = with_stop(input, analysis_case_words(one, true, arena), arena);
+    struct curve *curve = find_curve(painter, words, one->setup->lens->title);
+    struct ending end;
+    if (curve == NULL) {
+        painter->curves = arena_grow(arena, painter->curves, painter->count, &painter->room,
+                                     sizeof *painter->curves);
+        curve = &painter->curves[painter->count];
+        *curve =
+            (struct curve){.words = words,
+                           .name = with_stop(input, analysis_case_words(one, false, arena), arena),
+                           .title = one->setup->lens->title};
+        if (!open_falloff(one, input, &curve->falloff, error)) {
+            return false;
+        }
+        painter->count++;
+    }
+    if (!find_point(one, field, input, &curve->falloff, &end, error)) {
+        return false;
+    }
+    const double reach = hypot(end.height[0], end.height[1]);
+    if (reach > curve->reach) {
+        curve->reach = reach;
+        curve->farthest[0] = end.height[0];
+        curve->farthest[1] = end.height[1];
+    }
+    return true;
+}
+
+static const struct analysis_answers collecting = {add_point, NULL};
+
+/* All there is to say of one case, or beside others its light alone. */
+static size_t add_series(const struct curve *curve, bool alone, const char *label, double reach,
+                         struct arena *arena, struct plot_series *series)
+{
+    static const char *const labels[SERIES] = {"E/E axis", "by field", "cos\xe2\x81\xb4 of field",
+                                               "vignetted"};
+    double *y[SERIES];
+    for (size_t k = 0; k < SERIES; k++) {
+        y[k] = ARENA_ARRAY(arena, POINTS, double);
+        series[k] = (struct plot_series){.label = labels[k], .y = y[k], .style = k};
+    }
+    for (size_t i = 0; i < POINTS; i++) {
+        const double share = reach * (double)i / (POINTS - 1) / curve->reach;
+        const double at[2] = {share * curve->farthest[0], share * curve->farthest[1]};
+        struct falloff_point point = {
+            .relative_point = NAN, .relative_field = NAN, .cos4 = NAN, .vignetted = NAN};
+        if (share <= 1 + 1e-9) {
+            point = falloff_at(&curve->falloff, at);
+        }
+        y[0][i] = 100 * point.relative_point;
+        y[1][i] = 100 * point.relative_field;
+        y[2][i] = 100 * point.cos4;
+        y[3][i] = 100 * point.vignetted;
+    }
+    if (!alone) {
+        series[0].label = label;
+    }
+    return alone ? SERIES : 1;
+}
+
+static const char *label_of(const struct curve *curve, bool one_lens, struct arena *arena)
+{
+    return curve->name == NULL ? curve->title
+           : one_lens          ? curve->name
+                               : arena_printf(arena, "%s, %s", curve->title, curve->name);
+}
+
+static bool paint(struct painter *painter, struct svg *svg, struct error *error)
+{
+    struct arena *arena = svg->arena;
+    const struct curve *first = &painter->curves[0];
+    struct plot_series *series = ARENA_ARRAY(arena, painter->count + SERIES, struct plot_series);
+    double *x = ARENA_ARRAY(arena, POINTS, double), reach = 0;
+    bool one_lens = true;
+    for (size_t i = 0; i < painter->count; i++) {
+        reach = fmax(reach, painter->curves[i].reach);
+        one_lens = one_lens && strcmp(painter->curves[i].title, first->title) == 0;
+    }
+    if (!(reach > 0)) {
+        return fail(error, ERROR_USAGE,
+                    "{--plot} draws light over the height in the image: name one beyond the axis "
+                    "with {--height}");
+    }
+    const bool alone = painter->count == 1;
+    struct plot plot = {
+        .title = one_lens ? arena_printf(arena, "Relative illumination of %s", first->title)
+                          : "Relative illumination",
+        .subtitle = alone ? first->words : "irradiance over that on the axis",
+        .x_label = "height in the image (mm)",
+        .y_label = alone ? "share (%)" : "E/E axis (%)",
+        .x = x,
+        .count = POINTS,
+        .series = series};
+    for (size_t i = 0; i < POINTS; i++) {
+        x[i] = reach * (double)i / (POINTS - 1);
+    }
+    for (size_t i = 0; i < painter->count; i++) {
+        const struct curve *curve = &painter->curves[i];
+        size_t added = add_series(curve, alone, label_of(curve, one_lens, arena), reach, arena,
+                                  series + plot.series_count);
+        series[plot.series_count].style = i;
+        plot.series_count += added;
+    }
+    return plot_draw(&plot, svg, error);
+}
+
+static bool draw(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct svg svg = {.arena = job->run->arena};
+    struct painter painter = {.arena = svg.arena};
+    for (size_t i = 0; i < job->count; i++) {
+        painter.input = job->inputs[i];
+        /* cases keep their question: it must outlive them */
+        struct analysis_question *question = ARENA_NEW(svg.arena, struct analysis_question);
+        const struct analysis_policy policy = policy_of(painter.input);
+        *question = question_of(painter.input);
+        if (!analysis_each_field(question, &policy, job->run, &collecting, &painter, error)) {
+            return false;
+        }
+    }
+    return (painter.count <= MOST_CURVES ||
+            fail(error, ERROR_USAGE, "{--plot} would draw %zu curves: at most %d can be told apart",
+                 painter.count, MOST_CURVES)) &&
+           paint(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types, "draw the light over the height in the image"),
+     .scope = ARTIFACT_OF_SWEEP, .make = draw},
+};
+
+static const struct explanation explanations[] = {
+    {"irradiance_per_radiance",
+     "{E} = (n'/n)^2 integral of cos(theta) dw over all that is clear of the exit pupil, as the "
+     "point sees it",
+     "[Welford86]", "a uniform scene; no loss in glass"},
+    {"relative_point", "E/L of the point over E/L on the axis", "the same", NULL},
+    {"relative_field",
+     "area in direction cosines behind the lens of the rays of one object point, over that on the "
+     "axis",
+     "the same", "the light of the point only where these rays meet in it"},
+    {"vignetted_fraction", "1 - E/E with the stop alone", "the same",
+     "a surface without its rim goes on as its formula does"},
+    {"cos4", "cos({t})^4", "the law for a small distant pupil without distortion", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"illumination double-gauss", "from the axis to the image of the largest field"},
+    {"illumination cs348b-dgauss-50 --height 0,10,21.633 --stop-diameter 4.275",
+     "in the film, stopped down"},
+    {"illumination double-gauss --no-clip --field 0,10,14deg --csv",
+     "where the stop alone limits, by field"},
+    {"illumination double-gauss --height 0..25#6 -N 2,4 --plot light.svg", "stopped down, drawn"},
+    {NULL, NULL},
+};
+
+const struct command command_illumination = {
+    .name = "illumination",
+    .group = "analyses",
+    .summary = "light over the image: fall-off and vignetting",
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
+    .makes_many = makes_many,
+    .brings = brings,
+    .varies = varies,
+    .cell = "relative_point",
+    COMMAND_MAKES(artifacts),
+};

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""tests/truth/check_illumination.py - lenscalc illumination against numbers from outside:
+check_illumination.py BUILD_DIR
+
+field.json: relative illumination in the image point of a chief ray and by the rays of its object
+point, where the stop alone limits, by an independent program of 50 digits. Irradiance over the
+film of four camera lenses by an independent quadrature (check_exact.py has the numbers). Closed
+form of a disc, off its axis.
+"""
+# SPDX-License-Identifier: MIT
+
+import csv
+import io
+import json
+import math
+import os
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from check_exact import IRRADIANCE
+from harness import Checks, Program
+
+worst = {}
+
+
+def rows(program, *words, text=None):
+    result = subprocess.run(program.command + ["illumination"] + list(words) + ["--csv"],
+                            input=text, text=True, capture_output=True,
+                            env=program.environment())
+    if result.returncode != 0:
+        return result.stderr
+    return list(csv.DictReader(io.StringIO(result.stdout)))
+
+
+def near(checks, kind, name, actual, expected, allowed):
+    if actual == "":
+        return checks.check(False, f"{name} is absent, expected {expected}")
+    error = abs(float(actual) - float(expected))
+    worst[kind] = max(worst.get(kind, (0, "")), (error / allowed, name))
+    return checks.check(error <= allowed, f"{name} is {actual}, expected {expected} "
+                                          f"within {allowed:.3g}")
+
+
+def check_relative(checks, program, case, truth):
+    fields = [field for field in truth["fields"]
+              if field.get("rel_illum_point") and float(field["fraction"]) > 0]
+    if not fields or float(case["plane"]) < 0:
+        return
+    name = case["name"]
+    table = rows(program, "-", "--height=" + ",".join(field["y"] for field in fields),
+                 "--focus", case["plane"], "--no-clip", "--error", "1e-12", text=case["lens"])
+    if not checks.check(isinstance(table, list) and len(table) == len(fields), f"{name}: {table}"):
+        return
+    for row, field in zip(table, fields):
+        where = f"{name} at {field['fraction']}"
+        near(checks, "point", f"{where}: relative_point", row["relative_point"],
+             field["rel_illum_point"], 1e-12)
+        near(checks, "field", f"{where}: relative_field", row["relative_field"],
+             field["rel_illum_field"], 1e-12)
+        checks.check(row["vignetted_fraction"] == "0", f"{where}: vignetted without clip")
+
+
+def check_irradiance(checks, program):
+    for key, truth in IRRADIANCE.items():
+        lens, _, stop = key.partition("@")
+        heights = ",".join(str(radius) for radius in truth)
+        table = rows(program, lens, "--height", heights, "--focus", "paraxial",
+                     *(["--stop-diameter", stop] if stop else []))
+        if not checks.check(isinstance(table, list), f"{key}: {table}"):
+            continue
+        for row in table:
+            expected = truth[float(row["height_mm"])]
+            near(checks, "irradiance", f"{key}: E/L at {row['height_mm']}",
+                 row["irradiance_per_radiance"], expected, 2e-4 * expected)
+            checks.check(float(row["irradiance_error"]) <= 1e-4 * expected,
+                         f"{key}: error {row['irradiance_error']} at {row['height_mm']}")
+
+
+def disc(tan_a, tan_t):
+    """E/L of a disc of the half angle a on its axis, at the angle t from it."""
+    a2, t2 = tan_a ** 2, tan_t ** 2
+    return math.pi / 2 * (1 - (1 + t2 - a2) /
+                          math.sqrt(t2 ** 2 + 2 * t2 * (1 - a2) + (1 + a2) ** 2))
+
+
+def check_disc(checks, program):
+    lens = "lens disc\nobject inf\naperture stop\nstop - 0 air 50\n"
+    table = rows(program, "-", "--focus", "50", "--height", "0,10,40,100", "--error", "1e-10",
+                 text=lens)
+    if checks.check(isinstance(table, list), f"disc: {table}"):
+        for row in table:
+            expected = disc(0.5, float(row["height_mm"]) / 50)
+            near(checks, "disc", f"disc at {row['height_mm']}", row["irradiance_per_radiance"],
+                 expected, 1e-13 * expected)
+    half = rows(program, "-", "--focus", "50", "--height", "10", "--stop-diameter", "25", text=lens)
+    if checks.check(isinstance(half, list), f"half a disc: {half}"):
+        near(checks, "disc", "a disc of half the diameter", half[0]["irradiance_per_radiance"],
+             disc(0.25, 0.2), 1e-12)
+
+
+def main():
+    program, checks = Program(sys.argv[1]), Checks()
+    with open("tests/truth/check.json", encoding="utf-8") as file:
+        lenses = {case["name"]: case for case in json.load(file)["cases"]}
+    with open("tests/truth/field.json", encoding="utf-8") as file:
+        cases = json.load(file)["cases"]
+    for truth in cases:
+        check_relative(checks, program, lenses[truth["name"]], truth)
+    check_irradiance(checks, program)
+    check_disc(checks, program)
+    if os.environ.get("SHOW"):
+        for kind, (share, name) in sorted(worst.items()):
+            print(f"{kind}: {share:.3g} of what is allowed, {name}")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
