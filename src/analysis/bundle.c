@@ -114,10 +114,15 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
     }
     bool has_stop = source->open->stop != LENS_NONE && source->open->stop_radius > 0;
     /* a telecentric object space has its pupil where it says, not where the stop is seen */
-    return question->from_entrance || setup->first.is_telecentric
-               ? open_entrance(source, has_stop, arena, error)
-           : has_stop ? open_stop(source, arena, error)
-                      : open_disc(source, error);
+    bool opened = question->from_entrance || setup->first.is_telecentric
+                      ? open_entrance(source, has_stop, arena, error)
+                  : has_stop ? open_stop(source, arena, error)
+                             : open_disc(source, error);
+    if (opened && question->pattern == PATTERN_GAUSS) {
+        source->region = ARENA_NEW(arena, struct quadrature_region);
+        *source->region = quadrature_open(&source->pupil, arena);
+    }
+    return opened;
 }
 
 /* -------- filling the pupil -------- */
@@ -163,7 +168,7 @@ static bool fill(const struct bundle_source *source, size_t rays, struct arena *
     if (source->question->pattern != PATTERN_GAUSS) {
         return fill_pattern(source, rays, arena, bundle, error);
     }
-    const struct quadrature all = quadrature_make(&source->pupil, rays, arena);
+    const struct quadrature all = quadrature_fill(source->region, rays, arena);
     bundle->points = all.sample.points;
     bundle->count = all.is_empty ? 0 : all.sample.count;
     bundle->rays = all.rays;

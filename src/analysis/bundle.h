@@ -3,6 +3,7 @@
 #ifndef LENSCALC_ANALYSIS_BUNDLE_H
 #define LENSCALC_ANALYSIS_BUNDLE_H
 
+#include "analysis/quadrature.h"
 #include "analysis/setup.h"
 #include "trace/sample.h"
 #include "trace/stop_beam.h"
@@ -31,6 +32,7 @@ struct bundle_source {
     struct beam beam;
     struct aim aim; /* where the lens has a stop */
     struct stop_beam pupil;
+    struct quadrature_region *region; /* what is clear of it, for PATTERN_GAUSS */
     bool has_chief;
     struct ray chief; /* where it starts; unobstructed */
 };

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/quadrature.h"
 
+#include "analysis/quadrature_whole.h"
 #include "base/constants.h"
 #include "trace/star.h"
 #include "trace/tangent.h"
@@ -81,7 +82,7 @@ static void make_arms(const struct margins *margins, const struct probe *probe,
 /* -------- points -------- */
 
 /* Gauss's points on all clear parts of the arms, one ring of the arms after the other. */
-static void put_points(const struct stop_beam *beam, const struct star *star,
+static void put_points(const struct margins *margins, const struct star *star,
                        const struct arms *arms, size_t rings, struct arena *arena,
                        struct quadrature *all)
 {
@@ -110,13 +111,12 @@ static void put_points(const struct stop_beam *beam, const struct star *star,
         all->sample.points[all->sample.count++] = (struct pupil_point){
             point[0], point[1], w[ring] * arms->shares[k] * radius * radius * area * width2};
     }
+    double(*at)[2] = arena_array(arena, all->sample.count, sizeof *at);
     for (size_t i = 0; i < all->sample.count; i++) {
-        const struct pupil_point *point = &all->sample.points[i];
-        double at[2];
-        stop_beam_place(beam, point->x, point->y, at);
-        struct ray ray = beam_ray(beam->beam, at[0], at[1]);
-        rays_set(&all->rays, i, beam->system->index_first, &ray);
+        at[i][0] = all->sample.points[i].x;
+        at[i][1] = all->sample.points[i].y;
     }
+    margins_start(margins, (const double(*)[2])at, &all->rays);
 }
 
 /* -------- weights -------- */
@@ -284,27 +284,50 @@ static size_t rings_for(const struct star *star, size_t rays)
     return rings;
 }
 
-struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena)
+struct quadrature_region quadrature_open(const struct stop_beam *beam, struct arena *arena)
 {
-    const struct margins margins = margins_open(beam, arena);
-    const struct probe probe = probe_open(beam->system, beam->beam, arena);
-    struct star *star = ARENA_NEW(arena, struct star);
-    struct quadrature all = {.is_empty = !star_find(&margins, &probe, star)};
+    return (struct quadrature_region){.beam = beam,
+                                      .margins = margins_open(beam, arena),
+                                      .probe = probe_open(beam->system, beam->beam, arena),
+                                      .star = ARENA_NEW(arena, struct star)};
+}
+
+struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
+                                  struct arena *arena)
+{
+    const struct margins *margins = &region->margins;
+    const struct stop_beam *beam = region->beam;
+    struct quadrature all;
     struct arms arms;
+    if (quadrature_whole(margins, rays, arena, &all)) {
+        return all;
+    }
+    if (!region->is_known) {
+        region->is_known = true;
+        region->is_empty = !star_find(margins, &region->probe, region->star);
+    }
+    all = (struct quadrature){.is_empty = region->is_empty};
     if (all.is_empty) {
         return all;
     }
+    const struct star *star = region->star;
     const size_t rings = rings_for(star, rays), wanted = arms_for(star, rings);
-    make_arms(&margins, &probe, star, wanted, arena, &arms);
-    put_points(beam, star, &arms, rings, arena, &all);
+    make_arms(margins, &region->probe, star, wanted, arena, &arms);
+    put_points(margins, star, &arms, rings, arena, &all);
     all.is_empty = all.sample.count == 0;
     for (size_t i = 0; i < all.sample.count && beam->weight == WEIGHT_BEAM; i++) {
         struct pupil_point *point = &all.sample.points[i];
         point->weight *= stop_beam_density(beam, point->x, point->y);
     }
     if (!isnan(beam->radius)) {
-        const struct mapping mapping = mapping_open(&margins, arena);
+        const struct mapping mapping = mapping_open(margins, arena);
         map_to_stop(&mapping, &all.sample);
     }
     return all;
+}
+
+struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena)
+{
+    struct quadrature_region region = quadrature_open(beam, arena);
+    return quadrature_fill(&region, rays, arena);
 }

@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "trace/rays.h"
 #include "trace/sample.h"
+#include "trace/star.h"
 #include "trace/stop_beam.h"
 
 #include <stdbool.h>
@@ -18,6 +19,18 @@ struct quadrature {
     bool is_empty; /* nothing is clear */
 };
 
+/* What is clear of a pupil, found once for quadratures of any number of rays. */
+struct quadrature_region {
+    const struct stop_beam *beam;
+    struct margins margins;
+    struct probe probe;
+    struct star *star; /* once it is known */
+    bool is_known, is_empty;
+};
+
+/* Make ready; nothing is traced yet. All lies in the arena. */
+struct quadrature_region quadrature_open(const struct stop_beam *beam, struct arena *arena);
+
 /*
  * Points and weights that integrate over the clear part of a stop or an entrance pupil.
  *
@@ -29,15 +42,19 @@ struct quadrature {
  *           aimed; k rings of Gauss's points in r^2, whose error in r itself cancels about a
  *           centroid. Where the whole stop or disc is clear 2 k + 1 equal arms, else 3 k + 2 and
  *           more, at Gauss's points of the angle from corner to corner, where integrands are
- *           smooth. At least `rays` in all. Weights of the stop are du dv
- *           times d(x, y)/d(u, v) by trace/tangent.h, those of the beam du dv and the density of a
- *           projection
+ *           smooth. At least `rays` in all. Weights of the stop are du dv times d(x, y)/d(u, v) by
+ *           trace/tangent.h, those of the beam du dv and the density of a projection. A stop that
+ *           no rim can clip is aimed at, which is faster: analysis/quadrature_whole.h
  * Source    [Forbes88]; tested against an independent program: vignetted spots of the double Gauss
  *           at 14 degrees, with two corners, to 1e-6 with 162 rays and 1e-9 with 338, of a 58 mm
  *           f/0.95 with eight to 1e-6 with 648
  * Limits    as star_find; what it does not see makes integrals converge slowly, as a doubled sample
  *           shows
  */
+struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
+                                  struct arena *arena);
+
+/* The same for one time. */
 struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena);
 
 #endif

@@ -36,7 +36,12 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
         }
     }
     double *rows = ARENA_ARRAY(arena, (count + 1) * RAYS_BLOCK, double);
-    return (struct margins){.beam = beam,
+    bool *counts = ARENA_ARRAY(arena, count + 1, bool);
+    for (size_t k = 0; k < count; k++) {
+        counts[k] = true;
+    }
+    return (struct margins){.counts = counts,
+                            .beam = beam,
                             .system = system,
                             .all = all,
                             .count = count,
@@ -48,18 +53,51 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
                             .at = arena_array(arena, RAYS_BLOCK, 2 * sizeof(double))};
 }
 
-static void start(const struct margins *margins, const double (*points)[2], size_t count)
+void margins_narrow(const struct margins *margins, size_t rays)
+{
+    const double near = -0.3;
+    for (size_t k = 0; k < margins->count; k++) {
+        double *row = margins->rows + k * RAYS_BLOCK;
+        bool counts = false;
+        for (size_t i = 0; i < rays; i++) {
+            counts = counts || !(row[i] < near);
+        }
+        margins->counts[k] = counts;
+        for (size_t i = 0; i < RAYS_BLOCK && !counts; i++) {
+            row[i] = -1;
+        }
+    }
+}
+
+void margins_widen(const struct margins *margins)
+{
+    for (size_t k = 0; k < margins->count; k++) {
+        margins->counts[k] = true;
+    }
+}
+
+static void start(const struct margins *margins, const double (*points)[2], size_t count,
+                  struct ray_block *block)
 {
     for (size_t i = 0; i < count; i++) {
         stop_beam_place(margins->beam, points[i][0], points[i][1], margins->at[i]);
     }
-    beam_fill(margins->beam->beam, (const double(*)[2])margins->at, count, margins->work.blocks);
+    beam_fill(margins->beam->beam, (const double(*)[2])margins->at, count, block);
+}
+
+void margins_start(const struct margins *margins, const double (*points)[2],
+                   const struct rays *rays)
+{
+    for (size_t done = 0; done < rays->count; done += RAYS_BLOCK) {
+        size_t here = rays->count - done < RAYS_BLOCK ? rays->count - done : RAYS_BLOCK;
+        start(margins, points + done, here, &rays->blocks[done / RAYS_BLOCK]);
+    }
 }
 
 void margins_go(const struct margins *margins, const double (*points)[2], size_t count, size_t to)
 {
     const struct rays rays = {margins->work.blocks, count};
-    start(margins, points, count);
+    start(margins, points, count, margins->work.blocks);
     if (to > 0) {
         rays_trace_part(margins->system, 0, to, &rays, NULL);
     }
@@ -124,10 +162,13 @@ void margins_look(const struct margins *margins, const double (*points)[2], size
     const struct ray_block *block = margins->work.blocks;
     const struct rays rays = {margins->work.blocks, count};
     size_t from = 0;
-    start(margins, points, count);
+    start(margins, points, count, margins->work.blocks);
     for (size_t k = 0; k < margins->count; k++) {
         const struct margin *margin = &margins->all[k];
         double *row = margins->rows + k * RAYS_BLOCK;
+        if (!margins->counts[k]) {
+            continue;
+        }
         if (margin->surface == LENS_NONE) {
             for (size_t i = 0; i < count; i++) {
                 row[i] = points[i][0] * points[i][0] + points[i][1] * points[i][1] - 1;

@@ -25,6 +25,7 @@ struct margins {
     const struct system *system; /* of the edge: unobstructed */
     const struct margin *all;
     size_t count;
+    bool *counts;   /* which of them are looked at: all at first */
     bool is_listed; /* some surface has apertures beside its diameter */
     struct rays work;
     double *rows;   /* one a margin, RAYS_BLOCK numbers each */
@@ -41,11 +42,21 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena);
  */
 void margins_look(const struct margins *margins, const double (*points)[2], size_t count);
 
+/* Look only at those that come near to 0: an excess above -0.3 of a ray looked at last. */
+void margins_narrow(const struct margins *margins, size_t rays);
+
+/* Look at all of them again. */
+void margins_widen(const struct margins *margins);
+
 /* A number for rays that are lost otherwise, more than that of any margin. */
 static inline bool margins_lost(size_t limit)
 {
     return limit >= ((size_t)1 << 32);
 }
+
+/* Rays at u, v, where they start; in the last block more may follow. */
+void margins_start(const struct margins *margins, const double (*points)[2],
+                   const struct rays *rays);
 
 /* Take rays at u, v to before a place; they stand in the block. */
 void margins_go(const struct margins *margins, const double (*points)[2], size_t count, size_t to);

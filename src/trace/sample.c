@@ -30,19 +30,21 @@ static void legendre(size_t n, double x, double *value, double *slope)
 
 void gauss_rule(size_t count, double *x, double *w)
 {
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < (count + 1) / 2; i++) {
         double root = cos(PI * ((double)i + 0.75) / ((double)count + 0.5)), value, slope;
         for (int step = 0; step < 20; step++) {
             legendre(count, root, &value, &slope);
             double move = value / slope;
             root -= move;
-            if (fabs(move) < 1e-16) {
+            if (fabs(move) < 1e-15) {
                 break;
             }
         }
         legendre(count, root, &value, &slope);
         x[count - 1 - i] = (1 + root) / 2;
         w[count - 1 - i] = 1 / ((1 - root * root) * slope * slope);
+        x[i] = (1 - root) / 2;
+        w[i] = w[count - 1 - i];
     }
 }
 

@@ -246,6 +246,7 @@ static void look_between(const struct search *search)
         edge_point(&star->frame, star->angles[i], star->edges[i].radius, points[i]);
     }
     margins_look(margins, (const double(*)[2])points, DIRECTIONS);
+    margins_narrow(margins, DIRECTIONS);
     for (size_t k = 0; k < margins->count; k++) {
         const double *row = margins->rows + k * RAYS_BLOCK;
         for (size_t i = 0; i < DIRECTIONS && extra < EXTRA; i++) {
@@ -500,6 +501,7 @@ bool star_find(const struct margins *margins, const struct probe *probe, struct 
     const struct search search = {margins, probe, star};
     star->frame = (struct edge_frame){.stretch = {1, 1}};
     star->corner_count = 0;
+    margins_widen(margins);
     if (!find_centre(margins, star->frame.centre)) {
         return false;
     }
