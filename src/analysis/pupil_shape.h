@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "optics/first_order.h"
 #include "trace/beam.h"
+#include "trace/star.h"
 #include "trace/system.h"
 
 #include <stdbool.h>
@@ -47,6 +48,7 @@ struct pupil_shape {
     double projected;   /* area across the beam, in the plane of the vertex, mm^2 */
     double cosine_area; /* of a near point: integral of cos dw; NaN for one infinitely far away */
     size_t rays;        /* about how many were traced */
+    struct islands islands; /* what passes beside the bundle, beyond a gap */
 };
 
 /* What is looked at. Both systems are of one lens and wavelength, and go the same way. */

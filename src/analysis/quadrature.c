@@ -292,6 +292,21 @@ struct quadrature_region quadrature_open(const struct stop_beam *beam, struct ar
                                       .star = ARENA_NEW(arena, struct star)};
 }
 
+static void look(struct quadrature_region *region, struct arena *arena)
+{
+    if (!region->is_known) {
+        region->is_known = true;
+        region->is_empty = !star_find(&region->margins, &region->probe, arena, region->star);
+    }
+}
+
+struct islands quadrature_islands(struct quadrature_region *region, struct arena *arena)
+{
+    look(region, arena);
+    return region->is_empty ? (struct islands){0, 0}
+                            : star_islands(&region->margins, region->star, arena);
+}
+
 struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
                                   struct arena *arena)
 {
@@ -302,10 +317,7 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
     if (quadrature_whole(margins, rays, arena, &all)) {
         return all;
     }
-    if (!region->is_known) {
-        region->is_known = true;
-        region->is_empty = !star_find(margins, &region->probe, region->star);
-    }
+    look(region, arena);
     all = (struct quadrature){.is_empty = region->is_empty};
     if (all.is_empty) {
         return all;

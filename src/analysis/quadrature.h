@@ -54,7 +54,10 @@ struct quadrature_region quadrature_open(const struct stop_beam *beam, struct ar
 struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
                                   struct arena *arena);
 
-/* The same for one time. */
+/* What of the light a quadrature leaves out: see star_islands. */
+struct islands quadrature_islands(struct quadrature_region *region, struct arena *arena);
+
+/* The same as quadrature_fill for one time. */
 struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena);
 
 #endif

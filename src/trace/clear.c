@@ -40,13 +40,22 @@ struct span {
     double low, high;
 };
 
-/* The k-th of `parts` radii to try: cuts of the span, or outwards by doubling. */
+/*
+ * The k-th of `parts` radii to try: cuts of the span, or outwards: by eighths of the radius to
+ * twice that, so that no gap is passed over with light behind it, then by doubling.
+ */
 static double part_of(const struct span *span, double radius, size_t k, size_t parts)
 {
     if (isfinite(span->high)) {
         return span->low + (span->high - span->low) * ((double)(k + 1) / (double)(parts + 1));
     }
-    return ldexp(span->low > 0 ? 2 * span->low : radius / 64, (int)k);
+    double even = span->low + (double)(k + 1) * (radius / 8), far = 2 * radius;
+    if (even <= far * (1 + 1e-9)) {
+        return even;
+    }
+    /* how many have stayed below */
+    double below = span->low < far ? floor((far - span->low) / (radius / 8) + 1e-9) : 0;
+    return ldexp(span->low < far ? far : span->low, (int)(k + 1) - (int)below);
 }
 
 static bool is_open(const struct span *span)

@@ -3,10 +3,11 @@
 #include "trace/star.h"
 
 #include "base/constants.h"
+#include "trace/parts.h"
 
 #include <math.h>
 
-enum { DIRECTIONS = 32, MORE_DIRECTIONS = 256, EXTRA = 32, GRID = 24, ROUNDS = 10, PARTS = 5 };
+enum { DIRECTIONS = 32, MORE_DIRECTIONS = 256, EXTRA = 32, ROUNDS = 10, PARTS = 5 };
 
 /* Excesses that count as none. */
 static const double roughly = 1e-7, at_corner = 1e-11;
@@ -91,44 +92,24 @@ static void find_limits(const struct search *search, const double *angles, const
 
 /* -------- the centre -------- */
 
-/* The points of a grid that are clear: their centroid, and which is nearest to it. */
-static bool search_grid(const struct margins *margins, double centre[2])
+static bool find_centre(const struct margins *margins, struct arena *arena, double centre[2])
 {
-    double points[GRID * GRID][2], sum[2] = {0, 0}, best = INFINITY;
-    bool clear[GRID * GRID];
-    size_t count = 0;
-    for (size_t i = 0; i < GRID * GRID; i++) {
-        points[i][0] = 1.5 * ((2 * (double)(i % GRID) + 1) / GRID - 1);
-        points[i][1] = 1.5 * ((2 * (double)(i / GRID) + 1) / GRID - 1);
-    }
-    for (size_t done = 0; done < GRID * GRID; done += RAYS_BLOCK) {
-        size_t left = GRID * GRID - done, here = left < RAYS_BLOCK ? left : RAYS_BLOCK;
-        margins_look(margins, (const double(*)[2])points + done, here);
-        for (size_t i = 0; i < here; i++) {
-            clear[done + i] = margins->excess[i] <= 0;
-            sum[0] += clear[done + i] ? points[done + i][0] : 0;
-            sum[1] += clear[done + i] ? points[done + i][1] : 0;
-            count += clear[done + i];
-        }
-    }
-    for (size_t i = 0; i < GRID * GRID && count > 0; i++) {
-        double away =
-            hypot(points[i][0] - sum[0] / (double)count, points[i][1] - sum[1] / (double)count);
-        if (clear[i] && away < best) {
-            best = away;
-            centre[0] = points[i][0];
-            centre[1] = points[i][1];
-        }
-    }
-    return count > 0;
-}
-
-static bool find_centre(const struct margins *margins, double centre[2])
-{
-    static const double middle[1][2] = {{0, 0}};
+    static const double middle[1][2] = {{0, 0}}, low[2] = {-1.5, -1.5}, high[2] = {1.5, 1.5};
     centre[0] = centre[1] = 0;
     margins_look(margins, middle, 1);
-    return margins->excess[0] <= 0 || search_grid(margins, centre);
+    if (margins->excess[0] <= 0) {
+        return true;
+    }
+    const struct arena_mark mark = arena_mark(arena);
+    struct parts *parts = ARENA_NEW(arena, struct parts);
+    parts_find(margins, low, high, parts);
+    bool found = parts_middle(parts, centre);
+    if (!found) {
+        parts_find(margins, NULL, NULL, parts);
+        found = parts_middle(parts, centre);
+    }
+    arena_reset(arena, mark);
+    return found;
 }
 
 /* Centroid and widths of what lies within edges in equal directions. */
@@ -495,14 +476,15 @@ static bool is_whole(const struct margins *margins, const struct star *star)
                      margins->all[first].surface == margins->system->stop);
 }
 
-bool star_find(const struct margins *margins, const struct probe *probe, struct star *star)
+bool star_find(const struct margins *margins, const struct probe *probe, struct arena *arena,
+               struct star *star)
 {
     enum { FITS = 3 };
     const struct search search = {margins, probe, star};
     star->frame = (struct edge_frame){.stretch = {1, 1}};
     star->corner_count = 0;
     margins_widen(margins);
-    if (!find_centre(margins, star->frame.centre)) {
+    if (!find_centre(margins, arena, star->frame.centre)) {
         return false;
     }
     for (int fit = 0;; fit++) {
@@ -518,4 +500,38 @@ bool star_find(const struct margins *margins, const struct probe *probe, struct 
     star->is_whole = is_whole(margins, star) || is_even(margins, star);
     find_corners(&search);
     return true;
+}
+
+struct islands star_islands(const struct margins *margins, const struct star *star,
+                            struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    struct parts *parts = ARENA_NEW(arena, struct parts);
+    enum { CELLS = PARTS_SIDE * PARTS_SIDE };
+    struct islands islands = {0, 0};
+    margins_widen(margins);
+    parts_find(margins, NULL, NULL, parts);
+    bool *within = ARENA_ARRAY(arena, parts->count + 1, bool);
+    size_t all = 0, outside = 0;
+    for (size_t i = 0; i <= parts->count; i++) {
+        within[i] = false;
+    }
+    for (size_t i = 0; i < CELLS; i++) {
+        double point[2], angle, radius;
+        parts_point(parts, i, point);
+        polar_of(&star->frame, point, PI, &angle, &radius);
+        bool is_inside = parts->part[i] > 0 && radius < 1.05 * star_near(star, angle);
+        within[parts->part[i]] = within[parts->part[i]] || is_inside;
+        all += parts->part[i] > 0;
+    }
+    for (size_t i = 0; i < CELLS; i++) {
+        outside += parts->part[i] > 0 && !within[parts->part[i]];
+        parts->excess[i] = within[parts->part[i]] ? 1 : parts->excess[i];
+    }
+    /* what is thin looks as if it were torn */
+    parts_number(parts, 3);
+    islands.count = parts->count;
+    islands.share = all > 0 ? (double)outside / (double)all : 0;
+    arena_reset(arena, mark);
+    return islands;
 }

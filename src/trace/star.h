@@ -17,7 +17,7 @@ struct star {
     double corners[STAR_CORNERS]; /* rad, ascending */
     double radii[STAR_CORNERS];
     size_t corner_count;
-    bool is_whole; /* nothing but the stop or the disc ends it, or its edge is even */
+    bool is_whole; /* the stop or the disc alone ends it, or its edge is even */
 };
 
 /*
@@ -25,17 +25,35 @@ struct star {
  *
  * Given     probe  for what cuts within
  * Result    false: nothing is clear
- * Formula   about the chief ray if it passes, else about the middle of what passes of a grid; where
- *           more than the stop ends it about its centroid, in a frame stretched as it is. Edges in
- *           32 directions, 256 where apertures are listed. Two neighbours that end at different
- *           things hold a corner: where both excesses are 0, by Newton's method; where that does
- *           not lead to a corner between the two, by cutting the angle in five. A piece that no
- *           direction meets is looked for where its excess, a parabola through three neighbours,
- *           has its peak above or near 0
+ * Formula   about the chief ray if it passes, else about the ray that passes best of the largest
+ *           part that passes (trace/parts.h); where more than the stop ends it about its centroid,
+ *           in a frame stretched as it is. Edges in 32 directions, 256 where apertures are listed.
+ *           Two neighbours that end at different things hold a corner: where both excesses are 0,
+ *           by Newton's method; where that does not lead to a corner between the two, by cutting
+ *           the angle in five. A piece that no direction meets is looked for where its excess, a
+ *           parabola through three neighbours, has its peak above or near 0
  * Limits    more than STAR_CORNERS corners are none. What lies behind a gap, seen from the centre,
  *           is not found
  */
-bool star_find(const struct margins *margins, const struct probe *probe, struct star *star);
+bool star_find(const struct margins *margins, const struct probe *probe, struct arena *arena,
+               struct star *star);
+
+/* Parts of the pupil that pass light and are none of the star. */
+struct islands {
+    size_t count;
+    double share; /* of all that passes, in areas of the beam */
+};
+
+/*
+ * What a quadrature over the star leaves out: light that comes through beyond a gap.
+ *
+ * Formula   a grid (trace/parts.h); a part of which no cell lies within the star's edge is an
+ *           island
+ * Limits    islands smaller than a cell, 1/128 of what the first surface lets in, are not seen; the
+ *           share of thin ones is a quarter off
+ */
+struct islands star_islands(const struct margins *margins, const struct star *star,
+                            struct arena *arena);
 
 /* About where the edge is in a direction, by its neighbours: within 1 % but for narrow pieces. */
 double star_near(const struct star *star, double angle);

@@ -24,3 +24,4 @@ lenscalc pupil double-gauss --field 181deg
 lenscalc pupil double-gauss --outline 2
 lenscalc pupil
 lenscalc pupil fisheye-16 --field 0..75:25 --plot pupil.svg > /dev/null && grep -c '<path\|<poly' pupil.svg
+lenscalc pupil rudolph-tessar-100 --field 35 --csv --digits 6 --columns pupil,area_mm2,projected_mm2,warning

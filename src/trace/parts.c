@@ -1,0 +1,136 @@
+/* trace/parts.c - a grid of rays, and which of its cells touch. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/parts.h"
+
+#include "base/constants.h"
+
+#include <math.h>
+
+enum { CELLS = PARTS_SIDE * PARTS_SIDE };
+
+/* Where the pupil lies and no less than twice as far; where the object's side is not limited 4. */
+static const double least = 2, unlimited = 4;
+
+/* From coordinates in the beam to u and v, for rays named by them. */
+static void from_beam(const struct stop_beam *beam, const double at[2], double point[2])
+{
+    const double *m = beam->axes, det = m[0] * m[3] - m[1] * m[2];
+    const double a = at[0] - beam->origin[0], b = at[1] - beam->origin[1];
+    point[0] = (m[3] * a - m[1] * b) / det;
+    point[1] = (m[0] * b - m[2] * a) / det;
+}
+
+/* What is worth a look: the first rim as the beam sees it. */
+static void bound(const struct margins *margins, double low[2], double high[2])
+{
+    enum { AROUND = 16 };
+    const struct stop_beam *beam = margins->beam;
+    const struct margin *first = &margins->all[0];
+    bool limited = first->place == 1 && isfinite(first->clear2) && !beam->has_disc;
+    for (int k = 0; k < 2; k++) {
+        double far = beam->has_disc ? 1 : limited ? least : unlimited;
+        low[k] = -far;
+        high[k] = far;
+    }
+    for (int i = 0; i < AROUND && limited; i++) {
+        double angle = 2 * PI * i / AROUND, radius = sqrt(first->clear2);
+        double at[2], point[2];
+        beam_place(beam->beam, (double[3]){1.1 * radius * cos(angle), 1.1 * radius * sin(angle), 0},
+                   at);
+        from_beam(beam, at, point);
+        for (int k = 0; k < 2 && isfinite(point[0] + point[1]); k++) {
+            low[k] = fmin(low[k], point[k]);
+            high[k] = fmax(high[k], point[k]);
+        }
+    }
+}
+
+void parts_point(const struct parts *parts, size_t cell, double point[2])
+{
+    point[0] = parts->low[0] + (double)(cell % PARTS_SIDE) * parts->step[0];
+    point[1] = parts->low[1] + (double)(cell / PARTS_SIDE) * parts->step[1];
+}
+
+/* Give the number of a part to all clear cells that are no farther than `reach` from one of it. */
+static void spread(struct parts *parts, size_t first, size_t reach, unsigned short number)
+{
+    const size_t width = 2 * reach + 1;
+    unsigned short waiting[CELLS];
+    size_t count = 0;
+    parts->part[first] = number;
+    waiting[count++] = (unsigned short)first;
+    while (count > 0) {
+        const size_t cell = waiting[--count], x = cell % PARTS_SIDE, y = cell / PARTS_SIDE;
+        for (size_t i = 0; i < width * width; i++) {
+            const size_t beside = x + i % width, below = y + i / width; /* more by reach */
+            if (beside < reach || beside >= PARTS_SIDE + reach || below < reach ||
+                below >= PARTS_SIDE + reach) {
+                continue;
+            }
+            const size_t other = (below - reach) * PARTS_SIDE + beside - reach;
+            if (parts->excess[other] <= 0 && parts->part[other] == 0) {
+                parts->part[other] = number;
+                waiting[count++] = (unsigned short)other;
+            }
+        }
+    }
+}
+
+void parts_number(struct parts *parts, size_t reach)
+{
+    parts->count = 0;
+    for (size_t i = 0; i < CELLS; i++) {
+        parts->part[i] = 0;
+    }
+    for (size_t i = 0; i < CELLS; i++) {
+        if (parts->excess[i] <= 0 && parts->part[i] == 0) {
+            spread(parts, i, reach, (unsigned short)++parts->count);
+        }
+    }
+}
+
+void parts_find(const struct margins *margins, const double low[2], const double high[2],
+                struct parts *parts)
+{
+    double from[2], to[2], points[RAYS_BLOCK][2];
+    bound(margins, from, to);
+    for (int k = 0; k < 2; k++) {
+        from[k] = low != NULL ? low[k] : from[k];
+        to[k] = high != NULL ? high[k] : to[k];
+        parts->step[k] = (to[k] - from[k]) / PARTS_SIDE;
+        parts->low[k] = from[k] + parts->step[k] / 2;
+    }
+    for (size_t done = 0; done < CELLS; done += RAYS_BLOCK) {
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            parts_point(parts, done + i, points[i]);
+        }
+        margins_look(margins, (const double(*)[2])points, RAYS_BLOCK);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            parts->excess[done + i] = margins->excess[i];
+        }
+    }
+    parts_number(parts, 1);
+}
+
+bool parts_middle(const struct parts *parts, double point[2])
+{
+    size_t sizes[CELLS + 1] = {0};
+    size_t largest = 0, best = CELLS;
+    for (size_t i = 0; i < CELLS; i++) {
+        sizes[parts->part[i]]++;
+    }
+    sizes[0] = 0; /* dark */
+    for (size_t i = 1; i <= parts->count; i++) {
+        largest = sizes[i] > sizes[largest] ? i : largest;
+    }
+    for (size_t i = 0; i < CELLS && largest > 0; i++) {
+        if (parts->part[i] == largest &&
+            (best == CELLS || parts->excess[i] < parts->excess[best])) {
+            best = i;
+        }
+    }
+    if (largest > 0) {
+        parts_point(parts, best, point);
+    }
+    return largest > 0;
+}

@@ -1,0 +1,39 @@
+/* trace/parts.h - which separate parts of a pupil pass light, as a coarse grid sees them. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_PARTS_H
+#define LENSCALC_TRACE_PARTS_H
+
+#include "trace/margins.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { PARTS_SIDE = 128 };
+
+/* Cells of a grid over u, v, row after row. */
+struct parts {
+    double low[2], step[2]; /* the middle of the first cell; from one to the next */
+    unsigned short part[PARTS_SIDE * PARTS_SIDE]; /* 0: dark; cells that touch have one number */
+    double excess[PARTS_SIDE * PARTS_SIDE];
+    size_t count; /* of parts: numbers go up to it */
+};
+
+/*
+ * Look at the middle of every cell.
+ *
+ * Given     low, high  corners in u, v; null: all that the first surface lets in as the beam sees
+ *                      it, and no less than twice the pupil
+ */
+void parts_find(const struct margins *margins, const double low[2], const double high[2],
+                struct parts *parts);
+
+/* Number the clear cells anew; those up to `reach` apart in rows and columns are one part. */
+void parts_number(struct parts *parts, size_t reach);
+
+/* The u and v of a cell. */
+void parts_point(const struct parts *parts, size_t cell, double point[2]);
+
+/* The ray of the largest part that passes best; false: all is dark. */
+bool parts_middle(const struct parts *parts, double point[2]);
+
+#endif
