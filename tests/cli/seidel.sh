@@ -5,6 +5,8 @@ lenscalc seidel double-gauss --form transverse
 lenscalc seidel double-gauss --form waves --json --digits 5
 lenscalc seidel phone-80deg --columns surface,S1,asphere_S1,S5,asphere_S5,lagrange_um
 lenscalc seidel hubble-rc --form waves
+lenscalc seidel double-gauss --height 20 --object 2000 --columns surface,S1,S5 | tail -n 4
+lenscalc seidel double-gauss --field-x 3,5deg --field 4deg --csv --digits 4 | grep sum
 lenscalc seidel schneider-anamorphic-31 --section x --field 5deg --columns surface,S1,C1
 lenscalc seidel canon-nfd-70-210 --position all --field 3deg --csv --digits 4 | grep sum
 printf 'lens telescope\naperture epd 20\nfield angle 1\nsurface 75 0 1.5/60 - stop\nsurface - 100 air -\nsurface -25 0 1.5/60 -\nsurface - 0 air -\n' > telescope.lens
@@ -22,6 +24,7 @@ printf 'lens stopless\nfield angle 4\naperture epd 4\nsurface 60 5 1.5 -\n' | le
 printf 'lens dark\nfield angle 4\nsurface 60 5 1.5 - stop\n' | lenscalc seidel -
 lenscalc seidel
 lenscalc seidel double-gauss --form standard
+lenscalc seidel double-gauss --field 3deg --height 5
 lenscalc seidel canon-nfd-70-210 --position all --plot bars.svg
 lenscalc seidel double-gauss --plot bars.svg > /dev/null && grep -c '<rect' bars.svg
 lenscalc seidel double-gauss --explain --columns surface,S1 | tail -n 5

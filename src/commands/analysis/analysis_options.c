@@ -53,10 +53,10 @@ static bool field_asked(const struct analysis_question *question, struct setup_f
 {
     if (is_given(question->height, question->height_x)) {
         *field = lens_field(question->real ? FIELD_REAL : FIELD_IMAGE, question->height_x,
-                            question->height, SECTION_Y);
+                            question->height, question->section);
         return true;
     }
-    *field = lens_field(FIELD_ANGLE, question->field_x, question->field, SECTION_Y);
+    *field = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
     return is_given(question->field, question->field_x);
 }
 
@@ -107,6 +107,7 @@ static bool visit_position(const struct analysis_question *question,
     const struct setup_question of = {
         .lens = question->lens.lens,
         .position = position,
+        .section = (enum lens_section)question->section,
         .object = isnan(question->object) ? NULL : &question->object,
         .wavelength =
             question->wavelength.name != NULL ? question->wavelength.wavelength : (double)NAN,
@@ -116,7 +117,8 @@ static bool visit_position(const struct analysis_question *question,
         .fnumber = question->fnumber,
         .fields = field,
         .field_count = asked,
-        .field_policy = policy->fields,
+        /* an axis that is asked for is not taken for a field that nobody states */
+        .field_policy = asked && policy->fields == FIELDS_EDGE ? FIELDS_LARGEST : policy->fields,
         .takes_telecentric = true,
     };
     if (!setup_open(&of, arena, setup, error) || !place(question, policy, setup, error)) {
@@ -186,6 +188,7 @@ struct answering {
     const struct analysis_answers *answers;
     void *context;
     bool several; /* fields, or positions: one that fails keeps its place */
+    bool names;   /* the field, where it fails: there may be others */
 };
 
 /* A field that failed: its row says why. False: no more rows are wanted. */
@@ -216,6 +219,9 @@ static bool answer_fields(const struct analysis_case *one, void *context, struct
         if (error->code == ERROR_USAGE) {
             return false;
         }
+        if (!keeps && !answering->names) {
+            return false;
+        }
         if (!keeps) {
             return error_prefix(
                 error,
@@ -233,7 +239,8 @@ bool analysis_each_field(const struct analysis_question *question,
                          const struct analysis_policy *policy, struct run *run,
                          const struct analysis_answers *answers, void *context, struct error *error)
 {
-    struct answering answering = {run, answers, context, analysis_makes_many(question, policy)};
+    struct answering answering = {run, answers, context, analysis_makes_many(question, policy),
+                                  policy->fields == FIELDS_ALL};
     error->code = ERROR_NONE;
     return analysis_each(question, policy, run->arena, answer_fields, &answering, error) ||
            error->code == ERROR_NONE;

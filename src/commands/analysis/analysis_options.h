@@ -15,6 +15,7 @@ struct analysis_question {
     double field, field_x;   /* rad; NaN = not given */
     double height, height_x; /* mm at the image; NaN = not given */
     bool real;               /* the heights are those of the real image */
+    int section;             /* enum lens_section: LENS_SECTION_OPTION */
     struct plane_value focus;
     double object;  /* before the first vertex, mm; NaN = that of the lens */
     double defocus; /* mm; NaN = none */
@@ -59,6 +60,15 @@ extern const struct word analysis_aims[], analysis_weights[];
 #define ANALYSIS_LENGTH(S, member)                                                                 \
     OPTION(S, member), .dimension = &dimension_length, .unit = "mm", .value = "LENGTH"
 
+#define ANALYSIS_OBJECT_OPTION(S, member)                                                          \
+    {                                                                                              \
+        ANALYSIS_LENGTH(S, member.object), .name = "object", .column = "object",                   \
+                                           .flags = OPTION_ABOVE_LOWEST, .lowest = 0,              \
+                                           .highest = INFINITY,                                    \
+                                           .help = "distance of the object before the first "      \
+                                                   "vertex, in place of the lens's"                \
+    }
+
 /* `wavelengths`: which a command takes without -w */
 #define ANALYSIS_OPTIONS(S, member, wavelengths)                                                   \
     LENS_OPTION(S, member), LENS_WAVELENGTH_OPTION(S, member, wavelengths),                        \
@@ -73,13 +83,7 @@ extern const struct word analysis_aims[], analysis_weights[];
         {ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",               \
          .flags = OPTION_NO_INFINITY,                                                              \
          .help = "so far behind that plane; a list goes through focus"},                           \
-    {                                                                                              \
-        ANALYSIS_LENGTH(S, member.object), .name = "object", .column = "object",                   \
-                                           .flags = OPTION_ABOVE_LOWEST, .lowest = 0,              \
-                                           .highest = INFINITY,                                    \
-                                           .help = "distance of the object before the first "      \
-                                                   "vertex, in place of the lens's"                \
-    }
+        ANALYSIS_OBJECT_OPTION(S, member)
 
 /* Of commands that ask field by field; and of those that ask for the edge of the field alone. */
 #define ANALYSIS_FIELD_OPTIONS(S, member)                                                          \

@@ -20,9 +20,10 @@ static const struct option options[] = {
     LENS_OPTION(struct seidel_input, question),
     LENS_WAVELENGTH_OPTION(struct seidel_input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct seidel_input, question),
-    LENS_FIELD_OPTIONS(struct seidel_input, question),
+    ANALYSIS_EDGE_OPTIONS(struct seidel_input, question),
     LENS_POSITION_OPTION(struct seidel_input, question),
     LENS_SECTION_OPTION(struct seidel_input, question),
+    ANALYSIS_OBJECT_OPTION(struct seidel_input, question),
     {OPTION(struct seidel_input, form), .name = "form", .words = forms, .fallback = "welford",
      .value = "FORM", .help = "how the aberrations are expressed"},
     {OPTION(struct seidel_input, chromatic), .name = "chromatic", .words = pairs,
@@ -31,8 +32,9 @@ static const struct option options[] = {
 
 struct row {
     const char *surface, *position, *lens, *warning;
-    double wavelength, blue, red;                              /* um */
-    double field, height;                                      /* rad; mm at the object */
+    double wavelength, blue, red; /* um */
+    double field, height;         /* rad; mm at the object or at the image */
+    double field_x, height_x;
     double values[SEIDEL_TERMS + 1], angles[SEIDEL_TERMS + 1]; /* last: tangential coma */
     double asphere[SEIDEL_TERMS];
     double lagrange; /* mm */
@@ -73,13 +75,23 @@ struct row {
          .dimension = &dimension_angle,                                                            \
          .unit = "deg",                                                                            \
          .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO,                                     \
-         .depends = "field lens position",                                                         \
+         .depends = "field height lens position",                                                  \
          .name = "field",                                                                          \
          .label = "field",                                                                         \
-         .help = "angle of the chief ray in object space; absent for a near object"},              \
+         .help = "angle of the chief ray in object space; absent for a height"},                   \
         {LENGTH(height, COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO),                              \
-         .depends = "field lens position", .name = "height", .label = "object height",             \
-         .help = "of the field point; absent at infinity"},                                        \
+         .depends = "field height lens position", .name = "height", .label = "field height",       \
+         .help = "of the field, at the object or at the image; absent for an angle"},              \
+        {COLUMN(struct row, field_x),                                                              \
+         .dimension = &dimension_angle,                                                            \
+         .unit = "deg",                                                                            \
+         .flags = COLUMN_EXTRA | COLUMN_ECHO,                                                      \
+         .with = "field-x",                                                                        \
+         .name = "field_x",                                                                        \
+         .label = "field x",                                                                       \
+         .help = "its angle in the x-z plane"},                                                    \
+        {LENGTH(height_x, COLUMN_EXTRA | COLUMN_ECHO), .with = "height-x", .name = "height_x",     \
+         .label = "field height x", .help = "of a height the same in x"},                          \
     {                                                                                              \
         PLAIN(surface, COLUMN_BRIEF), .name = "surface", .label = "surface",                       \
                                       .help = "from 1, the stop counted; last the sum"             \
@@ -180,19 +192,21 @@ struct listing {
 static bool emit_rows(const struct seidel_case *one, void *context, struct error *error)
 {
     const struct listing *listing = context;
-    const struct setup *setup = one->one->setup;
+    const struct setup *setup = one->setup;
     struct run *run = listing->run;
-    const double field = one->field.value[setup_axis(setup)];
-    const size_t count = one->one->light.system.count;
+    const size_t count = one->light.system.count;
+    const bool across = setup->section == SECTION_X;
     struct row row = {
         .position = setup->position,
         .lens = setup->lens->title,
         .warning = one->warning,
-        .wavelength = one->one->light.wavelength,
+        .wavelength = one->light.wavelength,
         .blue = one->blue,
         .red = one->red,
-        .field = one->field.kind == FIELD_ANGLE ? field : (double)NAN,
-        .height = one->field.kind == FIELD_HEIGHT ? field : (double)NAN,
+        .field = across ? one->point.field_x : one->point.field,
+        .height = across ? one->point.height_x : one->point.height,
+        .field_x = one->point.field_x,
+        .height_x = one->point.height_x,
         .lagrange = one->seidel.lagrange,
     };
     (void)error;
@@ -210,7 +224,17 @@ static bool emit_rows(const struct seidel_case *one, void *context, struct error
 static bool run(const void *data, struct run *run, struct error *error)
 {
     struct listing listing = {data, run};
-    return seidel_each(data, run->arena, emit_rows, &listing, error);
+    return seidel_each(data, run, emit_rows, &listing, error);
+}
+
+static bool varies(const void *data, const char *option)
+{
+    return analysis_varies(&((const struct seidel_input *)data)->question, option);
+}
+
+static bool brings(const void *data, const char *option)
+{
+    return analysis_brings(&((const struct seidel_input *)data)->question, option);
 }
 
 static const struct artifact artifacts[] = {
@@ -256,5 +280,7 @@ const struct command command_seidel = {
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
     .makes_many = command_always_many,
+    .varies = varies,
+    .brings = brings,
     COMMAND_MAKES(artifacts),
 };

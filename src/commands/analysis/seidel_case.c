@@ -6,8 +6,10 @@
 
 #include <string.h>
 
-static const struct lens_policy policy = {
-    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_LARGEST, .telecentric = true};
+static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                              .fields = FIELDS_EDGE,
+                                              .one_wavelength = true,
+                                              .no_image = true};
 
 /* Who gets the sums. */
 struct visitor {
@@ -40,7 +42,7 @@ static bool choose_colours(const struct seidel_input *input, const struct lens *
 /* What the sums leave out. */
 static const char *doubts_of(const struct seidel_case *one, struct arena *arena)
 {
-    const struct lens *lens = one->one->setup->lens;
+    const struct lens *lens = one->setup->lens;
     const char *words = one->warning;
     bool has_cylinder = false;
     for (size_t i = 0; i < lens->surface_count; i++) {
@@ -60,11 +62,6 @@ static const char *doubts_of(const struct seidel_case *one, struct arena *arena)
                          one->seidel.distorting + 1),
             arena);
     }
-    if (one->field.kind == FIELD_NONE) {
-        words = lens_warnings_join(
-            words, "the lens states no field: what depends on it is absent; --field says one",
-            arena);
-    }
     return words;
 }
 
@@ -72,22 +69,27 @@ static const char *doubts_of(const struct seidel_case *one, struct arena *arena)
 static const struct pair *index_at(const struct seidel_case *one, double wavelength,
                                    struct arena *arena, struct error *error)
 {
-    const struct setup *setup = one->one->setup;
+    const struct setup *setup = one->setup;
     struct paraxial_system system;
     return paraxial_compile(setup->lens, wavelength, setup->section, arena, &system, error)
                ? system.index
                : NULL;
 }
 
-static bool sum_up(const struct lens_case *one, void *context, struct error *error)
+static bool sum_up(const struct analysis_case *of, size_t field, void *context, struct error *error)
 {
     const struct visitor *visitor = context;
-    const struct setup *setup = one->setup;
+    const struct setup *setup = of->setup;
     struct arena *arena = visitor->arena;
-    struct seidel_case here = {
-        .one = one, .field = setup_edge_in_object(setup), .warning = one->warning};
+    struct seidel_case here = {.setup = setup,
+                               .point = analysis_point_of(of, field),
+                               .field = setup_edge_in_object(setup),
+                               .warning = of->warning};
+    if (!setup_light(setup, 0, &here.light, error)) {
+        return false;
+    }
     struct error colours;
-    if (isnan(one->light.first.working_fnumber)) {
+    if (isnan(here.light.first.working_fnumber)) {
         fail(error, ERROR_DOMAIN,
              "the lens has no aperture: the height of its marginal ray is "
              "not known");
@@ -112,12 +114,12 @@ static bool sum_up(const struct lens_case *one, void *context, struct error *err
     }
     const struct seidel_question question = {
         .lens = setup->lens,
-        .system = &one->light.system,
+        .system = &here.light.system,
         .blue_n = blue,
         .red_n = red,
         .section = setup->section,
         .object = &setup->object,
-        .first = &one->light.first,
+        .first = &here.light.first,
         .field_kind = here.field.kind,
         .field = here.field.value[setup_axis(setup)],
     };
@@ -128,28 +130,29 @@ static bool sum_up(const struct lens_case *one, void *context, struct error *err
     return visitor->visit(&here, visitor->context, error);
 }
 
-bool seidel_each(const struct seidel_input *input, struct arena *arena, seidel_visit *visit,
+bool seidel_each(const struct seidel_input *input, struct run *run, seidel_visit *visit,
                  void *context, struct error *error)
 {
-    struct visitor visitor = {input, visit, context, arena};
-    return lens_each(&input->question, &policy, arena, sum_up, &visitor, error);
+    static const struct analysis_answers answers = {.answer = sum_up};
+    struct visitor visitor = {input, visit, context, run->arena};
+    return analysis_each_field(&input->question, &policy, run, &answers, &visitor, error);
 }
 
 bool seidel_is_angular(const struct seidel_case *one)
 {
-    return isinf(one->one->light.first.image) || one->seidel.slope == 0;
+    return isinf(one->light.first.image) || one->seidel.slope == 0;
 }
 
 bool seidel_in_form(const struct seidel_case *one, const struct seidel_part *part, int form,
                     double values[SEIDEL_TERMS])
 {
     const struct seidel *seidel = &one->seidel;
-    const double n = one->one->light.first.index_image;
+    const double n = one->light.first.index_image;
     if (form == FORM_WELFORD) {
         memcpy(values, part->sum, sizeof part->sum);
         return false;
     }
-    double unit = form == FORM_WAVES       ? 1e3 / one->one->light.wavelength
+    double unit = form == FORM_WAVES       ? 1e3 / one->light.wavelength
                   : seidel_is_angular(one) ? -1 / (n * seidel->height)
                                            : 1 / seidel->slope;
     seidel_convert(part, form == FORM_WAVES ? SEIDEL_WAVES : SEIDEL_TRANSVERSE, unit, values);

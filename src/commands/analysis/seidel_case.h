@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_SEIDEL_CASE_H
 #define LENSCALC_COMMANDS_ANALYSIS_SEIDEL_CASE_H
 
-#include "commands/lens/lens_options.h"
+#include "commands/analysis/analysis_options.h"
 #include "optics/seidel.h"
 
 /* --form */
@@ -13,13 +13,15 @@ enum { FORM_WELFORD, FORM_TRANSVERSE, FORM_WAVES };
 enum { CHROMATIC_LINES, CHROMATIC_LENS };
 
 struct seidel_input {
-    struct lens_question question;
+    struct analysis_question question;
     int form, chromatic;
 };
 
 /* The sums of one lens in one position. */
 struct seidel_case {
-    const struct lens_case *one;
+    const struct setup *setup;
+    struct analysis_point point; /* what its rows say of their place */
+    struct setup_light light;
     struct seidel seidel;
     struct field_point field; /* an angle, or the height of the object; FIELD_NONE */
     double blue, red;         /* um, of CI and CII; NaN where they are absent */
@@ -31,9 +33,9 @@ typedef bool seidel_visit(const struct seidel_case *one, void *context, struct e
 /*
  * Visit the sums of a question: positions.
  *
- * Errors    as lens_each and seidel_compute; ERROR_DOMAIN: --chromatic lens of one wavelength
+ * Errors    as analysis_each_field and seidel_compute; ERROR_DOMAIN: --chromatic lens of one wavelength
  */
-bool seidel_each(const struct seidel_input *input, struct arena *arena, seidel_visit *visit,
+bool seidel_each(const struct seidel_input *input, struct run *run, seidel_visit *visit,
                  void *context, struct error *error);
 
 /* Is the image infinitely far away, so that transverse aberrations are angles? */

@@ -48,8 +48,8 @@ static const char *choose_unit(const struct seidel_case *one, int form, double *
 
 static const char *subtitle_of(const struct seidel_case *one, struct arena *arena)
 {
-    const struct setup *setup = one->one->setup;
-    const struct first_order *first = &one->one->light.first;
+    const struct setup *setup = one->setup;
+    const struct first_order *first = &one->light.first;
     const double value = one->field.value[setup_axis(setup)];
     const char *field = one->field.kind == FIELD_ANGLE
                             ? arena_printf(arena, "field %.5g deg", value * DEGREES_PER_RADIAN)
@@ -66,7 +66,7 @@ static const char *subtitle_of(const struct seidel_case *one, struct arena *aren
     return arena_printf(arena, "%s%s%s, %s, at %.5g nm%s",
                         setup->position != NULL ? setup->position : "",
                         setup->position != NULL ? ", " : "", aperture, field,
-                        THOUSAND * one->one->light.wavelength, colours);
+                        THOUSAND * one->light.wavelength, colours);
 }
 
 static bool add_groups(const struct seidel_case *one, void *context, struct error *error)
@@ -74,7 +74,7 @@ static bool add_groups(const struct seidel_case *one, void *context, struct erro
     struct painter *painter = context;
     struct arena *arena = painter->arena;
     const int form = painter->input->form;
-    const size_t count = one->one->light.system.count;
+    const size_t count = one->light.system.count;
     struct bar_group *groups = ARENA_ARRAY(arena, count + 1, struct bar_group);
     double **values = ARENA_ARRAY(arena, count + 1, double *);
     (void)error;
@@ -92,7 +92,7 @@ static bool add_groups(const struct seidel_case *one, void *context, struct erro
                                        [FORM_WAVES] = "Third-order wavefront"};
     const char *unit = choose_unit(one, form, values, count + 1);
     painter->bars = (struct bars){
-        .title = arena_printf(arena, "%s of %s", what[form], one->one->setup->lens->title),
+        .title = arena_printf(arena, "%s of %s", what[form], one->setup->lens->title),
         .subtitle = subtitle_of(one, arena),
         .x_label = "surface",
         .y_label = arena_printf(arena, "contribution (%s)", unit),
@@ -115,6 +115,6 @@ bool seidel_view_draw(const struct artifact_job *job, struct output *sink, struc
 {
     struct svg svg = {.arena = job->run->arena};
     struct painter painter = {.input = job->inputs[0], .arena = svg.arena};
-    return seidel_each(painter.input, svg.arena, add_groups, &painter, error) &&
+    return seidel_each(painter.input, job->run, add_groups, &painter, error) &&
            bars_draw(&painter.bars, &svg, error) && drawing_write(job, &svg, sink, error);
 }
