@@ -41,7 +41,8 @@ static const char *label_of(const struct painter *painter, const struct field_po
         words = arena_printf(arena, "%s, %s", position, words);
     }
     if (!isnan(question->defocus)) {
-        words = arena_printf(arena, "%s, %+.4g mm", words, question->defocus);
+        words = arena_printf(arena, "%s, %s%.4g mm", words, question->defocus < 0 ? "−" : "",
+                             fabs(question->defocus));
     }
     if (!isnan(question->fnumber)) {
         words = arena_printf(arena, "%s, f/%.4g", words, question->fnumber);
