@@ -8,4 +8,9 @@
 #define RADIANS_PER_DEGREE 0.017453292519943295769
 #define DEGREES_PER_RADIAN 57.295779513082320877
 
+static inline double degrees_from_radians(double angle)
+{
+    return angle * DEGREES_PER_RADIAN;
+}
+
 #endif

@@ -9,11 +9,6 @@
 
 static const double most_frames = 1e6;
 
-static double degrees_from_radians(double angle)
-{
-    return angle * DEGREES_PER_RADIAN;
-}
-
 /* Above 0 (or from 0 on) up to `most`, with the slack of degrees turned into radians. */
 static bool check_angle(double angle, bool zero, double most, const char *name, struct error *error)
 {

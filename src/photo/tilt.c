@@ -7,11 +7,6 @@
 
 #include <math.h>
 
-static double degrees_from_radians(double angle)
-{
-    return angle * DEGREES_PER_RADIAN;
-}
-
 static bool check_lens(const struct tilt_given *g, struct error *error)
 {
     if (!check_positive("focal length", " mm", g->f, error) ||
