@@ -237,10 +237,19 @@ static bool finish(struct codev *codev, struct error *error)
 }
 
 /* What lenscalc itself has written as comments. */
+static struct keep_notes kept_in(struct text content)
+{
+    struct keep_notes notes = {0};
+    for (struct text rest = content; rest.start != NULL;) {
+        keep_notes_take(&notes, text_behind(text_trim(text_cut(&rest, '\n')), CODEV_KEEP_NOTE));
+    }
+    return notes;
+}
+
 static void read_keep_notes(struct codev *codev, struct text content)
 {
     struct lens *lens = codev->build.lens;
-    struct keep_notes notes = {0};
+    const struct keep_notes notes = kept_in(content);
     for (struct text rest = content; rest.start != NULL;) {
         const struct text line = text_trim(text_cut(&rest, '\n'));
         const struct text kept = text_behind(line, CODEV_KEEP_NOTE);
@@ -250,8 +259,6 @@ static void read_keep_notes(struct codev *codev, struct text content)
             lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
         } else if (note.start != NULL) {
             lens_build_note(&codev->build, note);
-        } else if (kept.start != NULL) {
-            keep_notes_take(&notes, kept);
         }
     }
     keep_notes_apply(&notes, &codev->build);
@@ -310,7 +317,12 @@ static bool codev_read(struct foreign_job *job, struct text content, struct lens
     }
     lens->positions = first->names;
     lens->position_count = first->positions;
-    return merge_positions(&build, lenses, job, error);
+    if (!merge_positions(&build, lenses, job, error)) {
+        return false;
+    }
+    const struct keep_notes notes = kept_in(content); /* they state a number for each position */
+    keep_notes_apply(&notes, &build);
+    return true;
 }
 
 /* Lines that begin with S O and with S I, or RDM. */
