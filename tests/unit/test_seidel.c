@@ -177,7 +177,8 @@ static const struct truth truths[] = {
       {1, {0.0, -0.0069813453631925, 0.00024369591540084715, -0.00024369591540084715, 0.0, 0, 0}}}},
 };
 
-static bool solve(const char *text, struct arena *arena, struct seidel *seidel, struct error *error)
+static bool solve_in(enum lens_section section, const char *text, struct arena *arena,
+                     struct seidel *seidel, struct error *error)
 {
     struct lens lens;
     struct paraxial_system system, blue, red;
@@ -187,9 +188,9 @@ static bool solve(const char *text, struct arena *arena, struct seidel *seidel, 
     *seidel = (struct seidel){0};
     if (!lens_read("test", text_of(text), NULL, arena, &lens, error) ||
         !lens_check(&lens, arena, &warnings, error) ||
-        !paraxial_compile(&lens, WAVELENGTH_D, SECTION_Y, arena, &system, error) ||
-        !paraxial_compile(&lens, 0.4861327, SECTION_Y, arena, &blue, error) ||
-        !paraxial_compile(&lens, 0.6562725, SECTION_Y, arena, &red, error)) {
+        !paraxial_compile(&lens, WAVELENGTH_D, section, arena, &system, error) ||
+        !paraxial_compile(&lens, 0.4861327, section, arena, &blue, error) ||
+        !paraxial_compile(&lens, 0.6562725, section, arena, &red, error)) {
         return false;
     }
     const struct conjugate_object object = lens_object(&lens);
@@ -199,7 +200,7 @@ static bool solve(const char *text, struct arena *arena, struct seidel *seidel, 
         .system = &system,
         .blue_n = blue.index,
         .red_n = red.index,
-        .section = SECTION_Y,
+        .section = section,
         .object = &object,
         .first = &first,
         .field_kind = lens.field_count > 0 ? lens.field_kind : FIELD_NONE,
@@ -209,6 +210,11 @@ static bool solve(const char *text, struct arena *arena, struct seidel *seidel, 
     return first_order_aperture(&first, &object, &aperture, question.field_kind, question.field,
                                 error) &&
            seidel_compute(&question, arena, seidel, error);
+}
+
+static bool solve(const char *text, struct arena *arena, struct seidel *seidel, struct error *error)
+{
+    return solve_in(SECTION_Y, text, arena, seidel, error);
 }
 
 static bool good(const char *text, struct arena *arena, struct seidel *seidel)
@@ -280,6 +286,28 @@ static void check_asphere(void)
     /* second: c = 0.02 - 0.04 = -0.02, r^4 of the conic 0.02^3/8 = 1e-6; the other -1e-6 + 1e-6 */
     CHECK_RELATIVE(other.parts[2].asphere[SEIDEL_COMA], 2 * sphere.parts[2].asphere[SEIDEL_COMA],
                    4e-15, "an asphere by A2");
+    arena_free(&arena);
+}
+
+/* A cylinder with an asphere is the round one in its section, and a plane across it. */
+static void check_cylinder(void)
+{
+    static const char round[] = "aperture epd 20\nfield angle 3\nsurface 50 3 1.5 - A4=1e-6 stop\n"
+                                "surface - 90 air -\n";
+    static const char cylinder[] = "aperture epd 20\nfield angle 3\n"
+                                   "surface 50 3 1.5 - A4=1e-6 cyl=y stop\nsurface - 90 air -\n";
+    struct arena arena = {0};
+    struct seidel whole, curved, flat;
+    struct error error;
+    CHECK(good(round, &arena, &whole) && whole.parts[0].asphere[SEIDEL_SPHERICAL] != 0);
+    CHECK(solve_in(SECTION_Y, cylinder, &arena, &curved, &error));
+    CHECK(solve_in(SECTION_X, cylinder, &arena, &flat, &error));
+    for (size_t term = 0; term < SEIDEL_TERMS; term++) {
+        CHECK(curved.parts[0].sum[term] == whole.parts[0].sum[term]);
+        CHECK(curved.parts[0].asphere[term] == whole.parts[0].asphere[term]);
+        CHECK(flat.parts[0].asphere[term] == 0);
+    }
+    CHECK(flat.parts[0].sum[SEIDEL_SPHERICAL] == 0);
     arena_free(&arena);
 }
 
@@ -370,6 +398,7 @@ int main(void)
 {
     check_truth();
     check_asphere();
+    check_cylinder();
     check_thick();
     check_forms();
     check_refused();
