@@ -130,6 +130,15 @@ def check_error(checks, program, lens, field):
                  f"{truth[0]} +- {truth[1]}")
 
 
+def check_dark(checks, program):
+    """A stop 30 mm behind a ball of air of 5 mm, seen at 40 degrees: 25 mm beside the ball."""
+    lens = ("lens hidden\nobject inf\naperture stop\nsurface 5 30 air 9\nstop - 10 air 2\n"
+            "thick 50 50 air -\n")
+    result = program.run("spot", "-", "--field", "40", stdin=lens)
+    checks.check(result.returncode == 1 and b"ends at surface 1 (miss)" in result.stderr,
+                 f"a hidden stop: {result.stderr.decode()}")
+
+
 def main():
     words = [word for word in sys.argv[1:] if not word.startswith("--")]
     checks, program = Checks(), Program(words[0])
@@ -147,6 +156,7 @@ def main():
     for case in own:
         check_grids(checks, program, case)
     check_integrals(checks, program)
+    check_dark(checks, program)
     for lens, field in (("double-gauss", "14"), ("nikkor-z-58-f095", "18"), ("fisheye-16", "60"),
                         ("phone-80deg", "28"), ("mirror-tele-us5331467", "0.3")):
         check_error(checks, program, lens, field)
