@@ -92,6 +92,27 @@ bool solve_follow(const struct lens *lens, size_t surface, enum solve_ray ray, s
     return done;
 }
 
+bool solve_heights(const struct lens *lens, enum solve_ray ray, struct arena *arena,
+                   double *heights, struct error *error)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    struct paraxial_system system;
+    double height, slope;
+    bool done =
+        start_of(lens, ray, arena, &height, &slope, error) &&
+        paraxial_compile(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &system, error);
+    struct pair y = pair_of(done ? height : 0), v = pair_of(done ? slope : 0);
+    for (size_t i = 0; done && i < lens->surface_count; i++) {
+        if (i > 0) {
+            y = pair_add(y, pair_multiply(system.surfaces[i - 1].reduced, v));
+        }
+        heights[i] = y.hi;
+        v = pair_subtract(v, pair_multiply(y, system.surfaces[i].power));
+    }
+    arena_reset(arena, mark);
+    return done;
+}
+
 struct pair solve_thickness(const struct solve_state *state, struct pair height)
 {
     struct pair rise = pair_multiply(pair_subtract(height, state->y), state->index_after);

@@ -28,6 +28,15 @@ struct solve_state {
 bool solve_follow(const struct lens *lens, size_t surface, enum solve_ray ray, struct arena *arena,
                   struct solve_state *state, struct error *error);
 
+/*
+ * The height of the ray at every surface, mm, in time linear in their number.
+ *
+ * Given     heights  room for one a surface of the lens
+ * Errors    as solve_follow
+ */
+bool solve_heights(const struct lens *lens, enum solve_ray ray, struct arena *arena,
+                   double *heights, struct error *error);
+
 /* The thickness behind a surface that brings a ray to a height at the next one: n' (h - y)/v'. */
 struct pair solve_thickness(const struct solve_state *state, struct pair height);
 

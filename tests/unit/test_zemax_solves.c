@@ -235,8 +235,38 @@ static void check_indices(void)
     }
 }
 
+/* The same air, in the second of two configurations. */
+static void check_configurations(void)
+{
+    static const struct {
+        const char *settings;
+        double index;
+    } cases[] = {
+        {"TEMP 0 1 20\nTEMP 0 2 40\n", 1.5185816350991548},
+        {"PRES 0 1 1\nPRES 0 2 0\n", 1.5189446251499588},
+        {"TEMP 0 1 20\nTEMP 0 2 -30\nPRES 0 1 1\nPRES 0 2 0.5\n", 1.5186331340439905},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct fixture fixture;
+        long line;
+        int column;
+        struct pair index = {NAN, NAN};
+        fixture_open(&fixture, "airs.zmx");
+        struct text file =
+            case_file(&fixture, good, PARAXIAL, "ENVD 20 1 1\n" GLASS("N-BK7"), &line, &column);
+        file = text_of(arena_printf(&fixture.arena, "%.*sMNUM 2\n%s", (int)file.length, file.start,
+                                    cases[i].settings));
+        CHECK(foreign_read(&fixture.job, file, &fixture.lens, &fixture.error));
+        const struct lens *second = lens_at_position(&fixture.lens, 1, &fixture.arena);
+        CHECK(medium_index(&second->surfaces[0].medium, 0.55, &index, &fixture.error));
+        CHECK_RELATIVE(index.hi, cases[i].index, 4e-16, cases[i].settings);
+        arena_free(&fixture.arena);
+    }
+}
+
 int main(void)
 {
+    check_configurations();
     check_meanings("paraxial.zmx", good, CASES(of_paraxial));
     check_refusals("paraxial.zmx", good, CASES(of_wrong_paraxial));
     check_meanings("kept.zmx", good, CASES(of_kept));

@@ -14,22 +14,30 @@ struct doubt {
     size_t surface;   /* of the file */
 };
 
-/* The height of a ray at a surface, mm, for an aperture of any kind; 0 where it is not known. */
-static double height_at(const struct lens *lens, size_t at, enum solve_ray ray, struct arena *arena)
+/* How far from the axis a ray meets each surface, mm; 0 where it is not known. */
+static const double *heights_of(const struct lens *lens, enum solve_ray ray, struct arena *arena)
 {
-    struct solve_state state;
+    double *heights = ARENA_ARRAY(arena, lens->surface_count, double);
     struct error ignored;
-    bool is_known = lens->aperture_kind != APERTURE_NONE &&
-                    solve_follow(lens, at, ray, arena, &state, &ignored);
-    return is_known && isfinite(state.y.hi) ? fabs(state.y.hi) : 0;
+    bool is_known =
+        lens->aperture_kind != APERTURE_NONE && solve_heights(lens, ray, arena, heights, &ignored);
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        heights[i] = is_known && isfinite(heights[i]) ? fabs(heights[i]) : 0;
+    }
+    return heights;
 }
+
+/* Heights at a surface. */
+struct beams {
+    double marginal, chief;
+};
 
 /*
  * Nothing meets a sphere farther off than its radius: no beam, no clear aperture. With an f-number
  * the beams shrink with the focal length, and only the distances stay: they are at most 10 radii in
  * glass, 100 behind a mirror, 1000 in air.
  */
-static void doubt_surface(const struct lens *lens, size_t at, size_t number, struct arena *arena,
+static void doubt_surface(const struct lens *lens, size_t at, size_t number, struct beams beams,
                           struct doubt *worst)
 {
     const struct surface *surface = &lens->surfaces[at];
@@ -39,8 +47,8 @@ static void doubt_surface(const struct lens *lens, size_t at, size_t number, str
         const char *what;
         double length, radii;
     } all[] = {
-        {"a beam of", 2 * height_at(lens, at, SOLVE_MARGINAL, arena), 2},
-        {"a field of", 2 * height_at(lens, at, SOLVE_CHIEF, arena), 2},
+        {"a beam of", 2 * beams.marginal, 2},
+        {"a field of", 2 * beams.chief, 2},
         {"a clear aperture of", surface->has_diameter ? surface->diameter.value.hi : 0, 2},
         {"a glass of", behind_glass ? fabs(surface[-1].thickness.value.hi) : 0, 10},
         {"a distance of", fabs(surface->thickness.value.hi),
@@ -71,11 +79,14 @@ static size_t next_place(const struct sequence_surface *surface, size_t at)
 
 static struct doubt doubt_of(const struct sequence *sequence, const struct lens *lens)
 {
+    struct arena *arena = sequence->job->arena;
+    const double *marginal = heights_of(lens, SOLVE_MARGINAL, arena);
+    const double *chief = heights_of(lens, SOLVE_CHIEF, arena);
     struct doubt worst = {0};
     size_t at = 0;
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         if (is_open(&sequence->surfaces[i])) {
-            doubt_surface(lens, at, i, sequence->job->arena, &worst);
+            doubt_surface(lens, at, i, (struct beams){marginal[at], chief[at]}, &worst);
         }
         at = next_place(&sequence->surfaces[i], at);
     }

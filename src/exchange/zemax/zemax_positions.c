@@ -115,15 +115,43 @@ static bool place_numbered(const struct placing *placing, struct zemax_surface *
     return true;
 }
 
+/* APMN, APMX: the two sizes of an aperture, APDX, APDY: its decentre; of none they say nothing. */
+static bool place_size(const struct placing *placing, struct zemax_surface *surface)
+{
+    const struct zemax_line *own = placing->setting->line;
+    const bool shifts = text_same(own->keyword, "APDX") || text_same(own->keyword, "APDY");
+    const bool second = text_same(own->keyword, "APMX") || text_same(own->keyword, "APDY");
+    const struct zemax_line **place = shifts ? &surface->aperture_shift : &surface->aperture;
+    const struct zemax_line *old = *place;
+    if (surface->aperture == NULL) {
+        return own->numbers[2].value.hi == 0 ||
+               zemax_loss(placing->file, own, placing->error,
+                          "%.4s of an aperture that is not stated" LOSS_VIGNETTES LOSS_INSTEAD
+                          "left out",
+                          own->keyword.start);
+    }
+    struct zemax_line *line = line_with(placing, old, second);
+    if (!shifts) {
+        line->keyword = old->keyword;
+        line->words = old->words;
+        surface->clear = surface->clear == old ? line : surface->clear;
+    }
+    const bool none = shifts && zemax_number(line, 0) == 0 && zemax_number(line, 1) == 0;
+    *place = none ? NULL : line;
+    return true;
+}
+
 /* Operands that belong to a surface; the others are of the system. */
 static const struct {
     const char *word;
     bool (*place)(const struct placing *placing, struct zemax_surface *surface);
 } places_of[] = {{"THIC", place_thickness}, {"CRVT", place_curvature}, {"CONN", place_conic},
-                 {"SDIA", place_diameter},  {"GLSS", place_glass},     {"PRAM", place_numbered},
-                 {"EDVA", place_numbered},  {"PAR1", place_parameter}, {"PAR2", place_parameter},
-                 {"PAR3", place_parameter}, {"PAR4", place_parameter}, {"PAR5", place_parameter},
-                 {"PAR6", place_parameter}, {"PAR7", place_parameter}, {"PAR8", place_parameter}};
+                 {"SDIA", place_diameter},  {"APMN", place_size},      {"APMX", place_size},
+                 {"APDX", place_size},      {"APDY", place_size},      {"GLSS", place_glass},
+                 {"PRAM", place_numbered},  {"EDVA", place_numbered},  {"PAR1", place_parameter},
+                 {"PAR2", place_parameter}, {"PAR3", place_parameter}, {"PAR4", place_parameter},
+                 {"PAR5", place_parameter}, {"PAR6", place_parameter}, {"PAR7", place_parameter},
+                 {"PAR8", place_parameter}};
 
 /* STPS: the number of the surface that is the stop is the value. */
 static bool place_stop(const struct placing *placing)
@@ -187,14 +215,60 @@ static bool place_aperture(const struct placing *placing)
     return true;
 }
 
+/* XFIE, YFIE, FLWT: `surface` is the number of the field. */
+static bool place_field(const struct placing *placing)
+{
+    struct zemax_file *file = placing->file;
+    const struct zemax_line *own = placing->setting->line;
+    const struct zemax_line **place = text_same(own->keyword, "XFIE")   ? &file->x
+                                      : text_same(own->keyword, "YFIE") ? &file->y
+                                                                        : &file->field_weights;
+    const struct zemax_line *old = *place;
+    const long number = placing->setting->surface;
+    if (!(number >= 1 && number <= ZEMAX_WAVES)) {
+        return lens_words_fail(&own->words, own->first, placing->error,
+                               "fields have the numbers 1 to %d", ZEMAX_WAVES);
+    }
+    struct zemax_line *line = line_with(placing, old, (size_t)number - 1);
+    for (size_t i = old != NULL ? old->count : 0; old != NULL && i + 1 < (size_t)number; i++) {
+        line->numbers[i] = figure_zero();
+    }
+    *place = line;
+    return true;
+}
+
+/* FLTP, TELE, AFOC: the kind of the fields and what FTYP says beside it. */
+static bool place_field_kind(const struct placing *placing)
+{
+    struct zemax_file *file = placing->file;
+    const struct text word = placing->setting->line->keyword;
+    const size_t at = text_same(word, "FLTP") ? 0 : text_same(word, "TELE") ? 1 : 6;
+    file->fields = line_with(placing, file->fields, at);
+    return true;
+}
+
+/* TEMP, PRES: they act where ENVD says that indices follow them. */
+static bool place_environment(const struct placing *placing)
+{
+    struct zemax_file *file = placing->file;
+    const bool second = text_same(placing->setting->line->keyword, "PRES");
+    file->environment = line_with(placing, file->environment, second);
+    return (zemax_number(file->environment, 0) > -273.15 &&
+            zemax_number(file->environment, 1) >= 0) ||
+           lens_words_fail(&placing->setting->line->words, placing->setting->line->keyword,
+                           placing->error,
+                           "a temperature is above -273.15 C, a pressure 0 or more atmospheres");
+}
+
 static const struct {
     const char *word;
     bool (*place)(const struct placing *placing);
-} places_in_system[] = {{"STPS", place_stop},
-                        {"WAVE", place_wave},
-                        {"WLWT", place_wave},
-                        {"PRWV", place_primary},
-                        {"APER", place_aperture}};
+} places_in_system[] = {
+    {"STPS", place_stop},       {"WAVE", place_wave},       {"WLWT", place_wave},
+    {"PRWV", place_primary},    {"APER", place_aperture},   {"XFIE", place_field},
+    {"YFIE", place_field},      {"FLWT", place_field},      {"FLTP", place_field_kind},
+    {"TELE", place_field_kind}, {"AFOC", place_field_kind}, {"TEMP", place_environment},
+    {"PRES", place_environment}};
 
 /* Is it one of those that may differ between the configurations? */
 static bool is_placed(struct text keyword)

@@ -18,9 +18,11 @@ static bool read_configurations(struct zemax_file *file, struct text keyword, st
 
 bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct error *error)
 {
-    struct number_scale unit = text_same(keyword, "THIC") || text_same(keyword, "SDIA")
-                                   ? file->words.scale
-                                   : NUMBER_UNSCALED;
+    static const char *const lengths[] = {"THIC", "SDIA", "APMN", "APMX", "APDX", "APDY"};
+    struct number_scale unit = NUMBER_UNSCALED;
+    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
+        unit = text_same(keyword, lengths[i]) ? file->words.scale : unit;
+    }
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     if (text_same(keyword, "IGNR") && zemax_number(line, 2) != 0) {
         return zemax_loss(file, line, error, "IGNR: a surface that is left out" LOSS_OF_POWER);
