@@ -92,8 +92,10 @@ static void spread_z(const struct sequence *sequence)
     for (size_t i = 1; i < sequence->count; i++) {
         struct sequence_surface *surface = &sequence->surfaces[i];
         struct pair z = surface->shift[2].value;
-        surface[-1].extra = pair_add(surface[-1].extra, z);
-        if (surface->move == SEQUENCE_BACK) {
+        if (surface->move != SEQUENCE_RETURN) {
+            surface[-1].extra = pair_add(surface[-1].extra, z);
+        }
+        if (surface->move == SEQUENCE_BACK || surface->move == SEQUENCE_RETURN) {
             surface->extra = pair_subtract(surface->extra, z);
         }
     }
@@ -119,6 +121,11 @@ static bool check_move(const struct sequence *sequence, const struct sequence_su
         return foreign_loss(sequence->job, &place, word, error,
                             "a bend with turns about more than one axis" LOSS_INSTEAD
                             "only the first is kept");
+    }
+    if (from->move == SEQUENCE_RETURN && turns + about_z > 1) {
+        return foreign_loss(sequence->job, &place, word, error,
+                            "a return with turns about more than one axis" LOSS_INSTEAD
+                            "they are undone in another order");
     }
     if (from->move == SEQUENCE_BACK && about_z && from->curved != CURVED_BOTH) {
         return foreign_loss(sequence->job, &place, word, error,
@@ -170,16 +177,49 @@ static bool put_apertures(const struct sequence *sequence, const struct sequence
     return true;
 }
 
-/* A plane behind a surface that turns the axis once more; the surface's distance is the plane's. */
-static struct surface *bend(const struct sequence *sequence, struct sequence_surface *from,
-                            struct surface *surface)
+/* A plane behind a surface; the surface's distance is to be the plane's. */
+static struct surface *add_plane(const struct sequence *sequence, struct sequence_surface *from,
+                                 struct surface *surface, const struct displacement *moved)
 {
     const struct medium medium = surface->medium;
     surface->thickness = figure_of(0, sequence->job->arena);
     surface = lens_build_surface(sequence->build);
     surface->medium = medium;
-    surface->coordinate_break = is_decentred(from) ? displacement_of(sequence, from, true) : NULL;
-    from->has_plane_behind = true;
+    surface->coordinate_break = moved;
+    from->planes_behind++;
+    return surface;
+}
+
+/* Turned back, then shifted back; null: by nothing. */
+static const struct displacement *undone(const struct sequence *sequence,
+                                         const struct sequence_surface *from, bool turn)
+{
+    struct displacement *all = ARENA_NEW(sequence->job->arena, struct displacement);
+    bool some = false;
+    for (int i = 0; i < 3; i++) {
+        all->tilt[i] = sequence_nothing;
+        all->decenter[i % 2] = sequence_nothing;
+    }
+    for (int i = 0; i < (turn ? 3 : 2); i++) {
+        const struct figure *one = turn ? &from->turn[i] : &from->shift[i];
+        if (sequence_is_some(one)) {
+            some = true;
+            *(turn ? &all->tilt[i] : &all->decenter[i]) =
+                sequence_negate(*one, sequence->job->arena);
+        }
+    }
+    return some ? all : NULL;
+}
+
+static struct surface *put_back(const struct sequence *sequence, struct sequence_surface *from,
+                                struct surface *surface)
+{
+    for (int i = 0; i < 2; i++) {
+        const struct displacement *moved = undone(sequence, from, i == 0);
+        if (moved != NULL || sequence->has_positions) {
+            surface = add_plane(sequence, from, surface, moved);
+        }
+    }
     return surface;
 }
 
@@ -187,13 +227,18 @@ static struct surface *bend(const struct sequence *sequence, struct sequence_sur
 static struct surface *move(const struct sequence *sequence, struct sequence_surface *from,
                             struct surface *surface)
 {
+    if (from->move == SEQUENCE_RETURN) {
+        return put_back(sequence, from, surface);
+    }
     if (is_decentred(from) && from->move == SEQUENCE_BACK) {
         surface->decentre = displacement_of(sequence, from, false);
     } else if (is_decentred(from)) {
         surface->coordinate_break = displacement_of(sequence, from, false);
     }
     bool bends = from->move == SEQUENCE_BEND && (is_decentred(from) || sequence->has_positions);
-    return bends ? bend(sequence, from, surface) : surface;
+    const struct displacement *again =
+        bends && is_decentred(from) ? displacement_of(sequence, from, true) : NULL;
+    return bends ? add_plane(sequence, from, surface, again) : surface;
 }
 
 /* The surface, and behind a bend a plane that turns the axis. */
@@ -311,7 +356,7 @@ static bool put_image(const struct sequence *sequence, bool is_solved, struct er
                       "a curved image" LOSS_INSTEAD "taken as a plane")) {
         return false;
     }
-    if (is_decentred(image)) {
+    if (is_decentred(image) && image->move != SEQUENCE_RETURN) {
         image->thickness = sequence_nothing;
         image->extra = pair_of(0);
         image->medium = lens->surfaces[last - 1].medium;

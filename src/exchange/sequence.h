@@ -20,7 +20,8 @@ enum { SEQUENCE_MOST = 1000 }; /* surfaces */
 enum sequence_move {
     SEQUENCE_ALONG, /* the axis goes on in the turned system */
     SEQUENCE_BACK,  /* the axis goes on unbent */
-    SEQUENCE_BEND   /* the axis is turned once more behind it, as a mirror turns it */
+    SEQUENCE_BEND,  /* the axis is turned once more behind it, as a mirror turns it */
+    SEQUENCE_RETURN /* the surface stays; behind it the axis is turned and shifted back */
 };
 
 /* A thickness or curvature that follows from a ray. */
@@ -84,7 +85,7 @@ struct sequence_surface {
     bool turns_first;                /* before it is shifted, and about z first */
     struct figure shift[3], turn[3]; /* x, y, z */
     struct command_word decentred_at;
-    bool has_plane_behind;     /* in the lens, to turn the axis */
+    size_t planes_behind;      /* in the lens, that turn and shift the axis */
     struct command_word glass; /* what is still to be looked up; empty = medium is known */
     struct sequence_solve thickness_solve, curvature_solve;
 };

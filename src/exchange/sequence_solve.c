@@ -145,7 +145,7 @@ static bool pass(const struct sequence *sequence, const size_t *indices, bool *s
         struct sequence_solve *solves[] = {&from->curvature_solve, &from->thickness_solve};
         for (int j = 0; j < 2; j++) {
             /* behind a bend the thickness is that of the plane that turns the axis */
-            size_t surface = indices[i] + (j == 1 && from->has_plane_behind);
+            size_t surface = indices[i] + (j == 1 ? from->planes_behind : 0);
             struct solving solving = {sequence, from, solves[j], surface, j == 1};
             bool near = true;
             if (!solves[j]->is_set) {
@@ -199,7 +199,7 @@ static void remark_all(const struct sequence *sequence, const size_t *indices)
         const struct sequence_surface *from = &sequence->surfaces[i];
         const struct solving curve = {sequence, from, &from->curvature_solve, indices[i], false};
         const struct solving gap = {sequence, from, &from->thickness_solve,
-                                    indices[i] + from->has_plane_behind, true};
+                                    indices[i] + from->planes_behind, true};
         bool is_image = i + 2 == sequence->count && sequence->build->lens->focus == FOCUS_PARAXIAL;
         if (curve.solve->is_set && is_stored(&curve)) {
             remark(&curve, i);

@@ -130,6 +130,13 @@ static const struct meaning of_shifts[] = {
     {"SI 0 0", "ZDE 2;DAR\nSI 0 0", "surface 50 6 1.517/64.2 - stop\nsurface -50 88 air -"},
     {"SI 0 0", "SI 0 0\nZDE 2", "surface -50 92 air -"},
     /* a fold: the surface is turned, and the axis behind it once more */
+    /* shifted, then turned right-handed by -10; behind it turned back, then shifted back */
+    {"STO", "STO\nYDE 2;ADE 10;REV",
+     "surface 50 0 1.517/64.2 - stop\nbend decenter=0,0 tilt=10,0,0\nsurface - 0 1.517/64.2 -\n"
+     "bend decenter=0,-2 tilt=0,0,0\nsurface - 4 1.517/64.2 -"},
+    {"STO", "STO\nXDE 1;ZDE 0.5;REV",
+     "surface 50 0 1.517/64.2 - stop\nbend decenter=-1,0 tilt=0,0,0\nsurface - 3.5 1.517/64.2 -"},
+    {"SI 0 0", "SI 0 0\nADE 5;REV", "surface -50 90 air -"},
     {"SI 0 0", "S 0 -30 REFL\nADE 45;BEN\nSI 0 0",
      "bend decenter=0,0 tilt=-45,0,0\nsurface - 0 mirror -\n"
      "bend decenter=0,0 tilt=-45,0,0\nsurface - -30 air -"},
@@ -230,7 +237,9 @@ static const struct refusal losses[] = {
     {"STO", "STO\n@PRE 0", "PRE: a thermal environment", ""},
     {"STO", "STO\n@PUX 0.5", "PUX: an apodised pupil", ""},
     {"STO", "STO\n@XYZ 1", "XYZ: an unknown command", ""},
-    {"STO", "STO\n@REV", "REV: a shift or turn that is undone or related to another surface", ""},
+    {"STO", "STO\n@RET S0", "RET: a shift or turn that is related to another surface", ""},
+    {"STO", "STO\nADE 10;BDE 5\n@REV", "a return with turns about more than one axis",
+     "they are undone in another order"},
     {"STO", "STO\n@REX 2", "REX: an aperture that is not stated whole", "left out"},
     {"STO", "STO\n@XTO", "XTO: a toric, anamorphic or special surface", ""},
     {"STO", "STO\n@DIF GRT", "DIF: a diffractive surface", ""},

@@ -74,7 +74,7 @@ static bool is_open(const struct sequence_surface *surface)
 /* The next surface's place in the lens: planes that turn the axis are surfaces there. */
 static size_t next_place(const struct sequence_surface *surface, size_t at)
 {
-    return at + 1 + surface->has_plane_behind;
+    return at + 1 + surface->planes_behind;
 }
 
 static struct doubt doubt_of(const struct sequence *sequence, const struct lens *lens)

@@ -135,6 +135,7 @@ static const struct {
     {"CDE", codev_shift, 'C', true},
     {"DAR", codev_move, SEQUENCE_BACK, true},
     {"BEN", codev_move, SEQUENCE_BEND, true},
+    {"REV", codev_move, SEQUENCE_RETURN, true},
     {"PIM", read_pim, 0, false},
     {"TEL", read_space, 'T', false},
     {"AFC", read_space, 'A', false},
