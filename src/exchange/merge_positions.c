@@ -294,8 +294,10 @@ static bool check_fields(const struct merge *merge, struct error *error)
 /* What has no values of its own in the positions. */
 static const char *against(const struct lens *a, const struct lens *b)
 {
-    return a->surface_count != b->surface_count                    ? "the number of surfaces"
-           : a->aperture_kind != b->aperture_kind                  ? "the kind of aperture"
+    return a->surface_count != b->surface_count   ? "the number of surfaces"
+           : a->aperture_kind != b->aperture_kind ? "the kind of aperture"
+           : (a->wavelength_count == 0) != (b->wavelength_count == 0)
+               ? "whether there are wavelengths"
            : a->focus != b->focus                                  ? "where the image is"
            : (a->stop == LENS_NONE) != (b->stop == LENS_NONE)      ? "whether there is a stop"
            : !medium_is_same(&a->object_medium, &b->object_medium) ? "the medium of the object"

@@ -251,6 +251,12 @@ static const struct refusal errors[] = {
     {"RD -50", "PK LN 1 @x", "the number of the surface is a whole number from 0 on", NULL},
     {"END 2", "END 2\nRST NEW\nF 1@", "the point of the field is missing", NULL},
     {"END 2", "END 2\nRST NEW\nF 1 0 @x", "the point of the field 'x' is no number", NULL},
+    {"WV 0.5875618\nTH 1e20\nNXT\nRD 50\nTH 4\nGLA 1.5\nAST\nNXT\nRD -50\nTH 90\nNXT\nEND 2\n",
+     "TH 1e20\nNXT\nRD 50\nTH 4\nGLA 1.5\nAST\nNXT\nRD -50\nTH 90\nNXT\nEND 2\nCFG NEW\nWV1 2 "
+     "0.6\nEND\n",
+     "the configurations differ in whether there are wavelengths, which the positions of a lens "
+     "cannot",
+     NULL},
     {"END 2", "END 2\nCFG NEW\nTH @7 2 5\nEND", "surface 7 of 3", NULL},
     {"END 2", "END 2\nCFG NEW\nTH 2 @101 5\nEND", "more than 100 configurations", NULL},
     {"END 2", "END 2\nCFG NEW\nTH 2 @x 5\nEND",
