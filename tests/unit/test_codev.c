@@ -322,6 +322,7 @@ static const struct refusal errors[] = {
      "field 2: of a field with an angle in x and one in y both are below 90 degrees", NULL},
     {"YAN 0 10", "YAN 0 10\n@WTF 1 -1", "a weight is not below 0", NULL},
     {"YAN 0 10", "YAN 0 @x", "the field 'x' is no number", NULL},
+    {"YAN 0 10", "YAN@", "the field is missing", NULL},
     {"STO", "STO\nGLA S1@", "the glass is missing", NULL},
     {"STO", "STO\nGLA S1 AIR @5", "'5' does not belong here", NULL},
     {"STO", "STO\nK @x", "the conic 'x' is no number", NULL},

@@ -259,7 +259,7 @@ bool codev_fields(struct codev *codev, int what, struct error *error)
     size_t count = commands->count - qualifiers.next;
     struct figure *fields = ARENA_ARRAY(commands->job->arena, count + 1, struct figure);
     const struct number_scale scale = kind == 'a' || kind == 'w' ? plain : commands->scale;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count || i == 0; i++) {
         if (!commands_figure(commands, qualifiers.next + i, scale,
                              kind == 'w' ? "field's weight" : "field", &fields[i], error)) {
             return false;
