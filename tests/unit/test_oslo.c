@@ -191,6 +191,8 @@ static const struct meaning of_blocks[] = {
     {"END 2", "END 2\nCFG NEW\nWV1 2 0.6328\nEND", "set wavelength 0.5875618um 0.6328um"},
     {"END 2", "END 2\nCFG NEW\nTH 0 2 100\nEND", "let object inf 100"},
     {"END 2", "END 2\nCFG NEW\nTH 2 1 80\nEND", "surface -50 80 air -"},
+    {"END 2", "END 2\nDLRS 3\nDLNR 0 5\nOPDF 1e-12\nRST NEW\nR 1 0 0 0.01\nEND", "focus table"},
+    {"NXT\nRD -50", "SEF\nRD -50", "surface -50 90 air -"},
     {"TH 4", "THF 4", "surface 50 4 1.5 - stop"},
     {"RD 50", "RDF 50", "surface 50 4 1.5 - stop"},
     {"AST", "AST\nAPF 5\nLDP 1\nVX 2", "surface 50 4 1.5 10 stop"},

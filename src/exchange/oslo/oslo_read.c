@@ -354,6 +354,7 @@ static const struct {
     {"GIH", read_field, OSLO_IMAGE},
     {"UNI", read_nothing, 0}, /* read before all others */
     {"NXT", next_surface, 0},
+    {"SEF", next_surface, 0}, /* of old files */
     {"AIR", read_medium, 0},
     {"AIF", read_medium, 0},
     {"RFL", read_medium, 1},
@@ -455,6 +456,9 @@ static bool run_behind(struct oslo *oslo, struct error *error)
     if (oslo_enter(oslo, word) || oslo->block == OSLO_PASSED_OVER ||
         (group != NULL && group->fate == WORD_HARMLESS)) {
         return true;
+    }
+    if (oslo->block == OSLO_POINTS && text_same(word, "R")) {
+        return true; /* a ray to be traced by operands */
     }
     if (oslo->block == OSLO_POINTS && text_same(word, "F")) {
         return oslo_point(oslo, 0, error);

@@ -9,7 +9,7 @@ const struct word_group oslo_words[] = {
     {WORD_KEPT, "system", "a telecentric object space, an afocal image space", "TELE AMO", 0},
     {WORD_KEPT, "system", "wavelengths and their weights, also with numbers (WV1)", "WV WW", 0},
     {WORD_KEPT, "system", "notes, with numbers (SNO1)", "SNO", 0},
-    {WORD_KEPT, "surface", "the next surface, the stop", "NXT AST", 0},
+    {WORD_KEPT, "surface", "the next surface, the stop", "NXT SEF AST", 0},
     {WORD_KEPT, "surface", "curvature, conic, distance and material",
      "RD CV CC TH AIR RFL RFH GLA RDF CVF THF AIF GLF", 0},
     {WORD_KEPT, "surface", "aspheres; AS has a number behind it", "AD AE AF AG ASP AS", 0},
@@ -35,7 +35,7 @@ const struct word_group oslo_words[] = {
     {WORD_HARMLESS, "system", "the designer, the program, displays and warnings",
      "DES DLID LID NOT WRSP DSP DRW WARM PLT DLAP", 0},
     {WORD_HARMLESS, "system", "how results are computed and shown",
-     "RFS OPDM SDAD EVZ IMD ASI APCK SUR", 0},
+     "RFS OPDM OPDF SDAD DLRS DLNR EVZ IMD ASI APCK SUR", 0},
     {WORD_HARMLESS, "surface", "expansion of the glass and tolerances", "TCE TOL", 0},
     {WORD_HARMLESS, "surface", "drawings, the names of groups",
      "LDP CBK ELMDF1 ELMDF2 BDI BDD VX PF "
