@@ -291,17 +291,9 @@ static bool is_infinite(const struct sequence *sequence, const struct figure *di
     return fabs(pair_multiply(distance->value, per_unit).hi) >= commands->grammar->infinity;
 }
 
-bool sequence_check_fnumber(const struct sequence *sequence, struct error *error)
+bool sequence_is_near(const struct sequence *sequence)
 {
-    const struct sequence_surface *object = &sequence->surfaces[0];
-    const struct lens_words place = commands_place(sequence->commands, &object->at);
-    if (sequence->count == 0 || sequence->build->lens->aperture_kind != APERTURE_FNUMBER ||
-        is_infinite(sequence, &object->thickness)) {
-        return true;
-    }
-    return foreign_loss(sequence->job, &place, object->at.text, error,
-                        "the working f-number of a near object" LOSS_INSTEAD
-                        "taken as that of the lens");
+    return sequence->count > 0 && !is_infinite(sequence, &sequence->surfaces[0].thickness);
 }
 
 static bool put_object(const struct sequence *sequence, struct error *error)

@@ -94,6 +94,7 @@ struct sequence_surface {
 struct sequence {
     bool is_afocal;     /* the image is given by angles */
     bool has_positions; /* it is that of one of them: bends have their planes in all */
+    bool is_open;       /* the size of the marginal ray is one that only the whole lens gives */
     struct foreign_job *job;
     const struct commands *commands;
     struct lens_build *build;
@@ -131,8 +132,8 @@ struct figure sequence_diameter(const struct figure *radius, struct arena *arena
 bool sequence_medium(const struct commands *commands, const struct command_word *at,
                      const char *written, struct medium *medium, struct error *error);
 
-/* An f-number is that of an object at infinity; of a near one it means something else. */
-bool sequence_check_fnumber(const struct sequence *sequence, struct error *error);
+/* Is there an object, at a finite distance? */
+bool sequence_is_near(const struct sequence *sequence);
 
 /*
  * Make the lens: pick-ups, surfaces, solves; the header of the lens is there already.

@@ -123,6 +123,10 @@ static bool apply(const struct solving *solving, bool *near, struct error *error
     if (solving->sequence->job->lost_power != NULL && is_stored(solving)) {
         return keep(solving, through_loss, error);
     }
+    bool by_size = solving->solve->of_angle || solving->solve->target.value.hi != 0;
+    if (solving->sequence->is_open && solving->solve->ray == SOLVE_MARGINAL && by_size) {
+        return keep(solving, "it follows a ray whose height follows from the lens", error);
+    }
     if (solving->solve->is_unknown) {
         return keep(solving, "it is not known", error);
     }

@@ -39,6 +39,9 @@ static const struct meaning of_lens[] = {
     {"WL 587.5618\n", "", "unit mm\nobject inf"},
     {"EPD 10", "FNO 4", "aperture f/4"},
     {"EPD 10", "NA 0.25", "aperture f/2"}, /* N = 1/(2 NA') */
+    /* a mirror of f = -50 mm: |u'| = y (1/50 - 1/200) = 3 D/400, N = 200/(3 D), D = 200/12 */
+    {"EPD 10\nWL 587.5618\nYAN 0 10\nSO 0 1e13\nS 50 4 517642", "FNO 4\nSO 0 200\nS -100 4 REFL",
+     "aperture epd 16.6666666666667"},
     {"EPD 10", "NAO 0.1", "aperture na 0.1"},
     {"EPD 10\n", "", "field angle 0 10\nfocus table"},
     {"YAN 0 10\n", "", "object inf\naperture epd 10"},
@@ -186,6 +189,10 @@ static const struct meaning of_solves[] = {
     {"STO", "STO\nTHI UMY 1",
      "note line 6: a solve: it is not known; the number of the file stands"},
     {"STO", "STO\nTHI UMY 1", "surface 50 6 1.5 - stop"},
+    {"EPD 5\nSO 0 1e13", "FNO 4;SO 0 200", "surface 50 6 1.5 - stop\nsurface - 1 air -"},
+    {"EPD 5\nSO 0 1e13\nS 50 6 1.5\nSTO\n", "FNO 4;SO 0 200\nS 50 6 1.5\nSTO\nTHI HMY 2\n",
+     "note line 5: a solve: it follows a ray whose height follows from the lens; the number of the "
+     "file stands"},
     {"SI 0 0", "THI HMY 1.2\nSI 0 0",
      "note the thickness of surface 2 is 48 by its solve, the file had 1"},
 };
@@ -265,8 +272,6 @@ static const struct refusal losses[] = {
     {"GO", "@PIK XDE S1 XDE S2", "PIK: a pick-up that is not known", stands},
     {"GO", "@PIK RDY S2 THI S1", "PIK: a pick-up between unlike numbers or positions", ""},
     {"GO", "@PIK RDY S2 Z2 RDY S1", "PIK: a pick-up between unlike numbers or positions", ""},
-    {"EPD 10\nWL 587.5618\nYAN 0 10\nSO 0 1e13", "FNO 4\n@SO 0 200",
-     "the working f-number of a near object", "taken as that of the lens"},
     {"SO 0 1e13", "@SO 500 1e13", "a curved or tilted object", "taken as a plane"},
     {"SI 0 0", "@SI -500 0", "a curved image", "taken as a plane"},
     {"SO 0 1e13", "@SO 0 1e13\nZDE 5", "a curved or tilted object", "taken as a plane"},

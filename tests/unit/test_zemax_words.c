@@ -216,6 +216,10 @@ static const struct meaning of_solves[] = {
      "note line 21: what follows another surface, in a file whose surface numbers have gaps; the "
      "file's number stands"},
     {"DISZ 90", "DISZ 12\n  PZUP 1 2 0.5", "surface -50 8.5 air -"},
+    {"ENPD 10\nFTYP 0 0 2 1 0 0 0\nXFLN 0 0\nYFLN 0 10\nWAVM 1 0.5875618 1\nPWAV 1\nSURF 0\n"
+     "  TYPE STANDARD\n  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n",
+     "FNUM 4 1\nSURF 0\n  DISZ 200\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  MAZH 3 0\n",
+     "surface 50 4 1.5 - stop"},
     {"DISZ 90", "DISZ 12\n  PZUP 1 2.5", "surface -50 10 air -"},
     {"DISZ 90", "DISZ 12\n  TCOM 1 20", "surface -50 16 air -"},
     {"DISZ 90", "DISZ 12\n  TOLE 1 50", "surface -50 46 air -"},

@@ -3,6 +3,7 @@
 #include "exchange/codev/codev.h"
 
 #include "exchange/codev/codev_system.h"
+#include "exchange/entrance_pupil.h"
 #include "exchange/keep_notes.h"
 #include "exchange/merge_positions.h"
 
@@ -217,6 +218,26 @@ static bool read_ahead(struct codev *codev, struct text content, struct error *e
     return error->code == ERROR_NONE;
 }
 
+/* FNO of a near object is the working f-number: it becomes the entrance pupil that gives it. */
+static bool finish_lens(struct codev *codev, struct error *error)
+{
+    struct sequence *sequence = &codev->sequence;
+    struct lens *lens = codev->build.lens;
+    const struct command_word *at = &sequence->surfaces[0].at;
+    const struct lens_words place = commands_place(&codev->commands, at);
+    const double working = lens->aperture.value.hi;
+    if (lens->aperture_kind != APERTURE_FNUMBER || !sequence_is_near(sequence)) {
+        return sequence_finish(sequence, error);
+    }
+    lens->aperture_kind = APERTURE_NONE;
+    sequence->is_open = true;
+    return sequence_finish(sequence, error) &&
+           (entrance_pupil_set(lens, PUPIL_WORKING_FNUMBER, working, codev->job->arena) ||
+            foreign_loss(codev->job, &place, at->text, error,
+                         "a working f-number that no entrance pupil gives" LOSS_INSTEAD
+                         "the lens gets no aperture"));
+}
+
 static bool finish(struct codev *codev, struct error *error)
 {
     struct sequence *sequence = &codev->sequence;
@@ -233,8 +254,8 @@ static bool finish(struct codev *codev, struct error *error)
         struct sequence_solve *solve = &sequence->surfaces[sequence->count - 2].thickness_solve;
         *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
-    return codev_finish_system(codev, error) && sequence_check_fnumber(sequence, error) &&
-           sequence_finish(sequence, error) && codev_check_mode(codev, error);
+    return codev_finish_system(codev, error) && finish_lens(codev, error) &&
+           codev_check_mode(codev, error);
 }
 
 /* What lenscalc itself has written as comments. */

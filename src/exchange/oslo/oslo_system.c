@@ -411,6 +411,7 @@ bool oslo_finish_system(struct oslo *oslo, struct error *error)
         oslo->near_aperture = is_beam ? PUPIL_BEAM_RADIUS : PUPIL_WORKING_FNUMBER;
         oslo->near_value = is_beam ? lens->aperture.value.hi / 2 : lens->aperture.value.hi;
         lens->aperture_kind = APERTURE_NONE;
+        oslo->sequence.is_open = true;
         return true;
     }
     if (lens->aperture_kind == APERTURE_NA && is_infinite) {

@@ -91,6 +91,16 @@ static bool follow(struct solving *solving, size_t at, const struct zemax_line *
     return false;
 }
 
+static const char open_aperture[] = "follows a ray whose height follows from the lens";
+
+/* Is the size of the marginal ray one that only the whole lens gives? */
+static bool is_open(const struct solving *solving)
+{
+    const struct zemax_line *line = solving->file->aperture;
+    return line != NULL && text_same(line->keyword, "FNUM") && zemax_number(line, 1) != 0 &&
+           !solving->lens.object_is_infinite;
+}
+
 /* MAZH height zone, CHZH height: the paraxial ray has the height at the next surface. */
 static bool ray_height(struct solving *solving, size_t at, const struct zemax_line *line,
                        struct figure *figure, struct error *error)
@@ -102,6 +112,9 @@ static bool ray_height(struct solving *solving, size_t at, const struct zemax_li
     }
     if (solving->file->job->lost_power != NULL) {
         return keep(solving, at, line, through_loss, error);
+    }
+    if (!chief && zemax_number(line, 0) != 0 && is_open(solving)) {
+        return keep(solving, at, line, open_aperture, error);
     }
     bool done = false;
     if (!follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state, &done, error)) {
@@ -309,6 +322,10 @@ static bool solved_curvature(struct solving *solving, size_t at, int code, struc
     if (is_of_ray(code)) {
         struct solve_state state;
         bool chief = code == CHIEF_ANGLE || code == CHIEF_NORMAL;
+        if ((code == MARGINAL_ANGLE || code == F_NUMBER) && is_open(solving)) {
+            *kept = keep(solving, at, line, open_aperture, error);
+            return false;
+        }
         if (!follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state, kept, error)) {
             return false;
         }
