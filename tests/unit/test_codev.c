@@ -28,6 +28,8 @@ static const struct meaning of_lens[] = {
     {"EPD 10", "TEM 20\nPRE 760\nEPD 10; &", "aperture epd 10"},
     {"EPD 10", "EPD 10; & ! more\n\n ; &\n", "aperture epd 10"},
     {"'Singlet'", "\"it's\"", "lens it's"},
+    {"'Singlet'", "'a\x02 #1'", "lens a No.1"},
+    {"STO", "STO\nSLB 'a\x02z'", "surface 50 4 1.517/64.2 - stop name=\"a z\""},
     {"'Singlet'", "\"\"a name\"\"", "lens a name"},
     {"TITLE", "tit", "lens Singlet"},
     {"EPD", "DIM C\nEPD", "unit cm"},

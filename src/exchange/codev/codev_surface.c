@@ -357,8 +357,7 @@ bool codev_label(struct codev *codev, int what, struct error *error)
     }
     const struct text label = commands_word(&codev->commands, qualifiers.next).text;
     if (label.length > 0 && memchr(label.start, '"', label.length) == NULL) {
-        surface_of(codev, &qualifiers)->name =
-            arena_string(codev->job->arena, label.start, label.length);
+        surface_of(codev, &qualifiers)->name = lens_build_string(&codev->build, label);
     }
     return commands_end(&codev->commands, qualifiers.next + 1, error);
 }

@@ -21,7 +21,8 @@ static struct text without_quotes(struct text text)
 /* A title as the name of a position, which is one word; one that cannot be a name is left out. */
 static void name_position(struct codev *codev, size_t position, struct text title)
 {
-    char *name = arena_string(codev->job->arena, title.start, title.length);
+    const char *plain_title = lens_build_string(&codev->build, title);
+    char *name = arena_string(codev->job->arena, plain_title, strlen(plain_title));
     bool is_new = name[0] != '\0';
     for (char *at = name; *at != '\0'; at++) {
         *at = strchr(" \t#\"", *at) != NULL ? '-' : *at;
@@ -44,8 +45,7 @@ bool codev_title(struct codev *codev, int what, struct error *error)
     }
     struct text title = without_quotes(commands_word(&codev->commands, qualifiers.next).text);
     if (qualifiers.zoom == 0 || (qualifiers.zoom == 1 && codev->positions == 0)) {
-        lens->title = title.length > 0 ? arena_string(codev->job->arena, title.start, title.length)
-                                       : lens->title;
+        lens->title = title.length > 0 ? lens_build_string(&codev->build, title) : lens->title;
         return true;
     }
     if (qualifiers.zoom > codev->positions) {

@@ -41,7 +41,7 @@ static bool read_len(struct oslo *oslo, int what, struct error *error)
     }
     oslo->has_begun = true;
     if (title.length > 0) {
-        oslo->build.lens->title = arena_string(oslo->job->arena, title.start, title.length);
+        oslo->build.lens->title = lens_build_string(&oslo->build, title);
     }
     return true;
 }
