@@ -172,7 +172,7 @@ static bool join_ends(struct reading *reading, size_t between)
 {
     struct text first = text_trim(text_between(reading->text.start, reading->at));
     struct text last = text_trim(text_between(reading->at + between, reading->end));
-    wrong(reading, reading->at, "the ends of a range stand apart by '..'");
+    wrong(reading, reading->at, "a range is written with '..'");
     if (reading->text.length < 40) {
         error_hint(reading->error, "use \"%.*s..%.*s\"", (int)first.length, first.start,
                    (int)last.length, last.start);

@@ -92,6 +92,7 @@ static bool unknown(const struct arguments *arguments, struct text name, const c
 struct words {
     int count, at;
     char **all;
+    struct argument *last; /* whose value was read last; null behind flags and operands */
 };
 
 static bool is_flag(const struct argument *argument)
@@ -119,6 +120,7 @@ static bool take(struct argument *argument, struct text text, struct words *word
     }
     argument->is_given = true;
     argument->text = text;
+    words->last = is_flag(argument) ? NULL : argument;
     return true;
 }
 
@@ -159,10 +161,92 @@ static bool parse_short(struct arguments *arguments, struct text word, struct wo
     return true;
 }
 
-/* A word that is no option goes to the next operand that is still free. */
-static bool parse_operand(struct arguments *arguments, struct text word, struct arena *arena,
-                          struct error *error)
+/* What the last value of an option is measured in; null: it is no quantity. */
+static const struct dimension *measured_in(const struct option *option)
 {
+    if (option->kind == &kind_sensor) {
+        return &dimension_length;
+    }
+    return option->kind == &kind_loss ? &dimension_stops : option->dimension;
+}
+
+/* The last value of a list or range, or side of a size. */
+static struct text last_value(const struct option *option, struct text text)
+{
+    size_t at = text.length;
+    while (at > 0 && text.start[at - 1] != ',' &&
+           !(at > 1 && text.start[at - 1] == '.' && text.start[at - 2] == '.') &&
+           !(option->kind == &kind_sensor && (text.start[at - 1] | 0x20) == 'x')) {
+        at--;
+    }
+    return (struct text){text.start + at, text.length - at};
+}
+
+/*
+ * Does a word go on with the value before it? A unit behind a bare number does ("50" "mm"), the
+ * rest of a quantity ("5" "ft" "6" "in"), and what follows the comma of a list.
+ */
+static bool goes_on(const struct argument *argument, struct text word, struct arena *arena)
+{
+    const struct option *option = argument->option;
+    const struct dimension *dimension = measured_in(option);
+    struct text before = argument->text, last = last_value(option, before);
+    struct error ignored;
+    double value;
+    if (dimension == NULL || before.length == 0 || word.length == 0) {
+        return false;
+    }
+    if (before.start[before.length - 1] == ',') {
+        return option->kind->is_list;
+    }
+    bool is_unit = unit_find(dimension, word) != NULL;
+    if (last.length == 0 || !(is_unit || char_is_digit(word.start[0]))) {
+        return false;
+    }
+    const char *joined = arena_printf(arena, "%.*s %.*s", (int)last.length, last.start,
+                                      (int)word.length, word.start);
+    return quantity_read(text_of(joined), dimension, NULL, &value, NULL, &ignored);
+}
+
+/* Take a word to the value before it, if it goes on with that. */
+static bool take_on(struct words *words, struct text word, struct arena *arena)
+{
+    struct argument *last = words->last;
+    if (last == NULL || !goes_on(last, word, arena)) {
+        return false;
+    }
+    const char *between = last->text.start[last->text.length - 1] == ',' ? "" : " ";
+    last->text = text_of(arena_printf(arena, "%.*s%s%.*s", (int)last->text.length, last->text.start,
+                                      between, (int)word.length, word.start));
+    return true;
+}
+
+/* A word that belongs to nothing: say how it may have been meant. */
+static bool unexpected(const struct arguments *arguments, const struct words *words,
+                       struct text word, struct error *error)
+{
+    const struct example *example = arguments->command->examples;
+    const struct argument *last = words->last;
+    fail(error, ERROR_USAGE, "unexpected argument '%.*s'", text_shown(word), word.start);
+    if (last != NULL && last->option->kind->name_of != NULL) {
+        return error_hint(error, "a value with blanks stands in quotes: --%s \"%.*s %.*s\"",
+                          last->option->name, text_shown(last->text), last->text.start,
+                          text_shown(word), word.start);
+    }
+    if (word.length > 0 && strchr("+.0123456789", word.start[0]) != NULL && example != NULL) {
+        return error_hint(error, "numbers stand behind their option, as in 'lenscalc %s'",
+                          example->arguments);
+    }
+    return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
+}
+
+/* A word that is no option goes to the next operand that is still free. */
+static bool parse_operand(struct arguments *arguments, struct text word, struct words *words,
+                          struct arena *arena, struct error *error)
+{
+    if (take_on(words, word, arena)) {
+        return true;
+    }
     for (size_t i = 0; i < arguments->count; i++) {
         struct argument *argument = &arguments->all[i];
         unsigned flags = argument->option->flags;
@@ -172,6 +256,7 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
         if (!argument->is_given) {
             argument->is_given = true;
             argument->text = word;
+            words->last = NULL;
             return true;
         }
         if ((flags & (OPTION_REST | OPTION_MANY | OPTION_TOGETHER)) != 0) {
@@ -180,16 +265,11 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
                 arena_printf(arena, "%.*s%c%.*s", (int)argument->text.length, argument->text.start,
                              between, (int)word.length, word.start);
             argument->text = text_of(joined);
+            words->last = NULL;
             return true;
         }
     }
-    fail(error, ERROR_USAGE, "'%.*s' belongs to no option", text_shown(word), word.start);
-    const struct example *example = arguments->command->examples;
-    if (word.length > 0 && strchr("+.0123456789", word.start[0]) != NULL && example != NULL) {
-        return error_hint(error, "numbers stand behind their option, as in 'lenscalc %s'",
-                          example->arguments);
-    }
-    return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
+    return unexpected(arguments, words, word, error);
 }
 
 /* Standard input has one reader: the batch or a lens. */
@@ -230,7 +310,7 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
             done = parse_short(arguments, (struct text){word.start + 1, word.length - 1}, &words,
                                error);
         } else {
-            done = parse_operand(arguments, word, arena, error);
+            done = parse_operand(arguments, word, &words, arena, error);
         }
         if (!done) {
             return false;

@@ -74,8 +74,7 @@ bool option_check_range(const struct option *option, double value, struct error 
     return (low_enough && high_enough) || out_of_range(option, value, error);
 }
 
-/* Say whose text was wrong, before what was wrong with it. */
-static bool blame(const struct option *option, struct text text, struct error *error)
+bool option_blame(const struct option *option, struct text text, struct error *error)
 {
     const char *what = option->dimension != NULL ? "quantity" : "value";
     if (strstr(error->message, "unit") != NULL) {
@@ -145,11 +144,11 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
         }
         return (option->flags & OPTION_FIELD) != 0 && field_has_weight(text)
                    ? field_refuse_weight(option->name, text, error)
-                   : blame(option, text, error);
+                   : option_blame(option, text, error);
     }
     if (reader->nominal && option->dimension->series != NULL &&
         !nominal_exact(reader->db, option->dimension, value, &value, error)) {
-        return blame(option, text, error);
+        return option_blame(option, text, error);
     }
     if (!option_check_range(option, value, error)) {
         return false;
@@ -224,7 +223,7 @@ static bool read_count(const struct reader *reader, const struct option *option,
     (void)reader;
     double value;
     if (!quantity_read(text, &dimension_number, NULL, &value, NULL, error)) {
-        return blame(option, text, error);
+        return option_blame(option, text, error);
     }
     if (!(fabs(value) <= 1e9) || value != floor(value)) {
         return fail(error, ERROR_USAGE, "%s '%.*s' is no whole number", CALLED(option),
@@ -236,91 +235,6 @@ static bool read_count(const struct reader *reader, const struct option *option,
     }
     *(long *)member = (long)value;
     return true;
-}
-
-/* "36x24mm" and "36 x 24 mm": two lengths, one unit. */
-static bool read_size(struct text text, struct sensor *size, struct error *error)
-{
-    struct text rest = text;
-    struct text width = text_trim(text_cut(&rest, 'x'));
-    const struct unit *unit = NULL;
-    error->code = ERROR_NONE;
-    if (rest.start == NULL || width.length == 0 ||
-        !((width.start[0] >= '0' && width.start[0] <= '9') || width.start[0] == '.')) {
-        return false;
-    }
-    if (!quantity_read(rest, &dimension_length, NULL, &size->height, &unit, error) ||
-        !quantity_read(width, &dimension_length, unit, &size->width, NULL, error)) {
-        return false;
-    }
-    if (unit == NULL) {
-        fail(error, ERROR_USAGE, "the size has no unit");
-        return error_hint(error, "did you mean '%.*smm'?", (int)text.length, text.start);
-    }
-    if (!(size->width > 0 && size->height > 0) || isinf(size->width) || isinf(size->height)) {
-        return fail(error, ERROR_DOMAIN, "a sensor is wider and higher than 0 mm");
-    }
-    size->pitch = NAN;
-    return true;
-}
-
-static const char *size_name(struct arena *arena, struct sensor size)
-{
-    char width[NUMBER_LENGTH + 1], height[NUMBER_LENGTH + 1];
-    *number_write_shortest(width, size.width) = '\0';
-    *number_write_shortest(height, size.height) = '\0';
-    return arena_printf(arena, "%s x %s mm", width, height);
-}
-
-static struct sensor_value name_sensor(const struct reader *reader,
-                                       const struct lensdb_sensor *found)
-{
-    struct sensor_value sensor = {.size = found->size};
-    const char *size = size_name(reader->arena, found->size);
-    sensor.name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
-                               found->maker.start, found->maker.length > 0 ? " " : "",
-                               (int)found->name.length, found->name.start, size);
-    if (text_equal(found->pitch_from, "estimate")) {
-        sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
-    }
-    return sensor;
-}
-
-/* "35mm (36 x 24 mm)", as it is printed, is read as "35mm". */
-static struct text without_size(struct text text)
-{
-    struct text trimmed = text_trim(text);
-    if (trimmed.length == 0 || trimmed.start[trimmed.length - 1] != ')') {
-        return text;
-    }
-    struct text rest = trimmed;
-    return text_trim(text_cut(&rest, '('));
-}
-
-static bool read_sensor(const struct reader *reader, const struct option *option, struct text text,
-                        void *member, struct error *error)
-{
-    struct lensdb_sensor found;
-    struct sensor_value sensor = {0};
-    struct error size_error;
-    /* names first: 6x9 is a trade name, not a size */
-    if (lensdb_find_sensor(reader->db, without_size(text), &found, error)) {
-        *(struct sensor_value *)member = name_sensor(reader, &found);
-        return true;
-    }
-    if (error->code != ERROR_USAGE) {
-        return false;
-    }
-    if (read_size(text_trim(text), &sensor.size, &size_error)) {
-        sensor.name = size_name(reader->arena, sensor.size);
-        *(struct sensor_value *)member = sensor;
-        return true;
-    }
-    if (size_error.code != ERROR_NONE) {
-        *error = size_error;
-        return blame(option, text, error);
-    }
-    return error_prefix(error, "%s: ", CALLED(option));
 }
 
 static bool ends_with(struct text text, const char *end)
@@ -356,7 +270,7 @@ static bool read_coc(const struct reader *reader, const struct option *option, s
     bool length = coc.kind == COC_LENGTH;
     if (!quantity_read(number, length ? &dimension_length : &dimension_number,
                        length ? option_unit(option) : NULL, &coc.value, NULL, error)) {
-        return blame(option, text, error);
+        return option_blame(option, text, error);
     }
     if (!(length ? coc.value >= 0 : coc.value > 0) || isinf(coc.value)) {
         return fail(error, ERROR_DOMAIN,
@@ -382,12 +296,6 @@ static const char *choice_name(const struct option *option, const void *member)
     return option_word(option, (size_t)(*(const int *)member))->word;
 }
 
-static const char *sensor_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct sensor_value *)member)->name;
-}
-
 static const char *text_name(const struct option *option, const void *member)
 {
     (void)option;
@@ -397,12 +305,6 @@ static const char *text_name(const struct option *option, const void *member)
 static void clear_quantity(void *member)
 {
     *(double *)member = NAN;
-}
-
-static void clear_sensor(void *member)
-{
-    struct sensor *size = &((struct sensor_value *)member)->size;
-    size->width = size->height = size->pitch = NAN;
 }
 
 static void clear_coc(void *member)
@@ -450,16 +352,6 @@ const struct option_kind kind_count = {
     .size = sizeof(long),
     .is_list = true,
     .read = read_count,
-};
-
-const struct option_kind kind_sensor = {
-    .name = "sensor",
-    .size = sizeof(struct sensor_value),
-    .is_list = true,
-    .read = read_sensor,
-    .name_of = sensor_name,
-    .reads = READS_LENSDB,
-    .clear = clear_sensor,
 };
 
 const struct option_kind kind_coc = {

@@ -187,6 +187,9 @@ static inline const struct unit *option_unit(const struct option *option)
 bool option_read(const struct reader *reader, const struct option *option, struct text text,
                  void *member, struct error *error);
 
+/* Say whose text was wrong, before what was wrong with it. Returns false. */
+bool option_blame(const struct option *option, struct text text, struct error *error);
+
 /* Refuse a number outside the option's range; `value` in the program's own unit. */
 bool option_check_range(const struct option *option, double value, struct error *error);
 

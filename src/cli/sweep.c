@@ -18,7 +18,8 @@ struct values {
     char *data;
     size_t count, capacity;
     const struct unit *unit;
-    bool has_unit; /* is it that of an item? */
+    bool has_unit;             /* is it that of an item? */
+    const struct unit *shared; /* that bare items take from the last one; null = the option's */
 };
 
 static bool is_number(const struct option *option)
@@ -382,6 +383,7 @@ static void note_unit(struct values *values, struct text item)
         (isinf(value) && typed == NULL)) {
         return; /* infinity is the same in all units */
     }
+    typed = typed != NULL ? typed : values->shared;
     bool same = !values->has_unit || values->unit == typed;
     values->unit = typed != NULL && same ? typed : option_unit(option);
     values->has_unit = true;
@@ -397,13 +399,47 @@ static bool add_item(struct values *values, struct text item, struct error *erro
         return false;
     }
     char *member = values->data + values->count * values->option->kind->size;
-    option_clear(values->option, member);
-    if (!option_read(values->reader, values->option, item, member, error)) {
+    struct option option = *values->option;
+    option.unit = values->shared != NULL ? values->shared->name : option.unit;
+    option_clear(&option, member);
+    if (!option_read(values->reader, &option, item, member, error)) {
         return false;
     }
     values->count++;
     note_unit(values, item);
     return true;
+}
+
+/* Has an item of a list a unit? False for what is no plain quantity. */
+static bool unit_of(const struct option *option, struct text item, const struct unit **unit)
+{
+    struct error ignored;
+    double value;
+    return quantity_read(item, option->dimension, option_unit(option), &value, unit, &ignored) &&
+           !isinf(value);
+}
+
+/*
+ * The unit that stands behind a list and is meant for all of it: 1,2,3ft are feet, as 1..3ft are.
+ * Null where the last item has none, or any other item has one of its own.
+ */
+static const struct unit *shared_unit(const struct option *option, struct text text)
+{
+    const struct unit *last = NULL, *unit = NULL;
+    struct text rest = text;
+    bool light =
+        option->dimension == &dimension_wavelength || option->dimension == &dimension_wavelength_um;
+    if (option->kind != &kind_quantity || light) {
+        return NULL;
+    }
+    while (rest.start != NULL) {
+        struct text item = text_trim(text_cut(&rest, ','));
+        if (!unit_of(option, item, &unit) || (unit != NULL && rest.start != NULL)) {
+            return NULL;
+        }
+        last = unit;
+    }
+    return last;
 }
 
 /* All values of one option, as typed. */
@@ -415,6 +451,7 @@ static bool read_list(struct values *values, struct text text, struct error *err
     if (!values->option->kind->is_list && !many) {
         return add_item(values, text, error);
     }
+    values->shared = shared_unit(values->option, text);
     do {
         struct text item = text_trim(text_cut(&rest, many ? OPTION_MANY_SEPARATOR : ','));
         if (item.length == 0) {

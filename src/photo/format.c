@@ -28,6 +28,31 @@ double sensor_crop(const struct sensor *sensor)
     return hypot(36, 24) / sensor_diagonal(sensor);
 }
 
+bool sensor_optical_format(double inches, struct sensor *sensor, struct error *error)
+{
+    if (!(inches >= 0.05 && inches <= 4)) {
+        return fail(error, ERROR_DOMAIN, "an optical format is 1/20 to 4 inches, not %.6g", inches);
+    }
+    double diagonal = (inches >= 0.5 ? 16 : 18) * inches;
+    *sensor = (struct sensor){.width = diagonal * 4 / 5, .height = diagonal * 3 / 5, .pitch = NAN};
+    return true;
+}
+
+bool sensor_extract(const struct sensor *gate, double ratio, struct sensor *part,
+                    struct error *error)
+{
+    if (!(ratio >= 0.1 && ratio <= 10)) {
+        return fail(error, ERROR_DOMAIN, "a picture's shape is 0.1:1 to 10:1, not %.6g:1", ratio);
+    }
+    *part = *gate;
+    if (gate->width > gate->height * ratio) {
+        part->width = gate->height * ratio;
+    } else {
+        part->height = gate->width / ratio;
+    }
+    return true;
+}
+
 static bool coc_length(const struct coc *coc, const struct sensor *sensor, double *c,
                        struct error *error)
 {

@@ -29,6 +29,30 @@ double sensor_diagonal(const struct sensor *sensor);
  */
 double sensor_crop(const struct sensor *sensor);
 
+/*
+ * The picture area that an optical format ("1/1.28 inch") stands for.
+ *
+ * Given     inches  the format, 1/20 to 4
+ *           sensor  receives a 4:3 area without a pitch
+ * Formula   diagonal = 16 mm x inches from 1/2 inch on, 18 mm x inches below it
+ * Source    [OptoWiki] Sensor Format: the diameter of the vidicon tube with that picture
+ * Errors    inches outside that range
+ * Limits    Nominal: makers round the format as they like; areas differ from this by up to 8 %.
+ */
+bool sensor_optical_format(double inches, struct sensor *sensor, struct error *error);
+
+/*
+ * The largest part of a picture area that has another shape.
+ *
+ * Given     gate   checked
+ *           ratio  width to height of the part, 0.1 to 10
+ * Result    the whole width or the whole height of the gate, with its pitch
+ * Source    derived: one side is kept, the other follows from the ratio
+ * Errors    a ratio outside that range
+ */
+bool sensor_extract(const struct sensor *gate, double ratio, struct sensor *part,
+                    struct error *error);
+
 /* How much blur counts as sharp. */
 enum coc_kind {
     COC_LENGTH,   /* value: the diameter itself, mm, >= 0 */

@@ -1,0 +1,63 @@
+# tasks as people type them: answered, or refused with a message that gives the right form
+try() {
+    echo "\$ lenscalc $*"
+    echo "\$ lenscalc $*" >&2
+    lenscalc "$@"
+    status=$?
+    [ $status -eq 0 ] || echo "status $status" >&2
+}
+dof() {
+    try dof -c 0.03 --csv --digits 6 "$@"
+}
+# f-numbers
+dof -f 50 -s 3 -N ƒ/2.8 --columns near
+dof -f 50 -s 3 -N 1:2.8 --columns near
+dof -f 50 -s 3 -N F2.8 --columns near
+dof -f 50 -s 3 -N f 2.8 --columns near
+dof -f 50 -s 3 -N f/2.8..f/5.6 --columns fnumber,near
+dof -f 50 -s 3 -N 1:2.8..1:5.6 --columns fnumber,near
+dof -f 50 -s 3 -N 2.8, 4 --columns fnumber,near
+dof -f 50 -s 3 -N f/2.8-f/8
+dof -f 50 -s 3 -N 'f/2.8 to f/8'
+dof -f 24-70mm -s 3 -N 4
+# lengths and distances
+dof -f 50 mm -N 4 -s 10 ft --columns focal,distance
+dof -f 50mm -N 4 -s "5' 6 1/2\"" --columns distance
+dof -f 50mm -N 4 -s 5 feet 6 inches --columns distance
+dof -f 50mm -N 4 -s 1,2,3 ft --columns distance_ft
+dof -f 50mm -N 4 -s ∞ --columns near
+dof -f 50mm -N 4 -s infinity --columns near
+dof 50mm -N 4 -s 3
+dof -f 50 -N 4 3m -s
+# times, exposure values, film speeds
+try exposure --ev 12EV -t '30"' --columns time,fnumber --csv --digits 6
+try exposure --ev 12 -t 2min30s --columns time --csv
+try exposure --ev 12 -t 2 min 30 s --columns time --csv
+try exposure --ev 12 -t 2:30 --columns time --csv
+try exposure --ev 12 -t 1:02:30 --columns time --csv
+try exposure --ev 12 -t 1/125 s --columns time --csv
+try exposure --ev 12 -t 2min75s
+try exposure --ev 12 -N 8 --iso 27DIN --columns iso --csv
+try exposure --ev 12 -N 8 --iso 400/27° --columns iso --csv
+try exposure --ev 12 -N 8 --iso 400/21°
+try exposure --ev 12 -N 8 --filter 1 2/3 stops --columns time --csv --digits 6
+try exposure --ev 12 -N 8 --film Tri-X 400
+# formats and sensors
+fov() {
+    try fov -f 25 --columns horizontal,vertical --digits 6 --sensor "$@"
+}
+fov 36×24mm
+fov 36x24
+fov 36x24 mm
+fov '1"'
+fov '1/1.28"'
+fov '1/1.3"'
+fov '1/3.1 inch'
+fov '9"'
+fov 'super35 2.39:1'
+fov 'super35 1.85'
+fov '36x24mm 16:9'
+fov 2.39:1
+fov phone
+fov 'medium format'
+fov medium format
