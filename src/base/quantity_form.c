@@ -311,6 +311,21 @@ static enum quantity_form read_fraction(struct form *form, struct quantity_forme
     return QUANTITY_FORM_READ;
 }
 
+/* "10-stop", "50-mm": the unit behind a hyphen. */
+static enum quantity_form read_hyphened(struct form *form, struct quantity_formed *formed)
+{
+    double number;
+    if (!read_plain(form, &number) || form->at == form->end || *form->at++ != '-') {
+        return QUANTITY_FORM_NONE;
+    }
+    formed->typed = unit_find(form->dimension, text_between(form->at, form->end));
+    if (formed->typed == NULL || form->at == form->end) {
+        return QUANTITY_FORM_NONE;
+    }
+    formed->value = unit_to_own(formed->typed, number);
+    return QUANTITY_FORM_READ;
+}
+
 enum { DIN_LOWEST = 8, DIN_HIGHEST = 51 };
 
 /* Speeds as films and cameras are marked, a degree DIN apart. */
@@ -375,7 +390,7 @@ static enum quantity_form read_forms(const struct form *form, struct quantity_fo
             result = read_ladder(&copy, &ladders[i], formed);
         }
     }
-    struct form clock = *form, display = *form, fraction = *form, speed = *form;
+    struct form clock = *form, display = *form, fraction = *form, speed = *form, hyphened = *form;
     if (form->dimension == &dimension_time && result == QUANTITY_FORM_NONE) {
         result = read_clock(&clock, formed);
     }
@@ -384,6 +399,9 @@ static enum quantity_form read_forms(const struct form *form, struct quantity_fo
     }
     if (form->dimension == &dimension_iso && result == QUANTITY_FORM_NONE) {
         result = read_speed(&speed, formed);
+    }
+    if (result == QUANTITY_FORM_NONE) {
+        result = read_hyphened(&hyphened, formed);
     }
     return result == QUANTITY_FORM_NONE ? read_fraction(&fraction, formed) : result;
 }

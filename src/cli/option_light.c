@@ -130,7 +130,17 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
     if (piece.start[last] == 'x' || piece.start[last] == 'X') {
         return read_factor(option, piece, (struct text){piece.start, last}, stops, error);
     }
-    return read_stops(option, piece, stops, error);
+    struct lensdb_filter filter;
+    struct error ignored;
+    /* 85B is no number of stops */
+    if (read_stops(option, piece, stops, error)) {
+        return true;
+    }
+    if (!lensdb_find_filter(reader->db, piece, &filter, &ignored)) {
+        return false;
+    }
+    *stops = lensdb_filter_stops(&filter);
+    return true;
 }
 
 /* The first filter of a sum; a name may hold a '+' itself ("polarizer-b+w-low"). */

@@ -26,21 +26,30 @@ enum {
     FILM_STATUS,
     FILM_SOURCE,
     FILM_NOTE,
-    FILM_ISO
+    FILM_ISO,
+    FILM_ALIASES
 };
 static const struct layout films = {"films.tsv",
                                     4,
-                                    10,
+                                    11,
                                     {"film", "model", "parameters", "onset_s", "valid_to_s",
-                                     "maker", "status", "source", "note", "iso"}};
+                                     "maker", "status", "source", "note", "iso", "aliases"}};
 
-enum { SCENE_NAME, SCENE_EV100, SCENE_SCENE, SCENE_CONFIDENCE, SCENE_SOURCE };
+enum { SCENE_NAME, SCENE_EV100, SCENE_SCENE, SCENE_CONFIDENCE, SCENE_SOURCE, SCENE_ALIASES };
 static const struct layout scenes = {
-    "scenes.tsv", 2, 5, {"name", "ev100", "scene", "confidence", "source"}};
+    "scenes.tsv", 2, 6, {"name", "ev100", "scene", "confidence", "source", "aliases"}};
 
-enum { FILTER_NAME, FILTER_FACTOR, FILTER_STOPS, FILTER_KIND, FILTER_CONFIDENCE, FILTER_SOURCE };
+enum {
+    FILTER_NAME,
+    FILTER_FACTOR,
+    FILTER_STOPS,
+    FILTER_KIND,
+    FILTER_CONFIDENCE,
+    FILTER_SOURCE,
+    FILTER_ALIASES
+};
 static const struct layout filters = {
-    "filters.tsv", 1, 6, {"name", "factor", "stops", "kind", "confidence", "source"}};
+    "filters.tsv", 1, 7, {"name", "factor", "stops", "kind", "confidence", "source", "aliases"}};
 
 static bool open_table(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
                        const struct layout *layout, struct error *error)
@@ -99,6 +108,7 @@ bool lensdb_films_next(struct lensdb_facts *facts, struct lensdb_film *film, str
     }
     *film = (struct lensdb_film){.maker = cell_of(facts, FILM_MAKER),
                                  .name = cell_of(facts, FILM_NAME),
+                                 .aliases = cell_of(facts, FILM_ALIASES),
                                  .model = cell_of(facts, FILM_MODEL),
                                  .parameters = cell_of(facts, FILM_PARAMETERS),
                                  .status = cell_of(facts, FILM_STATUS),
@@ -128,6 +138,7 @@ bool lensdb_scenes_next(struct lensdb_facts *facts, struct lensdb_scene *scene, 
         return false;
     }
     *scene = (struct lensdb_scene){.name = cell_of(facts, SCENE_NAME),
+                                   .aliases = cell_of(facts, SCENE_ALIASES),
                                    .scene = cell_of(facts, SCENE_SCENE),
                                    .confidence = cell_of(facts, SCENE_CONFIDENCE),
                                    .source = cell_of(facts, SCENE_SOURCE),
@@ -152,6 +163,7 @@ bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filte
         return false;
     }
     *filter = (struct lensdb_filter){.name = cell_of(facts, FILTER_NAME),
+                                     .aliases = cell_of(facts, FILTER_ALIASES),
                                      .kind = cell_of(facts, FILTER_KIND),
                                      .confidence = cell_of(facts, FILTER_CONFIDENCE),
                                      .source = cell_of(facts, FILTER_SOURCE),
@@ -168,6 +180,24 @@ bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filte
 double lensdb_filter_stops(const struct lensdb_filter *filter)
 {
     return isnan(filter->factor) ? filter->stops : stops_from_factor(filter->factor);
+}
+
+/* Is `typed` the name or one of the aliases? */
+static bool answers_to(struct text name, struct text aliases, struct text typed)
+{
+    bool same = text_same_name(name, typed);
+    while (!same && aliases.start != NULL && aliases.length > 0) {
+        same = text_same_name(text_trim(text_cut(&aliases, ',')), typed);
+    }
+    return same;
+}
+
+static void offer_names(struct nearest *nearest, struct text name, struct text aliases)
+{
+    nearest_offer(nearest, name);
+    while (aliases.start != NULL && aliases.length > 0) {
+        nearest_offer(nearest, text_trim(text_cut(&aliases, ',')));
+    }
 }
 
 /* Cut the next word off a name: blanks, '/', ',' and parentheses are between words. */
@@ -198,23 +228,33 @@ static bool has_word(struct text name, struct text wanted)
     return false;
 }
 
-/* Are all typed words among the maker's and those of one of the names between commas? */
+/* Are all typed words the maker's, the only speed, or those of one name, at least one of them? */
+static bool has_words_of(const struct lensdb_film *film, struct text name, struct text typed)
+{
+    struct text rest = typed, word;
+    bool one_speed = memchr(film->speeds.start, ' ', film->speeds.length) == NULL;
+    bool all = true, any = false;
+    while (all && next_word(&rest, &word)) {
+        bool here = has_word(name, word);
+        any = any || here;
+        all = here || has_word(film->maker, word) ||
+              (one_speed && text_identical(film->speeds, word));
+    }
+    return all && any;
+}
+
+/* Are the typed words those of one of the names between commas, or of an alias? */
 static bool has_all_words(const struct lensdb_film *film, struct text typed)
 {
-    struct text names = film->name;
-    while (names.start != NULL) {
-        struct text name = text_cut(&names, ','), rest = typed, word;
-        bool all = true, any = false;
-        while (all && next_word(&rest, &word)) {
-            bool here = has_word(name, word);
-            any = any || here;
-            all = here || has_word(film->maker, word);
-        }
-        if (all && any) {
-            return true;
-        }
+    struct text names = film->name, aliases = film->aliases;
+    bool found = false;
+    while (!found && names.start != NULL) {
+        found = has_words_of(film, text_cut(&names, ','), typed);
     }
-    return false;
+    while (!found && aliases.start != NULL && aliases.length > 0) {
+        found = has_words_of(film, text_cut(&aliases, ','), typed);
+    }
+    return found;
 }
 
 /* Does a number stand in a text, not as a part of a longer one? */
@@ -255,13 +295,13 @@ double lensdb_film_speed(const struct lensdb_film *film, struct text typed)
 static bool is_called(const struct lensdb_film *film, struct text typed)
 {
     struct text rest = typed;
-    if (text_same_name(film->name, typed)) {
+    if (answers_to(film->name, film->aliases, typed)) {
         return true;
     }
     for (size_t i = 1; film->maker.length > 0 && i < typed.length; i++) {
         if (text_same_name((struct text){typed.start, i}, film->maker)) {
             rest = (struct text){typed.start + i, typed.length - i};
-            return text_same_name(film->name, text_trim(rest));
+            return answers_to(film->name, film->aliases, text_trim(rest));
         }
     }
     return false;
@@ -303,7 +343,7 @@ static bool search_films(struct lensdb *db, enum lensdb_place place,
         return error->code == ERROR_NONE;
     }
     while (lensdb_films_next(&facts, &film, error)) {
-        nearest_offer(&found->nearest, film.name);
+        offer_names(&found->nearest, film.name, film.aliases);
         if (answers(&film, found->typed)) {
             add_candidate(found, &film);
         }
@@ -402,10 +442,10 @@ bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene 
         struct lensdb_facts facts;
         bool open = lensdb_scenes_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_scenes_next(&facts, scene, error)) {
-            if (text_same_name(scene->name, nearest.typed)) {
+            if (answers_to(scene->name, scene->aliases, nearest.typed)) {
                 return true;
             }
-            nearest_offer(&nearest, scene->name);
+            offer_names(&nearest, scene->name, scene->aliases);
         }
         if (error->code != ERROR_NONE) {
             return false;
@@ -422,10 +462,10 @@ bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filte
         struct lensdb_facts facts;
         bool open = lensdb_filters_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_filters_next(&facts, filter, error)) {
-            if (text_same_name(filter->name, nearest.typed)) {
+            if (answers_to(filter->name, filter->aliases, nearest.typed)) {
                 return true;
             }
-            nearest_offer(&nearest, filter->name);
+            offer_names(&nearest, filter->name, filter->aliases);
         }
         if (error->code != ERROR_NONE) {
             return false;

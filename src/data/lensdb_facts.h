@@ -6,7 +6,7 @@
 #include "data/lensdb.h"
 #include "photo/reciprocity.h"
 
-enum { LENSDB_FACT_COLUMNS = 10 };
+enum { LENSDB_FACT_COLUMNS = 11 };
 
 /* A table of facts being read. */
 struct lensdb_facts {
@@ -18,6 +18,7 @@ struct lensdb_facts {
 /* One source on the reciprocity failure of a film. Texts point into the database. */
 struct lensdb_film {
     struct text maker, name;
+    struct text aliases;           /* other names, with commas between */
     struct text model, parameters; /* as photo/reciprocity.h reads them, and "step" */
     double onset, valid_to;        /* s; valid_to is NaN where none is stated */
     struct text status, source, note;
@@ -29,14 +30,14 @@ struct lensdb_film {
 
 /* A typical scene and the light in it. */
 struct lensdb_scene {
-    struct text name, scene, confidence, source;
+    struct text name, aliases, scene, confidence, source;
     double ev100;
     enum lensdb_place place;
 };
 
 /* A filter and the light it takes. */
 struct lensdb_filter {
-    struct text name, kind, confidence, source;
+    struct text name, aliases, kind, confidence, source;
     double factor, stops; /* as published; NaN where not, but not both */
     enum lensdb_place place;
 };
@@ -61,7 +62,7 @@ bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filte
                          struct error *error);
 
 /*
- * Find a film: by maker and name or name alone, the user's films first; else by words of its name
+ * Find a film: by maker and name, name or alias, the user's films first; else by words of its name
  * ("Portra 400" is in "Portra 160/400, Ektar 100").
  *
  * Errors    ERROR_USAGE: no such film, with a suggestion; several films or sources of that name,
@@ -82,7 +83,7 @@ double lensdb_film_speed(const struct lensdb_film *film, struct text typed);
 bool lensdb_film_model(const struct lensdb_film *film, struct reciprocity *model,
                        struct error *error);
 
-/* Find by name, the user's own first. ERROR_USAGE with a suggestion if there is none. */
+/* Find by name or alias, the user's own first. ERROR_USAGE with a suggestion if there is none. */
 bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene *scene,
                        struct error *error);
 bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filter *filter,

@@ -42,6 +42,42 @@ try exposure --ev 12 -N 8 --iso 400/27° --columns iso --csv
 try exposure --ev 12 -N 8 --iso 400/21°
 try exposure --ev 12 -N 8 --filter 1 2/3 stops --columns time --csv --digits 6
 try exposure --ev 12 -N 8 --film Tri-X 400
+# filters, films, scenes as their boxes call them
+loss() {
+    try exposure --ev 10 -N 8 --columns time --csv --digits 6 --filter "$@"
+}
+loss 85B
+loss CPL
+loss yellow
+loss 'Big Stopper'
+loss 'Big Stopper+CPL'
+loss K2
+loss 'No. 25'
+loss '#8'
+loss ND1000
+loss 10-stop
+loss 8
+loss purple
+film() {
+    try exposure --ev 1 -N 16 --columns time --csv --digits 6 --film "$@"
+}
+film hp5+
+film 'Tri-X 400'
+film tri-x --iso 400
+film 'HP5+ 400'
+film 400TX
+film 'Pan F+'
+film Velvia
+film Kodachrome
+scene() {
+    try exposure -N 16 --columns time --csv --digits 6 --scene "$@"
+}
+scene sunny
+scene 'sunny 16'
+scene overcast
+scene indoors
+scene moonlight
+scene dark
 # formats and sensors
 fov() {
     try fov -f 25 --columns horizontal,vertical --digits 6 --sensor "$@"

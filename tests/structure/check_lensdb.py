@@ -42,9 +42,9 @@ COLUMNS = {
     "fstops.tsv": "series step label note",
     "shutters.tsv": "series step label note",
     "iso.tsv": "series step label din note",
-    "scenes.tsv": "name ev100 scene confidence source",
-    "films.tsv": "maker film iso model parameters onset_s valid_to_s status source note",
-    "filters.tsv": "name kind factor stops confidence source",
+    "scenes.tsv": "name aliases ev100 scene confidence source",
+    "films.tsv": "maker film aliases iso model parameters onset_s valid_to_s status source note",
+    "filters.tsv": "name aliases kind factor stops confidence source",
     "lines.tsv": "name nm element note",
     "glass_aliases.tsv": "alias material",
 }
@@ -290,6 +290,12 @@ def film_faults(row):
     return []
 
 
+def aliased(rows, name):
+    """(line, name) of every row and of every other name it answers to."""
+    return [(line, word.strip()) for line, row in rows
+            for word in [row[name]] + ([] if row["aliases"] == "-" else row["aliases"].split(","))]
+
+
 def check_films(path, rows):
     for line, row in rows:
         faults = film_faults(row)
@@ -311,7 +317,7 @@ def check_scenes(path, rows):
             faults.append("rows must go by rising ev100")
         previous = value if value is not None else previous
         check(f"{path}:{line}", faults)
-    unique(path, [(line, row["name"]) for line, row in rows])
+    unique(path, aliased(rows, "name"))
 
 
 def check_filters(path, rows):
@@ -323,7 +329,7 @@ def check_filters(path, rows):
         if factor and stops is not None and abs(math.log2(factor) - stops) > LABEL_STOPS:
             faults.append("factor and stops differ by more than a quarter stop")
         check(f"{path}:{line}", faults)
-    unique(path, [(line, row["name"]) for line, row in rows])
+    unique(path, aliased(rows, "name"))
 
 
 UNSTATED = (0.365, 1.014)  # um, i to t: where a glass without a stated range has to be normal

@@ -134,6 +134,8 @@ static const struct {
     {"3 metres", &dimension_length, "mm", 3000, 0},
     {"50 millimeters", &dimension_length, "m", 50, 0},
     {"1 2/3 stops", &dimension_stops, NULL, 5 / 3.0, 3e-16},
+    {"10-stop", &dimension_stops, NULL, 10, 0},
+    {"6-inch", &dimension_length, "m", 152.4, 0},
     {"2 1/3", &dimension_stops, NULL, 7 / 3.0, 5e-16},
     {"35\xc2\xb0"
      "30'",

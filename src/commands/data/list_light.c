@@ -19,7 +19,7 @@
     }
 
 struct film_row {
-    const char *film, *maker, *speeds, *model, *confidence, *source, *note, *place;
+    const char *film, *maker, *aliases, *speeds, *model, *confidence, *source, *note, *place;
     double onset, longest, at_1, at_10, at_100;
 };
 
@@ -27,6 +27,8 @@ static const struct column film_columns[] = {
     {COLUMN(struct film_row, film), .name = "film", .flags = COLUMN_BRIEF, .label = "film",
      .help = "maker and film"},
     {COLUMN(struct film_row, maker), .name = "maker", .label = "maker", .help = "of the film"},
+    {COLUMN(struct film_row, aliases), .name = "aliases", .label = "also called",
+     .help = "other names of the film"},
     {COLUMN(struct film_row, speeds), .name = "iso", .flags = COLUMN_BRIEF, .label = "ISO",
      .help = "speed on the box; several where the row is for several films"},
     {TIME(struct film_row, onset), .name = "onset", .flags = COLUMN_ECHO, .label = "onset",
@@ -84,6 +86,7 @@ static bool list_film(struct list *list, const struct lensdb_film *film, struct 
                              film->maker.start, film->maker.length > 0 ? " " : "",
                              (int)film->name.length, film->name.start),
         .maker = list_string(list, film->maker),
+        .aliases = list_string(list, film->aliases),
         .speeds = list_string(list, film->speeds),
         .model = model_words(list, &model),
         .confidence = list_string(list, film->status),
@@ -96,7 +99,7 @@ static bool list_film(struct list *list, const struct lensdb_film *film, struct 
         .at_10 = corrected(&model, 10),
         .at_100 = corrected(&model, 100),
     };
-    if (list_matches(list, row.maker, (const char *[]){row.film, row.source}, 2)) {
+    if (list_matches(list, row.maker, (const char *[]){row.film, row.aliases, row.source}, 3)) {
         list_row(list, &row);
     }
     return true;
@@ -121,13 +124,15 @@ static bool list_films(struct list *list, struct error *error)
 }
 
 struct scene_row {
-    const char *scene, *meaning, *confidence, *source, *place;
+    const char *scene, *aliases, *meaning, *confidence, *source, *place;
     double ev100;
 };
 
 static const struct column scene_columns[] = {
     {COLUMN(struct scene_row, scene), .name = "scene", .flags = COLUMN_BRIEF, .label = "scene",
      .help = "name to ask by"},
+    {COLUMN(struct scene_row, aliases), .name = "aliases", .label = "also called",
+     .help = "other names of the scene"},
     {COLUMN(struct scene_row, ev100), .name = "ev100", .flags = COLUMN_BRIEF | COLUMN_ECHO,
      .label = "EV at ISO 100", .help = "exposure value at ISO 100"},
     {COLUMN(struct scene_row, meaning), .name = "meaning", .flags = COLUMN_BRIEF,
@@ -144,13 +149,15 @@ static bool list_scenes(struct list *list, struct error *error)
         while (open && lensdb_scenes_next(&facts, &scene, error)) {
             struct scene_row row = {
                 .scene = list_string(list, scene.name),
+                .aliases = list_string(list, scene.aliases),
                 .meaning = list_string(list, scene.scene),
                 .confidence = list_string(list, scene.confidence),
                 .source = list_string(list, scene.source),
                 .place = list_place(scene.place),
                 .ev100 = scene.ev100,
             };
-            if (list_matches(list, NULL, (const char *[]){row.scene, row.meaning}, 2)) {
+            if (list_matches(list, NULL, (const char *[]){row.scene, row.aliases, row.meaning},
+                             3)) {
                 list_row(list, &row);
             }
         }
@@ -162,13 +169,15 @@ static bool list_scenes(struct list *list, struct error *error)
 }
 
 struct filter_row {
-    const char *filter, *kind, *confidence, *source, *place;
+    const char *filter, *aliases, *kind, *confidence, *source, *place;
     double factor, stops, used;
 };
 
 static const struct column filter_columns[] = {
     {COLUMN(struct filter_row, filter), .name = "filter", .flags = COLUMN_BRIEF, .label = "filter",
      .help = "name to ask by"},
+    {COLUMN(struct filter_row, aliases), .name = "aliases", .label = "also called",
+     .help = "other names of the filter"},
     {COLUMN(struct filter_row, kind), .name = "kind", .flags = COLUMN_BRIEF, .label = "kind",
      .help = "what it is for; bw: contrast in black and white"},
     {COLUMN(struct filter_row, factor), .name = "factor", .flags = COLUMN_BRIEF | COLUMN_ECHO,
@@ -189,6 +198,7 @@ static bool list_filters(struct list *list, struct error *error)
         while (open && lensdb_filters_next(&facts, &filter, error)) {
             struct filter_row row = {
                 .filter = list_string(list, filter.name),
+                .aliases = list_string(list, filter.aliases),
                 .kind = list_string(list, filter.kind),
                 .confidence = list_string(list, filter.confidence),
                 .source = list_string(list, filter.source),
@@ -197,7 +207,8 @@ static bool list_filters(struct list *list, struct error *error)
                 .stops = filter.stops,
                 .used = lensdb_filter_stops(&filter),
             };
-            if (list_matches(list, row.kind, (const char *[]){row.filter, row.kind}, 2)) {
+            if (list_matches(list, row.kind, (const char *[]){row.filter, row.aliases, row.kind},
+                             3)) {
                 list_row(list, &row);
             }
         }
