@@ -10,147 +10,13 @@
 #include <string.h>
 #include <unistd.h>
 
-enum {
-    BLOCK = 262144,
-    LONGEST_LINE = 256 * 1024 * 1024,
-    BEHIND = 8, /* NULs behind the text stop any number */
-};
+enum { BLOCK = BATCH_BLOCK, BEHIND = BATCH_BEHIND };
 
-/* Make room behind the unread characters, then read on. False at the end or on failure. */
-static bool refill(struct batch *batch, struct error *error)
+/* The next row of whatever the file has. */
+static bool take_row(struct batch *batch, struct text *row, struct error *error)
 {
-    size_t kept = (size_t)(batch->end - batch->at);
-    if (batch->before_read != NULL && !batch->before_read(batch->waiting, error)) {
-        return false;
-    }
-    error->code = ERROR_NONE;
-    if (kept > 0) {
-        memmove(batch->buffer, batch->at, kept);
-    }
-    if (batch->capacity - kept < BLOCK / 2) {
-        if (batch->capacity >= LONGEST_LINE) {
-            fail(error, ERROR_DATA, "a line is longer than 256 MiB");
-            return error_locate(error, batch->source, batch->next_line, 0);
-        }
-        char *buffer = realloc(batch->buffer, 2 * batch->capacity + BEHIND);
-        if (buffer == NULL) {
-            return fail(error, ERROR_IO, "out of memory reading %s", batch->source);
-        }
-        batch->buffer = buffer;
-        batch->capacity *= 2;
-    }
-    batch->at = batch->buffer;
-    batch->end = batch->buffer + kept;
-    ssize_t got;
-    do {
-        got = read(batch->descriptor, batch->buffer + kept, batch->capacity - kept);
-    } while (got < 0 && errno == EINTR);
-    if (got < 0) {
-        return fail(error, ERROR_IO, "cannot read %s: %s", batch->source, strerror(errno));
-    }
-    batch->at_end = got == 0;
-    batch->end += got;
-    memset(batch->buffer + kept + got, 0, BEHIND);
-    return got > 0;
-}
-
-/* How far a row has been looked through, from batch->at, while its end is searched for. */
-struct scan {
-    size_t offset;
-    bool quoted;        /* inside a quoted cell, where a line break belongs to the cell */
-    size_t just_closed; /* offset behind the last closing quote: a quote there opens again */
-};
-
-/* Do quotes mean anything in the row that begins here? Not in comments, not in JSON. */
-static bool has_quotes(const struct batch *batch)
-{
-    char first = batch->at < batch->end ? *batch->at : '\0';
-    return batch->format != BATCH_JSONL && first != '#' &&
-           !(batch->format == BATCH_AUTO && first == '{');
-}
-
-/* Does a quote at this offset open a cell? As cut_cell sees it: only at the cell's start. */
-static bool opens_cell(const struct batch *batch, const struct scan *scan)
-{
-    if (scan->offset == 0 || scan->offset == scan->just_closed) {
-        return true;
-    }
-    char before = batch->at[scan->offset - 1];
-    /* before the header is read the separator is not known yet */
-    return batch->format == BATCH_AUTO ? before == ',' || before == '\t'
-                                       : before == batch->separator;
-}
-
-/* The line feed that ends the row, or null if it has not arrived. */
-static const char *find_row_end(const struct batch *batch, struct scan *scan)
-{
-    const size_t length = (size_t)(batch->end - batch->at);
-    if (!has_quotes(batch)) {
-        const char *from = batch->at + scan->offset;
-        scan->offset = length;
-        return from < batch->end ? memchr(from, '\n', (size_t)(batch->end - from)) : NULL;
-    }
-    for (; scan->offset < length; scan->offset++) {
-        char c = batch->at[scan->offset];
-        if (c == '\n' && !scan->quoted) {
-            return batch->at + scan->offset;
-        }
-        if (c == '"' && scan->quoted) {
-            scan->quoted = false;
-            scan->just_closed = scan->offset + 1;
-        } else if (c == '"') {
-            scan->quoted = opens_cell(batch, scan);
-        }
-    }
-    return NULL;
-}
-
-/*
- * Take the next row, without its end. A line break in a quoted cell belongs to the row. False at
- * the end of the file (ERROR_NONE) or on failure.
- */
-static bool next_line(struct batch *batch, struct text *line, struct error *error)
-{
-    struct scan scan = {.just_closed = SIZE_MAX};
-    const char *stop;
-    error->code = ERROR_NONE;
-    while ((stop = find_row_end(batch, &scan)) == NULL && !batch->at_end) {
-        if (!refill(batch, error) && error->code != ERROR_NONE) {
-            return false;
-        }
-    }
-    if (stop == NULL && batch->at == batch->end) {
-        return false;
-    }
-    *line = text_between(batch->at, stop != NULL ? stop : batch->end);
-    batch->at = stop != NULL ? stop + 1 : batch->end;
-    return true;
-}
-
-/* Count the lines that a text spans beyond its first. */
-static long breaks_in(struct text text)
-{
-    long breaks = 0;
-    for (size_t i = 0; i < text.length; i++) {
-        breaks += text.start[i] == '\n';
-    }
-    return breaks;
-}
-
-/* The next line that is neither blank nor a comment, without CR. */
-static bool next_row(struct batch *batch, struct text *line, struct error *error)
-{
-    while (next_line(batch, line, error)) {
-        batch->line = batch->next_line;
-        batch->next_line++;
-        if (line->length > 0 && line->start[line->length - 1] == '\r') {
-            line->length--;
-        }
-        if (line->length > 0 && line->start[0] != '#' && text_trim(*line).length > 0) {
-            return true;
-        }
-    }
-    return false;
+    return batch->is_array ? batch_next_object(batch, row, error)
+                           : batch_next_row(batch, row, error);
 }
 
 /* An empty cell is what the option is without the row. */
@@ -204,6 +70,21 @@ static bool row_fail(struct batch *batch, struct error *error, size_t column)
     }
     error_locate(error, batch->source, batch->line, column);
     return false;
+}
+
+/* The same of an object, which may have several lines. */
+static bool object_fail(struct batch *batch, struct text object, struct error *error)
+{
+    size_t column = (size_t)error->column, begin = 0;
+    long line = batch->line;
+    for (size_t i = 0; i + 1 < column && i < object.length; i++) {
+        if (object.start[i] == '\n') {
+            line++;
+            begin = i + 1;
+        }
+    }
+    batch->line = line;
+    return row_fail(batch, error, column > begin ? column - begin : 0);
 }
 
 static bool wrong_count(struct batch *batch, size_t cells, struct error *error)
@@ -339,16 +220,15 @@ enum batch_result batch_next(struct batch *batch, void *input, struct error *err
         return BATCH_ROW;
     }
     clear_passed(batch);
-    if (!next_row(batch, &line, error)) {
+    if (!take_row(batch, &line, error)) {
         return error->code == ERROR_NONE ? BATCH_END : BATCH_FAILED;
     }
     if (batch->format == BATCH_JSONL) {
-        read = batch_json_row(batch, line, input, error) ||
-               row_fail(batch, error, (size_t)error->column);
+        read = batch_json_row(batch, line, input, error) || object_fail(batch, line, error);
     } else {
         read = read_row(batch, line, input, error);
         if (memchr(line.start, '"', line.length) != NULL) {
-            batch->next_line += breaks_in(line);
+            batch->next_line += batch_breaks(line);
         }
     }
     return read ? BATCH_ROW : BATCH_BAD_ROW;
@@ -360,7 +240,7 @@ static bool set_format(struct batch *batch, enum batch_format format, struct tex
     bool tabs = first.length > 0 && memchr(first.start, '\t', first.length) != NULL;
     if (format == BATCH_AUTO) {
         struct text trimmed = text_trim(first);
-        bool json = trimmed.length > 0 && trimmed.start[0] == '{';
+        bool json = trimmed.length > 0 && (trimmed.start[0] == '{' || trimmed.start[0] == '[');
         format = json ? BATCH_JSONL : tabs ? BATCH_TSV : BATCH_CSV;
     }
     if (format == BATCH_CSV && memchr(first.start, ',', first.length) == NULL &&
@@ -444,12 +324,28 @@ static bool skip_byte_order_mark(struct batch *batch, struct error *error)
 {
     error->code = ERROR_NONE;
     while (batch->end - batch->at < 3 && !batch->at_end) {
-        if (!refill(batch, error) && error->code != ERROR_NONE) {
+        if (!batch_refill(batch, error) && error->code != ERROR_NONE) {
             return false;
         }
     }
     if (batch->end - batch->at >= 3 && memcmp(batch->at, "\xef\xbb\xbf", 3) == 0) {
         batch->at += 3;
+    }
+    return true;
+}
+
+/* An array of objects, as exiftool -json writes it: `line` is where it begins, then its first. */
+static bool open_array(struct batch *batch, struct text *line, struct error *error)
+{
+    batch->is_array = true;
+    batch->at = line->start;
+    batch->next_line = batch->line;
+    if (!batch_next_object(batch, line, error)) {
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+        fail(error, ERROR_DATA, "the array is empty: objects with values are wanted");
+        return error_locate(error, batch->source, batch->line, 0);
     }
     return true;
 }
@@ -462,7 +358,7 @@ static bool begin(struct batch *batch, enum batch_format format, struct error *e
     if (!skip_byte_order_mark(batch, error)) {
         return false;
     }
-    if (!next_row(batch, &line, error)) {
+    if (!batch_next_row(batch, &line, error)) {
         if (error->code != ERROR_NONE) {
             return false;
         }
@@ -478,6 +374,9 @@ static bool begin(struct batch *batch, enum batch_format format, struct error *e
         }
         prepare_plain(batch);
         return true;
+    }
+    if (text_trim(line).start[0] == '[' && !open_array(batch, &line, error)) {
+        return false;
     }
     if (!batch_json_header(batch, line, error) || !batch_settle_columns(batch, error)) {
         return false;

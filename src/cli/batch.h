@@ -22,7 +22,7 @@ struct batch_column {
     bool is_ignored;  /* neither input nor handed through */
     bool is_infinite; /* a JSON companion: true makes the option infinite */
     struct text name; /* as in the file */
-    long row;         /* in JSON: the line in which it was seen last */
+    long row;         /* in JSON: the object in which it was seen last */
     size_t passed;    /* index among the columns handed through */
 };
 
@@ -64,7 +64,27 @@ struct batch {
     void *waiting; /* its argument */
     long line;     /* of the present row */
     long next_line;
+    bool is_array;  /* the objects are items of one array, over as many lines as they like */
+    bool is_closed; /* and its end was seen */
+    long objects;   /* of JSON, read so far */
 };
+
+enum {
+    BATCH_BLOCK = 262144,
+    BATCH_BEHIND = 8, /* NULs behind the text stop any number */
+};
+
+/* Make room behind the unread characters, then read on. False at the end or on failure. */
+bool batch_refill(struct batch *batch, struct error *error);
+
+/* The next line that is neither blank nor a comment, without CR; a quoted cell may have breaks. */
+bool batch_next_row(struct batch *batch, struct text *line, struct error *error);
+
+/* The next item of a JSON array of objects, from brace to brace. */
+bool batch_next_object(struct batch *batch, struct text *object, struct error *error);
+
+/* How many lines a text spans beyond its first. */
+long batch_breaks(struct text text);
 
 enum batch_result { BATCH_ROW, BATCH_BAD_ROW, BATCH_END, BATCH_FAILED };
 

@@ -24,6 +24,12 @@ bool batch_read_cell(const struct batch *batch, const struct batch_column *colum
         }
         return true;
     }
+    if (text_same(cell, "undef")) {
+        /* exiftool's word for no value */
+        memcpy(member, (const char *)batch->constants + column->option->offset,
+               column->option->kind->size);
+        return true;
+    }
     return option_read(batch->reader, &column->as_read, cell, member, error);
 }
 
@@ -54,7 +60,46 @@ const char *batch_called(const struct batch *batch, const struct option *option)
 
 enum { MOST_COLUMNS = 4096 };
 
-/* The option that a name without unit stands for: "f", "focal_length" or "focal". */
+/* Tags by which cameras and exiftool name what an option takes. */
+static const struct {
+    const char *tag, *option;
+} tags[] = {
+    {"FNumber", "aperture"},         {"ExposureTime", "time"},        {"ShutterSpeed", "time"},
+    {"FocusDistance", "distance"},   {"SubjectDistance", "distance"}, {"Model", "sensor"},
+    {"Camera Model Name", "sensor"},
+};
+
+/* Is the column named by a tag of photographs? */
+static const char *tagged_option(struct text name)
+{
+    for (size_t i = 0; i < sizeof tags / sizeof tags[0]; i++) {
+        if (text_same_name(name, text_of(tags[i].tag))) {
+            return tags[i].option;
+        }
+    }
+    return NULL;
+}
+
+/* As people and other programs write names: case, '_' and '-' do not count. */
+static const struct option *option_like(const struct batch *batch, struct text name)
+{
+    const struct command *command = batch->arguments->command;
+    const char *tagged = tagged_option(name);
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        if (tagged != NULL && strcmp(option->name, tagged) == 0) {
+            return option;
+        }
+        if (tagged == NULL && name.length > 1 &&
+            (text_same_name(name, text_of(option->name)) ||
+             (option->column != NULL && text_same_name(name, text_of(option->column))))) {
+            return option;
+        }
+    }
+    return NULL;
+}
+
+/* The option that a name without unit stands for: "f", "focal_length", "FocalLength" or "focal". */
 static const struct option *option_of(const struct batch *batch, struct text name)
 {
     const struct command *command = batch->arguments->command;
@@ -66,7 +111,7 @@ static const struct option *option_of(const struct batch *batch, struct text nam
         }
     }
     const struct argument *argument = arguments_find(batch->arguments, name);
-    return argument != NULL && argument->is_input ? argument->option : NULL;
+    return argument != NULL && argument->is_input ? argument->option : option_like(batch, name);
 }
 
 /* "far_is_infinite" beside "far_m" in the rows of another lenscalc. */
@@ -180,6 +225,16 @@ static void set_scale(struct batch_column *column, const struct reader *reader)
     column->is_plain = (column->option->kind == &kind_quantity && !labels) || column->is_coc;
 }
 
+/*
+ * A tag that says what is known already: by an option, or by a column before it. Photographs have
+ * several tags for one thing, and none of them was meant for this program.
+ */
+static bool is_spare_tag(const struct batch *batch, struct text name, const struct option *option)
+{
+    return tagged_option(name) != NULL &&
+           (arguments_given(batch->arguments, option->name) || batch_has(batch, option->name));
+}
+
 static bool find_column(const struct batch *batch, struct text name, struct batch_column *column,
                         struct error *error)
 {
@@ -194,6 +249,10 @@ static bool find_column(const struct batch *batch, struct text name, struct batc
         return true;
     }
     column->option = option_of(batch, name);
+    if (column->option != NULL && is_spare_tag(batch, name, column->option)) {
+        column->option = NULL;
+        return true;
+    }
     if (column->option == NULL) {
         column->option = find_with_unit(batch, name, &unit, &typed);
         if (column->option != NULL && unit == NULL) {

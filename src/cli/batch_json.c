@@ -122,13 +122,14 @@ bool batch_json_row(struct batch *batch, struct text line, void *input, struct e
     struct text key;
     struct json_value value;
     size_t pairs = 0;
+    batch->objects++;
     if (!start(&json, batch, line, error)) {
         return false;
     }
     reset(batch, input);
     for (; next_pair(&json, pairs == 0, &key, &value); pairs++) {
         struct batch_column *column = column_of(batch, key, pairs);
-        if (column != NULL && column->row == batch->line) {
+        if (column != NULL && column->row == batch->objects) {
             fail(error, ERROR_DATA, "the key '%.*s' stands twice", text_shown(key), key.start);
             error->column = (int)value.at;
             return false;
@@ -138,7 +139,7 @@ bool batch_json_row(struct batch *batch, struct text line, void *input, struct e
             error->column = (int)value.at;
             return false;
         }
-        column->row = batch->line;
+        column->row = batch->objects;
         if (!set_value(batch, column, &value, input, error)) {
             return false;
         }

@@ -35,7 +35,7 @@ double sensor_crop(const struct sensor *sensor);
  * Given     inches  the format, 1/20 to 4
  *           sensor  receives a 4:3 area without a pitch
  * Formula   diagonal = 16 mm x inches from 1/2 inch on, 18 mm x inches below it
- * Source    [OptoWiki] Sensor Format: the diameter of the vidicon tube with that picture
+ * Source    [OptoWiki26] Sensor Format: the diameter of the vidicon tube with that picture
  * Errors    inches outside that range
  * Limits    Nominal: makers round the format as they like; areas differ from this by up to 8 %.
  */
