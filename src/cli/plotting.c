@@ -38,7 +38,7 @@ static bool choose_x(const struct collection *collection, struct layout *layout,
     layout->groups = sweep->total / layout->x->count;
     if (layout->groups * layout->shown_count > 64) {
         return fail(error, ERROR_USAGE,
-                    "--plot would draw %zu curves: at most 64 can be told apart",
+                    "--plot would draw %zu curves: at most 64 can be distinguished",
                     layout->groups * layout->shown_count);
     }
     return true;

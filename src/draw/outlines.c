@@ -131,7 +131,7 @@ bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct erro
 {
     double most = farthest(outlines);
     if (outlines->count > MOST) {
-        return fail(error, ERROR_USAGE, "a drawing of %zu shapes: at most %d can be told apart",
+        return fail(error, ERROR_USAGE, "a drawing of %zu shapes: at most %d can be distinguished",
                     outlines->count, MOST);
     }
     if (!(most > 0 && most < 1e12)) {

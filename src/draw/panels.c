@@ -113,7 +113,7 @@ bool panels_draw(const struct panels *panels, struct svg *svg, struct error *err
     struct panels_page page = {.panels = panels, .svg = svg};
     if (panels->count > MOST || panels->columns > MOST_COLUMNS) {
         return fail(error, ERROR_USAGE,
-                    "a page of %zu panels in %zu columns: at most %d in %d can be told apart",
+                    "a page of %zu panels in %zu columns: at most %d in %d can be distinguished",
                     panels->count, panels->columns, MOST, MOST_COLUMNS);
     }
     if (!set_shared(&page, error)) {

@@ -64,6 +64,16 @@ bool bracket_plan(const struct bracket_given *given, struct bracket *plan, struc
                                     {"time at the other end", " s", given->to},
                                     {"step", " stops", given->step},
                                     {"number of shots", "", given->shots}};
+    if (!is_given(given->from) && !is_given(given->to)) {
+        return fail(error, ERROR_USAGE,
+                    "a bracket needs an exposure to start from: give {time at one end} or {time at "
+                    "the other end}");
+    }
+    if (given_missing(numbers, 4) == 0) {
+        return fail(error, ERROR_USAGE,
+                    "{time at one end}, {time at the other end}, {step} and {number of shots} are "
+                    "all given: leave out one, it follows from the others");
+    }
     if (given_missing(numbers, 4) != 1) {
         return fail(error, ERROR_USAGE,
                     "give exactly three of {time at one end}, {time at the other end}, {step} and "

@@ -155,7 +155,7 @@ extern const struct word analysis_aims[], analysis_weights[];
 
 #define ANALYSIS_CLIP_OPTIONS(S, member)                                                           \
     {OPTION(S, member.clip), .name = "clip",                                                       \
-     .help = "clear apertures and the stop lose rays (so they do anyway)"},                        \
+     .help = "clip rays at apertures and stop (default)"},                        \
     {                                                                                              \
         OPTION(S, member.no_clip), .name = "no-clip", .excludes = "clip",                          \
                                    .help = "clear apertures lose no rays"                          \

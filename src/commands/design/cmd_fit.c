@@ -54,7 +54,7 @@ static const struct option options[] = {
     {OPTION(struct fit_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
      .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},
     {OPTION(struct fit_input, clip), .name = "clip", .excludes = "no-clip",
-     .help = "clear apertures and the stop lose rays (so they do anyway)"},
+     .help = "clip rays at apertures and stop (default)"},
     {OPTION(struct fit_input, no_clip), .name = "no-clip", .help = "clear apertures lose no rays"},
     {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS",
      .excludes = "glass " OF_RAYS,

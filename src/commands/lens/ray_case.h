@@ -34,7 +34,7 @@ struct ray_case {
 
 #define RAY_CLIP_OPTIONS(S, member)                                                                \
     {OPTION(S, member.clip), .name = "clip",                                                       \
-     .help = "clear apertures and the stop lose rays (so they do anyway)"},                        \
+     .help = "clip rays at apertures and stop (default)"},                        \
     {                                                                                              \
         OPTION(S, member.no_clip), .name = "no-clip", .help = "clear apertures lose no rays"       \
     }

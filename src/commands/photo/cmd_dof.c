@@ -145,7 +145,7 @@ static const struct column columns[] = {
     {COLUMN(struct row, other_sensor), .name = "equal_sensor", .flags = COLUMN_EXTRA,
      .with = "equal-on", .label = "other format", .help = "the format of the equal picture"},
     {COLUMN_LENGTH(other_focal, "mm"), .name = "equal_focal", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
-     .with = "equal-on", .label = "focal length there",
+     .with = "equal-on", .label = "equivalent focal length",
      .help = "focal length with the same framing on the other format"},
     {COLUMN(struct row, other_fnumber), .name = "equal_fnumber",
      .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "equal-on", .label = "f-number there",

@@ -80,7 +80,7 @@ static const struct column columns[] = {
     {NUMBER(equal.k), .name = "ratio", .flags = COLUMN_BRIEF, .symbol = "k",
      .label = "size of the other format", .help = "size of the other format over this one"},
     {LENGTH(equal.f, "mm"), .name = "equal_focal", .flags = COLUMN_BRIEF, .symbol = "f'",
-     .label = "focal length there", .help = "focal length with the same framing there"},
+     .label = "equivalent focal length", .help = "focal length with the same framing there"},
     {NUMBER(equal.N), .name = "equal_fnumber", .flags = COLUMN_BRIEF, .with = "aperture lens",
      .symbol = "N'", .label = "f-number there", .help = "f-number there"},
     {NUMBER(equal.iso), .name = "equal_iso", .flags = COLUMN_BRIEF, .symbol = "S'",

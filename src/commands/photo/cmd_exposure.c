@@ -93,8 +93,8 @@ static const struct column columns[] = {
      .help = "exposure time, metered"},
     COLUMN_NOMINAL_TIME(struct exposure_row, nominal_time),
     {STOPS(residual), .name = "residual", .flags = COLUMN_BRIEF, .symbol = "r",
-     .label = "nearest settings expose more by",
-     .help = "stops by which the nearest steps of the series expose more (+) or less (-)"},
+     .label = "nearest camera settings: over (+) or under (-)",
+     .help = "stops by which the nearest steps of the series expose over (+) or under (-)"},
     {STOPS(label_residual), .name = "label_residual", BRIEF_WITH("equivalent"),
      .label = "their labels by",
      .help = "the same with the labels taken at their word: 1/125 "

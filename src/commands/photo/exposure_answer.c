@@ -148,7 +148,7 @@ static bool take_box_speed(const struct exposure_input *input, struct exposure_g
                            struct exposure_row *row, struct error *error)
 {
     const struct film_value *film = &input->film;
-    row->speed = "ISO 100, as none is given";
+    row->speed = "ISO 100 (default)";
     if (film->speed_note == NULL) {
         return true;
     }

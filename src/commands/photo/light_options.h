@@ -40,7 +40,7 @@
 #define OPTION_SERIES(S, member)                                                                   \
     {                                                                                              \
         OPTION(S, member), .name = "series", .value = "SERIES", .fallback = "third",               \
-                           .help = "where the camera can stand: full, half or third stops"         \
+                           .help = "stop increments of the camera: full, half or third"         \
     }
 
 /* Columns of the nearest labels, for rows with these members. */
