@@ -10,13 +10,42 @@
 
 enum { BLOCK_SIZE = 32 * 1024, ALIGNMENT = _Alignof(max_align_t) };
 
+/*
+ * What an arena keeps of what it was given back: pages that are returned to the system and asked
+ * for again cost more than most of what is computed in them. Under the address sanitizer nothing,
+ * so that it sees who uses memory that was given up.
+ */
+#ifdef __SANITIZE_ADDRESS__
+static const size_t most_spare = 0;
+#else
+static const size_t most_spare = 8 * 1024 * 1024;
+#endif
+
 struct arena_block {
     struct arena_block *previous;
     size_t size, used;
     _Alignas(max_align_t) char data[];
 };
 
-static struct arena_block *new_block(struct arena_block *previous, size_t size)
+/* The smallest spare block that is large enough, out of its list; null: there is none. */
+static struct arena_block *take_spare(struct arena *arena, size_t size)
+{
+    struct arena_block **best = NULL;
+    for (struct arena_block **at = &arena->spare; *at != NULL; at = &(*at)->previous) {
+        if ((*at)->size >= size && (best == NULL || (*at)->size < (*best)->size)) {
+            best = at;
+        }
+    }
+    if (best == NULL) {
+        return NULL;
+    }
+    struct arena_block *block = *best;
+    *best = block->previous;
+    arena->spare_size -= block->size;
+    return block;
+}
+
+static struct arena_block *new_block(size_t size)
 {
     size_t room = size > BLOCK_SIZE ? size : BLOCK_SIZE;
     if (room > SIZE_MAX - sizeof(struct arena_block)) {
@@ -26,9 +55,7 @@ static struct arena_block *new_block(struct arena_block *previous, size_t size)
     if (block == NULL) {
         abort();
     }
-    block->previous = previous;
     block->size = room;
-    block->used = 0;
     return block;
 }
 
@@ -36,7 +63,11 @@ static struct arena_block *new_block(struct arena_block *previous, size_t size)
 static void *take(struct arena *arena, size_t bytes)
 {
     if (arena->block == NULL || arena->block->size - arena->block->used < bytes) {
-        arena->block = new_block(arena->block, bytes);
+        struct arena_block *block = take_spare(arena, bytes);
+        block = block != NULL ? block : new_block(bytes);
+        block->previous = arena->block;
+        block->used = 0;
+        arena->block = block;
     }
     char *memory = arena->block->data + arena->block->used;
     arena->block->used += bytes;
@@ -117,12 +148,23 @@ struct arena_mark arena_mark(const struct arena *arena)
     return (struct arena_mark){arena->block, arena->block == NULL ? 0 : arena->block->used};
 }
 
+static void give_up(struct arena *arena, struct arena_block *block)
+{
+    if (block->size > most_spare || arena->spare_size > most_spare - block->size) {
+        free(block);
+        return;
+    }
+    block->previous = arena->spare;
+    arena->spare = block;
+    arena->spare_size += block->size;
+}
+
 void arena_reset(struct arena *arena, struct arena_mark mark)
 {
     while (arena->block != mark.block) {
-        struct arena_block *previous = arena->block->previous;
-        free(arena->block);
-        arena->block = previous;
+        struct arena_block *given = arena->block;
+        arena->block = given->previous;
+        give_up(arena, given);
     }
     if (arena->block != NULL) {
         arena->block->used = mark.used;
@@ -132,4 +174,10 @@ void arena_reset(struct arena *arena, struct arena_mark mark)
 void arena_free(struct arena *arena)
 {
     arena_reset(arena, (struct arena_mark){NULL, 0});
+    while (arena->spare != NULL) {
+        struct arena_block *block = arena->spare;
+        arena->spare = block->previous;
+        free(block);
+    }
+    arena->spare_size = 0;
 }

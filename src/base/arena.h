@@ -10,6 +10,8 @@ struct arena_block;
 /* Start with { 0 }; one a command. */
 struct arena {
     struct arena_block *block;
+    struct arena_block *spare; /* given up, and kept for what is taken next */
+    size_t spare_size;         /* bytes */
 };
 
 struct arena_mark {
