@@ -154,8 +154,7 @@ extern const struct word analysis_aims[], analysis_weights[];
         ANALYSIS_CLIP_OPTIONS(S, member)
 
 #define ANALYSIS_CLIP_OPTIONS(S, member)                                                           \
-    {OPTION(S, member.clip), .name = "clip",                                                       \
-     .help = "clip rays at apertures and stop (default)"},                        \
+    {OPTION(S, member.clip), .name = "clip", .help = "clip rays at apertures and stop (default)"}, \
     {                                                                                              \
         OPTION(S, member.no_clip), .name = "no-clip", .excludes = "clip",                          \
                                    .help = "clear apertures lose no rays"                          \

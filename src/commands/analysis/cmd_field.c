@@ -330,8 +330,9 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
         }
     }
     return (painter.count <= MOST_CURVES ||
-            fail(error, ERROR_USAGE, "{--plot} would draw %zu panels: at most %d can be distinguished",
-                 painter.count, MOST_CURVES)) &&
+            fail(error, ERROR_USAGE,
+                 "{--plot} would draw %zu panels: at most %d can be distinguished", painter.count,
+                 MOST_CURVES)) &&
            paint(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 

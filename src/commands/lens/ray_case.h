@@ -33,8 +33,7 @@ struct ray_case {
     }
 
 #define RAY_CLIP_OPTIONS(S, member)                                                                \
-    {OPTION(S, member.clip), .name = "clip",                                                       \
-     .help = "clip rays at apertures and stop (default)"},                        \
+    {OPTION(S, member.clip), .name = "clip", .help = "clip rays at apertures and stop (default)"}, \
     {                                                                                              \
         OPTION(S, member.no_clip), .name = "no-clip", .help = "clear apertures lose no rays"       \
     }

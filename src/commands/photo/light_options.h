@@ -40,7 +40,7 @@
 #define OPTION_SERIES(S, member)                                                                   \
     {                                                                                              \
         OPTION(S, member), .name = "series", .value = "SERIES", .fallback = "third",               \
-                           .help = "stop increments of the camera: full, half or third"         \
+                           .help = "stop increments of the camera: full, half or third"            \
     }
 
 /* Columns of the nearest labels, for rows with these members. */
