@@ -97,3 +97,14 @@ fov 2.39:1
 fov phone
 fov 'medium format'
 fov medium format
+# a position of a zoom lens by its focal length: the nearest, named
+position() {
+    try lens canon-nfd-70-210 -w d --columns position,efl --csv --digits 4 --position "$@"
+}
+position 135mm
+position 100mm
+position '70 mm'
+position 7cm,200mm
+position 135
+position 400mm
+try dof --lens canon-nfd-70-210 --position 135mm -s 3 -N 4 --columns near

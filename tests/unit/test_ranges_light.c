@@ -301,7 +301,11 @@ static void test_bracket(void)
     OUTSIDE(plan_of(1, 2, NAN, -1, &plan), "number of shots -1 must be above 0 and finite");
     MISUSED(
         plan_of(1, 2, 1, 2, &plan),
-        "give exactly three of time at one end, time at the other end, step and number of shots");
+        "time at one end, time at the other end, step and number of shots are all given: leave out "
+        "one, it follows from the others");
+    MISUSED(plan_of(NAN, NAN, 1, 5, &plan),
+            "a bracket needs an exposure to start from: give time at one end or time at the other "
+            "end");
     MISUSED(
         plan_of(1, NAN, 1, NAN, &plan),
         "give exactly three of time at one end, time at the other end, step and number of shots");

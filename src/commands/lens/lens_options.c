@@ -2,6 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
 
+#include "base/quantity.h"
+
+#include <math.h>
 #include <string.h>
 
 const struct word section_words[] = {
@@ -161,10 +164,70 @@ static bool visit_position(const struct lens_question *question, const struct le
            visit(setup, warning_of(question, position, setup), context, error);
 }
 
-static bool find_position(const struct lens *lens, struct text name, size_t *position,
-                          struct error *error)
+/* The focal length of each position at the primary wavelength, mm; NaN where it has none. */
+static const double *focal_lengths(const struct lens *lens, struct arena *arena)
+{
+    double *focals = ARENA_ARRAY(arena, lens->position_count + 1, double);
+    for (size_t i = 0; i < lens->position_count; i++) {
+        struct first_order first;
+        struct error ignored;
+        bool known =
+            first_order_of_lens(lens_at_position(lens, i, arena), lens_primary_wavelength(lens),
+                                SECTION_Y, arena, &first, &ignored);
+        focals[i] = known && isfinite(first.efl) ? fabs(first.efl) : (double)NAN;
+    }
+    return focals;
+}
+
+/* "wide (70.55 mm), mid (137.0 mm), tele (205.3 mm)" */
+static const char *positions_in_words(const struct lens *lens, const double *focals,
+                                      struct arena *arena)
+{
+    const char *words = "";
+    for (size_t i = 0; i < lens->position_count; i++) {
+        words = arena_printf(arena, "%s%s%s", words, i > 0 ? ", " : "", lens->positions[i]);
+        words = isnan(focals[i]) ? words : arena_printf(arena, "%s (%.4g mm)", words, focals[i]);
+    }
+    return words;
+}
+
+/*
+ * A position by focal length, "135mm": the nearest by ratio. LENS_NONE where the name is none, or
+ * one that is more than 5 % beyond the ends of the zoom.
+ */
+static size_t nearest_focal(const struct lens *lens, struct text name, const double *focals)
+{
+    enum { PERCENT_BEYOND = 5 };
+    const struct unit *typed = NULL;
+    struct error ignored;
+    double wanted, least = INFINITY, most = 0, best = INFINITY;
+    size_t nearest = LENS_NONE;
+    if (!quantity_read(name, &dimension_length, NULL, &wanted, &typed, &ignored) || typed == NULL ||
+        !(wanted > 0)) {
+        return LENS_NONE;
+    }
+    for (size_t i = 0; i < lens->position_count; i++) {
+        double off = fabs(log(wanted / focals[i]));
+        if (off < best) {
+            best = off;
+            nearest = i;
+        }
+        least = fmin(least, focals[i]);
+        most = fmax(most, focals[i]);
+    }
+    const double beyond = 1 + PERCENT_BEYOND / 100.0;
+    return wanted * beyond >= least && wanted <= most * beyond ? nearest : LENS_NONE;
+}
+
+static bool find_position(const struct lens *lens, struct text name, struct arena *arena,
+                          size_t *position, struct error *error)
 {
     *position = lens_position_find(lens, name);
+    if (*position != LENS_NONE) {
+        return true;
+    }
+    const double *focals = focal_lengths(lens, arena);
+    *position = nearest_focal(lens, name, focals);
     if (*position != LENS_NONE) {
         return true;
     }
@@ -173,8 +236,7 @@ static bool find_position(const struct lens *lens, struct text name, size_t *pos
         nearest_offer(&nearest, text_of(lens->positions[i]));
     }
     fail(error, ERROR_USAGE, "the lens has no position '%.*s'%s%s", text_shown(name), name.start,
-         lens->position_count > 0 ? ": its first is " : "",
-         lens->position_count > 0 ? lens->positions[0] : "");
+         lens->position_count > 0 ? ": it has " : "", positions_in_words(lens, focals, arena));
     return nearest.best.start != NULL &&
            error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
 }
@@ -203,7 +265,7 @@ bool lens_positions(const struct lens *lens, const char *names, struct arena *ar
         return true;
     }
     while (rest.start != NULL) {
-        if (!find_position(lens, text_trim(text_cut(&rest, ',')), &found[*count], error)) {
+        if (!find_position(lens, text_trim(text_cut(&rest, ',')), arena, &found[*count], error)) {
             return false;
         }
         ++*count;

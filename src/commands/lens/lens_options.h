@@ -105,7 +105,7 @@ extern const struct word section_words[];
     {                                                                                              \
         OPTION(S, member.position),                                                                \
             .name = "position", .value = "NAME",                                                   \
-            .help = "zoom or focus position, a list, or all; default the first"                    \
+            .help = "a name or focal length (135mm), a list, or all; default the first"            \
     }
 
 #define LENS_SECTION_OPTION(S, member)                                                             \
@@ -160,7 +160,9 @@ const char *lens_field_words(const struct field_point *field, struct arena *aren
 /*
  * The positions that --position names.
  *
- * Given     names      null = the first; "all"; or a list with commas
+ * Given     names      null = the first; "all"; or a list with commas, of names or of focal lengths
+ *                      with a unit ("135mm"), which stand for the position nearest to them by
+ *                      ratio; a lens says nothing of what is between its positions
  *           positions  receives an array in the arena, of `count`
  * Errors    ERROR_USAGE: no lens; no such position, with a suggestion
  */
