@@ -214,6 +214,15 @@ double dof_near_at_hyperfocal(double f, double N, double c, double P)
     return (dof_hyperfocal(f, N, c) + (f - f / P)) / 2;
 }
 
+double dof_hyperfocal_of_near(double f, double P, double Nc, double near)
+{
+    if (isnan(f)) {
+        double b = 2 - 1 / P;
+        f = 4 * near / (b + sqrt(b * b + 8 * near / Nc));
+    }
+    return 2 * near - f * (1 - 1 / P);
+}
+
 void dof_vergences(const struct dof_setting *a, double N, double *near, double *far)
 {
     double m = a->f / (a->s - a->f), e = N * a->c / a->f;

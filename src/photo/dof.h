@@ -113,6 +113,19 @@ double dof_hyperfocal(double f, double N, double c);
 double dof_near_at_hyperfocal(double f, double N, double c, double P);
 
 /*
+ * The hyperfocal distance that has a wanted near limit when the lens is focused there.
+ *
+ * Given     f, P   focal length, mm, > 0, or NaN: unknown; pupil magnification, > 0
+ *           Nc     f-number times circle of confusion, mm, > 0; used only where f is unknown
+ *           near   wanted limit, mm, > 0
+ * Result    mm; 2 near for P = 1
+ * Formula   H = 2 near - f(1 - 1/P); for unknown f that of f^2/(N c) + f(2 - 1/P) = 2 near,
+ *           f = 4 near/(b + sqrt(b^2 + 8 near/(N c))), b = 2 - 1/P
+ * Source    dof_near_at_hyperfocal and dof_hyperfocal, solved for H here
+ */
+double dof_hyperfocal_of_near(double f, double P, double Nc, double near);
+
+/*
  * Reciprocal limits of the same focus at another f-number, beyond infinity too.
  *
  * Given     setting  checked; its N is not used

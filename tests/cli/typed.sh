@@ -108,3 +108,8 @@ position 7cm,200mm
 position 135
 position 400mm
 try dof --lens canon-nfd-70-210 --position 135mm -s 3 -N 4 --columns near
+# the same words in sister commands
+try hyperfocal -f 24mm --near 1m --columns fnumber,hyperfocal,near --csv --digits 6
+try hyperfocal -N 8 --near 1m --columns focal,hyperfocal,near --csv --digits 6
+try hyperfocal -f 24mm --near 1m --hyperfocal 2m
+try hyperfocal -f 24mm --near 1cm

@@ -212,6 +212,12 @@ static void test_properties(void)
     CHECK(d.near == 10025); /* H/2 */
     CHECK(d.far == INFINITY);
     CHECK(dof_near_at_hyperfocal(50, 4, 0.03125, 1) == 10025);
+    /* a wanted near limit: by hand; for P = 2 near = (20050 + 25)/2, for P = 1/2 (20050 - 50)/2 */
+    CHECK(dof_hyperfocal_of_near(50, 1, NAN, 10025) == 20050);
+    CHECK(dof_hyperfocal_of_near(50, 2, NAN, 10037.5) == 20050);
+    CHECK(dof_hyperfocal_of_near(50, 0.5, NAN, 10000) == 20050);
+    CHECK_RELATIVE(dof_hyperfocal_of_near(NAN, 2, 0.125, 10037.5), 20050.0, 1e-15, "f unknown");
+    CHECK_RELATIVE(dof_hyperfocal_of_near(NAN, 0.5, 0.125, 10000), 20050.0, 1e-15, "f unknown");
     d = answer(50, 4, 0.03125, INFINITY, 1, DOF_EXACT);
     CHECK(d.near == 20000); /* H - f */
     CHECK(d.magnification == 0);

@@ -8,7 +8,7 @@
 #include <math.h>
 
 struct input {
-    double hyperfocal;
+    double hyperfocal, near; /* wanted */
     struct photo_lens_question lens;
     struct sharpness sharp;
 };
@@ -23,6 +23,10 @@ static const struct option options[] = {
      .column = "hyperfocal", .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL, .value = "LENGTH",
      .help = "wanted hyperfocal distance: solves for focal length or f-number"},
+    {OPTION(struct input, near), .name = "near", .quantity = "near limit", .column = "near",
+     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL, .value = "LENGTH",
+     .help = "wanted near limit there, in place of --hyperfocal"},
 };
 
 struct row {
@@ -62,18 +66,29 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
+/* What is wanted, as a hyperfocal distance; NaN: nothing is. */
+static double wanted(const struct input *input, const struct dof_setting *setting)
+{
+    return isnan(input->near) ? input->hyperfocal
+                              : dof_hyperfocal_of_near(setting->f, setting->P,
+                                                       setting->N * setting->c, input->near);
+}
+
 /* The Airy disc grows with the magnification at that distance: in turn till they agree. */
-static bool solve(const struct sharpness *sharp, const struct photo_lens *lens,
-                  const struct dof_targets *targets, struct dof_setting *setting,
-                  struct error *error)
+static bool solve(const struct input *input, const struct sharpness *sharp,
+                  const struct photo_lens *lens, struct dof_setting *setting, struct error *error)
 {
     const struct dof_setting given = *setting;
+    struct dof_targets targets = {NAN, NAN, NAN, NAN, NAN};
     double m = 0;
     for (int turn = 0; turn < 200; turn++) {
         *setting = given;
         if (!sharpness_resolve_in(sharp, lens->wavelength, working_fnumber(given.N, m, given.P),
-                                  &setting->c, error) ||
-            !dof_solve(setting, targets, error) || !dof_check(setting, error)) {
+                                  &setting->c, error)) {
+            return false;
+        }
+        targets.hyperfocal = wanted(input, setting);
+        if (!dof_solve(setting, &targets, error) || !dof_check(setting, error)) {
             return false;
         }
         double next = setting->N * setting->c / setting->f;
@@ -91,17 +106,20 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
                    struct error *error)
 {
     const struct input *input = data;
-    const struct dof_targets targets = {NAN, NAN, NAN, input->hyperfocal, NAN};
     struct dof_setting setting = {lens->f, lens->N, 0, INFINITY, lens->P};
-    if (isnan(lens->f) + isnan(lens->N) + isnan(input->hyperfocal) != 1) {
+    if (!isnan(input->near) && !isnan(input->hyperfocal)) {
+        return fail(error, ERROR_USAGE, "give only one of {--hyperfocal} and {--near}");
+    }
+    bool aimless = isnan(input->hyperfocal) && isnan(input->near);
+    if (isnan(lens->f) + isnan(lens->N) + aimless != 1) {
         return fail(
             error, ERROR_USAGE,
-            "give two of {--focal-length}, {--aperture} and {--hyperfocal}, and the third is "
-            "found");
+            "give two of {--focal-length}, {--aperture} and {--hyperfocal} (or {--near}), and the "
+            "third is found");
     }
     struct sharpness sharp;
     if (!sharpness_imply(&input->sharp, PITCH_FOR_COC, &sharp, error) ||
-        !solve(&sharp, lens, &targets, &setting, error)) {
+        !solve(input, &sharp, lens, &setting, error)) {
         return false;
     }
     if (sharpness_in_pixels(&sharp)) {
@@ -130,7 +148,8 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    int use = isnan(input->hyperfocal) ? 0 : PHOTO_LENS_SOLVES_FNUMBER;
+    bool aimless = isnan(input->hyperfocal) && isnan(input->near);
+    int use = aimless ? 0 : PHOTO_LENS_SOLVES_FNUMBER;
     return photo_lens_each(&input->lens, use, run, answer, input, error);
 }
 
@@ -150,6 +169,7 @@ static const struct example examples[] = {
     {"hyperfocal -f 28mm -N 8", "one lens, one f-number"},
     {"hyperfocal -f 24,35,50,85 -N 2.8..22 --table N,f", "a table to print"},
     {"hyperfocal -f 35mm --hyperfocal 5m", "the f-number for a hyperfocal distance of 5 m"},
+    {"hyperfocal -f 24mm --near 1m", "the f-number that is sharp from 1 m to infinity"},
     {"hyperfocal --lens wide-35 -N 8", "a real lens: what to set on its distance scale"},
     {NULL, NULL},
 };
