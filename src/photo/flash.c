@@ -124,6 +124,34 @@ bool flash_sum(const double *GN, int count, double *sum, struct error *error)
     return answer_positive("the guide number", *sum, error);
 }
 
+bool flash_zoomed(const struct flash_mark *marks, int count, double f, double *GN,
+                  struct error *error)
+{
+    int at = 0;
+    for (int i = 0; i < count; i++) {
+        if (!require_positive("focal length of a mark", " mm", marks[i].f, error) ||
+            !require_positive("guide number", " mm", marks[i].GN, error)) {
+            return false;
+        }
+        if (i > 0 && !(marks[i].f > marks[i - 1].f)) {
+            return fail(error, ERROR_DOMAIN, "the focal lengths of the marks must rise: %.6g, %.6g",
+                        marks[i - 1].f, marks[i].f);
+        }
+    }
+    if (count < 1 || !(f >= marks[0].f && f <= marks[count - 1].f)) {
+        return fail(error, ERROR_DOMAIN, "%.6g mm lies outside the marks, %.6g to %.6g mm", f,
+                    count > 0 ? marks[0].f : NAN, count > 0 ? marks[count - 1].f : NAN);
+    }
+    while (at + 2 < count && f > marks[at + 1].f) {
+        at++;
+    }
+    const struct flash_mark *low = &marks[at], *high = &marks[at + 1 < count ? at + 1 : at];
+    bool is_high = !(f < high->f);
+    *GN = is_high ? high->GN
+                  : low->GN * pow(high->GN / low->GN, log(f / low->f) / log(high->f / low->f));
+    return true;
+}
+
 bool flash_bounce(double along, double flash_gap, double subject_gap, double *d,
                   struct error *error)
 {

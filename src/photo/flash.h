@@ -48,6 +48,26 @@ bool flash_solve(struct flash_setting *setting, enum flash_unknown *unknown, str
  */
 bool flash_sum(const double *GN, int count, double *sum, struct error *error);
 
+/* The guide number of a flash whose reflector zooms, at one of its marks. */
+struct flash_mark {
+    double f;  /* focal length that the reflector is set for, mm, > 0 */
+    double GN; /* mm, > 0 */
+};
+
+/*
+ * Guide number between the marks of a zooming reflector.
+ *
+ * Given     marks  count >= 1 of them, as the manual lists them, focal lengths rising
+ *           f      focal length the reflector is set to, mm
+ *           GN     receives the guide number, mm
+ * Formula   between two marks 2 log2(GN) is linear in log(f): so many stops for so many octaves
+ * Source    interpolation of this program's own; at the marks it is the manual's figure
+ * Errors    a focal length outside the marks, marks that do not rise, numbers not above 0
+ * Limits    reflectors step from mark to mark; between them makers state nothing
+ */
+bool flash_zoomed(const struct flash_mark *marks, int count, double f, double *GN,
+                  struct error *error);
+
 /*
  * Length of a bounced light path, over a ceiling or a wall.
  *

@@ -113,3 +113,11 @@ try hyperfocal -f 24mm --near 1m --columns fnumber,hyperfocal,near --csv --digit
 try hyperfocal -N 8 --near 1m --columns focal,hyperfocal,near --csv --digits 6
 try hyperfocal -f 24mm --near 1m --hyperfocal 2m
 try hyperfocal -f 24mm --near 1cm
+flash() {
+    try flash --zoom 35mm:36m,105mm:58m -s 6m --columns guide_number,fnumber "$@"
+}
+flash --at 70mm
+flash --at 105mm
+flash --at 24mm
+flash
+try flash --zoom 35mm,105mm --at 70mm -s 6m

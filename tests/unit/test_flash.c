@@ -182,8 +182,36 @@ static void test_ambient(void)
     CHECK(!flash_against_ambient(&light, &b, &error) && error.code == ERROR_USAGE);
 }
 
+/* Halves of stops by octaves, by hand: sqrt(36 x 72) half way between 35 and 140 mm. */
+static void test_zoomed(void)
+{
+    static const struct flash_mark marks[] = {{24, 30000}, {35, 36000}, {140, 72000}};
+    static const struct {
+        double f, expected, tolerance;
+        const char *source;
+    } rows[] = {
+        {24, 30000, 0, "a mark"},
+        {35, 36000, 0, "a mark"},
+        {140, 72000, 0, "a mark"},
+        {70, 50911.688245431422, 1e-10, "36000 sqrt(2)"},
+        {28.982753492378876, 32863.353450309968, 1e-10, "sqrt(24 x 35): sqrt(30 x 36)"},
+    };
+    static const struct flash_mark falling[] = {{35, 36000}, {24, 30000}};
+    double GN;
+    for (int i = 0; i < COUNT(rows); i++) {
+        CHECK(flash_zoomed(marks, 3, rows[i].f, &GN, &error));
+        CHECK_NEAR(GN, rows[i].expected, rows[i].tolerance, rows[i].source);
+    }
+    CHECK(flash_zoomed(marks, 1, 24, &GN, &error) && !(fabs(GN - 30000) > 0));
+    CHECK(!flash_zoomed(marks, 3, 23, &GN, &error) && strstr(error.message, "24 to 140") != NULL);
+    CHECK(!flash_zoomed(marks, 3, 141, &GN, &error));
+    CHECK(!flash_zoomed(marks, 3, NAN, &GN, &error));
+    CHECK(!flash_zoomed(falling, 2, 30, &GN, &error) && strstr(error.message, "rise") != NULL);
+}
+
 int main(void)
 {
+    test_zoomed();
     test_published();
     test_round_trips();
     test_refusals();

@@ -8,6 +8,8 @@
 #include <math.h>
 
 struct input {
+    const char *zoom; /* guide numbers by reflector position */
+    double at;
     double guide_number, second, fnumber, distance, iso, power, flashes;
     struct loss_value loss, filter;
     double ceiling, ceiling_subject, background;
@@ -24,6 +26,13 @@ struct input {
 static const struct option options[] = {
     {LENGTH_OPTION(guide_number), .name = "guide-number", .letter = 'g', .column = "guide_number",
      .help = "of one flash at ISO 100 and full power, in m (or ft)"},
+    {OPTION(struct input, zoom), .name = "zoom", .value = "F:GN,F:GN...", .wants = "at",
+     .excludes = "guide-number",
+     .help = "guide numbers by reflector position, as the manual lists them: 35mm:36m,105mm:58m"},
+    {OPTION(struct input, at), .name = "at", .quantity = "reflector position", .column = "at",
+     .dimension = &dimension_length, .unit = "mm", OPTION_POSITIVE, .wants = "zoom",
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
+     .help = "focal length the reflector is set for"},
     {LENGTH_OPTION(second), .name = "second", .column = "second",
      .help = "guide number of another flash beside it"},
     OPTION_APERTURE(struct input, fnumber, 0),
@@ -70,7 +79,8 @@ struct row {
     struct flash_balance balance;
     double time, ev;
     double key_to_fill, ratio;
-    const char *nominal_fnumber, *filter;
+    double at;
+    const char *nominal_fnumber, *filter, *zoom;
 };
 
 #define NUMBER(member)     COLUMN(struct row, member)
@@ -82,6 +92,9 @@ struct row {
 static const struct column columns[] = {
     {LENGTH(guide_number), .name = "guide_number", .flags = COLUMN_ECHO | COLUMN_BRIEF,
      .label = "guide number", .help = "at ISO 100, full power, one flash"},
+    {NUMBER(at), .dimension = &dimension_length, .unit = "mm", .name = "at",
+     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "zoom", .symbol = "z",
+     .label = "reflector position", .help = "focal length the reflector is set for"},
     {LENGTH(second), .name = "second", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "second",
      .symbol = "GN2", .label = "of the second flash", .help = "at ISO 100, full power"},
     {LENGTH(setting.GN), .name = "joint_guide_number", BRIEF_WITH("second"), .symbol = "GN",
@@ -129,6 +142,8 @@ static const struct column columns[] = {
      .label = "lighting ratio", .help = "lit to shadow side, as N to 1"},
     {NUMBER(filter), .name = "filter", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "filter",
      .label = "filter", .help = "filters on the lens"},
+    {NUMBER(zoom), .name = "zoom", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "zoom",
+     .label = "guide number", .help = "how it follows from --zoom"},
 };
 
 /* The light's path, over the ceiling if it is bounced. */
@@ -146,11 +161,56 @@ static bool find_path(const struct input *input, double *path, struct error *err
     return flash_bounce(input->distance, input->ceiling, subject_gap, path, error);
 }
 
-/* Two flashes beside each other are one of their joint guide number. */
-static bool join(const struct input *input, double *joint, struct error *error)
+/* One mark of the reflector, "35mm:36m". */
+static bool read_mark(struct text text, struct flash_mark *mark, struct error *error)
 {
-    const double both[] = {input->guide_number, input->second};
-    *joint = input->guide_number;
+    const struct unit *metre = unit_find(&dimension_length, text_of("m"));
+    struct text guide = text;
+    struct text focal = text_cut(&guide, ':');
+    if (guide.start == NULL) {
+        fail(error, ERROR_USAGE, "{--zoom} '%.*s' has no guide number", text_shown(text),
+             text.start);
+        return error_hint(error, "write focal length and guide number: 35mm:36m,105mm:58m");
+    }
+    return (quantity_read(focal, &dimension_length, NULL, &mark->f, NULL, error) &&
+            quantity_read(guide, &dimension_length, metre, &mark->GN, NULL, error)) ||
+           error_prefix(error, "bad value in {--zoom}: ");
+}
+
+/* The guide number at --at, and how it was found. */
+static bool zoom(const struct input *input, struct run *run, double *GN, const char **words,
+                 struct error *error)
+{
+    enum { MOST_MARKS = 32 };
+    struct flash_mark marks[MOST_MARKS];
+    int count = 0;
+    struct text rest = text_of(input->zoom);
+    while (rest.start != NULL) {
+        if (count == MOST_MARKS) {
+            return fail(error, ERROR_USAGE, "{--zoom} has more than %d marks", (int)MOST_MARKS);
+        }
+        if (!read_mark(text_trim(text_cut(&rest, ',')), &marks[count++], error)) {
+            return false;
+        }
+    }
+    if (!flash_zoomed(marks, count, input->at, GN, error)) {
+        return false;
+    }
+    bool is_mark = false;
+    for (int i = 0; i < count; i++) {
+        is_mark = is_mark || !(fabs(marks[i].f - input->at) > 0);
+    }
+    *words = arena_printf(run->arena,
+                          is_mark ? "as marked at %.6g mm" : "interpolated in stops to %.6g mm",
+                          input->at);
+    return true;
+}
+
+/* Two flashes beside each other are one of their joint guide number. */
+static bool join(const struct input *input, double one, double *joint, struct error *error)
+{
+    const double both[] = {one, input->second};
+    *joint = one;
     if (!is_given(input->second)) {
         return true;
     }
@@ -164,7 +224,7 @@ static bool is_complete(const struct input *input, const struct flash_setting *s
            is_given(setting->d) && is_given(setting->power);
 }
 
-static bool solve(const struct input *input, struct row *row, struct error *error)
+static bool solve(const struct input *input, double one, struct row *row, struct error *error)
 {
     enum flash_unknown unknown;
     struct flash_setting *setting = &row->setting;
@@ -173,7 +233,7 @@ static bool solve(const struct input *input, struct row *row, struct error *erro
                                       .power = input->power,
                                       .flashes = input->flashes,
                                       .loss = input->loss.stops + input->filter.stops};
-    if (!find_path(input, &row->path, error) || !join(input, &setting->GN, error)) {
+    if (!find_path(input, &row->path, error) || !join(input, one, &setting->GN, error)) {
         return false;
     }
     setting->d = row->path;
@@ -183,7 +243,7 @@ static bool solve(const struct input *input, struct row *row, struct error *erro
     } else if (!flash_solve(setting, &unknown, error)) {
         return false;
     }
-    row->guide_number = is_given(input->second) ? input->guide_number : setting->GN;
+    row->guide_number = is_given(input->second) ? one : setting->GN;
     row->path = setting->d;
     row->distance = is_given(input->distance) ? input->distance : setting->d;
     return true;
@@ -223,8 +283,8 @@ static bool fill_ratio(const struct input *input, struct row *row, struct error 
 static bool is_ratio_only(const struct input *input)
 {
     bool ratio = is_given(input->ratio) || is_given(input->key_to_fill);
-    return ratio && !is_given(input->guide_number) && !is_given(input->fnumber) &&
-           !is_given(input->distance);
+    return ratio && !is_given(input->guide_number) && input->zoom == NULL &&
+           !is_given(input->fnumber) && !is_given(input->distance);
 }
 
 static bool run(const void *data, struct run *run, struct error *error)
@@ -240,12 +300,15 @@ static bool run(const void *data, struct run *run, struct error *error)
                       .balance = {NAN, NAN, NAN, NAN, NAN},
                       .time = NAN,
                       .ev = NAN,
+                      .at = input->at,
                       .filter = input->filter.name};
-    if (!fill_ratio(input, &row, error)) {
+    double one = input->guide_number;
+    if ((input->zoom != NULL && !zoom(input, run, &one, &row.zoom, error)) ||
+        !fill_ratio(input, &row, error)) {
         return false;
     }
     if (!is_ratio_only(input) &&
-        (!solve(input, &row, error) || !fill_background(input, &row, error) ||
+        (!solve(input, one, &row, error) || !fill_background(input, &row, error) ||
          !fill_balance(input, &row, error))) {
         return false;
     }
@@ -277,6 +340,7 @@ static const struct explanation explanations[] = {
 static const struct example examples[] = {
     {"flash --guide-number 36m -s 4.5m", "the f-number for a flash"},
     {"flash -g 36 -N 8 -s 1m", "the power to set"},
+    {"flash --zoom 35mm:36m,105mm:58m --at 70mm -s 6m", "a reflector that zooms"},
     {"flash -g 118ft -N 2.8..16 --iso 100,200,400,800 --table N,iso:distance",
      "how far it reaches"},
     {"flash -g 43 -N 4 --ceiling 1.5m -s 3m --loss 1.5stops", "bounced off the ceiling"},
