@@ -33,7 +33,8 @@ typedef bool seidel_visit(const struct seidel_case *one, void *context, struct e
 /*
  * Visit the sums of a question: positions.
  *
- * Errors    as analysis_each_field and seidel_compute; ERROR_DOMAIN: --chromatic lens of one wavelength
+ * Errors    as analysis_each_field and seidel_compute; ERROR_DOMAIN: --chromatic lens of one
+ *           wavelength
  */
 bool seidel_each(const struct seidel_input *input, struct run *run, seidel_visit *visit,
                  void *context, struct error *error);
