@@ -123,9 +123,9 @@ static double vignetted_of(const struct illumination *light, const struct illumi
     return !(stop->value > 0) ? (double)NAN : fabs(taken) <= doubt ? 0 : taken;
 }
 
-/* Without ratios to the axis. */
+/* Without ratios to the axis, and what is vignetted if it counts. */
 static struct falloff_point look(const struct falloff *falloff, const double height[2],
-                                 double *field)
+                                 bool vignetting, double *field)
 {
     const struct setup *setup = &falloff->setup;
     const struct field_point at = {FIELD_REAL, {height[0], height[1]}};
@@ -147,7 +147,7 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
     }
     point.light = from_film(falloff, falloff->film, &film, found ? inside : NULL);
     point.vignetted = 0;
-    if (falloff->clip) {
+    if (falloff->clip && vignetting) {
         const struct illumination stop =
             from_film(falloff, falloff->film_stop, &film, found ? inside : NULL);
         point.vignetted = vignetted_of(&point.light, &stop);
@@ -159,7 +159,7 @@ struct falloff_point falloff_at(const struct falloff *falloff, const double heig
 {
     const struct arena_mark mark = arena_mark(falloff->setup.arena);
     double field;
-    struct falloff_point point = look(falloff, height, &field);
+    struct falloff_point point = look(falloff, height, true, &field);
     const double axis = falloff->axis.value;
     arena_reset(falloff->setup.arena, mark);
     point.relative_point = axis > 0 ? point.light.value / axis : (double)NAN;
@@ -183,6 +183,10 @@ bool falloff_height(const struct falloff *falloff, const struct field_point *fie
     const double t = (falloff->setup.image - behind.point[2]) / behind.cosine[2];
     for (int i = 0; i < 2; i++) {
         height[i] = behind.point[i] + t * behind.cosine[i];
+    }
+    for (int i = 0; i < 2; i++) {
+        /* what symmetry makes 0 */
+        height[i] = fabs(height[i]) < 1e-15 * fabs(height[1 - i]) ? 0 : height[i];
     }
     return true;
 }
@@ -214,6 +218,6 @@ bool falloff_open(const struct falloff_question *question, struct falloff *fallo
     if (!open_systems(falloff, error)) {
         return false;
     }
-    falloff->axis = look(falloff, (double[2]){0, 0}, &falloff->axis_field).light;
+    falloff->axis = look(falloff, (double[2]){0, 0}, false, &falloff->axis_field).light;
     return true;
 }

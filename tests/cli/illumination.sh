@@ -7,6 +7,7 @@ lenscalc illumination double-gauss -N 4 --height 20 --height-x 10 --csv --digits
 lenscalc illumination double-gauss --object 1000 --field 10 --csv --digits 6 --columns height,field,irradiance_per_radiance,relative_point,relative_field
 lenscalc illumination questar-35 --height 0,5 --csv --digits 5 --columns height,irradiance_per_radiance,relative_point,vignetted_fraction
 lenscalc illumination nikkor-z-14-24 --position wide,tele --height 15 --csv --digits 5 --columns position,field,relative_point,vignetted_fraction
+lenscalc illumination schneider-anamorphic-31 -N 4 --csv --digits 5 --columns height,height_x,relative_point,relative_field | tail -1
 lenscalc illumination fisheye-16 --height 21,22 --csv --digits 5 --columns height,field,irradiance_per_radiance,relative_point,vignetted_fraction
 lenscalc illumination mirror-tele-us5331467 --csv --digits 4 --columns height,field,relative_point | tail -2
 printf 'lens disc\nobject inf\naperture stop\nstop - 0 air 50\n' | lenscalc illumination - --focus 50 --height 0,40 --error 1e-9 --csv --digits 10 --columns height,irradiance_per_radiance
