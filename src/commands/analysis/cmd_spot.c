@@ -251,5 +251,6 @@ const struct command command_spot = {
     .makes_many = makes_many,
     .brings = brings,
     .varies = varies,
+    .cell = "rms",
     COMMAND_MAKES(artifacts),
 };
