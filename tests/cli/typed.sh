@@ -121,3 +121,7 @@ flash --at 105mm
 flash --at 24mm
 flash
 try flash --zoom 35mm,105mm --at 70mm -s 6m
+try fov -f 100mm -m 1:2 --columns distance,horizontal,field_width --csv --digits 6
+try fov -f 100mm -s 45cm --from sensor --columns distance,horizontal,field_width --csv --digits 6
+try fov -m 1:2 --horizontal 30
+try fov -f 50 -s 10cm --from sensor

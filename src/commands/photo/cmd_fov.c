@@ -23,7 +23,7 @@ static const struct word ways[] = {
 };
 
 struct input {
-    double distance, squeeze;
+    double distance, magnification, squeeze;
     struct photo_lens_question lens;
     struct sensor_value sensor;
     int projection;
@@ -50,6 +50,11 @@ static const struct option options[] = {
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
      .fallback = "inf", .value = "LENGTH",
      .help = "distance the lens is focused at; the field there is reported"},
+    OPTION_FROM(struct input, lens.from, distances_from),
+    {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
+     .column = "magnification", .dimension = &dimension_ratio, OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "RATIO",
+     .excludes = "distance from", .help = "in place of the distance: 1:2 or 0.5"},
     {OPTION(struct input, projection), .name = "projection", .column = "projection", .words = ways,
      .fallback = "auto", .value = "KIND", .help = "how the lens maps angles"},
     OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
@@ -75,7 +80,7 @@ struct row {
     struct fov fov;
     double magnification, width, height, crop, image, sensor_distance, circle;
     struct photo_real real;
-    const char *sensor, *projection;
+    const char *sensor, *projection, *from;
 };
 
 #define LENGTH(member_name, in_unit)                                                               \
@@ -97,12 +102,14 @@ static const struct column columns[] = {
     {ANGLE(fov.diagonal), .name = "diagonal", .flags = COLUMN_BRIEF, .symbol = "dfov",
      .label = "diagonal angle", .help = "full diagonal angle of view"},
     {LENGTH(fov.width_at_s, "m"), .name = "field_width", .flags = COLUMN_INFINITE,
-     .with = "distance", .symbol = "W", .label = "field width",
+     .with = "distance magnification", .symbol = "W", .label = "field width",
      .help = "width seen in the plane of focus"},
     {LENGTH(fov.height_at_s, "m"), .name = "field_height", .flags = COLUMN_INFINITE,
-     .with = "distance", .label = "field height", .help = "height seen in the plane of focus"},
+     .with = "distance magnification", .label = "field height",
+     .help = "height seen in the plane of focus"},
     {LENGTH(fov.diagonal_at_s, "m"), .name = "field_diagonal", .flags = COLUMN_INFINITE,
-     .with = "distance", .label = "field diagonal", .help = "diagonal seen in the plane of focus"},
+     .with = "distance magnification", .label = "field diagonal",
+     .help = "diagonal seen in the plane of focus"},
     COLUMN_MAGNIFICATION(struct row, magnification, 0),
     {COLUMN(struct row, fov.kind), .name = "class", .flags = COLUMN_BRIEF, .label = "kind of lens",
      .help = "narrow, medium, normal, wide or ultra-wide, by the diagonal angle"},
@@ -127,6 +134,7 @@ static const struct column columns[] = {
     {COLUMN(struct row, projection), .name = "projection",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_HIDDEN, .with = "lens projection",
      .depends = "projection lens pupil", .label = "projection", .help = "how the lens maps angles"},
+    COLUMN_FROM(struct row, from),
     COLUMN_PUPIL(struct row, setting.P),
     {COLUMN(struct row, setting.squeeze), .name = "squeeze", .symbol = "q",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "squeeze", .label = "squeeze",
@@ -227,6 +235,25 @@ static bool view_by_rays(const struct input *input, const struct photo_lens *len
     return true;
 }
 
+/* How far the subject is from the front principal plane. */
+static bool find_subject(const struct input *input, const struct photo_lens *lens, double *s,
+                         struct error *error)
+{
+    bool near = !isnan(input->magnification);
+    bool elsewhere = input->lens.from != FROM_PRINCIPAL && !isinf(input->distance);
+    *s = input->distance;
+    if ((near || elsewhere) && isnan(lens->f)) {
+        return fail(error, ERROR_USAGE, "{--%s} wants {--focal-length} or {--lens}",
+                    near ? "magnification" : "from");
+    }
+    if (near) {
+        *s = lens->f * (1 + 1 / input->magnification);
+        return true;
+    }
+    return !elsewhere ||
+           distance_to_principal(lens->f, lens->P, input->distance, &lens->measuring, s, error);
+}
+
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
                    struct error *error)
 {
@@ -239,10 +266,12 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         .height = input->sensor.size.height,
         .sensor = input->sensor.name,
         .projection = ways[chosen ? input->projection : VIEW_PROJECTIONS].word,
+        .from = isinf(input->distance) ? NULL : distances_from[input->lens.from].word,
         .circle = NAN,
         .real = *lens->real,
     };
-    if (!photo_lens_check_subject(lens, input->distance, error) ||
+    if (!find_subject(input, lens, &row.setting.s, error) ||
+        !photo_lens_check_subject(lens, row.setting.s, error) ||
         !solve(input, &row.setting, &row.setting.f, error) ||
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return false;
@@ -298,6 +327,7 @@ static const struct example examples[] = {
     {"fov -f 24mm --sensor aps-c", "a lens on a crop sensor"},
     {"fov -f 14,20,24,28,35,50,85,135,200", "the classes of lenses on 35 mm film"},
     {"fov -f 100mm -s 40cm", "how much is in the picture close up"},
+    {"fov -f 100mm -m 1:2", "or at half life size"},
     {"fov --horizontal 90deg", "the focal length for an angle"},
     {"fov -f 8mm --projection equisolid --sensor mft", "a fisheye"},
     {"fov --lens double-gauss -s 0.5m", "a real lens, close up, by its rays"},
