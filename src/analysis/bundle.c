@@ -219,3 +219,10 @@ struct ray bundle_chief(const struct bundle_source *source, size_t to, struct ar
     return rays_get(&one, 0,
                     to == 0 ? source->open->index_first : system_index_after(source->open, to - 1));
 }
+
+struct islands bundle_islands(const struct bundle_source *source, struct arena *arena)
+{
+    return source->region != NULL && source->question->clip
+               ? quadrature_islands(source->region, arena)
+               : (struct islands){0, 0};
+}

@@ -6,6 +6,7 @@
 #include "analysis/quadrature.h"
 #include "analysis/setup.h"
 #include "trace/sample.h"
+#include "trace/star.h"
 #include "trace/stop_beam.h"
 
 #include <stdbool.h>
@@ -80,5 +81,8 @@ bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, st
 
 /* The chief ray there, unclipped; its status says whether it gets there. */
 struct ray bundle_chief(const struct bundle_source *source, size_t to, struct arena *arena);
+
+/* Light that passes beyond a gap, which a quadrature leaves out; of other patterns none. */
+struct islands bundle_islands(const struct bundle_source *source, struct arena *arena);
 
 #endif

@@ -331,6 +331,7 @@ bool spot_find(const struct spot_question *question, struct arena *arena, struct
         return false;
     }
     spot->is_angular = seeking.is_angular;
+    spot->islands = bundle_islands(&seeking.sources[0], arena);
     for (int i = 0; i < 2; i++) {
         double origin = seeking.is_angular ? 0 : seeking.origin[i];
         spot->chief[i] = seeking.has_chief ? origin : (double)NAN;

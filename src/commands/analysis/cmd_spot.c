@@ -183,6 +183,9 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     fill(&spot, &row);
     row.energy = asked->input->energy;
     row.weight = weight_words(&asked->input->question);
+    row.point.warning =
+        lens_warnings_join(row.point.warning, lens_island_warning(&spot.islands, asked->run->arena),
+                           asked->run->arena);
     if (question.rays == 0 && !spot.has_converged) {
         row.point.warning = lens_warnings_join(
             row.point.warning, "the spot has not converged: see its error", asked->run->arena);

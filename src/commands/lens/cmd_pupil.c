@@ -306,21 +306,6 @@ static const char *fold_warning(const struct pupil_side *side, bool exit, const 
     return other == NULL ? text : arena_printf(arena, "%s; %s", other, text);
 }
 
-/* That there is light which the figures leave out. */
-static const char *island_warning(const struct islands *islands, const char *other,
-                                  struct arena *arena)
-{
-    if (islands->count == 0) {
-        return other;
-    }
-    const char *text =
-        arena_printf(arena,
-                     "light passes beyond a gap too, in %zu part%s with about %.2g %% of the "
-                     "area of all: not counted",
-                     islands->count, islands->count > 1 ? "s" : "", 100 * islands->share);
-    return other == NULL ? text : arena_printf(arena, "%s; %s", other, text);
-}
-
 static struct row bounds_row(const struct pupil_case *point, bool exit, struct arena *arena)
 {
     const struct pupil_shape *shape = point->shape, *axis = point->axis;
@@ -333,7 +318,8 @@ static struct row bounds_row(const struct pupil_case *point, bool exit, struct a
     if (!shape->is_empty) {
         fill_bounds(side, &row);
         row.warning = fold_warning(side, exit, row.warning, arena);
-        row.warning = island_warning(&shape->islands, row.warning, arena);
+        row.warning =
+            lens_warnings_join(row.warning, lens_island_warning(&shape->islands, arena), arena);
     }
     if (!axis->is_empty) {
         /* of a telecentric side the plane of the vertex */

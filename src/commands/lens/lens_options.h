@@ -7,6 +7,7 @@
 #include "base/constants.h"
 #include "cli/command.h"
 #include "exchange/lens_formats.h"
+#include "trace/star.h"
 
 #include <math.h>
 
@@ -143,6 +144,9 @@ extern const struct word section_words[];
 
 /* Two warnings as one; null = nothing to say. */
 const char *lens_warnings_join(const char *first, const char *second, struct arena *arena);
+
+/* That there is light which the figures leave out; null = there is none. */
+const char *lens_island_warning(const struct islands *islands, struct arena *arena);
 
 /* Will the question have several answers? */
 bool lens_makes_many(const struct lens_question *question, const struct lens_policy *policy);
