@@ -11,15 +11,14 @@ if [ ! -f .clang-format ]; then
     echo "0 passed, 1 failed"
     exit 1
 fi
-passed=0
-failed=0
-for file in $(find src tests -name '*.[ch]' -o -name '*.cc' | sort); do
-    if clang-format --dry-run -Werror "$file" > /dev/null 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED $file is not laid out as clang-format does: make format"
-    fi
+# many files a call, two calls at a time: one a file takes seven times as long
+files=$(find src tests -name '*.[ch]' -o -name '*.cc' | sort)
+wrong=$(echo "$files" | xargs -n 50 -P 2 clang-format --dry-run -Werror 2>&1 |
+    sed -n 's/^\([^: ]*\.[a-z]*\):[0-9]*:[0-9]*: error:.*/\1/p' | sort -u)
+for file in $wrong; do
+    echo "FAILED $file is not laid out as clang-format does: make format"
 done
+failed=$(echo "$wrong" | grep -c .)
+passed=$(($(echo "$files" | grep -c .) - failed))
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

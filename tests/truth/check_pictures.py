@@ -3,7 +3,8 @@
 
 Rendered by librsvg and read as pixels: there is ink, not too little and not a page full of it, and
 a white margin all round, so that nothing is cut at the page's border. Lenses: a choice of every
-kind of drawing; with LENSCALC_ALL set all of lensdb. The demo's pictures too, if they are there.
+kind of drawing; with LENSCALC_ALL set all of lensdb,
+and all analyses of six lenses. The demo's pictures too, if they are there.
 Without rsvg-convert nothing is checked, and that is said.
 """
 # SPDX-License-Identifier: MIT
@@ -29,27 +30,41 @@ DRAWINGS = ("double-gauss", "double-gauss --planes", "double-gauss --constructio
 # other commands that draw, {} is the file
 OTHERS = ("dof -f 50mm -N 5.6 -s 3m --scale {}", "dof -f 50mm -N 2.8,5.6,11 -s 0.5..20#50 --plot {}",
           "tilt -f 150 -N 22 --hinge 1.6m --angle 90deg --sensor 4x5 --wedge {}",
-          "field double-gauss --plot {}", "field fisheye-16 --plot {}",
-          "field canon-nfd-70-210 --position all --plot {}", "field phone-80deg --plot {}",
-          "field questar-35 --plot {}", "field edmund-49-847 --plot {}",
-          "illumination double-gauss --plot {}", "illumination fisheye-16 --plot {}",
-          "illumination canon-nfd-70-210 --position all --plot {}",
-          "illumination phone-80deg --plot {}", "illumination questar-35 --plot {}",
-          "illumination edmund-49-847 --plot {}",
           "glass --abbe {} --catalog SCHOTT", "lens double-gauss -w 400..700#31 --plot {}",
-          "fan double-gauss --plot {}", "fan fisheye-16 --field 0,50deg --plot {}",
-          "fan canon-nfd-70-210 --position all --plot {}", "fan phone-80deg --show opd --plot {}",
-          "fan questar-35 --plot {}", "fan edmund-49-847 --show opd --plot {}",
           "conjugate double-gauss --object 0.5m..3m:0.1m --plot {}",
+          "seidel double-gauss --plot {}", "fan double-gauss --plot {}",
+          "spot double-gauss --defocus -0.1..0.1#3 --plot {}", "field double-gauss --plot {}",
           "distortion double-gauss -w d,F,C --plot {}", "distortion double-gauss --grid {}",
-          "distortion fisheye-16 --projection equidistant --calibrated --plot {}",
-          "distortion fisheye-16 --projection equisolid --grid {}",
-          "distortion canon-nfd-70-210 --position all --plot {}",
-          "distortion canon-nfd-70-210 --position tele --field 5 --grid {}",
-          "distortion phone-80deg --plot {}", "distortion phone-80deg --grid {}",
-          "distortion questar-35 --defocus 0,1 --plot {}", "distortion questar-35 --grid {}",
-          "distortion edmund-49-847 --field 10 --plot {}", "distortion edmund-49-847 --grid {}",
-          "distortion double-gauss --object 1500 --height 20 --plot {}")
+          "color double-gauss --plot {}", "illumination double-gauss --plot {}")
+# the analyses of other lenses: a fisheye, a zoom, of a phone, an obstructed mirror, with one field
+MORE = ("field fisheye-16 --plot {}",
+        "field canon-nfd-70-210 --position all --plot {}", "field phone-80deg --plot {}",
+        "field questar-35 --plot {}", "field edmund-49-847 --plot {}",
+        "illumination fisheye-16 --plot {}",
+        "illumination canon-nfd-70-210 --position all --plot {}",
+        "illumination phone-80deg --plot {}", "illumination questar-35 --plot {}",
+        "illumination edmund-49-847 --plot {}",
+        "fan fisheye-16 --field 0,50deg --plot {}",
+        "fan canon-nfd-70-210 --position all --plot {}", "fan phone-80deg --show opd --plot {}",
+        "fan questar-35 --plot {}", "fan edmund-49-847 --show opd --plot {}",
+        "spot fisheye-16 --field 0,50deg --plot {}",
+        "spot canon-nfd-70-210 --position all --plot {}", "spot phone-80deg --plot {}",
+        "spot questar-35 --defocus -0.1,0,0.1 --plot {}", "spot edmund-49-847 --plot {}",
+        "spot double-gauss -w d --field 0,14 --defocus -0.1..0.1#11 --plot {}",
+        "seidel fisheye-16 --plot {}", "seidel canon-nfd-70-210 --position tele --plot {}",
+        "seidel phone-80deg --plot {}", "seidel questar-35 --plot {}",
+        "seidel edmund-49-847 --plot {}",
+        "color fisheye-16 --spectrum F,d,C --plot {}",
+        "color canon-nfd-70-210 --position tele --plot {}", "color phone-80deg --plot {}",
+        "color questar-35 --plot {}", "color edmund-49-847 --spectrum F,d,C --plot {}",
+        "distortion fisheye-16 --projection equidistant --calibrated --plot {}",
+        "distortion fisheye-16 --projection equisolid --grid {}",
+        "distortion canon-nfd-70-210 --position all --plot {}",
+        "distortion canon-nfd-70-210 --position tele --field 5 --grid {}",
+        "distortion phone-80deg --plot {}", "distortion phone-80deg --grid {}",
+        "distortion questar-35 --defocus 0,1 --plot {}", "distortion questar-35 --grid {}",
+        "distortion edmund-49-847 --field 10 --plot {}", "distortion edmund-49-847 --grid {}",
+        "distortion double-gauss --object 1500 --height 20 --plot {}")
 
 
 def check_picture(checks, name, svg):
@@ -73,10 +88,10 @@ def check_draw(checks, program, words):
         check_picture(checks, f"draw {' '.join(words)}", answer.stdout)
 
 
-def check_others(checks, program):
+def check_others(checks, program, lines):
     with tempfile.TemporaryDirectory(prefix="lenscalc-pictures-") as folder:
         path = os.path.join(folder, "x.svg")
-        for line in OTHERS:
+        for line in lines:
             words = [word.replace("{}", path) for word in line.split()]
             answer = subprocess.run([program, *words], capture_output=True, text=True)
             if checks.check(answer.returncode == 0, f"{line}: {answer.stderr}"):
@@ -106,7 +121,7 @@ def main():
     check_reader(checks)
     for line in DRAWINGS:
         check_draw(checks, program, line.split())
-    check_others(checks, program)
+    check_others(checks, program, OTHERS)
     for path in sorted(glob.glob(os.path.join(build, "demo", "*.svg"))):
         with open(path, encoding="utf-8") as file:
             check_picture(checks, os.path.basename(path), file.read())
@@ -114,6 +129,7 @@ def main():
         lenses = subprocess.run([program, "list", "lenses", "--csv", "--columns", "lens"],
                                 capture_output=True, text=True).stdout.split()[1:]
         checks.check(len(lenses) > 50, f"only {len(lenses)} lenses")
+        check_others(checks, program, MORE)
         for name in lenses:
             check_draw(checks, program, [name, "--planes"])
     checks.finish()

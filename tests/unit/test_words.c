@@ -24,6 +24,7 @@ static const struct place {
     "NXT\nAIR\nTH 90\nNXT\nAIR\nWV 0.5876\nEND\n"
     {"len", "system", "w.len", OSLO, "EBR 5\n", ""},
     {"len", "surface", "w.len", OSLO, "RD 50\n", ""},
+    {"len", "behind", "w.len", OSLO, "END\n", ""},
 };
 
 static const struct place *place_of(const char *format, const char *name)

@@ -53,8 +53,8 @@ static const struct option options[] = {
     OPTION_FROM(struct input, lens.from, distances_from),
     {OPTION(struct input, magnification), .name = "magnification", .letter = 'm',
      .column = "magnification", .dimension = &dimension_ratio, OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "RATIO",
-     .excludes = "distance from", .help = "in place of the distance: 1:2 or 0.5"},
+     .flags = OPTION_NO_INFINITY, .value = "RATIO", .excludes = "distance from",
+     .help = "in place of the distance: 1:2 or 0.5"},
     {OPTION(struct input, projection), .name = "projection", .column = "projection", .words = ways,
      .fallback = "auto", .value = "KIND", .help = "how the lens maps angles"},
     OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
@@ -239,7 +239,8 @@ static bool view_by_rays(const struct input *input, const struct photo_lens *len
 static bool find_subject(const struct input *input, const struct photo_lens *lens, double *s,
                          struct error *error)
 {
-    bool near = !isnan(input->magnification);
+    const bool both = !isnan(input->magnification) && !isinf(input->distance);
+    const bool near = !isnan(input->magnification) && !both;
     bool elsewhere = input->lens.from != FROM_PRINCIPAL && !isinf(input->distance);
     *s = input->distance;
     if ((near || elsewhere) && isnan(lens->f)) {
@@ -250,8 +251,15 @@ static bool find_subject(const struct input *input, const struct photo_lens *len
         *s = lens->f * (1 + 1 / input->magnification);
         return true;
     }
-    return !elsewhere ||
-           distance_to_principal(lens->f, lens->P, input->distance, &lens->measuring, s, error);
+    if (elsewhere &&
+        !distance_to_principal(lens->f, lens->P, input->distance, &lens->measuring, s, error)) {
+        return false;
+    }
+    /* rows of other commands bring both, which then say the same */
+    const double m = lens->f / (*s - lens->f), rough = 1e-4;
+    return !both || fabs(input->magnification - m) <= rough * fabs(m) ||
+           fail(error, ERROR_USAGE, "{--magnification} %.6g is not that of the distance: %.6g",
+                input->magnification, m);
 }
 
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
