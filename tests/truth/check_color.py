@@ -11,7 +11,6 @@ it is judged by the rounding of these. Thin lenses: f_F - f_C = f_F f_C/(f_d V).
 
 import csv
 import io
-import json
 import os
 import sys
 from decimal import Decimal
@@ -20,7 +19,7 @@ from fractions import Fraction
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import reference_lens
+import reference
 from harness import ROOT, Checks, Program
 
 OWN = "tests/truth/color.json"
@@ -33,7 +32,7 @@ worst = {}
 def reference_cases():
     """All cases of ../shared with more than one wavelength."""
     cases = []
-    for case in reference_lens.systems():
+    for case in reference.systems():
         system, expected = case["system"], case["expected"]
         if "primary" not in system or "lsa" not in expected:
             continue
@@ -46,7 +45,7 @@ def reference_cases():
             continue
         value = Decimal(system["field"]["value"])
         cases.append({
-            "lens": reference_lens.lens_text(system, waves),
+            "lens": reference.lens_text(system, waves),
             "focus": focus["from_last"] if isinstance(focus, dict) else focus,
             "images": {one: expected["first_order"][one]["img_z"] for one in waves},
             "zones": {one: {zone: expected["lsa"][one][zone]["lsa"] for zone in ZONES
@@ -136,20 +135,10 @@ def check_thin(checks, program):
 def main():
     os.chdir(ROOT)
     checks, program = Checks(), Program(sys.argv[1])
-    found = reference_cases()
-    if "--write" in sys.argv:
-        with open(OWN, "w", encoding="utf-8") as file:
-            note = ("images, foci by zone and chief rays by wavelength, mm, by an independent "
-                    "50-digit program; systems as .lens files")
-            lines = ",\n".join(json.dumps(case) for case in found)
-            file.write(f'{{"note": "{note}",\n"cases": [\n{lines}\n]}}\n')
-    with open(OWN, encoding="utf-8") as file:
-        cases = json.load(file)["cases"]
+    cases = reference.own_cases(checks, OWN, reference_cases(),
+                                "images, foci by zone and chief rays by wavelength, mm, by an independent "
+                                "50-digit program; systems as .lens files")
     checks.check(len(cases) >= 20, f"{OWN} has lost its cases")
-    if found:
-        checks.check(cases == found, f"{OWN} is not what the reference has: --write")
-    else:
-        print("no ../shared: not compared with its truth")
     for case in cases:
         check_case(checks, program, case)
     check_thin(checks, program)

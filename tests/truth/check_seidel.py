@@ -11,7 +11,6 @@ vanishes: the sums are made in pairs of doubles, so that nothing is lost where t
 
 import csv
 import io
-import json
 import os
 import sys
 from fractions import Fraction
@@ -19,7 +18,7 @@ from fractions import Fraction
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import reference_lens
+import reference
 from harness import ROOT, Checks, Program
 
 OWN = "tests/truth/seidel.json"
@@ -47,10 +46,10 @@ def values_of(part):
 def reference_cases():
     """All cases with Seidel sums of ../shared/reference/truth."""
     cases = []
-    for case in reference_lens.systems():
+    for case in reference.systems():
         sums = case["expected"].get("seidel")
         if sums:
-            cases.append({"lens": reference_lens.lens_text(case["system"]),
+            cases.append({"lens": reference.lens_text(case["system"]),
                           "wavelength": "0.5875618",
                           "surfaces": [values_of(one) for one in sums["surf"]],
                           "sum": values_of(sums), "lagrange": sums["H"], "transverse": sums["T"],
@@ -135,20 +134,10 @@ def check_afocal(checks, program):
 def main():
     os.chdir(ROOT)
     checks, program = Checks(), Program(sys.argv[1])
-    found = reference_cases()
-    if "--write" in sys.argv:
-        with open(OWN, "w", encoding="utf-8") as file:
-            note = ("Seidel and chromatic sums by an independent 50-digit program, mm: F to C; "
-                    "systems as .lens files")
-            lines = ",\n".join(json.dumps(case) for case in found)
-            file.write(f'{{"note": "{note}",\n"cases": [\n{lines}\n]}}\n')
-    with open(OWN, encoding="utf-8") as file:
-        cases = json.load(file)["cases"]
+    cases = reference.own_cases(checks, OWN, reference_cases(),
+                                "Seidel and chromatic sums by an independent 50-digit program, mm: F to C; "
+                                "systems as .lens files")
     checks.check(len(cases) >= 24, f"{OWN} has lost its cases")
-    if found:
-        checks.check(cases == found, f"{OWN} is not what the reference has: --write")
-    else:
-        print("no ../shared: not compared with its truth")
     for case in cases:
         check_case(checks, program, case)
     check_afocal(checks, program)

@@ -15,14 +15,13 @@ one.
 
 import csv
 import io
-import json
 import math
 import os
 import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from harness import ROOT, SHARED, Checks, Program
+from harness import Checks, Program
 import reference
 
 OWN = "tests/truth/spots.json"
@@ -48,8 +47,8 @@ worst = {}
 def reference_cases():
     """All cases with spots of ../shared/reference/truth."""
     found = []
-    for case in reference.cases():
-        fields = case["expected"].get("fields", {}) if isinstance(case["expected"], dict) else {}
+    for case in reference.systems():
+        fields = case["expected"].get("fields", {})
         spots = {name: one for name, one in fields.items() if "rms" in one.get("spot_stop_grid_8", {})}
         if not spots:
             continue
@@ -60,7 +59,7 @@ def reference_cases():
         elif focus != "paraxial":
             words += ["--defocus", focus + "mm"]
         found.append({
-            "lens": reference.lens_text(case["system"], list(spots)), "words": words,
+            "lens": reference.lens_text(case["system"], fractions=list(spots)), "words": words,
             "grids": {grid: [{name: one[grid][name] for name in NUMBERS}
                              if "rms" in one[grid] else None for one in spots.values()]
                       for grid in GRIDS}})  # null: a ray of the grid is lost
@@ -142,17 +141,9 @@ def check_dark(checks, program):
 def main():
     words = [word for word in sys.argv[1:] if not word.startswith("--")]
     checks, program = Checks(), Program(words[0])
-    outside = reference_cases()
-    if "--write" in sys.argv and outside:
-        with open(os.path.join(ROOT, OWN), "w", encoding="utf-8") as file:
-            json.dump(outside, file, indent=0)
-            file.write("\n")
-    with open(os.path.join(ROOT, OWN), encoding="utf-8") as file:
-        own = json.load(file)
-    if os.path.isdir(os.path.join(SHARED, "reference")):
-        checks.check(own == outside, f"{OWN} is not what ../shared has: --write")
-    else:
-        print("skipped: ../shared is not here, its cases are taken from", OWN)
+    own = reference.own_cases(checks, OWN, reference_cases(),
+                              "spots on grids, mm, by an independent 50-digit program; systems as "
+                              ".lens files")
     for case in own:
         check_grids(checks, program, case)
     check_integrals(checks, program)

@@ -13,14 +13,35 @@ from decimal import Decimal
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from harness import SHARED
+from harness import ROOT, SHARED
 
 
-def cases():
-    """All cases of ../shared/reference/truth; none where that is not there."""
+def systems():
+    """All cases with a lens and its values; none where ../shared is not there."""
     for path in sorted(glob.glob(os.path.join(SHARED, "reference/truth/*.json"))):
         with open(path, encoding="utf-8") as file:
-            yield from json.load(file, parse_float=str, parse_int=str)["cases"]
+            cases = json.load(file, parse_float=str, parse_int=str)["cases"]
+        yield from (case for case in cases if isinstance(case["expected"], dict) and
+                    isinstance(case.get("system"), dict) and "surfaces" in case["system"])
+
+
+def own_cases(checks, path, found, note):
+    """
+    The project's own copy of what was found of the reference, so that a plain clone has it too:
+    it must be the same where the reference is here, and is written anew with --write.
+    """
+    path = os.path.join(ROOT, path)
+    if "--write" in sys.argv and found:
+        with open(path, "w", encoding="utf-8") as file:
+            lines = ",\n".join(json.dumps(case) for case in found)
+            file.write(f'{{"note": "{note}",\n"cases": [\n{lines}\n]}}\n')
+    with open(path, encoding="utf-8") as file:
+        cases = json.load(file)["cases"]
+    if found:
+        checks.check(cases == found, f"{path} is not what the reference has: --write")
+    else:
+        print("skipped: no ../shared, its own cases are not compared with the reference")
+    return cases
 
 
 def medium(words):
@@ -49,12 +70,12 @@ def surface_line(surface, aperture):
                      following, diameter] + more)
 
 
-def lens_text(system, fractions=("1",)):
-    """One system; its fields are so many times the largest."""
+def lens_text(system, wavelengths=None, fractions=("1",)):
+    """One system: its primary wavelength, if no others; fields are shares of the largest."""
     aperture, field, thing = system["aperture"], system["field"], system["object"]
     kinds = {"EPD": "epd ", "fno": "f/", "NAobj": "na "}
     fields = [f"{Decimal(field['value']) * Decimal(one):f}" for one in fractions]
-    lines = ["lens " + system["name"], "wavelength " + system["primary"],
+    lines = ["lens " + system["name"], "wavelength " + " ".join(wavelengths or [system["primary"]]),
              "object " + thing["distance"],
              "aperture " + (kinds[aperture["type"]] + aperture["value"]
                             if aperture["type"] in kinds else "stop"),
