@@ -129,8 +129,9 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
 {
     const struct setup *setup = &falloff->setup;
     const struct field_point at = {FIELD_REAL, {height[0], height[1]}};
-    const struct beam film = beam_from_film((double[3]){height[0], height[1], setup->image},
-                                            falloff->film_open->index_first);
+    const struct beam film =
+        beam_to_pupil((double[3]){height[0], height[1], setup->image}, falloff->first.exit_pupil,
+                      falloff->film_open->index_first);
     struct falloff_point point = {.height = {height[0], height[1]}, .angle = NAN, .cos4 = NAN};
     struct beam beam;
     double chief[2], inside[2];

@@ -2,39 +2,64 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/illumination.h"
 
+#include "analysis/quadrature.h"
 #include "base/constants.h"
 #include "optics/aperture.h"
 #include "trace/clear.h"
-#include "trace/sample.h"
-#include "trace/spans.h"
 #include "trace/tangent.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Edges and points along each of their arms: of the first try and of the last. */
-enum { EDGES_FIRST = 128, POINTS_FIRST = 4, DOUBLINGS = 5, POINTS_MOST = 32 };
+/* Rays of the first try; how often they are doubled at most. */
+enum { RAYS_FIRST = 100, DOUBLINGS = 9 };
+
+/* The disc that a bundle is looked for in, in radii of what is expected of it: at first, at most. */
+static const double around = 2, farthest = 100;
 
 /* A point of the beam and what it stands for. */
 typedef void visit_point(void *context, const double at[2], double weight);
 
-/* Gauss's points on the clear parts of every arm; weights add up to the area, mm^2. */
-static void each_point(const struct clear_pupil *clear, size_t points, visit_point *visit,
-                       void *context)
+/* What of the beam passes, ready to be filled with rays. */
+struct bundle_part {
+    struct stop_beam beam;
+    struct quadrature_region region;
+    double area; /* of the disc, mm^2 */
+};
+
+/* The part about a point, in a disc that is large enough. It points into itself. */
+static void open_part(const struct illumination_question *question, struct arena *arena,
+                      struct bundle_part *part)
 {
-    double x[POINTS_MOST], w[POINTS_MOST];
-    const double *c = clear->centre;
-    gauss_rule(points, x, w);
-    for (size_t i = 0; i < clear->arm_count; i++) {
-        const struct clear_arm *arm = &clear->arms[i];
-        const struct spans *spans = arm->spans;
-        for (size_t k = 0; k < points * spans->count; k++) {
-            double low = spans->low[k / points], width = spans->high[k / points] - low;
-            double t = low + width * x[k % points];
-            const double at[2] = {c[0] + t * (arm->edge.at[0] - c[0]),
-                                  c[1] + t * (arm->edge.at[1] - c[1])};
-            visit(context, at, 2 * arm->area * t * width * w[k % points]);
-        }
+    const struct clear_guess guess =
+        clear_guess_of(question->clipped, question->beam, question->first);
+    const double *inside = question->inside != NULL ? question->inside : guess.centre;
+    bool fills = true;
+    for (double share = around; fills && share < farthest; share *= 2) {
+        const double radius = share * guess.radius;
+        part->beam = (struct stop_beam){.system = question->clipped,
+                                        .beam = question->beam,
+                                        .origin = {inside[0], inside[1]},
+                                        .axes = {radius, 0, 0, radius},
+                                        .radius = NAN,
+                                        .weight = WEIGHT_BEAM};
+        part->area = PI * radius * radius;
+        part->region = quadrature_open(&part->beam, arena);
+        part->region.in_r = true;
+        fills = quadrature_fills_disc(&part->region, arena);
+    }
+}
+
+/* All points of a quadrature of so many rays; weights add up to the area, mm^2. */
+static void each_point(struct bundle_part *part, size_t rays, struct arena *arena,
+                       visit_point *visit, void *context)
+{
+    const struct quadrature all = quadrature_fill(&part->region, rays, arena);
+    for (size_t i = 0; i < all.sample.count && !all.is_empty; i++) {
+        const struct pupil_point *point = &all.sample.points[i];
+        double at[2];
+        stop_beam_place(&part->beam, point->x, point->y, at);
+        visit(context, at, point->weight * part->area);
     }
 }
 
@@ -54,13 +79,12 @@ static void add_film(void *context, const double at[2], double weight)
     film->sum += weight * d / (rho * rho * rho) * fabs(ray.cosine[2]);
 }
 
-static double sum_film(const struct illumination_question *question,
-                       const struct clear_pupil *clear, size_t points, struct arena *arena)
+static double sum_film(const struct illumination_question *question, struct bundle_part *part,
+                       size_t rays, struct arena *arena)
 {
     struct film_sum film = {.beam = question->beam};
     const double n = question->open->index_first / question->open->index_last;
-    (void)arena;
-    each_point(clear, points, add_film, &film);
+    each_point(part, rays, arena, add_film, &film);
     return n * n * film.sum;
 }
 
@@ -118,72 +142,45 @@ static void add_field(void *context, const double at[2], double weight)
     }
 }
 
-static double sum_field(const struct illumination_question *question,
-                        const struct clear_pupil *clear, size_t points, struct arena *arena)
+static double sum_field(const struct illumination_question *question, struct bundle_part *part,
+                        size_t rays, struct arena *arena)
 {
     struct field_sum *field = ARENA_NEW(arena, struct field_sum);
     field->question = question;
     field->tape = derivative_tape_new(question->open, arena);
     field->start = rays_new(arena, RAYS_BLOCK).blocks;
     field->tangents = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
-    each_point(clear, points, add_field, field);
+    each_point(part, rays, arena, add_field, field);
     flush(field);
     return field->sum;
 }
 
 /* -------- until it stands -------- */
 
-typedef double sum_bundle(const struct illumination_question *question,
-                          const struct clear_pupil *clear, size_t points, struct arena *arena);
+typedef double sum_bundle(const struct illumination_question *question, struct bundle_part *part,
+                          size_t rays, struct arena *arena);
 
-static size_t edges_of(int doubled)
-{
-    return (size_t)EDGES_FIRST << doubled;
-}
-
-static double sum_once(const struct illumination_question *question, sum_bundle *sum, int doubled,
-                       struct arena *arena)
+static double sum_once(const struct illumination_question *question, sum_bundle *sum,
+                       struct bundle_part *part, size_t rays, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
-    const size_t points = (size_t)POINTS_FIRST << doubled;
-    struct clear_guess guess = clear_guess_of(question->clipped, question->beam, question->first);
-    struct clear_pupil clear;
-    if (question->inside != NULL) {
-        guess.centre[0] = question->inside[0];
-        guess.centre[1] = question->inside[1];
-    }
-    clear_find(question->clipped, question->beam, &guess, edges_of(doubled), arena, &clear);
-    double value = clear.is_empty
-                       ? 0
-                       : sum(question, &clear, points < POINTS_MOST ? points : POINTS_MOST, arena);
+    double value = sum(question, part, rays, arena);
     arena_reset(arena, mark);
     return value;
-}
-
-/* May something end the beam beside the stop, between two edges that do not see it? */
-static bool hides_edges(const struct system *system)
-{
-    const struct lens *lens = system->lens;
-    bool hides = false;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        hides =
-            hides || surface->aperture_count > 0 || (i != system->stop && surface->has_diameter);
-    }
-    return hides;
 }
 
 static struct illumination converge(const struct illumination_question *question, sum_bundle *sum,
                                     struct arena *arena)
 {
-    struct illumination light = {.value = sum_once(question, sum, 0, arena)};
-    const bool hides = hides_edges(question->clipped);
+    struct bundle_part *part = ARENA_NEW(arena, struct bundle_part);
+    open_part(question, arena, part);
+    size_t rays = RAYS_FIRST;
+    struct illumination light = {.value = sum(question, part, rays, arena)};
     for (int doubled = 1; doubled <= DOUBLINGS && !light.is_met; doubled++) {
-        const double before = light.value, step = 2 * PI / (double)edges_of(doubled);
-        /* a straight edge cuts a quarter of this off a disc between two directions */
-        const double unseen = hides ? step * step * step / (3 * PI) : 0;
-        light.value = sum_once(question, sum, doubled, arena);
-        light.error = fmax(fabs(light.value - before), fmax(unseen, 1e-14) * light.value);
+        const double before = light.value;
+        rays *= 2;
+        light.value = sum_once(question, sum, part, rays, arena);
+        light.error = fmax(fabs(light.value - before), 1e-14 * light.value);
         light.is_met = light.error <= question->error * light.value;
     }
     return light;

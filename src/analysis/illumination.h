@@ -30,14 +30,11 @@ struct illumination {
  * Result    E/L, sr; without loss in glass
  * Formula   E/L = (n'/n)^2 integral of cos(theta) dw over all rays from that point that pass
  *           every aperture, theta from the normal of the film; in the plane of the beam
- *           dw = d/rho^3 dA. Edge and obstructions by trace/clear.h, Gauss's points along its
- *           arms. Edges and points are doubled until the last two values differ by less than
- *           `error`; that difference is the error that is given, 1e-14 at least and, where more
- *           than the stop may end the beam, what a straight edge could cut off unseen between two
- *           directions
+ *           dw = d/rho^3 dA, by analysis/quadrature.h. Rays are doubled until the last two values
+ *           differ by less than `error`; that difference is the error that is given, 1e-14 at least
  * Source    [Welford86] (illumination in the image); derived here: dw = d/rho^3 dA. Closed forms
  *           of a disc and an independent program's values pin it
- * Limits    as trace/clear.h
+ * Limits    as analysis/quadrature.h
  */
 struct illumination illumination_of_film(const struct illumination_question *question,
                                          struct arena *arena);
@@ -51,7 +48,7 @@ struct illumination illumination_of_film(const struct illumination_question *que
  *           focus that is illumination_of_film; programs that trace one field at a time print it
  * Formula   (n'/n)^2 integral of |d(L, M)/d(a, b)| da db, exact derivatives of rays
  *           (trace/tangent.h); convergence as above
- * Limits    as trace/clear.h; where the bundle folds behind the lens every fold counts
+ * Limits    as analysis/quadrature.h; where the bundle folds behind the lens every fold counts
  */
 struct illumination illumination_of_field(const struct illumination_question *question,
                                           struct arena *arena);

@@ -82,10 +82,11 @@ static void make_arms(const struct margins *margins, const struct probe *probe,
 /* -------- points -------- */
 
 /* Gauss's points on all clear parts of the arms, one ring of the arms after the other. */
-static void put_points(const struct margins *margins, const struct star *star,
-                       const struct arms *arms, size_t rings, struct arena *arena,
-                       struct quadrature *all)
+static void put_points(const struct quadrature_region *region, const struct arms *arms,
+                       size_t rings, struct arena *arena, struct quadrature *all)
 {
+    const struct star *star = region->star;
+    const bool in_r = region->in_r;
     const double area = star->frame.stretch[0] * star->frame.stretch[1];
     double *x = ARENA_ARRAY(arena, rings, double), *w = ARENA_ARRAY(arena, rings, double);
     size_t count = 0;
@@ -107,6 +108,10 @@ static void put_points(const struct margins *margins, const struct star *star,
         double point[2], radius = arms->edges[k].radius;
         double low = spans->low[span], high = spans->high[span];
         double width2 = (high - low) * (high + low), t = sqrt(low * low + width2 * x[ring]);
+        if (in_r) {
+            t = low + (high - low) * x[ring];
+            width2 = 2 * t * (high - low);
+        }
         edge_point(&star->frame, arms->angles[k], radius * t, point);
         all->sample.points[all->sample.count++] = (struct pupil_point){
             point[0], point[1], w[ring] * arms->shares[k] * radius * radius * area * width2};
@@ -116,7 +121,7 @@ static void put_points(const struct margins *margins, const struct star *star,
         at[i][0] = all->sample.points[i].x;
         at[i][1] = all->sample.points[i].y;
     }
-    margins_start(margins, (const double(*)[2])at, &all->rays);
+    margins_start(&region->margins, (const double(*)[2])at, &all->rays);
 }
 
 /* -------- weights -------- */
@@ -300,6 +305,20 @@ static void look(struct quadrature_region *region, struct arena *arena)
     }
 }
 
+bool quadrature_fills_disc(struct quadrature_region *region, struct arena *arena)
+{
+    const struct margins *margins = &region->margins;
+    look(region, arena);
+    if (region->is_empty || margins->count == 0 || margins->all[0].surface != LENS_NONE) {
+        return false;
+    }
+    bool fills = false;
+    for (size_t i = 0; i < region->star->count; i++) {
+        fills = fills || region->star->edges[i].limit == 0;
+    }
+    return fills;
+}
+
 struct islands quadrature_islands(struct quadrature_region *region, struct arena *arena)
 {
     look(region, arena);
@@ -325,7 +344,7 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
     const struct star *star = region->star;
     const size_t rings = rings_for(star, rays), wanted = arms_for(star, rings);
     make_arms(margins, &region->probe, star, wanted, arena, &arms);
-    put_points(margins, star, &arms, rings, arena, &all);
+    put_points(region, &arms, rings, arena, &all);
     all.is_empty = all.sample.count == 0;
     for (size_t i = 0; i < all.sample.count && beam->weight == WEIGHT_BEAM; i++) {
         struct pupil_point *point = &all.sample.points[i];

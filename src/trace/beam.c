@@ -78,6 +78,19 @@ struct beam beam_from_film(const double point[3], double n)
     return beam;
 }
 
+struct beam beam_to_pupil(const double point[3], double pupil, double n)
+{
+    /* where the way to the middle of the pupil crosses the plane of the vertex */
+    const double share =
+        isfinite(pupil) && fabs(pupil - point[2]) > 0 ? pupil / (pupil - point[2]) : 1;
+    const double foot[3] = {share * point[0], share * point[1], 0};
+    const double from[3] = {point[0] - foot[0], point[1] - foot[1], point[2]};
+    struct beam beam = beam_from_film(from, n);
+    beam.foot[0] = foot[0];
+    beam.foot[1] = foot[1];
+    return beam;
+}
+
 static bool from_angle(const double angle[2], const struct conjugate_object *object, double n,
                        struct beam *beam, struct error *error)
 {
@@ -157,6 +170,7 @@ struct ray beam_ray(const struct beam *beam, double a, double b)
     double d = fabs(beam->distance), sign = beam->distance > 0 ? 1 : -1, r2 = a * a + b * b;
     double length = sqrt(d * d + r2);
     for (int i = 0; i < 3; i++) {
+        ray.point[i] = beam->foot[i] + across[i];
         ray.cosine[i] = (d * beam->axis[i] + sign * across[i]) / length;
     }
     ray.path = sign * beam->n * (r2 / (length + d));
@@ -204,8 +218,9 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-void beam_place(const struct beam *beam, const double point[3], double place[2])
+void beam_place(const struct beam *beam, const double at[3], double place[2])
 {
+    const double point[3] = {at[0] - beam->foot[0], at[1] - beam->foot[1], at[2] - beam->foot[2]};
     double a = dot(point, beam->across[0]), b = dot(point, beam->across[1]);
     if (isinf(beam->distance)) {
         place[0] = a;

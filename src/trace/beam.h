@@ -18,6 +18,7 @@ struct beam {
     double axis[3];      /* unit: from the object to the first vertex, along the light */
     double across[2][3]; /* unit: sagittal (a), and meridional (b, upwards on the axis) */
     double distance;     /* object to first vertex, mm; infinite; negative for a virtual object */
+    double foot[3];      /* in place of the first vertex, mm: that of beam_to_pupil, else 0 */
     double n;            /* index of the object space */
 };
 
@@ -53,6 +54,15 @@ bool beam_from_point(const double point[3], double n, struct beam *beam, struct 
  *           n      index of the image space
  */
 struct beam beam_from_film(const double point[3], double n);
+
+/*
+ * The same with its axis towards the paraxial exit pupil, and its plane through the point of it
+ * beside the last vertex: a film that is close to the lens sees all of the pupil to that side.
+ *
+ * Given     point  mm, in the frame of the last vertex
+ *           pupil  its z there, mm; may be infinite
+ */
+struct beam beam_to_pupil(const double point[3], double pupil, double n);
 
 /*
  * The beam of a field point of a lens.
@@ -94,6 +104,6 @@ void beam_fill(const struct beam *beam, const double (*at)[2], size_t count,
                struct ray_block *block);
 
 /* The coordinates where a line meets the plane of the beam: point + t cosine. */
-void beam_place(const struct beam *beam, const double point[3], double place[2]);
+void beam_place(const struct beam *beam, const double at[3], double place[2]);
 
 #endif
