@@ -14,8 +14,11 @@
 /* Rays of the first try; how often they are doubled at most. */
 enum { RAYS_FIRST = 100, DOUBLINGS = 9 };
 
-/* The disc that a bundle is looked for in, in radii of what is expected of it: at first, at most. */
+/* The disc that a bundle is looked for in, in radii of what is expected: at first, at most. */
 static const double around = 2, farthest = 100;
+
+/* What sums of this many terms may be off by rounding. */
+static const double least = 5e-14;
 
 /* A point of the beam and what it stands for. */
 typedef void visit_point(void *context, const double at[2], double weight);
@@ -180,7 +183,7 @@ static struct illumination converge(const struct illumination_question *question
         const double before = light.value;
         rays *= 2;
         light.value = sum_once(question, sum, part, rays, arena);
-        light.error = fmax(fabs(light.value - before), 1e-14 * light.value);
+        light.error = fmax(2 * fabs(light.value - before), least * light.value);
         light.is_met = light.error <= question->error * light.value;
     }
     return light;

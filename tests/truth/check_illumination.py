@@ -94,6 +94,18 @@ def check_disc(checks, program):
             expected = disc(0.5, float(row["height_mm"]) / 50)
             near(checks, "disc", f"disc at {row['height_mm']}", row["irradiance_per_radiance"],
                  expected, 1e-13 * expected)
+    # the film 1 mm behind a window of no power: it sees the disc far beside the last vertex
+    near_film = "lens disc\nobject inf\naperture stop\nstop - 49 air 50\nsurface - 0 air -\n"
+    for command in ("illumination", "pupil"):
+        words = ["--focus", "1", "--height", "0,10,40,100"]
+        result = program.run(command, "-", *words, "--csv", "--columns",
+                             "height,irradiance_per_radiance", stdin=near_film)
+        table = list(csv.DictReader(io.StringIO(result.stdout.decode())))
+        checks.check(len(table) >= 4, f"{command}, a film close by: {result.stderr.decode()}")
+        for row in table:
+            expected = disc(0.5, float(row["height_mm"]) / 50)
+            near(checks, "close", f"{command}, a film close by, at {row['height_mm']}",
+                 row["irradiance_per_radiance"], expected, 1e-7 * expected)
     half = rows(program, "-", "--focus", "50", "--height", "10", "--stop-diameter", "25", text=lens)
     if checks.check(isinstance(half, list), f"half a disc: {half}"):
         near(checks, "disc", "a disc of half the diameter", half[0]["irradiance_per_radiance"],

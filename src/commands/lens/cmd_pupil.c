@@ -469,8 +469,8 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
     bool film = pupil_is_from_film(first);
     const struct outlines outlines = {
         .title = arena_printf(svg.arena, "Pupils of %s", painter.title),
-        .subtitle = film ? "exit pupil as points of the film see it, across the ray to the last "
-                           "vertex; origin: the chief ray"
+        .subtitle = film ? "exit pupil as points of the film see it, across the way to its middle; "
+                           "origin: the chief ray"
                          : "entrance pupil as field points see it, across the ray to the first "
                            "vertex; origin: the chief ray",
         .unit = "mm",

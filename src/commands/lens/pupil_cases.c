@@ -61,7 +61,8 @@ static bool shape_of(const struct pupil_job *job, const struct beam *beam, struc
 
 static struct beam film_beam(const struct pupil_job *job, double x, double y)
 {
-    return beam_from_film((double[3]){x, y, job->film}, job->open->index_first);
+    return beam_to_pupil((double[3]){x, y, job->film}, job->one->light.first.exit_pupil,
+                         job->open->index_first);
 }
 
 static bool show(const struct pupil_job *job, const struct beam *beam, struct pupil_case *point,
