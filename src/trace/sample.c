@@ -3,6 +3,7 @@
 #include "trace/sample.h"
 
 #include "base/constants.h"
+#include "base/sobol.h"
 
 #include <math.h>
 
@@ -140,39 +141,6 @@ static void make_fan(size_t rays, struct arena *arena, struct sample *sample)
     }
 }
 
-static uint32_t reverse_bits(uint32_t x)
-{
-    x = (x >> 16) | (x << 16);
-    x = ((x & 0x00ff00ffU) << 8) | ((x & 0xff00ff00U) >> 8);
-    x = ((x & 0x0f0f0f0fU) << 4) | ((x & 0xf0f0f0f0U) >> 4);
-    x = ((x & 0x33333333U) << 2) | ((x & 0xccccccccU) >> 2);
-    return ((x & 0x55555555U) << 1) | ((x & 0xaaaaaaaaU) >> 1);
-}
-
-/* Every bit is flipped or not by a hash of the bits above it: Owen's scrambling. */
-static uint32_t scramble(uint32_t x, uint32_t seed)
-{
-    x = reverse_bits(x);
-    x ^= x * 0x3d20adeaU;
-    x += seed;
-    x *= (seed >> 16) | 1;
-    x ^= x * 0x05526c56U;
-    x ^= x * 0x53a22864U;
-    return reverse_bits(x);
-}
-
-/* Second dimension of Sobol's sequence: direction numbers v_k = v_(k-1) xor v_(k-1)/2. */
-static uint32_t sobol_second(uint32_t i)
-{
-    uint32_t x = 0;
-    for (uint32_t v = 0x80000000U; i != 0; i >>= 1, v ^= v >> 1) {
-        if (i & 1) {
-            x ^= v;
-        }
-    }
-    return x;
-}
-
 /* The square to the disc: areas stay in proportion. */
 static struct pupil_point to_disc(double u, double v)
 {
@@ -182,14 +150,14 @@ static struct pupil_point to_disc(double u, double v)
 
 static void make_sobol(size_t rays, uint64_t seed, struct arena *arena, struct sample *sample)
 {
-    const double step = 1 / 4294967296.0;
-    uint64_t mixed = (seed + 1) * 0x9e3779b97f4a7c15U;
-    uint32_t first = (uint32_t)(mixed >> 32), second = (uint32_t)(mixed >> 16) ^ 0x5bd1e995U;
+    struct sobol area, angle;
+    const uint32_t of_area = sobol_scrambling(seed, 0, 0), of_angle = sobol_scrambling(seed, 0, 1);
+    sobol_open(0, &area);
+    sobol_open(1, &angle);
     room(sample, rays, arena);
     for (size_t i = 0; i < rays; i++) {
-        uint32_t a = scramble(reverse_bits((uint32_t)i), first);
-        uint32_t b = scramble(sobol_second((uint32_t)i), second);
-        struct pupil_point at = to_disc(((double)a + 0.5) * step, ((double)b + 0.5) * step);
+        const struct pupil_point at = to_disc(sobol_point(&area, of_area, (uint32_t)i),
+                                              sobol_point(&angle, of_angle, (uint32_t)i));
         add(sample, at.x, at.y, 1 / (double)rays);
     }
 }

@@ -44,8 +44,8 @@ struct sample {
  *           hexapolar, square, fan, sobol: equal weights; a fan holds x = 0 and y = 0 with 2m + 1
  *           points each, the centre in both
  *           square: (2 i + 1 - k)/k, those inside the disc
- * Source    [Forbes88] (Gauss in the pupil); Sobol' sequence, first two dimensions, with Owen's
- *           scrambling by hashing [Burley20]; its multipliers are those of [Vegdahl21]
+ * Source    [Forbes88] (Gauss in the pupil); sobol: the first two dimensions of base/sobol.h,
+ *           sequence 0, for the area and the angle
  * Errors    ERROR_USAGE: no rays, or more than 1e9
  */
 bool sample_make(enum pattern pattern, size_t rays, uint64_t seed, struct arena *arena,
