@@ -6,8 +6,27 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
-enum { NAME_WIDTH = 30 };
+enum { NAME_WIDTH = 30, WORD_WIDTH = 15, WIDTH = HELP_WIDTH };
+
+/* "(mm; above 0 mm; default 50)": unit, range and default of an option; "" if it has none. */
+static const char *facts_of(const struct option *option, struct arena *arena)
+{
+    const struct unit *unit = option_unit(option);
+    const char *range = option_range(option, arena), *facts = "";
+    if (unit != NULL && unit->name[0] != '\0') {
+        facts = arena_printf(arena, " (%s", unit->label);
+    }
+    if (range[0] != '\0') {
+        facts = arena_printf(arena, "%s%s%s", facts, facts[0] != '\0' ? "; " : " (", range);
+    }
+    if (option->fallback != NULL) {
+        facts = arena_printf(arena, "%s%sdefault %s", facts, facts[0] != '\0' ? "; " : " (",
+                             option->fallback);
+    }
+    return facts[0] != '\0' ? arena_printf(arena, "%s)", facts) : "";
+}
 
 /* "-f, --focal-length LENGTH" padded, then what it is for, its unit, range and default. */
 static void write_option(const struct option *option, struct output *output, struct arena *arena)
@@ -19,50 +38,79 @@ static void write_option(const struct option *option, struct output *output, str
     const char *value = option->value != NULL ? option->value : "";
     const char *name = arena_printf(arena, "  %s--%s%s%s", letter, option->name,
                                     value[0] != '\0' ? " " : "", value);
-    output_printf(output, "%-*s%s%s", NAME_WIDTH, name,
-                  strlen(name) >= NAME_WIDTH ? "\n                              " : "",
-                  option->help);
-    const struct unit *unit = option_unit(option);
-    const char *separator = " (";
-    if (unit != NULL && unit->name[0] != '\0') {
-        output_printf(output, "%s%s", separator, unit->label);
-        separator = "; ";
+    output_printf(output, "%-*s", NAME_WIDTH, name);
+    if (strlen(name) >= NAME_WIDTH) {
+        output_printf(output, "\n%*s", NAME_WIDTH, "");
     }
-    const char *range = option_range(option, arena);
-    if (range[0] != '\0') {
-        output_printf(output, "%s%s", separator, range);
-        separator = "; ";
-    }
-    if (option->fallback != NULL) {
-        output_printf(output, "%sdefault %s", separator, option->fallback);
-        separator = "; ";
-    }
-    output_string(output, separator[0] == ';' ? ")\n" : "\n");
+    output_paragraph(output, arena_printf(arena, "%s%s", option->help, facts_of(option, arena)),
+                     NAME_WIDTH, NAME_WIDTH, WIDTH);
     for (size_t i = 0; option_word(option, i) != NULL; i++) {
         const struct word *word = option_word(option, i);
-        output_printf(output, "%-*s  %-14s %s\n", NAME_WIDTH, "", word->word, word->help);
+        enum { WORD_AT = NAME_WIDTH + 2, HELP_AT = WORD_AT + WORD_WIDTH };
+        output_printf(output, "%*s%-*s ", WORD_AT, "", WORD_WIDTH - 1, word->word);
+        size_t length = strlen(word->word);
+        output_paragraph(output, word->help, length < WORD_WIDTH ? HELP_AT : WORD_AT + 1 + length,
+                         HELP_AT, WIDTH);
     }
 }
 
-static void write_usage(const struct command *command, struct output *output)
+static void write_usage(const struct command *command, struct output *output, struct arena *arena)
 {
-    output_printf(output, "lenscalc %s", command->name);
+    const char *usage = arena_printf(arena, "lenscalc %s", command->name);
     for (size_t i = 0; i < command->option_count; i++) {
         const struct option *option = &command->options[i];
         if ((option->flags & OPTION_OPERAND) != 0) {
             bool many = (option->flags & (OPTION_MANY | OPTION_TOGETHER)) != 0;
-            output_printf(output, " [%s]%s", option->value, many ? "..." : "");
+            usage = arena_printf(arena, "%s [%s]%s", usage, option->value, many ? "..." : "");
         }
     }
-    output_printf(output, " [options]: %s\n", command->summary);
+    output_paragraph(output, arena_printf(arena, "%s [options]: %s", usage, command->summary), 0, 2,
+                     WIDTH);
+}
+
+/* The last place of the first `most` characters before which a shell lets a line end. */
+static size_t line_end(const char *words, size_t most)
+{
+    size_t end = 0;
+    char quote = '\0';
+    for (size_t i = 0; words[i] != '\0' && i < most; i++) {
+        if (words[i] == quote) {
+            quote = '\0';
+        } else if (quote == '\0' && (words[i] == '"' || words[i] == '\'')) {
+            quote = words[i];
+        } else if (quote == '\0' && words[i] == ' ' && words[i + 1] == '-') {
+            end = i;
+        }
+    }
+    return end;
+}
+
+/* The words of an example, in lines that a shell reads as one. */
+static void write_example(const char *words, struct output *output)
+{
+    enum { BEGINS = sizeof "  lenscalc " - 1, INDENT = 6 };
+    size_t room = WIDTH - BEGINS;
+    output_string(output, "  lenscalc ");
+    while (strlen(words) > room) {
+        size_t end = line_end(words, room - 2);
+        if (end == 0) {
+            break;
+        }
+        output_printf(output, "%.*s \\\n%*s", (int)end, words, INDENT, "");
+        words += end + 1;
+        room = WIDTH - INDENT;
+    }
+    output_printf(output, "%s\n", words);
 }
 
 void help_write(const struct command *command, struct output *output, struct arena *arena)
 {
-    write_usage(command, output);
+    write_usage(command, output, arena);
     output_string(output, "\nExamples:\n");
     for (const struct example *example = command->examples; example->arguments != NULL; example++) {
-        output_printf(output, "  lenscalc %s\n      %s\n", example->arguments, example->help);
+        write_example(example->arguments, output);
+        output_spaces(output, 6);
+        output_paragraph(output, example->help, 6, 6, WIDTH);
     }
     output_string(output, "\nOptions:\n");
     for (size_t i = 0; command_option(command, i) != NULL; i++) {
@@ -73,11 +121,14 @@ void help_write(const struct command *command, struct output *output, struct are
     while ((common = command_next_common(command, common)) != NULL) {
         write_option(common, output, arena);
     }
-    output_printf(output,
-                  "\nUnits may always be written (50mm 10ft 5ft6in 1/125s); a list 1.4,2,2.8 "
-                  "or a range 1..10:0.5\nsweeps an option. More in lenscalc-%s(1) and "
-                  "lenscalc(1).\n",
-                  command->name);
+    output_character(output, '\n');
+    output_wrapped(
+        output,
+        arena_printf(arena,
+                     "Units may always be written (50mm 10ft 5ft6in 1/125s); a list 1.4,2,2.8 or a "
+                     "range 1..10:0.5 sweeps an option. More in lenscalc-%s(1) and lenscalc(1).",
+                     command->name),
+        WIDTH);
 }
 
 int help_command(const struct command *command, struct arena *arena)
@@ -95,6 +146,14 @@ int help_command(const struct command *command, struct arena *arena)
     return 0;
 }
 
+/* A line of the list of commands. */
+static void write_entry(const char *name, const char *summary, struct output *output)
+{
+    enum { SUMMARY_AT = 15 };
+    output_printf(output, "  %-12s ", name);
+    output_paragraph(output, summary, SUMMARY_AT, SUMMARY_AT, WIDTH);
+}
+
 void help_write_overview(struct output *output)
 {
     const char *group = "";
@@ -105,11 +164,11 @@ void help_write_overview(struct output *output)
             group = commands[i]->group;
             output_printf(output, "\n%s:\n", group);
         }
-        output_printf(output, "  %-12s %s\n", commands[i]->name, commands[i]->summary);
+        write_entry(commands[i]->name, commands[i]->summary, output);
     }
     output_string(output, "\ntopics (lenscalc help TOPIC):\n");
     for (const struct topic_text *topic = help_topics; topic->name != NULL; topic++) {
-        output_printf(output, "  %-12s %s\n", topic->name, topic->summary);
+        write_entry(topic->name, topic->summary, output);
     }
     output_string(output, "\nFor example:\n"
                           "  lenscalc dof -f 50mm -N 2.8 -s 3m\n"
@@ -118,11 +177,19 @@ void help_write_overview(struct output *output)
 
 void help_short(void)
 {
-    fputs("usage: lenscalc COMMAND [options], for example: lenscalc dof -f 50mm -N 2.8 -s 3m\n"
-          "commands:",
-          stderr);
+    struct arena arena = {0};
+    struct output output;
+    output_begin(&output, STDERR_FILENO, &arena);
+    output_wrapped(&output,
+                   "usage: lenscalc COMMAND [options], for example:\n"
+                   "  lenscalc dof -f 50mm -N 2.8 -s 3m",
+                   WIDTH);
+    const char *line = "commands:";
     for (size_t i = 0; commands[i] != NULL; i++) {
-        fprintf(stderr, " %s", commands[i]->name);
+        line = arena_printf(&arena, "%s %s", line, commands[i]->name);
     }
-    fputs("\nmore: lenscalc help, lenscalc COMMAND --help\n", stderr);
+    output_paragraph(&output, line, 0, 2, WIDTH);
+    output_wrapped(&output, "more: lenscalc help, lenscalc COMMAND --help", WIDTH);
+    output_flush(&output);
+    arena_free(&arena);
 }

@@ -17,8 +17,10 @@ void help_write_overview(struct output *output);
 /* What all commands have in common, by topic; ends with a null name. */
 struct topic_text {
     const char *name, *summary, *text;
-    const struct word *(*word_at)(size_t i); /* listed below the text; null = nothing is */
+    void (*list)(struct output *output); /* writes what follows the text; null = nothing does */
 };
+
+enum { HELP_WIDTH = 80 };
 
 extern const struct topic_text help_topics[];
 

@@ -79,14 +79,19 @@ static int open_beside(struct output *output, const char *path, struct arena *ar
     return descriptor;
 }
 
+void output_begin(struct output *output, int descriptor, struct arena *arena)
+{
+    *output = (struct output){.descriptor = descriptor, .size = BUFFER_SIZE};
+    output->buffer = arena_buffer(arena, BUFFER_SIZE);
+}
+
 bool output_open(struct output *output, const char *path, struct arena *arena, struct error *error)
 {
-    *output = (struct output){.descriptor = STDOUT_FILENO, .path = path, .size = BUFFER_SIZE};
-    output->buffer = arena_buffer(arena, BUFFER_SIZE);
+    output_begin(output, STDOUT_FILENO, arena);
     if (path == NULL || strcmp(path, "-") == 0) {
-        output->path = NULL;
         return true;
     }
+    output->path = path;
     /* what a link points to is written, not the link replaced */
     char *target = realpath(path, NULL);
     if (target != NULL) {
@@ -172,19 +177,26 @@ static size_t word_width(const char *text)
     return width;
 }
 
-void output_wrapped(struct output *output, const char *text, size_t width)
+void output_paragraph(struct output *output, const char *text, size_t at, size_t indent,
+                      size_t width)
 {
-    size_t column = 0;
     for (; *text != '\0'; text++) {
-        if (*text == ' ' && column + 1 + word_width(text + 1) > width) {
+        bool ends = *text == ' ' && at + 1 + word_width(text + 1) > width;
+        if (ends || *text == '\n') {
             output_character(output, '\n');
-            column = 0;
-            continue;
+            output_spaces(output, indent);
+            at = indent;
+        } else {
+            output_character(output, *text);
+            at += ((unsigned char)*text & 0xc0) != 0x80;
         }
-        output_character(output, *text);
-        column = *text == '\n' ? 0 : column + (((unsigned char)*text & 0xc0) != 0x80);
     }
     output_character(output, '\n');
+}
+
+void output_wrapped(struct output *output, const char *text, size_t width)
+{
+    output_paragraph(output, text, 0, 0, width);
 }
 
 void output_printf(struct output *output, const char *format, ...)

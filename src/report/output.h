@@ -31,6 +31,9 @@ struct output {
  */
 bool output_open(struct output *output, const char *path, struct arena *arena, struct error *error);
 
+/* Write to what is open already: standard error. Ends with output_flush. */
+void output_begin(struct output *output, int descriptor, struct arena *arena);
+
 /* Room for `length` characters (at most OUTPUT_RESERVE): write there, then output_advance. */
 enum { OUTPUT_RESERVE = 4096 };
 char *output_reserve(struct output *output, size_t length);
@@ -39,7 +42,16 @@ void output_advance(struct output *output, const char *end);
 void output_text(struct output *output, const char *start, size_t length);
 void output_string(struct output *output, const char *string);
 void output_character(struct output *output, char c);
-/* A text broken at blanks into lines of at most `width` characters; ends with a line feed. */
+/*
+ * A text broken at blanks into lines of at most `width` characters; ends with a line feed.
+ *
+ * Given     at      characters that stand in its first line already
+ *           indent  blanks before every other line
+ */
+void output_paragraph(struct output *output, const char *text, size_t at, size_t indent,
+                      size_t width);
+
+/* The same from the beginning of a line. */
 void output_wrapped(struct output *output, const char *text, size_t width);
 void output_spaces(struct output *output, size_t count);
 void output_printf(struct output *output, const char *format, ...)

@@ -212,7 +212,7 @@ def check_words(checks, program, commands):
     for path in (path for path in words if os.path.exists(path)):
         missing = lacks(path, sorted(words[path]))
         checks.check(not missing, f"{path}: lacks {missing}, which --help lists")
-    endings = re.search(r"--output FILE.*\((.*)\)", shown["convert"])
+    endings = re.search(r"--output FILE[^(]*\(([^)]*)\)", shown["convert"])
     endings = re.findall(r"\.[a-z]+", endings.group(1)) if endings else []
     checks.check(len(endings) > 4, f"convert --help lists the endings {endings}")
     for path in ("man/lenscalc-convert.1", "README"):
@@ -226,6 +226,7 @@ def check_help(checks, program, commands):
         for command in commands:
             text = program.run(command, "--help").stdout.decode()
             block = text.partition("Examples:\n")[2].partition("\n\n")[0]
+            block = re.sub(r" \\\n +", " ", block)  # a long one goes on in the next line
             found = [line.strip() for line in block.split("\n") if line.startswith("  lenscalc ")]
             checks.check(found, f"{command} --help has no examples")
             for example in [one for one in found if runs_here(program, one)]:

@@ -13,7 +13,7 @@ struct input {
 static const struct word shells[] = {
     {"bash", "source <(lenscalc completion bash)"},
     {"zsh", "as the file _lenscalc in a folder of fpath"},
-    {"fish", "as ~/.config/fish/completions/lenscalc.fish"},
+    {"fish", "as lenscalc.fish in ~/.config/fish/completions"},
     {NULL, NULL},
 };
 

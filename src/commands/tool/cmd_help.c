@@ -31,10 +31,10 @@ static bool unknown(const char *topic, struct error *error)
 
 static void write_topic(const struct topic_text *topic, struct output *output)
 {
-    output_printf(output, "%s: %s\n\n%s", topic->name, topic->summary, topic->text);
-    for (size_t i = 0; topic->word_at != NULL && topic->word_at(i) != NULL; i++) {
-        const struct word *word = topic->word_at(i);
-        output_printf(output, "%-9s %s\n", word->word, word->help);
+    output_printf(output, "%s: %s\n\n", topic->name, topic->summary);
+    output_wrapped(output, topic->text, HELP_WIDTH);
+    if (topic->list != NULL) {
+        topic->list(output);
     }
 }
 
@@ -63,7 +63,7 @@ static const struct artifact artifacts[] = {{ARTIFACT_ANSWER(NULL), .make = expl
 static const struct example examples[] = {
     {"help", "all commands"},
     {"help dof", "one command"},
-    {"help ranges", "a topic: values, ranges, output, batch or status"},
+    {"help ranges", "a topic: values, units, ranges, output, batch, status or version"},
     {NULL, NULL},
 };
 
