@@ -156,29 +156,30 @@ static void compare(const struct margins *margins, size_t count)
     }
 }
 
-void margins_look(const struct margins *margins, const double (*points)[2], size_t count)
+/* Row k; `from`: the place that the rays have come to. */
+static void look_at(const struct margins *margins, const double (*points)[2], size_t count,
+                    size_t k, size_t *from)
+{
+    const struct rays rays = {margins->work.blocks, count};
+    const struct margin *margin = &margins->all[k];
+    double *row = margins->rows + k * RAYS_BLOCK;
+    if (margin->surface == LENS_NONE) {
+        for (size_t i = 0; i < count; i++) {
+            row[i] = points[i][0] * points[i][0] + points[i][1] * points[i][1] - 1;
+        }
+        return;
+    }
+    rays_trace_part(margins->system, *from, margin->place, &rays, NULL);
+    *from = margin->place;
+    fill_row(margins, margin, count, row);
+}
+
+/* To the end, and the worst of all rows. */
+static void finish(const struct margins *margins, size_t count, size_t from)
 {
     const struct system *system = margins->system;
     const struct ray_block *block = margins->work.blocks;
     const struct rays rays = {margins->work.blocks, count};
-    size_t from = 0;
-    start(margins, points, count, margins->work.blocks);
-    for (size_t k = 0; k < margins->count; k++) {
-        const struct margin *margin = &margins->all[k];
-        double *row = margins->rows + k * RAYS_BLOCK;
-        if (!margins->counts[k]) {
-            continue;
-        }
-        if (margin->surface == LENS_NONE) {
-            for (size_t i = 0; i < count; i++) {
-                row[i] = points[i][0] * points[i][0] + points[i][1] * points[i][1] - 1;
-            }
-            continue;
-        }
-        rays_trace_part(system, from, margin->place, &rays, NULL);
-        from = margin->place;
-        fill_row(margins, margin, count, row);
-    }
     if (from < system->places) {
         rays_trace_part(system, from, system->places, &rays, NULL);
     }
@@ -191,4 +192,45 @@ void margins_look(const struct margins *margins, const double (*points)[2], size
             margins->limit[i] = ((size_t)1 << 32) + 8 * ray_block_surface(block, i) + status;
         }
     }
+}
+
+void margins_look(const struct margins *margins, const double (*points)[2], size_t count)
+{
+    size_t from = 0;
+    start(margins, points, count, margins->work.blocks);
+    for (size_t k = 0; k < margins->count; k++) {
+        if (margins->counts[k]) {
+            look_at(margins, points, count, k, &from);
+        }
+    }
+    finish(margins, count, from);
+}
+
+/* Are there rays that this row lets pass, among those that came so far? */
+static bool some_pass(const double *row, size_t count, bool *dark)
+{
+    bool some = false;
+    for (size_t i = 0; i < count; i++) {
+        /* a lost ray has no number */
+        dark[i] = dark[i] | !(row[i] <= 0);
+        some = some | !dark[i];
+    }
+    return some;
+}
+
+void margins_sift(const struct margins *margins, const double (*points)[2], size_t count)
+{
+    bool dark[RAYS_BLOCK] = {false};
+    size_t from = 0;
+    start(margins, points, count, margins->work.blocks);
+    for (size_t k = 0; k < margins->count; k++) {
+        look_at(margins, points, count, k, &from);
+        if (!some_pass(margins->rows + k * RAYS_BLOCK, count, dark)) {
+            for (size_t i = 0; i < count; i++) {
+                margins->excess[i] = INFINITY;
+            }
+            return;
+        }
+    }
+    finish(margins, count, from);
 }

@@ -42,6 +42,12 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena);
  */
 void margins_look(const struct margins *margins, const double (*points)[2], size_t count);
 
+/*
+ * The same for who wants to know only which rays pass: where all of them are found not to, their
+ * excess is infinite and the rest of the way is spared. All margins count.
+ */
+void margins_sift(const struct margins *margins, const double (*points)[2], size_t count);
+
 /* Look only at those that come near to 0: an excess above -0.3 of a ray looked at last. */
 void margins_narrow(const struct margins *margins, size_t rays);
 

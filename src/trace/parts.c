@@ -8,6 +8,9 @@
 
 enum { CELLS = PARTS_SIDE * PARTS_SIDE };
 
+/* A block of rays is a piece of the grid as compact as can be: many of them are dark throughout. */
+enum { TILE_WIDTH = 16, TILE_HEIGHT = RAYS_BLOCK / TILE_WIDTH, TILES = PARTS_SIDE / TILE_WIDTH };
+
 /* Where the pupil lies and no less than twice as far; where the object's side is not limited 4. */
 static const double least = 2, unlimited = 4;
 
@@ -89,6 +92,14 @@ void parts_number(struct parts *parts, size_t reach)
     }
 }
 
+/* The i-th cell of a tile. */
+static size_t cell_of(size_t tile, size_t i)
+{
+    size_t x = tile % TILES * TILE_WIDTH + i % TILE_WIDTH;
+    size_t y = tile / TILES * TILE_HEIGHT + i / TILE_WIDTH;
+    return y * PARTS_SIDE + x;
+}
+
 void parts_find(const struct margins *margins, const double low[2], const double high[2],
                 struct parts *parts)
 {
@@ -100,13 +111,13 @@ void parts_find(const struct margins *margins, const double low[2], const double
         parts->step[k] = (to[k] - from[k]) / PARTS_SIDE;
         parts->low[k] = from[k] + parts->step[k] / 2;
     }
-    for (size_t done = 0; done < CELLS; done += RAYS_BLOCK) {
+    for (size_t tile = 0; tile < CELLS / RAYS_BLOCK; tile++) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            parts_point(parts, done + i, points[i]);
+            parts_point(parts, cell_of(tile, i), points[i]);
         }
-        margins_look(margins, (const double(*)[2])points, RAYS_BLOCK);
+        margins_sift(margins, (const double(*)[2])points, RAYS_BLOCK);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            parts->excess[done + i] = margins->excess[i];
+            parts->excess[cell_of(tile, i)] = margins->excess[i];
         }
     }
     parts_number(parts, 1);

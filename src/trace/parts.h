@@ -14,8 +14,8 @@ enum { PARTS_SIDE = 128 };
 struct parts {
     double low[2], step[2]; /* the middle of the first cell; from one to the next */
     unsigned short part[PARTS_SIDE * PARTS_SIDE]; /* 0: dark; cells that touch have one number */
-    double excess[PARTS_SIDE * PARTS_SIDE];
-    size_t count; /* of parts: numbers go up to it */
+    double excess[PARTS_SIDE * PARTS_SIDE];       /* of those that pass; of others above 0 */
+    size_t count;                                 /* of parts: numbers go up to it */
 };
 
 /*

@@ -518,20 +518,23 @@ struct islands star_islands(const struct margins *margins, const struct star *st
     }
     for (size_t i = 0; i < CELLS; i++) {
         double point[2], angle, radius;
-        parts_point(parts, i, point);
-        polar_of(&star->frame, point, PI, &angle, &radius);
-        bool is_inside = parts->part[i] > 0 && radius < 1.05 * star_near(star, angle);
-        within[parts->part[i]] = within[parts->part[i]] || is_inside;
         all += parts->part[i] > 0;
+        if (parts->part[i] > 0 && !within[parts->part[i]]) {
+            parts_point(parts, i, point);
+            polar_of(&star->frame, point, PI, &angle, &radius);
+            within[parts->part[i]] = radius < 1.05 * star_near(star, angle);
+        }
     }
     for (size_t i = 0; i < CELLS; i++) {
         outside += parts->part[i] > 0 && !within[parts->part[i]];
         parts->excess[i] = within[parts->part[i]] ? 1 : parts->excess[i];
     }
-    /* what is thin looks as if it were torn */
-    parts_number(parts, 3);
-    islands.count = parts->count;
-    islands.share = all > 0 ? (double)outside / (double)all : 0;
+    if (outside > 0) {
+        /* what is thin looks as if it were torn */
+        parts_number(parts, 3);
+        islands.count = parts->count;
+        islands.share = (double)outside / (double)all;
+    }
     arena_reset(arena, mark);
     return islands;
 }
