@@ -8,6 +8,9 @@
 
 #include <math.h>
 
+/* Chief rays that are there cost a hundredth of it; of one height more is no use to anybody. */
+static const size_t most_sought = 30000000;
+
 /* A search for the object point whose chief ray meets the image plane at a height. */
 struct search {
     const struct setup *setup;         /* at the primary wavelength, with its image */
@@ -17,6 +20,7 @@ struct search {
     int first;                         /* axis: 1 = in the y-z plane alone, 0 = x too */
     double at[2];                      /* far: the angle, towards (x, y); near: mm */
     double miss[2];                    /* what is left of the goal, mm */
+    size_t sought;                     /* rays in search of chief rays, times their surfaces */
     struct error lost;                 /* why a chief ray was not found last */
 };
 
@@ -39,11 +43,15 @@ static bool beam_at(const struct setup *setup, const double at[2], struct beam *
 
 static bool find_chief(struct search *search, const struct beam *beam, struct ray *chief)
 {
-    struct aim aim;
+    struct aim aim = {.sought = 0};
     if (search->setup->first.is_telecentric) {
         return aim_at_entrance(beam, &search->setup->first, 0, 0, chief, &search->lost);
     }
+    if (search->sought > most_sought) {
+        return false;
+    }
     bool found = aim_open(search->open, beam, search->setup->arena, &aim, &search->lost);
+    search->sought += aim.sought;
     *chief = found ? aim_chief(&aim) : (struct ray){.status = RAY_MISS};
     return found;
 }
@@ -160,9 +168,10 @@ static bool refuse(const struct search *search, bool begun, struct error *error)
                             hypot(search->goal[0], search->goal[1]));
     }
     return fail(error, ERROR_DOMAIN,
-                "no chief ray meets the image plane at a height of %.6g mm: the search ended at "
+                "no chief ray meets the image plane at a height of %.6g mm: the search %s at "
                 "%.6g mm, of a field of %.6g %s",
                 hypot(search->goal[0], search->goal[1]),
+                search->sought > most_sought ? "was given up" : "ended",
                 hypot(search->goal[0] - search->miss[0], search->goal[1] - search->miss[1]), field,
                 far ? "deg" : "mm");
 }

@@ -40,6 +40,12 @@ void chief_trace(const struct aim *aim, const double (*at)[2], size_t count)
     chief_to_stop(aim, count);
 }
 
+/* How many surfaces a ray passes on its way to the stop. */
+static size_t places_of(const struct aim *aim)
+{
+    return system_place(aim->system, aim->system->stop) + 1;
+}
+
 static bool arrived(const struct aim *aim, size_t lane)
 {
     return ray_block_status(aim->work.blocks, lane) == RAY_OK;
@@ -211,12 +217,13 @@ static void add_crossing(struct crossings *all, double from, double to)
 
 /* Sample the meridional line; returns how many brackets it has. With `any_slope` turned ones do
    where there are no others. */
-static size_t scan_line(const struct aim *aim, const struct region *region, const struct scan *scan,
+static size_t scan_line(struct aim *aim, const struct region *region, const struct scan *scan,
                         struct bracket *bracket, struct losses *losses)
 {
     double at[RAYS_BLOCK][2], last = NAN, last_height = NAN;
     double low = region->low[1], step = (region->high[1] - low) / (double)(scan->samples - 1);
     struct crossings found = {.count = 0}, others = {.count = 0};
+    aim->sought += scan->samples * places_of(aim);
     for (size_t done = 0; done < scan->samples; done += RAYS_BLOCK) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             at[i][0] = aim->chief[0];
@@ -311,8 +318,7 @@ static bool find_meridional(struct aim *aim, struct region *region, struct error
     enum { MOST_WORK = 2000000 };
     static const struct scan all[] = {{128, false}, {2048, false}, {32768, true}};
     static const struct scan coarse[] = {{128, false}, {2048, true}};
-    const size_t places = system_place(aim->system, aim->system->stop) + 1;
-    const bool fine = all[2].samples * places <= MOST_WORK;
+    const bool fine = all[2].samples * places_of(aim) <= MOST_WORK;
     const struct scan *scans = fine ? all : coarse;
     const size_t kinds = fine ? 3 : 2;
     struct losses losses = {0};
@@ -333,10 +339,12 @@ static bool find_meridional(struct aim *aim, struct region *region, struct error
 }
 
 /* The sample of a grid that comes nearest to the centre of the stop. */
-static bool scan_grid(const struct aim *aim, const struct region *region, size_t side, double at[2],
+static bool scan_grid(struct aim *aim, const struct region *region, size_t side, double at[2],
                       struct losses *losses)
 {
+    const struct ray_block *block = aim->work.blocks;
     double best = INFINITY, rays[RAYS_BLOCK][2];
+    aim->sought += side * side * places_of(aim);
     for (size_t done = 0; done < side * side; done += RAYS_BLOCK) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             size_t cell[2] = {(done + i) % side, (done + i) / side};
@@ -347,11 +355,11 @@ static bool scan_grid(const struct aim *aim, const struct region *region, size_t
         }
         chief_trace(aim, (const double(*)[2])rays, RAYS_BLOCK);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            double r = hypot(aim->work.blocks->x[i], aim->work.blocks->y[i]);
+            double square = block->x[i] * block->x[i] + block->y[i] * block->y[i];
             if (!arrived(aim, i)) {
                 note_loss(aim, i, losses);
-            } else if (r < best) {
-                best = r;
+            } else if (square < best) {
+                best = square;
                 at[0] = rays[i][0];
                 at[1] = rays[i][1];
             }
