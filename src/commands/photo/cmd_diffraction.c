@@ -327,7 +327,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         return fail(error, ERROR_USAGE, "{--frequency} wants {--aperture}");
     }
     if (!sharpness_resolve_in(sharp, lens->wavelength,
-                              working_fnumber(lens->N, input->magnification, lens->P), &row.coc,
+                              diffracting_fnumber(lens->N, input->magnification, lens->P), &row.coc,
                               error) ||
         !compute_limits(input, &row, error) || !compute_optimum(input, &row, error)) {
         return false;

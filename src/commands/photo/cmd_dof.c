@@ -1,41 +1,29 @@
 /* commands/photo/cmd_dof.c - lenscalc dof: depth of field. */
 /* SPDX-License-Identifier: MIT */
-#include "base/arena.h"
-#include "commands/photo/photo_lens.h"
-#include "commands/photo/sharpness.h"
-#include "draw/barrel.h"
+#include "commands/photo/dof_question.h"
+#include "photo/anamorphic.h"
 #include "photo/dof.h"
 #include "photo/dof_plan.h"
+#include "photo/stops.h"
 
 #include <math.h>
 
-struct input {
-    double distance;
-    struct photo_lens_question lens;
-    struct sharpness sharp;
-    int model;
-    struct dof_targets targets;
-    bool stack;
-    double overlap;
-    struct sensor_value other;
-};
-
 #define GOAL(member_name)                                                                          \
-    OPTION(struct input, targets.member_name), .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,         \
-                                               OPTION_POSITIVE
+    OPTION(struct dof_question, targets.member_name), .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,  \
+                                                      OPTION_POSITIVE
 #define GOAL_LENGTH(member_name)                                                                   \
     GOAL(member_name), .dimension = &dimension_length, .unit = "m", .value = "LENGTH"
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct input, lens.focal, OPTION_SETTING),
-    PHOTO_LENS_OPTIONS(struct input, lens),
-    OPTION_APERTURE(struct input, lens.fnumber, OPTION_SETTING),
-    OPTION_DISTANCE(struct input, distance, OPTION_SETTING,
+    OPTION_FOCAL_LENGTH(struct dof_question, lens.focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(struct dof_question, lens),
+    OPTION_APERTURE(struct dof_question, lens.fnumber, OPTION_SETTING),
+    OPTION_DISTANCE(struct dof_question, distance, OPTION_SETTING,
                     "distance of the subject; inf for stars"),
-    SHARPNESS_OPTIONS_OF_LENS(struct input, sharp, lens, 0, "d/1500", coc_is_pixels),
-    OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
-    OPTION_FROM(struct input, lens.from, distances_from),
-    {OPTION(struct input, model), .name = "model", .column = "model", .words = dof_models,
+    SHARPNESS_OPTIONS_OF_LENS(struct dof_question, sharp, lens, 0, "d/1500", coc_is_pixels),
+    OPTION_PUPIL_OF_LENS(struct dof_question, lens.pupil, NULL),
+    OPTION_FROM(struct dof_question, lens.from, distances_from),
+    {OPTION(struct dof_question, model), .name = "model", .column = "model", .words = dof_models,
      .fallback = "exact", .value = "MODEL",
      .help = "exact formulas, or a short cut that other programs use"},
     {GOAL_LENGTH(near), .name = "near", .quantity = "near limit", .column = "near",
@@ -46,25 +34,34 @@ static const struct option options[] = {
      .help = "wanted depth of field"},
     {GOAL_LENGTH(hyperfocal), .name = "hyperfocal", .quantity = "hyperfocal distance",
      .column = "hyperfocal", .help = "wanted hyperfocal distance"},
-    {OPTION(struct input, targets.magnification), .name = "magnification", .letter = 'm',
+    {OPTION(struct dof_question, targets.magnification), .name = "magnification", .letter = 'm',
      .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY | OPTION_GOAL, .value = "RATIO",
      .help = "wanted magnification: 1:2 or 0.5"},
-    {OPTION(struct input, stack), .name = "stack",
+    {OPTION(struct dof_question, stack), .name = "stack",
      .help = "plan a focus stack from --near to --far, one row a shot"},
-    {OPTION(struct input, overlap), .name = "overlap", .wants = "stack",
+    {OPTION(struct dof_question, overlap), .name = "overlap", .wants = "stack",
      .dimension = &dimension_ratio, .lowest = 0, .highest = 0.95, .fallback = "0.2",
      .value = "FRACTION",
      .help = "part of each shot's depth that the next one covers again, for --stack"},
-    {OPTION(struct input, other), .name = "equal-on", .value = "NAME|WxH",
+    {OPTION(struct dof_question, other), .name = "equal-on", .value = "NAME|WxH",
      .help = "focal length and f-number for the same picture on another format"},
+    ATTACHMENT_OPTIONS(struct dof_question, attached),
+    OPTION_SQUEEZE(struct dof_question, squeeze, NULL,
+                   "anamorphic squeeze: adds what it does across the picture"),
+    OPTION_T_NUMBER(struct dof_question, t_stop,
+                    "T-stop of the lens: how it exposes, while -N says what is sharp"),
 };
 
 struct row {
-    struct dof_setting setting;
+    struct dof_setting setting; /* of lens and attachments together */
     struct dof dof;
     struct photo_real real;
-    double distance;
+    double focal, fnumber, distance;
+    struct attachments attached;
+    const char *lens_focus;
+    double t_stop, working_t_stop, squeeze;
+    struct anamorphic across;
     double sensor_distance, sensor_near, sensor_far; /* from the sensor */
     double wavelength;                               /* NaN where it does not matter */
     const char *sensor, *criterion, *model, *from;
@@ -76,14 +73,23 @@ struct row {
 #define COLUMN_LENGTH(member_name, in_unit)                                                        \
     COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
 
+#define ON_THE_LENS .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = ATTACHMENT_NAMES
+
 static const struct column columns[] = {
+    {COLUMN_LENGTH(setting.f, "mm"), .name = "combined_focal", ON_THE_LENS, .symbol = "f",
+     .label = "focal length together", .help = "focal length of lens and attachments"},
+    {COLUMN(struct row, setting.N), .name = "combined_fnumber", ON_THE_LENS, .symbol = "N",
+     .label = "f-number together", .help = "f-number of lens and attachments"},
     PHOTO_LENS_COLUMNS(struct row, real),
     {COLUMN(struct row, shot), .name = "shot", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "stack",
      .label = "shot", .help = "number of the shot in a focus stack, nearest first"},
     {COLUMN(struct row, shots), .name = "shots", .flags = COLUMN_EXTRA, .label = "shots",
      .help = "number of shots in the focus stack"},
-    COLUMN_FOCAL(struct row, setting.f, 0),
-    COLUMN_FNUMBER(struct row, setting.N, 0),
+    COLUMN_FOCAL(struct row, focal, 0),
+    COLUMN_FNUMBER(struct row, fnumber, 0),
+    {COLUMN(struct row, t_stop), .name = "t_stop", .flags = COLUMN_EXTRA | COLUMN_ECHO,
+     .with = "t-stop", .symbol = "T", .label = "T-stop", .help = "T-stop as marked"},
+    ATTACHMENT_COLUMNS(struct row, attached),
     {COLUMN_LENGTH(distance, "m"), .name = "distance",
      .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .with = "distance", .label = "distance",
      .help = "distance of the subject"},
@@ -127,6 +133,21 @@ static const struct column columns[] = {
      .label = "blur of the background", .help = "blur disc of a point at infinity, on the sensor"},
     {COLUMN(struct row, dof.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
      .label = "working f-number", .help = "f-number that exposes, N (1 + m/P)"},
+    {COLUMN(struct row, working_t_stop), .name = "working_t_stop", .flags = COLUMN_EXTRA,
+     .with = "t-stop", .symbol = "Tw", .label = "working T-stop",
+     .help = "T-stop that exposes: as the working f-number, with the lens's own loss"},
+    {COLUMN_LENGTH(across.focal, "mm"), .name = "horizontal_focal", .flags = COLUMN_EXTRA,
+     .with = "squeeze", .symbol = "fh", .label = "horizontal focal length",
+     .help = "focal length across the picture, by the squeeze"},
+    {COLUMN_LENGTH(across.width, "m"), .name = "field_width",
+     .flags = COLUMN_EXTRA | COLUMN_INFINITE, .with = "squeeze", .symbol = "W",
+     .label = "field width", .help = "width seen at the subject, unsqueezed"},
+    {COLUMN_LENGTH(across.height, "m"), .name = "field_height",
+     .flags = COLUMN_EXTRA | COLUMN_INFINITE, .with = "squeeze", .label = "field height",
+     .help = "height seen at the subject"},
+    {COLUMN_LENGTH(across.blur, "mm"), .name = "blur_width", .flags = COLUMN_EXTRA,
+     .with = "squeeze", .symbol = "bw", .label = "blur of the background, width",
+     .help = "width of the blur of a point at infinity, unsqueezed, on the sensor's scale"},
     {COLUMN_LENGTH(dof.image, "mm"), .name = "image", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
      .symbol = "v", .label = "image distance",
      .help = "image of the subject, from the rear principal plane"},
@@ -157,6 +178,10 @@ static const struct column columns[] = {
     {COLUMN(struct row, model), .name = "model", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .depends = "model", .label = "model", .help = "the formulas that were used"},
     COLUMN_FROM(struct row, from),
+    COLUMN_SQUEEZE(struct row, squeeze),
+    {COLUMN(struct row, lens_focus), .name = "lens_focus", .with = "tube close-up",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED, .depends = "distance",
+     .label = "lens itself focused at", .help = "infinity, where no distance is given"},
     PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
     {COLUMN_LENGTH(setting.s, "m"), .name = "principal_distance",
      .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "s",
@@ -165,11 +190,37 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
-/* Complete a row that has its setting and what follows from it. */
-static void fill_row(const struct input *input, const struct photo_lens *lens, struct row *row)
+/* What attachments, squeeze and T-stop add to a row. */
+static bool fill_more(const struct dof_question *input, const struct attached_lens *attached,
+                      struct row *row, struct error *error)
 {
+    double transmittance, exposes = row->dof.working_fnumber / row->setting.N;
+    row->attached = input->attached;
+    row->focal = isnan(attached->focal) ? row->setting.f : attached->focal;
+    row->fnumber = row->setting.N / attached->fnumber_factor;
+    row->t_stop = input->t_stop;
+    row->working_t_stop = input->t_stop * attached->fnumber_factor * exposes;
+    row->squeeze = input->squeeze;
+    row->across = (struct anamorphic){NAN, NAN, NAN, NAN};
+    return (isnan(input->t_stop) ||
+            transmittance_from_t_stop(row->fnumber, input->t_stop, &transmittance, error)) &&
+           (isnan(input->squeeze) ||
+            anamorphic_view(&row->setting, &row->dof, &input->sharp.sensor.size, input->squeeze,
+                            &row->across, error));
+}
+
+/* Complete a row that has its setting and what follows from it. */
+static bool fill_row(const struct dof_question *input, const struct attached_lens *attached,
+                     struct row *row, struct error *error)
+{
+    const struct photo_lens *lens = attached->lens;
     double to_sensor = row->dof.image + lens->measuring.hiatus;
     row->real = *lens->real;
+    row->real.hiatus = lens->measuring.hiatus;
+    row->lens_focus = isnan(input->distance) && row->setting.s == attached->farthest &&
+                              isfinite(attached->farthest)
+                          ? "infinity"
+                          : NULL;
     row->distance = row->setting.s;
     row->sensor_distance = row->distance + to_sensor;
     row->sensor_near = row->dof.near + to_sensor;
@@ -187,10 +238,11 @@ static void fill_row(const struct input *input, const struct photo_lens *lens, s
     row->wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp));
     row->model = dof_models[input->model].word;
     row->from = distances_from[input->lens.from].word;
+    return fill_more(input, attached, row, error);
 }
 
 /* The same picture on another format, if that is asked for. */
-static bool fill_other(const struct input *input, struct row *row, struct error *error)
+static bool fill_other(const struct dof_question *input, struct row *row, struct error *error)
 {
     struct dof_setting other;
     row->other_sensor = input->other.name;
@@ -209,8 +261,8 @@ static bool fill_other(const struct input *input, struct row *row, struct error 
 }
 
 /* Near and far of a stack, from wherever they are measured. */
-static bool stack_limits(const struct input *input, const struct photo_lens *lens, double *near,
-                         double *far, struct error *error)
+static bool stack_limits(const struct dof_question *input, const struct photo_lens *lens,
+                         double *near, double *far, struct error *error)
 {
     const struct dof_targets *t = &input->targets;
     if (isnan(t->near) || isnan(t->far) || !isnan(input->distance)) {
@@ -230,21 +282,22 @@ static bool stack_limits(const struct input *input, const struct photo_lens *len
            distance_to_principal(lens->f, lens->P, t->far, &lens->measuring, far, error);
 }
 
-static bool run_stack(const struct input *input, const struct photo_lens *lens,
+static bool run_stack(const struct dof_question *input, const struct attached_lens *attached,
                       const struct dof_setting *setting, struct run *run, struct error *error)
 {
     struct dof_plan plan;
     struct row row;
     double near, far;
-    if (!stack_limits(input, lens, &near, &far, error) ||
+    if (!stack_limits(input, attached->lens, &near, &far, error) ||
         !dof_plan_make(setting, near, far, input->overlap, &plan, error)) {
         return false;
     }
     for (long i = 0; i < plan.count; i++) {
-        if (!dof_plan_shot(&plan, i, &row.setting, &row.dof, error)) {
+        if (!dof_plan_shot(&plan, i, &row.setting, &row.dof, error) ||
+            !attached_check_reach(attached, row.setting.s, error) ||
+            !fill_row(input, attached, &row, error)) {
             return false;
         }
-        fill_row(input, lens, &row);
         row.shot = i + 1;
         row.shots = plan.count;
         if (!fill_other(input, &row, error) || !run_emit(run, &row)) {
@@ -258,7 +311,7 @@ static bool run_stack(const struct input *input, const struct photo_lens *lens,
  * With all the rest given, a wish can only be met by the circle of confusion: unless the user
  * insists on one, that is what is asked for.
  */
-static bool wants_coc(const struct input *input, const struct dof_setting *setting)
+static bool wants_coc(const struct dof_question *input, const struct dof_setting *setting)
 {
     if (!input->sharp.coc.is_fallback) {
         return false; /* as in most batches */
@@ -269,67 +322,13 @@ static bool wants_coc(const struct input *input, const struct dof_setting *setti
     return complete && wish;
 }
 
-/* Is the f-number what the wishes are for? Otherwise that of a real lens counts. */
-static bool solves_fnumber(const struct input *input)
-{
-    const struct dof_targets *t = &input->targets;
-    int wishes = !isnan(t->near) + !isnan(t->far) + !isnan(t->total) + !isnan(t->hyperfocal) +
-                 !isnan(t->magnification);
-    return !input->stack && wishes > isnan(input->distance);
-}
-
-static int use_of(const struct input *input)
-{
-    return solves_fnumber(input) ? PHOTO_LENS_SOLVES_FNUMBER : 0;
-}
-
-static bool set_up(const struct input *input, const struct photo_lens *lens,
-                   struct dof_setting *setting, struct error *error)
-{
-    setting->f = lens->f;
-    setting->N = lens->N;
-    setting->s = input->distance;
-    setting->P = lens->P;
-    return sharpness_resolve_in(&input->sharp, lens->wavelength, lens->N, &setting->c, error);
-}
-
-/* The Airy disc grows with the magnification, which may follow from it: in turn till they agree. */
-static bool solve_airy(const struct input *input, const struct photo_lens *lens,
-                       struct dof_setting *setting, struct error *error)
-{
-    const struct dof_setting given = *setting;
-    double m = 0;
-    for (int turn = 0; turn < 200; turn++) {
-        *setting = given;
-        if (!sharpness_resolve_in(&input->sharp, lens->wavelength,
-                                  working_fnumber(given.N, m, given.P), &setting->c, error) ||
-            !distance_solve(setting, &input->targets, &lens->measuring, error)) {
-            return false;
-        }
-        double next = setting->f / (setting->s - setting->f);
-        if (fabs(next - m) <= 4e-16 * next) {
-            return true;
-        }
-        m = next;
-    }
-    return fail(
-        error, ERROR_DOMAIN,
-        "no distance agrees with the Airy disc that belongs to it: give {--coc} as a length");
-}
-
-static bool solve(const struct input *input, const struct photo_lens *lens,
-                  struct dof_setting *setting, struct error *error)
-{
-    return sharpness_is_airy(&input->sharp)
-               ? solve_airy(input, lens, setting, error)
-               : distance_solve(setting, &input->targets, &lens->measuring, error);
-}
-
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
                    struct error *error)
 {
-    const struct input *input = data;
-    struct input own;
+    const struct dof_question *input = data;
+    struct dof_question own;
+    struct photo_lens room;
+    struct attached_lens attached;
     struct row row;
     if (!sharpness_is_plain(&input->sharp)) {
         own = *input;
@@ -339,24 +338,24 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         input = &own;
     }
     struct dof_setting *setting = &row.setting;
-    if (!set_up(input, lens, setting, error)) {
+    if (!dof_question_open(input, lens, &room, &attached, setting, error)) {
         return false;
     }
     if (sharpness_in_pixels(&input->sharp)) {
         sharpness_doubt_pitch(&input->sharp, run->doubts);
     }
     if (input->stack) {
-        return run_stack(input, lens, setting, run, error);
+        return run_stack(input, &attached, setting, run, error);
     }
     bool solves_coc = wants_coc(input, setting);
     if (solves_coc) {
         setting->c = NAN;
     }
-    if (!solve(input, lens, setting, error) || !photo_lens_check_subject(lens, setting->s, error) ||
-        !dof_compute(setting, (enum dof_model)input->model, &row.dof, error)) {
+    if (!dof_question_solve(input, &attached, setting, error) ||
+        !dof_compute(setting, (enum dof_model)input->model, &row.dof, error) ||
+        !fill_row(input, &attached, &row, error)) {
         return false;
     }
-    fill_row(input, lens, &row);
     if (solves_coc) {
         row.criterion = "solved";
     }
@@ -366,83 +365,22 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
-    const struct input *input = data;
+    const struct dof_question *input = data;
     if (photo_lens_is_thin(&input->lens)) {
         /* as photo_lens_each does, without a detour through memory: most batches come here */
         const struct photo_lens thin = photo_lens_thin(&input->lens);
         return answer(input, &thin, run, error);
     }
-    return photo_lens_each(&input->lens, use_of(input), run, answer, input, error);
+    return photo_lens_each(&input->lens, dof_question_use(input), run, answer, input, error);
 }
 
 static bool makes_many(const void *data)
 {
-    const struct input *input = data;
+    const struct dof_question *input = data;
     return input->stack || photo_lens_makes_many(&input->lens);
 }
 
-PHOTO_LENS_VARIES(struct input, lens)
-
-/* The f-numbers of a lens barrel and the one in use among them, ascending. */
-static size_t barrel_fnumbers(double chosen, double *fnumbers, size_t *at)
-{
-    static const double usual[] = {1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32, 45, 64};
-    size_t count = 0;
-    bool placed = false;
-    for (size_t i = 0; i < sizeof usual / sizeof usual[0]; i++) {
-        if (!placed && chosen <= usual[i] * 1.03) {
-            *at = count;
-            fnumbers[count++] = chosen;
-            placed = true;
-            if (chosen > usual[i] / 1.03) {
-                continue;
-            }
-        }
-        /* far from the one in use the marks would lie on the index or off the scale */
-        if (usual[i] > chosen / 9 && usual[i] < chosen * 5) {
-            fnumbers[count++] = usual[i];
-        }
-    }
-    if (!placed) {
-        *at = count;
-        fnumbers[count++] = chosen;
-    }
-    return count;
-}
-
-static bool draw_scale(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    struct input own = *(const struct input *)job->inputs[0];
-    const struct input *input = &own;
-    const struct sharpness asked = own.sharp;
-    struct svg svg = {.arena = job->run->arena};
-    struct photo_lens lens;
-    struct dof_setting setting;
-    struct barrel_mark marks[16];
-    struct barrel barrel = {.marks = marks};
-    double fnumbers[16];
-    if (!sharpness_imply(&asked, PITCH_FOR_COC, &own.sharp, error) ||
-        !photo_lens_single(&input->lens, use_of(input), svg.arena, &lens, error) ||
-        !set_up(input, &lens, &setting, error) || !solve(input, &lens, &setting, error)) {
-        return false;
-    }
-    barrel.mark_count = barrel_fnumbers(setting.N, fnumbers, &barrel.chosen);
-    for (size_t i = 0; i < barrel.mark_count; i++) {
-        double near, far;
-        dof_vergences(&setting, fnumbers[i], &near, &far);
-        marks[i] = (struct barrel_mark){fnumbers[i], 1000 * near, 1000 * far};
-    }
-    barrel.focus_diopter = 1000 / setting.s;
-    barrel.title = lens.real->title != NULL
-                       ? arena_printf(svg.arena, "Depth of field of %s", lens.real->title)
-                       : arena_printf(svg.arena, "Depth of field of a %.4g mm lens", setting.f);
-    barrel.subtitle =
-        arena_printf(svg.arena,
-                     "focused at %.4g m, f/%.4g, circle of confusion %.4g mm, distances from the "
-                     "front principal plane",
-                     setting.s / 1000, setting.N, setting.c);
-    return barrel_draw(&barrel, &svg, error) && drawing_write(job, &svg, sink, error);
-}
+PHOTO_LENS_VARIES(struct dof_question, lens)
 
 static const struct explanation explanations[] = {
     {"coc", "c = {criterion}", "criterion of sharpness, see --coc",
@@ -465,12 +403,19 @@ static const struct explanation explanations[] = {
     {"depth_of_focus", "t = 2 {N} {c} (1 + {m}/{P})", "[Ray02]", NULL},
     {"blur_at_infinity", "b = {f} {m}/{N}", "similar triangles at the exit pupil", NULL},
     {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Ray02]", NULL},
+    {"working_t_stop", "Tw = {T} {Nw}/N", "[IsoAperture08], with N as marked",
+     "light only: what is sharp goes by the f-number"},
+    {"horizontal_focal", "fh = {f}/{q}", "cylinders before the lens",
+     "sharpness is that of f: a blur is narrower than high"},
+    {"field_width", "W = {q} w/{m}", "similar triangles; w is the width of the sensor", NULL},
+    {"blur_width", "bw = {b}/{q}", "the entrance pupil is narrower than high by q",
+     "not for cylinders behind the lens"},
     {NULL, NULL, NULL, NULL},
 };
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("scale", drawing_types, "draw the depth-of-field scale of the lens barrel"),
-     .scope = ARTIFACT_OF_ROW, .make = draw_scale},
+     .scope = ARTIFACT_OF_ROW, .make = dof_draw_scale},
 };
 
 static const struct example examples[] = {
@@ -480,6 +425,9 @@ static const struct example examples[] = {
     {"dof -f 35mm --near 2m --far 10m", "which distance and f-number make 2 m to 10 m sharp"},
     {"dof --lens double-gauss -N 4 -s 2m", "a real lens, with distances from the sensor too"},
     {"dof -f 100mm -N 8 --near 30cm --far 33cm --stack", "a focus stack"},
+    {"dof -f 50mm -N 8 --tube 25mm", "with a tube, the lens itself focused at infinity"},
+    {"dof -f 200mm -N 4 -s 10m --converter 2x", "with a teleconverter"},
+    {"dof -f 50mm -N 2.8 --t-stop 3.1 -s 2m --squeeze 2 --sensor scope", "anamorphic cinema"},
     {NULL, NULL},
 };
 
@@ -487,7 +435,7 @@ const struct command command_dof = {
     .name = "dof",
     .group = "photography",
     .summary = "depth of field, and the settings for a wanted one",
-    COMMAND_ASKS(struct input),
+    COMMAND_ASKS(struct dof_question),
     COMMAND_ANSWERS(struct row),
     COMMAND_MAKES(artifacts),
     .makes_many = makes_many,

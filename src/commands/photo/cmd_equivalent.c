@@ -178,7 +178,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     if (!find_magnification(input, lens->f, &row.setting.m, error) ||
         (!isnan(input->distance) && !photo_lens_check_subject(lens, input->distance, error)) ||
         !sharpness_resolve_in(&sharp, lens->wavelength,
-                              working_fnumber(lens->N, row.setting.m, lens->P), &row.setting.c,
+                              diffracting_fnumber(lens->N, row.setting.m, lens->P), &row.setting.c,
                               error) ||
         !equivalent_ratio(&from, &to, (enum equivalent_measure)input->by, &k, error) ||
         !equivalent_compute(&row.setting, k, (enum equivalent_keep)input->keep, &row.equal,

@@ -1,5 +1,6 @@
 /* commands/photo/cmd_focus.c - lenscalc focus: conjugates, attachments, exposure factor. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/photo/attachments.h"
 #include "commands/photo/photo_lens.h"
 #include "photo/attach.h"
 #include "photo/conjugate.h"
@@ -12,8 +13,8 @@ struct input {
     bool enlarged;
     double hiatus, front; /* NaN = those of the lens, else none */
     bool reversed;
-    double close_up, stacked, stacked_aperture, gap;
-    double tube, converter, converter_length;
+    struct attachments attached;
+    double stacked, stacked_aperture, gap, converter_length;
     int order;
 };
 
@@ -60,11 +61,7 @@ static const struct option options[] = {
              "working distance"},
     {OPTION(struct input, reversed), .name = "reversed",
      .help = "the lens is mounted back to front"},
-    {OPTION(struct input, close_up), .name = "close-up", .quantity = "close-up lens",
-     .column = "close_up", .dimension = &dimension_vergence, .unit = "diopter", POSITIVE,
-     .value = "DIOPTRES", .usual = {0, 0.025},
-     .unusual = "close-up lenses have 0.25 to 25 diopters; Canon's 250D has 4, its 500D 2",
-     .help = "close-up lens before the lens; of several give the sum"},
+    OPTION_CLOSE_UP(struct input, attached.close_up),
     {MILLIMETRES(stacked), .name = "stacked", .quantity = "stacked lens", .column = "stacked",
      POSITIVE, .help = "focal length of a lens reversed before the lens"},
     {OPTION(struct input, stacked_aperture), .name = "stacked-aperture",
@@ -72,11 +69,8 @@ static const struct option options[] = {
      .value = "NUMBER", .help = "f-number of the stacked lens, where it limits the beam"},
     {MILLIMETRES(gap), .name = "gap", NOT_NEGATIVE, .fallback = "0",
      .help = "from the lens's front to what is put before it"},
-    {MILLIMETRES(tube), .name = "tube", .column = "tube", NOT_NEGATIVE,
-     .help = "extension tube or bellows; of several give the sum"},
-    {OPTION(struct input, converter), .name = "converter", .quantity = "converter factor",
-     .column = "converter", .dimension = &dimension_ratio, POSITIVE, .value = "FACTOR",
-     .help = "teleconverter: 1.4x; of several give the product"},
+    OPTION_TUBE(struct input, attached.tube),
+    OPTION_CONVERTER(struct input, attached.converter),
     {MILLIMETRES(converter_length), .name = "converter-length",
      .quantity = "length of the converter", NOT_NEGATIVE, .fallback = "0",
      .help = "how much longer the converter makes the lens"},
@@ -89,7 +83,8 @@ struct row {
     struct photo_real real;
     const char *lens_focus, *order, *from;
     struct conjugates c; /* of lens and attachments together */
-    double focal, distance, fnumber, pupil, tube, converter, close_up, stacked;
+    double focal, distance, fnumber, pupil, stacked;
+    struct attachments attached;
     double working_fnumber, factor, stops;
     double pupil_distance, working_distance;
 };
@@ -109,16 +104,12 @@ static const struct column columns[] = {
     PHOTO_LENS_WAVELENGTH_COLUMN(struct row, real),
     COLUMN_FOCAL(struct row, focal, 0),
     COLUMN_FNUMBER(struct row, fnumber, 0),
-    {COLUMN(struct row, close_up), .name = "close_up", .dimension = &dimension_vergence,
-     .unit = "diopter", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "close-up",
-     .label = "close-up lens", .help = "close-up lens before the lens"},
+    COLUMN_CLOSE_UP(struct row, attached.close_up),
     {LENGTH(stacked, "mm"), .name = "stacked", .flags = COLUMN_ECHO | COLUMN_EXTRA,
      .with = "stacked", .label = "stacked lens",
      .help = "focal length of the lens before the lens"},
-    {LENGTH(tube, "mm"), .name = "tube", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "tube",
-     .label = "tube", .help = "extension tube"},
-    {COLUMN(struct row, converter), .name = "converter", .flags = COLUMN_ECHO | COLUMN_EXTRA,
-     .with = "converter", .label = "converter", .help = "factor of the teleconverter"},
+    COLUMN_TUBE(struct row, attached.tube),
+    COLUMN_CONVERTER(struct row, attached.converter),
     {COLUMN(struct row, order), .name = "order", .flags = COLUMN_EXTRA, .with = "order",
      .label = "order", .help = "which of tube and converter is nearer to the lens"},
     {LENGTH(distance, "m"), .name = "distance",
@@ -163,16 +154,14 @@ static const struct sheet attached = SHEET(columns, struct row);
 static bool has_attachments(const void *data)
 {
     const struct input *input = data;
-    return input->reversed || !isnan(input->close_up) || !isnan(input->stacked) ||
-           !isnan(input->tube) || !isnan(input->converter);
+    return input->reversed || !isnan(input->stacked) || attachments_any(&input->attached);
 }
 
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
     (void)data;
-    bool any = asking_given(asking, "reversed") || asking_given(asking, "close-up") ||
-               asking_given(asking, "stacked") || asking_given(asking, "tube") ||
-               asking_given(asking, "converter");
+    bool any = asking_given(asking, "reversed") || asking_given(asking, "stacked") ||
+               attachments_asked(asking);
     return any ? &attached : &plain;
 }
 
@@ -235,9 +224,7 @@ static void fill_row(const struct input *input, const struct photo_lens *lens, d
                                                         : row->c.s;
     row->fnumber = lens->N;
     row->order = orders[input->order].word;
-    row->tube = input->tube;
-    row->converter = input->converter;
-    row->close_up = input->close_up;
+    row->attached = input->attached;
     row->stacked = input->stacked;
     row->pupil = lens->P;
     row->from = distances_from[input->lens.from].word;
@@ -270,14 +257,14 @@ static bool run_plain(const struct input *input, const struct photo_lens *lens, 
 static size_t list_steps(const struct input *input, const struct photo_lens *lens,
                          const struct conjugates *bare, struct attach_step *steps)
 {
-    const struct attach_step tube = {ATTACH_TUBE, input->tube, 0, 0};
-    const struct attach_step converter = {ATTACH_CONVERTER, input->converter,
+    const struct attach_step tube = {ATTACH_TUBE, input->attached.tube, 0, 0};
+    const struct attach_step converter = {ATTACH_CONVERTER, input->attached.converter,
                                           input->converter_length, 0};
     bool tube_first = input->order == 0;
     const struct attach_step all[] = {
         {ATTACH_REVERSED, input->reversed ? bare->v : NAN, lens->measuring.hiatus,
          -lens->real->rear},
-        {ATTACH_CLOSE_UP, 1000 * input->close_up, input->gap, 0},
+        {ATTACH_CLOSE_UP, 1000 * input->attached.close_up, input->gap, 0},
         {ATTACH_STACKED, input->stacked, input->gap,
          isnan(input->stacked_aperture) ? 0 : input->stacked_aperture},
         tube_first ? tube : converter,

@@ -11,6 +11,7 @@ struct input {
     double hyperfocal, near; /* wanted */
     struct photo_lens_question lens;
     struct sharpness sharp;
+    double squeeze;
 };
 
 static const struct option options[] = {
@@ -27,11 +28,14 @@ static const struct option options[] = {
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL, .value = "LENGTH",
      .help = "wanted near limit there, in place of --hyperfocal"},
+    OPTION_SQUEEZE(struct input, squeeze, NULL,
+                   "anamorphic squeeze: adds the horizontal focal length; -f is the marked one"),
 };
 
 struct row {
     double focal, fnumber, coc, pupil, wavelength, hyperfocal, near, image;
     double sensor_hyperfocal, sensor_near; /* from the sensor */
+    double squeeze, horizontal_focal;
     struct photo_real real;
     const char *sensor, *criterion;
 };
@@ -61,8 +65,12 @@ static const struct column columns[] = {
      .label = "near limit from the sensor", .help = "near limit, from the sensor"},
     {LENGTH(image, "mm"), .name = "image", .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "v",
      .label = "image distance", .help = "sensor from the rear principal plane"},
+    {LENGTH(horizontal_focal, "mm"), .name = "horizontal_focal", .flags = COLUMN_EXTRA,
+     .with = "squeeze", .symbol = "fh", .label = "horizontal focal length",
+     .help = "focal length across the picture, by the squeeze"},
     PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
     COLUMN_PUPIL(struct row, pupil),
+    COLUMN_SQUEEZE(struct row, squeeze),
     PHOTO_LENS_WARNING_COLUMN(struct row, real),
 };
 
@@ -83,7 +91,7 @@ static bool solve(const struct input *input, const struct sharpness *sharp,
     double m = 0;
     for (int turn = 0; turn < 200; turn++) {
         *setting = given;
-        if (!sharpness_resolve_in(sharp, lens->wavelength, working_fnumber(given.N, m, given.P),
+        if (!sharpness_resolve_in(sharp, lens->wavelength, diffracting_fnumber(given.N, m, given.P),
                                   &setting->c, error)) {
             return false;
         }
@@ -133,6 +141,8 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         .wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp)),
         .hyperfocal = dof_hyperfocal(setting.f, setting.N, setting.c),
         .near = dof_near_at_hyperfocal(setting.f, setting.N, setting.c, setting.P),
+        .squeeze = input->squeeze,
+        .horizontal_focal = setting.f / input->squeeze,
         .real = *lens->real,
         .sensor = input->sharp.sensor.name,
         .criterion = sharp.coc.criterion,
@@ -162,6 +172,8 @@ static const struct explanation explanations[] = {
      "[Gauss41] HH' from the front to the rear principal plane", NULL},
     {"near", "n = {f} (1 - 1/{P}) + ({f} + {f}/{P} {N} {c}/{f})/(2 {N} {c}/{f})",
      "[Ray02]; near limit at m = N c/f", "H/2 exactly where P is 1"},
+    {"horizontal_focal", "fh = {f}/{q}", "cylinders before the lens",
+     "sharpness is that of f: a blur is narrower than high"},
     {NULL, NULL, NULL, NULL},
 };
 
@@ -170,6 +182,7 @@ static const struct example examples[] = {
     {"hyperfocal -f 24,35,50,85 -N 2.8..22 --table N,f", "a table to print"},
     {"hyperfocal -f 35mm --hyperfocal 5m", "the f-number for a hyperfocal distance of 5 m"},
     {"hyperfocal -f 24mm --near 1m", "the f-number that is sharp from 1 m to infinity"},
+    {"hyperfocal -f 40mm -N 2.8 --squeeze 2 --sensor scope", "anamorphic cinema"},
     {"hyperfocal --lens wide-35 -N 8", "a real lens: what to set on its distance scale"},
     {NULL, NULL},
 };

@@ -205,7 +205,7 @@ static bool solve(const struct input *input, struct tilt *camera, struct error *
         return true;
     }
     /* the image distance does not depend on what counts as sharp */
-    double working = working_fnumber(input->fnumber, camera->image / camera->f - 1, 1);
+    double working = diffracting_fnumber(input->fnumber, camera->image / camera->f - 1, 1);
     return sharpness_resolve(&input->sharp, working, &given.c, error) &&
            tilt_solve(&given, camera, error);
 }

@@ -34,10 +34,20 @@
 #define COLUMN_PUPIL(S, member)                                                                    \
     {                                                                                              \
         COLUMN(S, member), .name = "pupil_magnification", .symbol = "P",                           \
-                           .depends = "pupil lens position section wavelength",                    \
+                           .depends = "pupil lens position section wavelength "                    \
+                                      "converter close-up stacked reversed",                       \
                            .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                   \
                            .label = "pupil magnification",                                         \
                            .help = "diameter of the exit over the entrance pupil"                  \
+    }
+
+/* Where none is assumed. */
+#define COLUMN_SQUEEZE(S, member)                                                                  \
+    {                                                                                              \
+        COLUMN(S, member), .name = "squeeze", .symbol = "q", .with = "squeeze",                    \
+                           .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO | COLUMN_TIED,     \
+                           .depends = "squeeze", .label = "squeeze",                               \
+                           .help = "anamorphic squeeze, of cylinders before the lens"              \
     }
 
 #define COLUMN_FROM(S, member)                                                                     \

@@ -141,6 +141,22 @@ bool coc_is_print(const struct coc_value *coc);
                                    "primary one of --lens, else 550"                               \
     }
 
+/* `without`: what it is if not given, or null */
+#define OPTION_SQUEEZE(S, member, without, words)                                                  \
+    {                                                                                              \
+        OPTION(S, member), .name = "squeeze", .column = "squeeze", .dimension = &dimension_ratio,  \
+                           OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
+                           .fallback = (without), .value = "FACTOR", .help = (words)               \
+    }
+
+#define OPTION_T_NUMBER(S, member, words)                                                          \
+    {                                                                                              \
+        OPTION(S, member), .name = "t-stop", .quantity = "T-stop", .column = "t_stop",             \
+                           .dimension = &dimension_fnumber, OPTION_POSITIVE,                       \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_T_STOP,      \
+                           .value = "NUMBER", OPTION_USUAL_FNUMBER, .help = (words)                \
+    }
+
 #define OPTION_FROM(S, member, words_of)                                                           \
     {                                                                                              \
         OPTION(S, member), .name = "from", .quantity = "distance origin",                          \

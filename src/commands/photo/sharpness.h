@@ -110,7 +110,7 @@ static inline bool sharpness_in_pixels(const struct sharpness *sharpness)
 }
 
 /* The f-number that diffracts. */
-static inline double working_fnumber(double N, double m, double P)
+static inline double diffracting_fnumber(double N, double m, double P)
 {
     return N * (1 + m / P);
 }

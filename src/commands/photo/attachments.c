@@ -1,0 +1,80 @@
+/* commands/photo/attachments.c - what is put on the lens of a photographic command. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/photo/attachments.h"
+
+#include "photo/attach.h"
+
+/* In the order in which they are put on. */
+static size_t list_steps(const struct attachments *a, struct attach_step *steps)
+{
+    const struct attach_step all[] = {
+        {ATTACH_CLOSE_UP, 1000 * a->close_up, 0, 0},
+        {ATTACH_TUBE, a->tube, 0, 0},
+        {ATTACH_CONVERTER, a->converter, 0, 0},
+    };
+    size_t count = 0;
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        if (!isnan(all[i].value)) {
+            steps[count++] = all[i];
+        }
+    }
+    return count;
+}
+
+static bool check_question(const struct attachments *a, const struct photo_lens *lens,
+                           struct error *error)
+{
+    if (isnan(lens->f)) {
+        return fail(error, ERROR_USAGE,
+                    "{--%s} wants {--focal-length} or {--lens}: it is added to a known lens",
+                    !isnan(a->close_up) ? "close-up"
+                    : !isnan(a->tube)   ? "tube"
+                                        : "converter");
+    }
+    return isnan(a->converter) || lens->measuring.from != FROM_SENSOR ||
+           fail(error, ERROR_USAGE,
+                "{--from} sensor goes without {--converter}: how far it moves the sensor from the "
+                "lens is not known");
+}
+
+bool attachments_combine(const struct attachments *a, const struct photo_lens *lens,
+                         struct photo_lens *room, struct attached_lens *attached,
+                         struct error *error)
+{
+    const struct measuring *bare = &lens->measuring;
+    bool has_front = !isnan(bare->front);
+    const struct attach_bare sold = {.f = lens->f,
+                                     .N = 1,
+                                     .P = lens->P,
+                                     .front = has_front ? bare->front : 0,
+                                     .hiatus = bare->hiatus};
+    struct attach_step steps[3];
+    struct attach_lens all;
+    if (!check_question(a, lens, error) || !attach_bare(&sold, &all, error) ||
+        !attach_apply(&all, steps, list_steps(a, steps), error)) {
+        return false;
+    }
+    *room = *lens;
+    room->f = all.f;
+    room->N = lens->N * all.N;
+    room->P = all.P;
+    room->measuring.front = has_front ? all.front : (double)NAN;
+    if (!isnan(a->converter)) {
+        room->measuring.hiatus = NAN;
+    } else if (has_front) { /* all of it moves as a whole; in a thin lens no plane moves */
+        room->measuring.hiatus = all.length_far - all.front - all.f * (1 + all.m_far);
+    }
+    *attached = (struct attached_lens){
+        room, lens->f, all.N, all.m_far > 0 ? all.f * (1 + 1 / all.m_far) : (double)INFINITY};
+    return true;
+}
+
+bool attached_check_reach(const struct attached_lens *attached, double s, struct error *error)
+{
+    const double rounding = 1e-12;
+    return s <= attached->farthest * (1 + rounding) ||
+           fail(error, ERROR_DOMAIN,
+                "{distance} %.6g mm from the principal plane is out of reach with what is attached "
+                "to the lens: %.6g mm at most, with the lens itself focused at infinity",
+                s, attached->farthest);
+}

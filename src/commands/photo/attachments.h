@@ -1,0 +1,131 @@
+/* commands/photo/attachments.h - what is put on the lens of a photographic command. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_PHOTO_ATTACHMENTS_H
+#define LENSCALC_COMMANDS_PHOTO_ATTACHMENTS_H
+
+#include "commands/photo/photo_lens.h"
+
+#include <math.h>
+
+/* NaN = not given. */
+struct attachments {
+    double close_up;  /* 1/mm */
+    double tube;      /* mm */
+    double converter; /* factor */
+};
+
+#define OPTION_CLOSE_UP(S, member)                                                                 \
+    {                                                                                              \
+        OPTION(S, member), .name = "close-up", .quantity = "close-up lens", .column = "close_up",  \
+                           .dimension = &dimension_vergence, .unit = "diopter", OPTION_POSITIVE,   \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "DIOPTRES", \
+                           .usual = {0, 0.025},                                                    \
+                           .unusual = "close-up lenses have 0.25 to 25 diopters; Canon's 250D "    \
+                                      "has 4, its 500D 2",                                         \
+                           .help = "close-up lens before the lens; of several give the sum"        \
+    }
+
+#define OPTION_TUBE(S, member)                                                                     \
+    {                                                                                              \
+        OPTION(S, member), .name = "tube", .column = "tube", .dimension = &dimension_length,       \
+                           .unit = "mm", .lowest = 0, .highest = INFINITY,                         \
+                           .flags = OPTION_NO_INFINITY, .value = "LENGTH",                         \
+                           .help = "extension tube or bellows; of several give the sum"            \
+    }
+
+#define OPTION_CONVERTER(S, member)                                                                \
+    {                                                                                              \
+        OPTION(S, member), .name = "converter", .quantity = "converter factor",                    \
+                           .column = "converter", .dimension = &dimension_ratio, OPTION_POSITIVE,  \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "FACTOR",   \
+                           .help = "teleconverter: 1.4x; of several give the product"              \
+    }
+
+#define ATTACHMENT_NAMES "close-up tube converter"
+
+/* The three of a command's member of type struct attachments. */
+#define ATTACHMENT_OPTIONS(S, member)                                                              \
+    OPTION_CLOSE_UP(S, member.close_up), OPTION_TUBE(S, member.tube),                              \
+        OPTION_CONVERTER(S, member.converter)
+
+#define COLUMN_CLOSE_UP(S, member)                                                                 \
+    {                                                                                              \
+        COLUMN(S, member), .name = "close_up", .dimension = &dimension_vergence,                   \
+                           .unit = "diopter", .flags = COLUMN_ECHO | COLUMN_EXTRA,                 \
+                           .with = "close-up", .label = "close-up lens",                           \
+                           .help = "close-up lens before the lens"                                 \
+    }
+
+#define COLUMN_TUBE(S, member)                                                                     \
+    {                                                                                              \
+        COLUMN(S, member), .name = "tube", .dimension = &dimension_length, .unit = "mm",           \
+                           .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "tube", .label = "tube",   \
+                           .help = "extension tube"                                                \
+    }
+
+#define COLUMN_CONVERTER(S, member)                                                                \
+    {                                                                                              \
+        COLUMN(S, member), .name = "converter", .flags = COLUMN_ECHO | COLUMN_EXTRA,               \
+                           .with = "converter", .label = "converter",                              \
+                           .help = "factor of the teleconverter"                                   \
+    }
+
+#define ATTACHMENT_COLUMNS(S, member)                                                              \
+    COLUMN_CLOSE_UP(S, member.close_up), COLUMN_TUBE(S, member.tube),                              \
+        COLUMN_CONVERTER(S, member.converter)
+
+/* A lens with what is attached to it. */
+struct attached_lens {
+    const struct photo_lens *lens; /* all of it as one lens */
+    double focal;                  /* of the lens alone, mm */
+    double fnumber_factor;         /* its f-number over that of the lens alone */
+    double farthest; /* subject from the front principal plane, mm, where the lens itself is
+                        focused at infinity; inf where that is still in reach */
+};
+
+/* Is anything attached? */
+static inline bool attachments_any(const struct attachments *a)
+{
+    return !isnan(a->close_up) || !isnan(a->tube) || !isnan(a->converter);
+}
+
+/* Were any of the options given? */
+static inline bool attachments_asked(const struct asking *asking)
+{
+    return asking_given(asking, "close-up") || asking_given(asking, "tube") ||
+           asking_given(asking, "converter");
+}
+
+/* As attachments_apply, of something. */
+bool attachments_combine(const struct attachments *a, const struct photo_lens *lens,
+                         struct photo_lens *room, struct attached_lens *attached,
+                         struct error *error);
+
+/*
+ * The lens with a close-up lens at its front (of a thin one: at its principal plane), a tube behind
+ * it, and a converter at the camera.
+ *
+ * Given     lens      its N may be NaN, as that of the answer then is
+ *           room      for the lens of the answer
+ *           attached  receives all of it as one lens: `lens` itself where nothing is attached. What
+ *                     lies between its principal planes is NaN with a converter, of which only the
+ *                     factor is known
+ * Source    photo/attach.h
+ * Errors    ERROR_USAGE: no focal length; distances from the sensor with a converter; ERROR_DOMAIN
+ *           as attach_apply
+ */
+static inline bool attachments_apply(const struct attachments *a, const struct photo_lens *lens,
+                                     struct photo_lens *room, struct attached_lens *attached,
+                                     struct error *error)
+{
+    if (attachments_any(a)) {
+        return attachments_combine(a, lens, room, attached, error);
+    }
+    *attached = (struct attached_lens){lens, lens->f, 1, INFINITY};
+    return true;
+}
+
+/* Refuse a subject at s from the front principal plane, mm, that is beyond what it reaches. */
+bool attached_check_reach(const struct attached_lens *attached, double s, struct error *error);
+
+#endif

@@ -1,0 +1,94 @@
+/* commands/photo/dof_question.c - what `dof` is asked, and the setting that answers it. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/photo/dof_question.h"
+
+/* Is the f-number what the wishes are for? Otherwise that of a real lens counts. */
+static bool solves_fnumber(const struct dof_question *input)
+{
+    const struct dof_targets *t = &input->targets;
+    int wishes = !isnan(t->near) + !isnan(t->far) + !isnan(t->total) + !isnan(t->hyperfocal) +
+                 !isnan(t->magnification);
+    return !input->stack && wishes > isnan(input->distance);
+}
+
+int dof_question_use(const struct dof_question *input)
+{
+    return solves_fnumber(input) ? PHOTO_LENS_SOLVES_FNUMBER : 0;
+}
+
+/* Is the subject where the lens itself is focused at infinity? So it is if nothing else is said. */
+static bool stays_at_infinity(const struct dof_question *input,
+                              const struct attached_lens *attached)
+{
+    const struct dof_targets *t = &input->targets;
+    return isfinite(attached->farthest) && isnan(input->distance) && isnan(t->near) &&
+           isnan(t->far) && isnan(t->total) && isnan(t->magnification) && isnan(t->hyperfocal);
+}
+
+static bool set_up(const struct dof_question *input, const struct attached_lens *attached,
+                   struct dof_setting *setting, struct error *error)
+{
+    const struct photo_lens *lens = attached->lens;
+    setting->f = lens->f;
+    setting->N = lens->N;
+    setting->s = input->distance;
+    setting->P = lens->P;
+    if (!isnan(input->t_stop) && isnan(lens->N)) {
+        return fail(error, ERROR_USAGE,
+                    "{--t-stop} says how the lens exposes, not what is sharp: give {--aperture} "
+                    "too");
+    }
+    return sharpness_resolve_in(&input->sharp, lens->wavelength, lens->N, &setting->c, error);
+}
+
+/* The Airy disc grows with the magnification, which may follow from it: in turn till they agree. */
+static bool solve_airy(const struct dof_question *input, const struct photo_lens *lens,
+                       struct dof_setting *setting, struct error *error)
+{
+    const struct dof_setting given = *setting;
+    double m = 0;
+    for (int turn = 0; turn < 200; turn++) {
+        *setting = given;
+        if (!sharpness_resolve_in(&input->sharp, lens->wavelength,
+                                  diffracting_fnumber(given.N, m, given.P), &setting->c, error) ||
+            !distance_solve(setting, &input->targets, &lens->measuring, error)) {
+            return false;
+        }
+        double next = setting->f / (setting->s - setting->f);
+        if (fabs(next - m) <= 4e-16 * next) {
+            return true;
+        }
+        m = next;
+    }
+    return fail(
+        error, ERROR_DOMAIN,
+        "no distance agrees with the Airy disc that belongs to it: give {--coc} as a length");
+}
+
+static bool solve(const struct dof_question *input, const struct photo_lens *lens,
+                  struct dof_setting *setting, struct error *error)
+{
+    return sharpness_is_airy(&input->sharp)
+               ? solve_airy(input, lens, setting, error)
+               : distance_solve(setting, &input->targets, &lens->measuring, error);
+}
+
+bool dof_question_open(const struct dof_question *input, const struct photo_lens *lens,
+                       struct photo_lens *room, struct attached_lens *attached,
+                       struct dof_setting *setting, struct error *error)
+{
+    return attachments_apply(&input->attached, lens, room, attached, error) &&
+           set_up(input, attached, setting, error);
+}
+
+bool dof_question_solve(const struct dof_question *input, const struct attached_lens *attached,
+                        struct dof_setting *setting, struct error *error)
+{
+    if (stays_at_infinity(input, attached)) {
+        setting->s = attached->farthest;
+        return dof_check(setting, error);
+    }
+    return solve(input, attached->lens, setting, error) &&
+           photo_lens_check_subject(attached->lens, setting->s, error) &&
+           attached_check_reach(attached, setting->s, error);
+}

@@ -1,0 +1,52 @@
+/* commands/photo/dof_question.h - what `dof` is asked, and the setting that answers it. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_PHOTO_DOF_QUESTION_H
+#define LENSCALC_COMMANDS_PHOTO_DOF_QUESTION_H
+
+#include "commands/photo/attachments.h"
+#include "commands/photo/photo_lens.h"
+#include "commands/photo/sharpness.h"
+#include "photo/dof_solve.h"
+
+/* The options of the command fill it; NaN = not given. */
+struct dof_question {
+    double distance;
+    struct photo_lens_question lens;
+    struct sharpness sharp;
+    int model;
+    struct dof_targets targets;
+    bool stack;
+    double overlap;
+    struct sensor_value other;
+    struct attachments attached;
+    double squeeze, t_stop;
+};
+
+/* enum photo_lens_use: a real lens's own f-number does not count where that is what is wished. */
+int dof_question_use(const struct dof_question *input);
+
+/*
+ * What is known of the setting: the lens with its attachments, and the circle of confusion.
+ *
+ * Given     lens      of the question
+ *           room      as attachments_apply, as `attached`
+ *           setting   receives what is known, NaN for the rest
+ * Errors    as attachments_apply and sharpness_resolve; ERROR_USAGE: a T-stop without an f-number
+ */
+bool dof_question_open(const struct dof_question *input, const struct photo_lens *lens,
+                       struct photo_lens *room, struct attached_lens *attached,
+                       struct dof_setting *setting, struct error *error);
+
+/*
+ * The rest of the setting, by the wishes; with nothing but a tube or close-up lens the subject is
+ * where the lens itself is focused at infinity.
+ *
+ * Errors    as distance_solve; a subject out of the reach of the attachments or inside the lens
+ */
+bool dof_question_solve(const struct dof_question *input, const struct attached_lens *attached,
+                        struct dof_setting *setting, struct error *error);
+
+/* Draw the depth-of-field scale of the barrel, an artifact of the command. */
+bool dof_draw_scale(const struct artifact_job *job, struct output *sink, struct error *error);
+
+#endif
