@@ -326,6 +326,17 @@ static bool add_clips(struct arena *arena, struct system *system, struct error *
     return system_compile(lens, system->wavelength, &options, arena, outer, error);
 }
 
+/* All surfaces, with the moves to and from those that are moved, and the image plane. */
+static size_t most_steps(const struct lens *lens)
+{
+    size_t count = lens->surface_count + 1;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        count += lens->surfaces[i].decentre != NULL ? 2 : 0;
+        count += lens->surfaces[i].coordinate_break != NULL ? 1 : 0;
+    }
+    return count;
+}
+
 bool system_compile(const struct lens *lens, double wavelength,
                     const struct system_options *options, struct arena *arena,
                     struct system *system, struct error *error)
@@ -353,7 +364,7 @@ bool system_compile(const struct lens *lens, double wavelength,
     double *direction = ARENA_ARRAY(arena, count + 1, double);
     frame_directions(lens, direction);
     system->direction = direction;
-    char *memory = arena_array(arena, 4 * (count + 1) + 1, sizeof(struct step));
+    char *memory = arena_array(arena, most_steps(lens) + 1, sizeof(struct step));
     struct writing writing = {
         .system = system,
         .steps = (struct step *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64)};
