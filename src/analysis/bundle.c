@@ -11,15 +11,25 @@
 /* A ray aimed at the very edge of the stop passes it, whichever way its last bit falls. */
 static const double within = 1 - 1e-12;
 
+/* The lens as it clips, if it is to, or as it does not. */
+static const struct system *system_of(const struct bundle_question *question, bool clip,
+                                      struct error *error)
+{
+    unsigned which = SETUP_IMAGE | (clip ? (unsigned)SETUP_CLIPPED : 0);
+    return setup_system(question->setup, question->wavelength, which, error);
+}
+
+bool bundle_prepare(const struct bundle_question *question, struct error *error)
+{
+    return system_of(question, question->clip, error) != NULL &&
+           system_of(question, false, error) != NULL;
+}
+
 static bool open_systems(struct bundle_source *source, struct error *error)
 {
     const struct bundle_question *question = source->question;
-    unsigned which = SETUP_IMAGE | (question->clip ? (unsigned)SETUP_CLIPPED : 0);
-    source->system = setup_system(question->setup, question->wavelength, which, error);
-    if (source->system == NULL) {
-        return false;
-    }
-    source->open = setup_system(question->setup, question->wavelength, SETUP_IMAGE, error);
+    source->system = system_of(question, question->clip, error);
+    source->open = source->system != NULL ? system_of(question, false, error) : NULL;
     return source->open != NULL;
 }
 
@@ -42,10 +52,7 @@ static void open_without_chief(struct bundle_source *source)
 /* The ray through the centre of the stop. */
 static bool open_chief(struct bundle_source *source, struct arena *arena, struct error *error)
 {
-    const struct system *aiming =
-        setup_system(source->question->setup, source->question->wavelength, SETUP_OPEN, error);
-    source->has_chief =
-        aiming != NULL && aim_open(aiming, &source->beam, arena, &source->aim, error);
+    source->has_chief = aim_open(source->open, &source->beam, arena, &source->aim, error);
     if (source->has_chief) {
         source->chief = aim_chief(&source->aim);
     }

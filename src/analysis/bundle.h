@@ -6,7 +6,7 @@
 #include "analysis/quadrature.h"
 #include "analysis/setup.h"
 #include "trace/sample.h"
-#include "trace/star.h"
+#include "trace/islands.h"
 #include "trace/stop_beam.h"
 
 #include <stdbool.h>
@@ -45,6 +45,12 @@ struct bundle {
     size_t count, lost;
     double clear; /* the sum of the weights that are not lost */
 };
+
+/*
+ * Compile what bundle_open asks the setup for, where that keeps it: all else that is made of a
+ * field may be given up with its arena.
+ */
+bool bundle_prepare(const struct bundle_question *question, struct error *error);
 
 /*
  * Make a field ready.

@@ -136,8 +136,8 @@ static double place_of(const struct ray *ray, double distance)
     return isinf(distance) ? (double)INFINITY : ray->point[2] + distance * ray->cosine[2];
 }
 
-bool coddington_foci(const struct system *system, const struct beam *beam, const double at[2],
-                     struct arena *arena, struct narrow_beam *narrow)
+static bool find_narrow(const struct system *system, const struct beam *beam, const double at[2],
+                        struct arena *arena, struct narrow_beam *narrow)
 {
     const struct ray start = beam_ray(beam, at[0], at[1]);
     const struct rays rays = rays_new(arena, 1);
@@ -158,4 +158,13 @@ bool coddington_foci(const struct system *system, const struct beam *beam, const
     narrow->tangential_z = place_of(&narrow->chief, narrow->tangential);
     narrow->sagittal_z = place_of(&narrow->chief, narrow->sagittal);
     return true;
+}
+
+bool coddington_foci(const struct system *system, const struct beam *beam, const double at[2],
+                     struct arena *arena, struct narrow_beam *narrow)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    const bool found = find_narrow(system, beam, at, arena, narrow);
+    arena_reset(arena, mark);
+    return found;
 }

@@ -75,8 +75,8 @@ static void measure(const struct setup *setup, const struct setup_light *light, 
     curvature->sagittal_power = 1000 * n / (beam->sagittal - from);
 }
 
-bool field_curvature(const struct setup *setup, size_t wavelength, const struct field_point *field,
-                     struct field_curvature *curvature, struct error *error)
+static bool look(const struct setup *setup, size_t wavelength, const struct field_point *field,
+                 struct field_curvature *curvature, struct error *error)
 {
     /* a chief ray goes through the centre of the stop, however wide that is */
     struct setup own =
@@ -101,4 +101,13 @@ bool field_curvature(const struct setup *setup, size_t wavelength, const struct 
     look_at_apertures(&own, clipped, &beam, at, curvature);
     measure(setup, &light, open->index_last, curvature);
     return true;
+}
+
+bool field_curvature(const struct setup *setup, size_t wavelength, const struct field_point *field,
+                     struct field_curvature *curvature, struct error *error)
+{
+    const struct arena_mark mark = arena_mark(setup->arena);
+    const bool found = look(setup, wavelength, field, curvature, error);
+    arena_reset(setup->arena, mark);
+    return found;
 }

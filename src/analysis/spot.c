@@ -317,8 +317,9 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
     return true;
 }
 
-bool spot_find(const struct spot_question *question, struct arena *arena, struct spot *spot,
-               struct error *error)
+/* All that is asked of a spot. */
+static bool look(const struct spot_question *question, struct arena *arena, struct spot *spot,
+                 struct error *error)
 {
     struct seeking seeking;
     if (!open_seeking(question, arena, &seeking, error)) {
@@ -341,6 +342,21 @@ bool spot_find(const struct spot_question *question, struct arena *arena, struct
         spot->rms_chief = NAN;
     }
     return true;
+}
+
+bool spot_find(const struct spot_question *question, struct arena *arena, struct spot *spot,
+               struct error *error)
+{
+    struct bundle_question one = question->bundle;
+    for (one.wavelength = 0; one.wavelength < one.setup->wavelength_count; one.wavelength++) {
+        if (!bundle_prepare(&one, error)) {
+            return false;
+        }
+    }
+    const struct arena_mark mark = arena_mark(arena);
+    const bool found = look(question, arena, spot, error);
+    arena_reset(arena, mark);
+    return found;
 }
 
 bool spot_points_find(const struct spot_question *question, size_t wavelength, size_t rays,
