@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "optics/first_order.h"
 #include "trace/beam.h"
-#include "trace/star.h"
+#include "trace/islands.h"
 #include "trace/system.h"
 
 #include <stdbool.h>

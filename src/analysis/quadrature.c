@@ -323,7 +323,7 @@ struct islands quadrature_islands(struct quadrature_region *region, struct arena
 {
     look(region, arena);
     return region->is_empty ? (struct islands){0, 0}
-                            : star_islands(&region->margins, region->star, arena);
+                            : islands_find(&region->margins, region->star, arena);
 }
 
 struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,

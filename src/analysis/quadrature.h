@@ -4,6 +4,7 @@
 #define LENSCALC_ANALYSIS_QUADRATURE_H
 
 #include "base/arena.h"
+#include "trace/islands.h"
 #include "trace/rays.h"
 #include "trace/sample.h"
 #include "trace/star.h"
@@ -60,7 +61,7 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
 /* Does the disc of u and v end some of it? Of a pupil with a stop it never does. */
 bool quadrature_fills_disc(struct quadrature_region *region, struct arena *arena);
 
-/* What of the light a quadrature leaves out: see star_islands. */
+/* What of the light a quadrature leaves out: see islands_find. */
 struct islands quadrature_islands(struct quadrature_region *region, struct arena *arena);
 
 /* The same as quadrature_fill for one time. */

@@ -4,7 +4,7 @@
 #define LENSCALC_ANALYSIS_SPOT_H
 
 #include "analysis/bundle.h"
-#include "trace/star.h"
+#include "trace/islands.h"
 
 #include <stdbool.h>
 #include <stddef.h>

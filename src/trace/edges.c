@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/edges.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
 /* How far out edges usually and at most lie in u and v, for the aberrations of the pupil. */
@@ -23,6 +25,16 @@ void edge_point(const struct edge_frame *frame, double angle, double radius, dou
 {
     point[0] = frame->centre[0] + frame->stretch[0] * radius * sin(angle);
     point[1] = frame->centre[1] + frame->stretch[1] * radius * cos(angle);
+}
+
+void edge_polar(const struct edge_frame *frame, const double point[2], double about, double *angle,
+                double *radius)
+{
+    double u = (point[0] - frame->centre[0]) / frame->stretch[0];
+    double v = (point[1] - frame->centre[1]) / frame->stretch[1];
+    *radius = sqrt(u * u + v * v);
+    *angle = atan2(u, v);
+    *angle += 2 * PI * round((about - *angle) / (2 * PI));
 }
 
 /* Up to 128 directions that are looked in together. */

@@ -21,6 +21,10 @@ struct edge {
 /* u and v of a place in a frame. */
 void edge_point(const struct edge_frame *frame, double angle, double radius, double point[2]);
 
+/* The other way round: its angle, rad, that next to `about`, and its radius. */
+void edge_polar(const struct edge_frame *frame, const double point[2], double about, double *angle,
+                double *radius);
+
 /* Where to look. */
 struct edge_directions {
     struct edge_frame frame; /* its centre passes */

@@ -60,6 +60,12 @@ static inline bool margins_lost(size_t limit)
     return limit >= ((size_t)1 << 32);
 }
 
+/* That of a ray that misses a surface, and has passed or missed no rim before. */
+static inline size_t margins_missed(size_t surface)
+{
+    return ((size_t)1 << 32) + 8 * (surface + 1) + RAY_MISS;
+}
+
 /* Rays at u, v, where they start; in the last block more may follow. */
 void margins_start(const struct margins *margins, const double (*points)[2],
                    const struct rays *rays);

@@ -23,8 +23,7 @@ static void from_beam(const struct stop_beam *beam, const double at[2], double p
     point[1] = (m[0] * b - m[2] * a) / det;
 }
 
-/* What is worth a look: the first rim as the beam sees it. */
-static void bound(const struct margins *margins, double low[2], double high[2])
+void parts_bound(const struct margins *margins, double low[2], double high[2])
 {
     enum { AROUND = 16 };
     const struct stop_beam *beam = margins->beam;
@@ -104,7 +103,7 @@ void parts_find(const struct margins *margins, const double low[2], const double
                 struct parts *parts)
 {
     double from[2], to[2], points[RAYS_BLOCK][2];
-    bound(margins, from, to);
+    parts_bound(margins, from, to);
     for (int k = 0; k < 2; k++) {
         from[k] = low != NULL ? low[k] : from[k];
         to[k] = high != NULL ? high[k] : to[k];

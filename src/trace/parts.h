@@ -19,10 +19,15 @@ struct parts {
 };
 
 /*
+ * Where it is worth looking, in u, v: all that the first surface lets in as the beam sees it, and
+ * no less than twice the pupil.
+ */
+void parts_bound(const struct margins *margins, double low[2], double high[2]);
+
+/*
  * Look at the middle of every cell.
  *
- * Given     low, high  corners in u, v; null: all that the first surface lets in as the beam sees
- *                      it, and no less than twice the pupil
+ * Given     low, high  corners in u, v; null: parts_bound
  */
 void parts_find(const struct margins *margins, const double low[2], const double high[2],
                 struct parts *parts);

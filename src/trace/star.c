@@ -136,17 +136,6 @@ static void measure(const struct star *star, double centroid[2], double widths[2
     }
 }
 
-/* The frame's angle and radius of a point; the angle next to `about`. */
-static void polar_of(const struct edge_frame *frame, const double point[2], double about,
-                     double *angle, double *radius)
-{
-    double u = (point[0] - frame->centre[0]) / frame->stretch[0];
-    double v = (point[1] - frame->centre[1]) / frame->stretch[1];
-    *radius = sqrt(u * u + v * v);
-    *angle = atan2(u, v);
-    *angle += 2 * PI * round((about - *angle) / (2 * PI));
-}
-
 /* The same edges in another frame; false where they are out of order there, or far apart. */
 static bool change_frame(struct star *star, const struct edge_frame *frame)
 {
@@ -155,7 +144,7 @@ static bool change_frame(struct star *star, const struct edge_frame *frame)
     for (size_t i = 0; i < star->count; i++) {
         double point[2], before = i > 0 ? star->angles[i - 1] : star->angles[0];
         edge_point(&star->frame, star->angles[i], star->edges[i].radius, point);
-        polar_of(frame, point, before, &star->angles[i], &star->edges[i].radius);
+        edge_polar(frame, point, before, &star->angles[i], &star->edges[i].radius);
         double gap = star->angles[i] - before;
         sound = sound && (i == 0 || (gap > 0 && gap < widest));
     }
@@ -307,7 +296,7 @@ static void meet_margins(const struct search *search, struct bracket *const *bra
         struct bracket *one = brackets[i];
         double a = margins->rows[one->before.limit * RAYS_BLOCK + i];
         double b = margins->rows[one->after.limit * RAYS_BLOCK + i];
-        polar_of(frame, at[i], (one->low + one->high) / 2, &one->angle, &one->radius);
+        edge_polar(frame, at[i], (one->low + one->high) / 2, &one->angle, &one->radius);
         one->is_found = fabs(a) <= at_corner && fabs(b) <= at_corner &&
                         margins->excess[i] <= at_corner && one->angle > one->low - 1e-12 &&
                         one->angle < one->high + 1e-12;
@@ -500,41 +489,4 @@ bool star_find(const struct margins *margins, const struct probe *probe, struct 
     star->is_whole = is_whole(margins, star) || is_even(margins, star);
     find_corners(&search);
     return true;
-}
-
-struct islands star_islands(const struct margins *margins, const struct star *star,
-                            struct arena *arena)
-{
-    const struct arena_mark mark = arena_mark(arena);
-    struct parts *parts = ARENA_NEW(arena, struct parts);
-    enum { CELLS = PARTS_SIDE * PARTS_SIDE };
-    struct islands islands = {0, 0};
-    margins_widen(margins);
-    parts_find(margins, NULL, NULL, parts);
-    bool *within = ARENA_ARRAY(arena, parts->count + 1, bool);
-    size_t all = 0, outside = 0;
-    for (size_t i = 0; i <= parts->count; i++) {
-        within[i] = false;
-    }
-    for (size_t i = 0; i < CELLS; i++) {
-        double point[2], angle, radius;
-        all += parts->part[i] > 0;
-        if (parts->part[i] > 0 && !within[parts->part[i]]) {
-            parts_point(parts, i, point);
-            polar_of(&star->frame, point, PI, &angle, &radius);
-            within[parts->part[i]] = radius < 1.05 * star_near(star, angle);
-        }
-    }
-    for (size_t i = 0; i < CELLS; i++) {
-        outside += parts->part[i] > 0 && !within[parts->part[i]];
-        parts->excess[i] = within[parts->part[i]] ? 1 : parts->excess[i];
-    }
-    if (outside > 0) {
-        /* what is thin looks as if it were torn */
-        parts_number(parts, 3);
-        islands.count = parts->count;
-        islands.share = (double)outside / (double)all;
-    }
-    arena_reset(arena, mark);
-    return islands;
 }

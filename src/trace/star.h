@@ -38,23 +38,6 @@ struct star {
 bool star_find(const struct margins *margins, const struct probe *probe, struct arena *arena,
                struct star *star);
 
-/* Parts of the pupil that pass light and are none of the star. */
-struct islands {
-    size_t count;
-    double share; /* of all that passes, in areas of the beam */
-};
-
-/*
- * What a quadrature over the star leaves out: light that comes through beyond a gap.
- *
- * Formula   a grid (trace/parts.h); a part of which no cell lies within the star's edge is an
- *           island
- * Limits    islands smaller than a cell, 1/128 of what the first surface lets in, are not seen; the
- *           share of thin ones is a quarter off
- */
-struct islands star_islands(const struct margins *margins, const struct star *star,
-                            struct arena *arena);
-
 /* About where the edge is in a direction, by its neighbours: within 1 % but for narrow pieces. */
 double star_near(const struct star *star, double angle);
 

@@ -7,7 +7,7 @@
 #include "base/constants.h"
 #include "cli/command.h"
 #include "exchange/lens_formats.h"
-#include "trace/star.h"
+#include "trace/islands.h"
 
 #include <math.h>
 

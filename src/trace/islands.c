@@ -1,0 +1,276 @@
+/* trace/islands.c - patches that are dark for sure; where some are not, a grid. */
+/* SPDX-License-Identifier: MIT */
+#include "trace/islands.h"
+
+#include "base/constants.h"
+#include "trace/parts.h"
+
+#include <math.h>
+
+/* Rays of a patch; patches that are looked at together; sectors about the star, but for corners. */
+enum { SIDE = 3, EACH = SIDE * SIDE, AT_ONCE = RAYS_BLOCK / EACH, SECTORS = 12 };
+
+/* So many patches would cost half of what the grid does. */
+enum { MOST = PARTS_SIDE * PARTS_SIDE / EACH / 2 };
+
+/* A piece of what lies beyond the edge: angles, rad, and shares of the way from there outwards. */
+struct patch {
+    double low[2], high[2];
+};
+
+/* The patches that have to be looked at, those that have been in front. */
+struct patches {
+    const struct margins *margins;
+    const struct star *star;
+    double low[2], high[2]; /* bounds in u and v */
+    double farthest;        /* radius beyond which nothing is looked for */
+    double finest[2];       /* in u and v: finer than this only the grid would not look either */
+    struct patch list[MOST];
+    size_t count;
+};
+
+static void add(struct patches *all, double angle, double width, double low, double high)
+{
+    if (all->count < MOST) {
+        all->list[all->count] = (struct patch){{angle, low}, {angle + width, high}};
+    }
+    all->count++;
+}
+
+/* All that lies beyond the edge, in sectors from corner to corner. */
+static void begin(struct patches *all)
+{
+    const struct star *star = all->star;
+    const double widest = 2 * PI / SECTORS;
+    double from = star->corner_count > 0 ? star->corners[0] : 0;
+    for (size_t i = 0; i < star->corner_count || i == 0; i++) {
+        double to = i + 1 < star->corner_count ? star->corners[i + 1]
+                    : star->corner_count > 0   ? star->corners[0] + 2 * PI
+                                               : 2 * PI;
+        size_t sectors = (size_t)ceil((to - from) / widest);
+        for (size_t k = 0; k < sectors; k++) {
+            double width = (to - from) / (double)sectors;
+            add(all, from + (double)k * width, width, 0, 0.25);
+            add(all, from + (double)k * width, width, 0.25, 1);
+        }
+        from = to;
+    }
+}
+
+static void place_rays(const struct patches *all, const struct patch *patch, double (*points)[2])
+{
+    for (size_t i = 0; i < EACH; i++) {
+        double share[2] = {(double)(i / SIDE) / (SIDE - 1), (double)(i % SIDE) / (SIDE - 1)};
+        double angle = patch->low[0] + share[0] * (patch->high[0] - patch->low[0]);
+        double way = patch->low[1] + share[1] * (patch->high[1] - patch->low[1]);
+        double edge = star_near(all->star, angle);
+        edge_point(&all->star->frame, angle, edge + way * (all->farthest - edge), points[i]);
+    }
+}
+
+/* Beyond the bounds on one side, all of it. */
+static bool is_beyond(const struct patches *all, const double (*points)[2])
+{
+    bool beyond[4] = {true, true, true, true};
+    for (size_t i = 0; i < EACH; i++) {
+        for (int k = 0; k < 2; k++) {
+            beyond[k] = beyond[k] && points[i][k] < all->low[k];
+            beyond[2 + k] = beyond[2 + k] && points[i][k] > all->high[k];
+        }
+    }
+    return beyond[0] || beyond[1] || beyond[2] || beyond[3];
+}
+
+/*
+ * How low a smooth function is between three values of it: the least of the parabola through them,
+ * less as much again as that is below them, and some more for what is no parabola.
+ */
+static double lowest(double before, double here, double after)
+{
+    const double bend = before - 2 * here + after, slope = (after - before) / 2;
+    const double least = fmin(fmin(before, here), after);
+    double valley = fabs(slope) < bend ? here - slope * slope / (2 * bend) : least;
+    return 2 * valley - least - fmax(bend, 0) / 16;
+}
+
+/*
+ * What a margin is at the rays of a patch; infinite where they miss its surface, beyond any rim.
+ * Result: false: of some it is not known.
+ */
+static bool take_values(const struct margins *margins, size_t k, size_t first, double *values)
+{
+    const double *row = margins->rows + k * RAYS_BLOCK + first;
+    const struct margin *margin = &margins->all[k];
+    bool known = true;
+    for (size_t i = 0; i < EACH; i++) {
+        bool misses = margins->limit[first + i] == margins_missed(margin->surface);
+        values[i] = misses ? (double)INFINITY : row[i];
+        known = known && !isnan(values[i]);
+    }
+    return known;
+}
+
+/* Is a margin above 0 in all of a patch? At the edge of the star it begins at 0. */
+static bool blocks(const double *values, bool at_edge)
+{
+    const double far = 0.3; /* beyond a rim by a seventh of its radius */
+    const size_t first = at_edge ? 1 : 0;
+    double least = INFINITY, low = INFINITY;
+    bool rises = true, missed = false;
+    for (size_t i = 0; i < SIDE; i++) {
+        const double *arm = values + i * SIDE;
+        const size_t k = i > first ? i : first;
+        rises = rises && 4 * arm[1] - arm[2] - 3 * arm[0] > 0;
+        low = fmin(low, at_edge ? INFINITY : lowest(arm[0], arm[1], arm[2]));
+        low = fmin(low, lowest(values[k], values[SIDE + k], values[(size_t)2 * SIDE + k]));
+        for (size_t j = first; j < SIDE; j++) {
+            least = fmin(least, arm[j]);
+            missed = missed || isinf(arm[j]);
+        }
+    }
+    return missed ? !at_edge && least > far : least > 0 && low > 0 && (rises || !at_edge);
+}
+
+/* The first of its rays stands at `first` of the block. */
+static bool is_dark(const struct patches *all, const struct patch *patch, size_t first)
+{
+    const struct margins *margins = all->margins;
+    double values[EACH];
+    bool dark = margins_lost(margins->limit[first]);
+    for (size_t i = 0; i < EACH; i++) {
+        dark = dark && margins->limit[first + i] == margins->limit[first];
+    }
+    for (size_t k = 0; k < margins->count && !dark; k++) {
+        dark = take_values(margins, k, first, values) && blocks(values, !(patch->low[1] > 0));
+    }
+    return dark;
+}
+
+/* Does a ray of it pass? Those at the edge are the star's. */
+static bool has_light(const struct patches *all, const struct patch *patch, size_t first)
+{
+    bool light = false;
+    for (size_t i = 0; i < EACH; i++) {
+        bool at_edge = i % SIDE == 0 && !(patch->low[1] > 0);
+        light = light || (!at_edge && all->margins->excess[first + i] <= 0);
+    }
+    return light;
+}
+
+/* Do its rays lie as closely as those of the grid? */
+static bool is_fine(const struct patches *all, const double (*points)[2])
+{
+    bool fine = true;
+    for (size_t i = 0; i < EACH; i++) {
+        for (int k = 0; k < 2; k++) {
+            fine =
+                fine && (i % SIDE == 0 || fabs(points[i][k] - points[i - 1][k]) <= all->finest[k]);
+            fine = fine && (i < SIDE || fabs(points[i][k] - points[i - SIDE][k]) <= all->finest[k]);
+        }
+    }
+    return fine;
+}
+
+static void cut(struct patches *all, const struct patch *patch)
+{
+    const double width = (patch->high[0] - patch->low[0]) / 2;
+    const double middle = (patch->low[1] + patch->high[1]) / 2;
+    for (int i = 0; i < 2; i++) {
+        add(all, patch->low[0] + i * width, width, patch->low[1], middle);
+        add(all, patch->low[0] + i * width, width, middle, patch->high[1]);
+    }
+}
+
+/* Does nothing pass beyond the edge of the star? False: perhaps. */
+static bool is_alone(struct patches *all)
+{
+    begin(all);
+    for (size_t done = 0; done < all->count; done += AT_ONCE) {
+        double points[AT_ONCE * EACH][2];
+        if (all->count > MOST) {
+            return false;
+        }
+        const size_t left = all->count - done, here = left < AT_ONCE ? left : AT_ONCE;
+        for (size_t i = 0; i < here; i++) {
+            place_rays(all, &all->list[done + i], points + i * EACH);
+        }
+        margins_look(all->margins, (const double(*)[2])points, here * EACH);
+        for (size_t i = 0; i < here; i++) {
+            const struct patch patch = all->list[done + i];
+            const double(*own)[2] = (const double(*)[2])points + i * EACH;
+            if (is_beyond(all, own) || is_dark(all, &patch, i * EACH)) {
+                continue;
+            }
+            if (has_light(all, &patch, i * EACH)) {
+                return false;
+            }
+            if (!is_fine(all, own)) {
+                cut(all, &patch);
+            }
+        }
+    }
+    return true;
+}
+
+static struct islands find_on_grid(const struct margins *margins, const struct star *star,
+                                   struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    struct parts *parts = ARENA_NEW(arena, struct parts);
+    enum { CELLS = PARTS_SIDE * PARTS_SIDE };
+    struct islands islands = {0, 0};
+    parts_find(margins, NULL, NULL, parts);
+    bool *within = ARENA_ARRAY(arena, parts->count + 1, bool);
+    size_t all = 0, outside = 0;
+    for (size_t i = 0; i <= parts->count; i++) {
+        within[i] = false;
+    }
+    for (size_t i = 0; i < CELLS; i++) {
+        double point[2], angle, radius;
+        all += parts->part[i] > 0;
+        if (parts->part[i] > 0 && !within[parts->part[i]]) {
+            parts_point(parts, i, point);
+            edge_polar(&star->frame, point, PI, &angle, &radius);
+            within[parts->part[i]] = radius < 1.05 * star_near(star, angle);
+        }
+    }
+    for (size_t i = 0; i < CELLS; i++) {
+        outside += parts->part[i] > 0 && !within[parts->part[i]];
+        parts->excess[i] = within[parts->part[i]] ? 1 : parts->excess[i];
+    }
+    if (outside > 0) {
+        /* what is thin looks as if it were torn */
+        parts_number(parts, 3);
+        islands.count = parts->count;
+        islands.share = (double)outside / (double)all;
+    }
+    arena_reset(arena, mark);
+    return islands;
+}
+
+struct islands islands_find(const struct margins *margins, const struct star *star,
+                            struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    struct patches *all = arena_buffer(arena, sizeof *all);
+    all->margins = margins;
+    all->star = star;
+    all->count = 0;
+    all->farthest = 0;
+    margins_widen(margins);
+    parts_bound(margins, all->low, all->high);
+    for (int k = 0; k < 2; k++) {
+        all->finest[k] = (all->high[k] - all->low[k]) / PARTS_SIDE;
+    }
+    for (int i = 0; i < 4; i++) {
+        double angle, radius;
+        const double corner[2] = {i % 2 == 0 ? all->low[0] : all->high[0],
+                                  i / 2 == 0 ? all->low[1] : all->high[1]};
+        edge_polar(&star->frame, corner, 0, &angle, &radius);
+        all->farthest = fmax(all->farthest, radius);
+    }
+    /* apertures of other shapes have corners and sides: no differences say what is between */
+    const bool alone = !margins->is_listed && is_alone(all);
+    arena_reset(arena, mark);
+    return alone ? (struct islands){0, 0} : find_on_grid(margins, star, arena);
+}

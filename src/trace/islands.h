@@ -1,0 +1,34 @@
+/* trace/islands.h - what passes light of a pupil beside the star that is integrated over. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_TRACE_ISLANDS_H
+#define LENSCALC_TRACE_ISLANDS_H
+
+#include "base/arena.h"
+#include "trace/margins.h"
+#include "trace/star.h"
+
+#include <stddef.h>
+
+/* Parts of the pupil that pass light and are none of the star. */
+struct islands {
+    size_t count;
+    double share; /* of all that passes, in areas of the beam */
+};
+
+/*
+ * What a quadrature over the star leaves out: light that comes through beyond a gap.
+ *
+ * Formula   first a few hundred rays that usually show that there is nothing: in patches of the
+ *           angle and of the way from the star's edge outwards, nine rays each. A patch is dark
+ *           where one margin is above 0 at all nine by more than it can fall between them, by its
+ *           second differences; at the edge, where it begins at 0, if it rises from there; or
+ *           where all nine are lost in the same place in the same way. What is not is cut in
+ *           four. Only where a ray passes, or too much is left, a grid (trace/parts.h); a part of
+ *           which no cell lies within the star's edge is an island
+ * Limits    islands smaller than a cell, 1/128 of what the first surface lets in, are not seen; the
+ *           share of thin ones is a quarter off
+ */
+struct islands islands_find(const struct margins *margins, const struct star *star,
+                            struct arena *arena);
+
+#endif
