@@ -5,8 +5,8 @@
 
 #include "analysis/quadrature.h"
 #include "analysis/setup.h"
-#include "trace/sample.h"
 #include "trace/islands.h"
+#include "trace/sample.h"
 #include "trace/stop_beam.h"
 
 #include <stdbool.h>
