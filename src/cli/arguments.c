@@ -59,6 +59,42 @@ static struct argument *find_letter(const struct arguments *arguments, char lett
     return NULL;
 }
 
+/* What other programs, and the trade, call what is an option here. */
+static const struct {
+    const char *names, *option;
+} trade_words[] = {
+    {"fstop fnumber fstops stop av", "aperture"},
+    {"shutter shutterspeed exposuretime speed tv", "time"},
+    {"asa sensitivity filmspeed", "iso"},
+    {"nd ndfilter density stops", "filter"},
+    {"focus subject subjectdistance focusdistance", "distance"},
+    {"camera body filmformat", "sensor"},
+    {"focal", "focal-length"},
+    {"circleofconfusion", "coc"},
+};
+
+/* The option of this command that such a word means, or whose column has this name; or null. */
+static const struct option *meant_by(const struct arguments *arguments, struct text name)
+{
+    const char *option = "";
+    for (size_t i = 0; i < sizeof trade_words / sizeof trade_words[0]; i++) {
+        struct text words = text_of(trade_words[i].names);
+        while (words.length > 0) {
+            if (text_same_name(name, text_cut(&words, ' '))) {
+                option = trade_words[i].option;
+            }
+        }
+    }
+    for (size_t i = 0; i < arguments->count; i++) {
+        const struct option *own = arguments->all[i].option;
+        bool repeats = own->column != NULL && text_same_name(name, text_of(own->column));
+        if (repeats || strcmp(own->name, option) == 0) {
+            return own;
+        }
+    }
+    return NULL;
+}
+
 static bool unknown(const struct arguments *arguments, struct text name, const char *dashes,
                     struct error *error)
 {
@@ -81,6 +117,10 @@ static bool unknown(const struct arguments *arguments, struct text name, const c
         nearest_offer(&nearest, text_of(arguments->all[i].option->name));
     }
     fail(error, ERROR_USAGE, "unknown option '%s%.*s'", dashes, text_shown(name), name.start);
+    const struct option *meant = meant_by(arguments, name);
+    if (meant != NULL) {
+        return error_hint(error, "here it is '--%s': %s", meant->name, meant->help);
+    }
     if (nearest.best.start != NULL) {
         return error_hint(error, "did you mean '--%.*s'?", (int)nearest.best.length,
                           nearest.best.start);

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/collect.h"
 
+#include "report/spoken.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -55,13 +57,6 @@ const char *axis_label(const struct collection *collection, const struct axis *a
     return axis->option->name;
 }
 
-/* Is a time one that people write as 1/125? */
-static bool is_fraction(double value)
-{
-    double whole = round(1 / value);
-    return value < 0.3 && whole < 1e6 && fabs(whole * value - 1) < 1e-12;
-}
-
 /* A number as people write it: f/2.8, 1/125 s, 3 m. */
 static const char *number_words(const struct collection *collection, const struct axis *axis,
                                 double value, bool with_unit)
@@ -70,10 +65,13 @@ static const char *number_words(const struct collection *collection, const struc
     if (with_unit && dimension == &dimension_fnumber) {
         return arena_printf(collection->arena, "f/%.4g", value);
     }
+    if (dimension == &dimension_time && isfinite(value)) {
+        char words[SPOKEN_LENGTH];
+        spoken_time(words, axis->unit != NULL ? unit_to_own(axis->unit, value) : value, 6);
+        return arena_string(collection->arena, words, strlen(words));
+    }
     bool unit = with_unit && axis->unit != NULL && axis->unit->label[0] != '\0';
-    bool fraction = dimension == &dimension_time && is_fraction(value);
-    return arena_printf(collection->arena, fraction ? "1/%.0f%s%s" : "%.6g%s%s",
-                        fraction ? 1 / value : value, unit ? " " : "",
+    return arena_printf(collection->arena, "%.6g%s%s", value, unit ? " " : "",
                         unit ? axis->unit->label : "");
 }
 

@@ -57,6 +57,7 @@ struct command {
     struct sheet sheet;
     /* Which rows this input makes, where that depends on it; null: always `sheet`. */
     const struct sheet *(*choose_sheet)(const void *input, const struct asking *asking);
+    const struct sheet *const *sheets; /* all that it may choose; ends with null. Null: `sheet` */
     /* Does one input make several rows, as a list or a plan does? null: never. */
     bool (*makes_many)(const void *input);
     /* Has the option several values in one input, as a list of positions has? null: never. */

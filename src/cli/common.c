@@ -32,7 +32,7 @@ const struct option common_options[] = {
     {COMMON(json), .name = "json", .help = "short for --format json"},
     {COMMON(jsonl), .name = "jsonl", .help = "short for --format jsonl"},
     {COMMON(columns), .name = "columns", .value = "NAMES",
-     .help = "print these columns; another unit behind the name converts: near_ft,far_m"},
+     .help = "print these columns ('?' lists them); a unit behind the name converts: near_ft"},
     {COMMON(digits), .name = "digits", .value = "N", .lowest = 1, .highest = 17,
      .help = "significant digits (text: 4; machine formats: as many as read back the same)"},
     {COMMON(units), .name = "units", .value = "SYSTEM", .words = unit_words, .fallback = "metric",

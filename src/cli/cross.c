@@ -1,6 +1,7 @@
 /* cli/cross.c - cross-tables of two swept options. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/collect.h"
+#include "cli/columns.h"
 #include "report/grid.h"
 #include "report/readable.h"
 #include "report/row.h"
@@ -53,10 +54,12 @@ static bool read_specification(const struct collection *collection, const char *
     struct text values = text_of(specification);
     struct text axes = text_cut(&values, ':');
     struct text down = text_cut(&axes, ',');
-    const char *names = values.start != NULL ? values.start : collection->command->cell;
-    if (axes.start == NULL || names == NULL) {
+    const char *typed_names = values.start != NULL ? values.start : collection->command->cell;
+    const char *names = columns_from_options(collection->command, collection->sheet, typed_names,
+                                             "+", collection->arena);
+    if (axes.start == NULL || typed_names == NULL) {
         return fail(error, ERROR_USAGE, "--table '%s' is not of the form ROW,COL%s", specification,
-                    names == NULL ? ":VALUE" : "[:VALUE]");
+                    typed_names == NULL ? ":VALUE" : "[:VALUE]");
     }
     if (!read_axis(collection, text_trim(down), &cross->down, error) ||
         !read_axis(collection, text_trim(axes), &cross->across, error)) {
@@ -107,8 +110,8 @@ static const void *row_at(const struct collection *collection, const struct cros
     return collection_row(collection, index);
 }
 
-/* One unit for the whole table: that of the median value. */
-static const struct unit *table_unit(const struct collection *collection, const struct shown *shown)
+/* The median magnitude of a column over the whole table. */
+static double typical(const struct collection *collection, const struct shown *shown)
 {
     size_t total = collection->sweep->total, count = 0;
     double *values = ARENA_ARRAY(collection->arena, total, double);
@@ -121,7 +124,7 @@ static const struct unit *table_unit(const struct collection *collection, const 
             }
         }
     }
-    return readable_unit(shown, collection->units, readable_median(values, count), false);
+    return readable_median(values, count);
 }
 
 /* The column in metres, so that readable_unit may choose feet and inches or millimetres. */
@@ -134,15 +137,6 @@ static struct shown for_people(const struct collection *collection, struct shown
     return shown;
 }
 
-static const char *unit_words(const struct shown *shown, const struct unit *unit)
-{
-    if (unit == NULL || unit->label[0] == '\0') {
-        return "";
-    }
-    return strcmp(unit->name, "ft") == 0 && strcmp(shown->unit->name, "m") == 0 ? "ft in"
-                                                                                : unit->label;
-}
-
 /* "near limit - far limit (m)" */
 static const char *value_words(const struct collection *collection, const struct cross *cross)
 {
@@ -152,8 +146,28 @@ static const char *value_words(const struct collection *collection, const struct
         const char *label = shown->column->label != NULL ? shown->column->label : shown->name;
         words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "", label);
     }
-    const char *unit = unit_words(&cross->values[0], cross->units[0]);
+    const char *unit = readable_unit_label(&cross->values[0], cross->units[0]);
     return unit[0] == '\0' ? words : arena_printf(collection->arena, "%s (%s)", words, unit);
+}
+
+static int digits_of(const struct report *report, const struct column *column)
+{
+    return report->digits != 0 ? report->digits : column->digits != 0 ? column->digits : 4;
+}
+
+/* One unit for the whole table, and one form of feet and inches: values that share a cell share
+   both. */
+static void choose_units(const struct collection *collection, const struct report *report,
+                         const struct cross *cross)
+{
+    const struct shown *first = &cross->values[0];
+    double size = typical(collection, first);
+    const struct unit *unit = readable_unit(first, collection->units, size);
+    int places = readable_inch_places(first, unit, size, digits_of(report, first->column));
+    for (size_t k = 0; k < cross->value_count; k++) {
+        cross->units[k] = unit;
+        cross->values[k].inch_places = places + 1;
+    }
 }
 
 static void write_cell(const struct collection *collection, const struct cross *cross,
@@ -167,9 +181,7 @@ static void write_cell(const struct collection *collection, const struct cross *
             *shown_write_number(value, row, shown, report->digits) = '\0';
         } else if (row != NULL) {
             readable_value(value, sizeof value, row, shown, cross->units[k],
-                           report->digits != 0          ? report->digits
-                           : shown->column->digits != 0 ? shown->column->digits
-                                                        : 4);
+                           digits_of(report, shown->column));
         }
         if (is_machine(report)) {
             grid_set(grid, 1 + j * cross->value_count + k, row != NULL ? value : "");
@@ -185,7 +197,8 @@ static void write_cell(const struct collection *collection, const struct cross *
 static const char *axis_head(const struct collection *collection, const struct axis *axis)
 {
     const char *label = axis_label(collection, axis);
-    bool unit = axis->unit != NULL && axis->unit->label[0] != '\0';
+    bool unit = axis->unit != NULL && axis->unit->label[0] != '\0' &&
+                axis->option->dimension != &dimension_time; /* times say their own */
     return unit ? arena_printf(collection->arena, "%s (%s)", label, axis->unit->label) : label;
 }
 
@@ -272,9 +285,8 @@ bool cross_table_write(const struct collection *collection, const char *specific
         if (!is_machine(report)) {
             cross.values[k] = for_people(collection, cross.values[k]);
         }
-        /* values that share a cell share a unit */
-        cross.units[k] = k > 0 ? cross.units[0] : table_unit(collection, &cross.values[k]);
     }
+    choose_units(collection, report, &cross);
     struct grid grid = build(collection, &cross, report);
     if (!is_machine(report)) {
         const void *row = collection_first_row(collection);

@@ -4,6 +4,7 @@
 
 #include "cli/batch.h"
 #include "cli/collect.h"
+#include "cli/columns.h"
 #include "cli/complain.h"
 #include "cli/help.h"
 #include "cli/idle.h"
@@ -490,6 +491,8 @@ static bool ask(struct driver *driver, struct error *error)
         return false;
     }
     choose_sheet(driver);
+    driver->common.columns =
+        columns_from_options(command, driver->report.sheet, common->columns, ",", &driver->arena);
     return check_sheets(driver, error) && set_up_report(driver, error) &&
            set_up_collection(driver, error) && order_artifacts(driver, error) &&
            output_open(&driver->output, common->output, &driver->arena, error) &&
@@ -578,6 +581,8 @@ int command_execute(const struct command *command, int argc, char **argv, const 
         status = (int)error.code;
     } else if (driver.common.help) {
         status = help_command(command, &driver.arena);
+    } else if (columns_are_asked(&driver.common)) {
+        status = columns_print(command, &driver.common, &driver.arena);
     } else {
         bool lacks = command->needs_ceres && !relay_to_ceres(argv, &driver.arena, &missing);
         status = command->run == NULL ? answer_without_rows(&driver)

@@ -274,8 +274,10 @@ static bool read_series(const struct reader *reader, const struct option *option
                     text_shown(text), text.start);
     }
     const char *name = names[series.per_stop - 1];
+    series.isos_per_stop = series.per_stop == 1 ? 1 : 3;
     if (!load_labels(reader, "fstops.tsv", name, &series.fnumbers, error) ||
-        !load_labels(reader, "shutters.tsv", name, &series.times, error)) {
+        !load_labels(reader, "shutters.tsv", name, &series.times, error) ||
+        !load_labels(reader, "iso.tsv", names[series.isos_per_stop - 1], &series.isos, error)) {
         return false;
     }
     *(struct series_value *)member = series;

@@ -34,10 +34,12 @@ struct stop_labels {
     const char *labels[STOP_COUNT]; /* of step STOP_FIRST + i; null where a step has none */
 };
 
-/* A stop series for apertures and times. */
+/* A stop series for apertures and times, and the speeds that cameras with it have. */
 struct series_value {
     int per_stop; /* 1, 2 or 3 steps a stop */
     const struct stop_labels *fnumbers, *times;
+    int isos_per_stop; /* 1 or 3: no camera has half stops of speed */
+    const struct stop_labels *isos;
 };
 
 /* The label of a step, a whole number (or NaN): "1/125"; null where it has none. */

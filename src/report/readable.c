@@ -3,6 +3,7 @@
 #include "report/readable.h"
 
 #include "base/number.h"
+#include "report/spoken.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -60,10 +61,21 @@ static const struct unit *imperial_length(double typical)
     return length_unit(typical < 1e7 || isinf(typical) || isnan(typical) ? "ft" : "mi");
 }
 
-const struct unit *readable_unit(const struct shown *shown, enum unit_system system, double typical,
-                                 bool fixed)
+/* Is it a unit that the user named with the column? Then it is kept. */
+static bool is_asked_for(const struct shown *shown)
 {
-    if (fixed || shown->unit == NULL || shown->column->dimension != &dimension_length) {
+    return shown->column->unit != NULL && strcmp(shown->unit->name, shown->column->unit) != 0;
+}
+
+const struct unit *readable_unit(const struct shown *shown, enum unit_system system, double typical)
+{
+    if (shown->unit == NULL || is_asked_for(shown)) {
+        return shown->unit;
+    }
+    if (shown->column->dimension == &dimension_time) {
+        return NULL; /* each value says its own */
+    }
+    if (shown->column->dimension != &dimension_length) {
         return shown->unit;
     }
     if (system == UNITS_IMPERIAL && strcmp(shown->unit->name, "m") == 0) {
@@ -72,31 +84,34 @@ const struct unit *readable_unit(const struct shown *shown, enum unit_system sys
     return metric_length(shown->unit, fabs(typical));
 }
 
+/* Feet of a column in metres stand for feet and inches. */
+static bool is_feet_and_inches(const struct shown *shown, const struct unit *unit)
+{
+    return unit != NULL && strcmp(unit->name, "ft") == 0 && strcmp(shown->unit->name, "m") == 0;
+}
+
+static bool is_spoken_time(const struct shown *shown, const struct unit *unit)
+{
+    return unit == NULL && shown->column->dimension == &dimension_time;
+}
+
+const char *readable_unit_label(const struct shown *shown, const struct unit *unit)
+{
+    return is_feet_and_inches(shown, unit) ? "ft in" : unit != NULL ? unit->label : "";
+}
+
+int readable_inch_places(const struct shown *shown, const struct unit *unit, double typical,
+                         int digits)
+{
+    bool any = is_feet_and_inches(shown, unit) && isfinite(typical);
+    int places = any ? spoken_inch_places(typical, digits) : -1;
+    return places > 0 ? places : any && places >= -1 ? 0 : -1;
+}
+
 /* Significant digits, without exponent where people would not write one; no -0. */
 static void write_significant(char *to, double value, int digits, bool pad)
 {
     *number_write_plain(to, value + 0.0, digits, pad) = '\0';
-}
-
-/* 9' 4.3": inches with the decimals that `digits` significant digits leave. */
-static void write_feet(char *to, size_t room, double millimetres, int digits)
-{
-    double feet = unit_from_own(length_unit("ft"), fabs(millimetres));
-    const char *sign = millimetres < 0 ? "-" : "";
-    int before = feet < 10 ? 1 : feet < 100 ? 2 : feet < 1000 ? 3 : 4;
-    int decimals = digits - before - 2;
-    if (decimals < -1) {
-        char number[NUMBER_LENGTH + 1];
-        write_significant(number, feet, digits, true);
-        snprintf(to, room, "%s%s'", sign, number);
-        return;
-    }
-    double step = decimals < 0 ? 1 : pow(10, -decimals);
-    double inches = round(unit_from_own(length_unit("in"), fabs(millimetres)) / step) * step;
-    double whole = floor(inches / 12 + 1e-9);
-    double rest = inches - 12 * whole;
-    snprintf(to, room, "%s%.0f' %.*f\"", sign, whole, decimals < 0 ? 0 : decimals,
-             rest < 0 ? 0 : rest);
 }
 
 /* The digits that are certain: a relative error of condition x 2^-52 is always possible. */
@@ -129,6 +144,23 @@ static void copy(char *to, size_t room, const char *text)
     to[length] = '\0';
 }
 
+/* In several units or as a fraction, where people write such values so. */
+static bool write_spoken(char *to, double value, const struct shown *shown, const struct unit *unit,
+                         int digits)
+{
+    if (is_feet_and_inches(shown, unit)) {
+        spoken_feet(to, value, digits, shown->inch_places - 1);
+    } else if (is_spoken_time(shown, unit)) {
+        bool passes = (shown->column->flags & COLUMN_SPAN) != 0;
+        (passes ? spoken_span : spoken_time)(to, value, digits);
+    } else if ((shown->column->flags & COLUMN_PART) != 0) {
+        spoken_part(to, value, digits);
+    } else {
+        return false;
+    }
+    return true;
+}
+
 static void write_number(char *to, size_t room, const void *row, const struct shown *shown,
                          const struct unit *unit, int digits)
 {
@@ -143,8 +175,7 @@ static void write_number(char *to, size_t room, const void *row, const struct sh
         certain = 1;
         to[used++] = '~';
     }
-    if (unit != NULL && strcmp(unit->name, "ft") == 0 && strcmp(shown->unit->name, "m") == 0) {
-        write_feet(to + used, room - used, value, certain);
+    if (write_spoken(to + used, value, shown, unit, certain)) {
         return;
     }
     double converted = unit != NULL ? unit_from_own(unit, value) : value;
@@ -172,6 +203,9 @@ void readable_value(char *to, size_t room, const void *row, const struct shown *
         break;
     case COLUMN_TEXT:
         copy(to, room, row_text(row, shown->column));
+        if (is_spoken_time(shown, unit)) {
+            copy(to + strlen(to), room - strlen(to), " s"); /* a label of a camera: 1/125, 15 */
+        }
         break;
     }
 }

@@ -77,6 +77,83 @@ static bool no_such_unit(const struct column *column, struct text name, struct e
                 name.start + length);
 }
 
+/* Is it the column's name, label or symbol as people type them: "Near Limit", "near-limit"? */
+static bool is_spelt(struct text name, const struct column *column)
+{
+    return text_same_name(name, text_of(column->name)) ||
+           (column->label != NULL && text_same_name(name, text_of(column->label))) ||
+           (column->symbol != NULL && text_equal(name, column->symbol));
+}
+
+/* The unit behind the last '_', '-' or blank of a name that is cut off there; null: none. */
+static const struct unit *cut_unit(struct text *name, const struct column *column)
+{
+    size_t at = name->length;
+    while (at > 0 && strchr("_- ", name->start[at - 1]) == NULL) {
+        at--;
+    }
+    const struct text last = {name->start + at, name->length - at};
+    const struct unit *unit = at > 1 && column->unit != NULL ? find_unit(column, last) : NULL;
+    if (unit == NULL || unit->name[0] == '\0') {
+        return NULL;
+    }
+    *name = text_trim((struct text){name->start, at - 1});
+    return unit;
+}
+
+/* A name in another spelling, which must stand for one column only. */
+static bool find_spelt(const struct sheet *sheet, struct text name, struct arena *arena,
+                       struct shown *shown)
+{
+    int found = 0;
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        const struct column *column = &sheet->columns[i];
+        struct text bare = name;
+        const struct unit *unit = cut_unit(&bare, column);
+        const struct shown usual = show_usual(column, arena);
+        if (is_spelt(name, column) || text_same_name(name, text_of(usual.name))) {
+            *shown = usual;
+            found++;
+        } else if (unit != NULL && is_spelt(bare, column)) {
+            *shown = show(column, unit, arena);
+            found++;
+        }
+    }
+    return found == 1;
+}
+
+/* "did you mean 'near_m', 'front_m' or 'blur_mm'?": the nearest, then those that contain it. */
+static void suggest_columns(const struct sheet *sheet, struct text name, struct text nearest,
+                            struct arena *arena, struct error *error)
+{
+    enum { MOST = 4 };
+    const char *names[MOST], *words = "";
+    size_t count = 0;
+    if (nearest.start != NULL) {
+        names[count++] = arena_string(arena, nearest.start, nearest.length);
+    }
+    for (size_t i = 0; i < sheet->column_count && count < MOST && name.length >= 3; i++) {
+        const struct column *column = &sheet->columns[i];
+        const char *usual = show_usual(column, arena).name;
+        bool contains = text_contains_name(text_of(usual), name) ||
+                        (column->label != NULL && text_contains_name(text_of(column->label), name));
+        bool is_new = nearest.start == NULL ||
+                      (!text_equal(nearest, usual) && !text_equal(nearest, column->name));
+        if (contains && is_new) {
+            names[count++] = usual;
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        words = arena_printf(arena, "%s%s'%s'", words,
+                             i == 0           ? "did you mean "
+                             : i + 1 == count ? " or "
+                                              : ", ",
+                             names[i]);
+    }
+    error_hint(error, count > 0 ? "%s? --columns '?' lists all" : "%s--columns '?' lists all",
+               words);
+}
+
 bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,
                         struct shown *shown, struct error *error)
 {
@@ -95,13 +172,14 @@ bool report_find_column(const struct sheet *sheet, struct text name, struct aren
         nearest_offer(&nearest, text_of(show_usual(column, arena).name));
         nearest_offer(&nearest, text_of(column->name));
     }
+    if (find_spelt(sheet, name, arena, shown)) {
+        return true;
+    }
     if (other_unit != NULL) {
         return no_such_unit(other_unit, name, error);
     }
     fail(error, ERROR_USAGE, "there is no column '%.*s'", text_shown(name), name.start);
-    if (nearest.best.start != NULL) {
-        error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
-    }
+    suggest_columns(sheet, name, nearest.best, arena, error);
     return false;
 }
 

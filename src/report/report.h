@@ -93,7 +93,12 @@ struct selection {
  */
 bool report_select(struct report *report, const struct selection *selection, struct error *error);
 
-/* Find a column by output name ("near_m"), in another unit ("near_ft") or without one ("near"). */
+/*
+ * Find a column by output name ("near_m"), in another unit ("near_ft") or without one ("near"); where
+ * there is no such name by the same in other spelling, by its label ("near limit") or by its symbol.
+ *
+ * Errors    ERROR_USAGE: no such column, with what is near; a unit it cannot be printed in
+ */
 bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,
                         struct shown *shown, struct error *error);
 

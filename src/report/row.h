@@ -13,6 +13,7 @@ struct shown {
     const struct unit *unit; /* null = none */
     const char *name;        /* "near_m" */
     double divisor;          /* own units in this one: near_m is near / 1000; 0 = not one number */
+    int inch_places;         /* decimals of inches in feet and inches, plus 1; 0 = as digits say */
 };
 
 /* The values of a row. Numbers in the program's own unit. */

@@ -35,6 +35,8 @@ enum column_flag {
     COLUMN_SPARSE = 64,  /* left out of the table that people read where no row has it */
     COLUMN_NOTE = 128,   /* people read it below the table, each text once: a warning */
     COLUMN_TIED = 256,   /* no assumption without the option in `with` */
+    COLUMN_PART = 1024,  /* people write it as 1/16 */
+    COLUMN_SPAN = 2048,  /* of a time: one that passes, never 1/125 s */
     COLUMN_WITH = 512    /* as other columns, and among the brief ones with the option in `with` */
 };
 

@@ -88,25 +88,25 @@ static double typical(struct text_state *state, const struct column *column)
     return readable_median(values, count);
 }
 
-/* A unit the user named with --columns is kept. */
-static bool is_fixed(const struct shown *shown)
-{
-    return shown->unit == NULL || shown->column->unit == NULL ||
-           strcmp(shown->unit->name, shown->column->unit) != 0;
-}
-
 static void choose_units(struct report *report)
 {
     struct text_state *state = report->state;
+    int places = -1;
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct shown *shown = &report->shown[i];
         double size = shown->column->type == COLUMN_NUMBER ? typical(state, shown->column) : NAN;
-        state->units[i] = readable_unit(shown, report->units, size, is_fixed(shown));
+        state->units[i] = readable_unit(shown, report->units, size);
+        int own =
+            readable_inch_places(shown, state->units[i], size, digits_of(report, shown->column));
+        places = own > places ? own : places;
         state->is_empty[i] = true;
         for (size_t k = 0; k < state->kept_count && state->is_empty[i]; k++) {
             const void *row = state->kept[k].row;
             state->is_empty[i] = row == NULL || row_is_absent(row, shown->column);
         }
+    }
+    for (size_t i = 0; i < report->shown_count; i++) {
+        report->shown[i].inch_places = places + 1; /* one form of feet and inches */
     }
 }
 
@@ -133,15 +133,6 @@ static size_t cell_count(const struct report *report)
     return report->passed_count + report->shown_count + state->has_failures;
 }
 
-static const char *label_of_unit(const struct shown *shown, const struct unit *unit)
-{
-    if (unit == NULL) {
-        return "";
-    }
-    bool feet_and_inches = strcmp(unit->name, "ft") == 0 && strcmp(shown->unit->name, "m") == 0;
-    return feet_and_inches ? "ft in" : unit->label;
-}
-
 static const char *spaced(struct arena *arena, const char *name)
 {
     char *copy = arena_string(arena, name, strlen(name));
@@ -155,7 +146,7 @@ static bool has_units(const struct report *report)
 {
     const struct text_state *state = report->state;
     for (size_t i = 0; i < report->shown_count; i++) {
-        if (label_of_unit(&report->shown[i], state->units[i])[0] != '\0') {
+        if (readable_unit_label(&report->shown[i], state->units[i])[0] != '\0') {
             return true;
         }
     }
@@ -192,7 +183,7 @@ static struct grid new_grid(struct report *report, struct arena *arena)
     }
     for (size_t i = 0; i < report->shown_count && grid.head_rows == 2; i++) {
         grid_set(&grid, report->passed_count + i,
-                 label_of_unit(&report->shown[i], state->units[i]));
+                 readable_unit_label(&report->shown[i], state->units[i]));
     }
     return grid;
 }
@@ -222,7 +213,7 @@ const char *report_words(const struct report *report, const struct shown *shown,
     const struct column *column = shown->column;
     const struct unit *unit = shown->unit;
     if (column->type == COLUMN_NUMBER) {
-        unit = readable_unit(shown, UNITS_METRIC, row_number(row, column), false);
+        unit = readable_unit(shown, UNITS_METRIC, row_number(row, column));
     }
     readable_value(value, sizeof value, row, shown, unit, DIGITS);
     return ARENA_JOIN(report->arena, column->label, " ", value,
@@ -274,6 +265,17 @@ static void write_table(struct report *report)
     report->format->write_grid(&grid, report->output, true);
 }
 
+/* "1/125 s" has its unit where the others have theirs; "2 min 30 s" stays in one piece. */
+static bool cut_second(char *cell)
+{
+    char *blank = strchr(cell, ' ');
+    bool cut = blank != NULL && strcmp(blank, " s") == 0;
+    if (cut) {
+        *blank = '\0';
+    }
+    return cut;
+}
+
 /* One answer: a line for each quantity, in words. */
 static void write_list(struct report *report)
 {
@@ -293,8 +295,11 @@ static void write_list(struct report *report)
         grid_set(&grid, 0,
                  shown->column->label != NULL ? shown->column->label
                                               : spaced(report->arena, shown->name));
+        const char *unit = readable_unit_label(shown, state->units[i]);
+        if (shown->column->dimension == &dimension_time && cut_second(cell)) {
+            unit = "s";
+        }
         grid_set(&grid, 1, cell);
-        const char *unit = label_of_unit(shown, state->units[i]);
         grid_set(&grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
     }
     grid.title = report->title;

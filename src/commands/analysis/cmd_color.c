@@ -117,6 +117,9 @@ static const struct sheet sheets[] = {
     [COLOR_BY_FIELD] = SHEET(field_columns, struct row),
 };
 
+static const struct sheet *const all_sheets[] = {
+    &sheets[COLOR_BY_WAVELENGTH], &sheets[COLOR_BY_ZONE], &sheets[COLOR_BY_FIELD], NULL};
+
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
     (void)asking;
@@ -360,6 +363,7 @@ const struct command command_color = {
     COMMAND_ASKS(struct color_input),
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
+    .sheets = all_sheets,
     .makes_many = command_always_many,
     .varies = varies,
     .brings = brings,

@@ -162,6 +162,7 @@ static bool lost(const struct analysis_point *point, void *context)
 
 static const struct analysis_answers answers = {answer, lost};
 static const struct sheet field_sheet = SHEET(columns, struct row);
+static const struct sheet *const sheets[] = {&field_sheet, &distortion_fit_sheet, NULL};
 
 static bool run(const void *data, struct run *run, struct error *error)
 {
@@ -272,6 +273,7 @@ const struct command command_distortion = {
     .summary = "image heights of exact chief rays against an ideal projection",
     COMMAND_ASKS(struct distortion_input),
     .choose_sheet = choose_sheet,
+    .sheets = sheets,
     .run = run,
     .explanations = explanations,
     COMMAND_MAKES(artifacts),

@@ -93,6 +93,7 @@ static const struct column opd_columns[] = {FAN_COLUMNS(COLUMN_HIDDEN, COLUMN_BR
 
 static const struct sheet transverse_sheet = SHEET(transverse_columns, struct row);
 static const struct sheet opd_sheet = SHEET(opd_columns, struct row);
+static const struct sheet *const sheets[] = {&transverse_sheet, &opd_sheet, NULL};
 
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
@@ -240,6 +241,7 @@ const struct command command_fan = {
     COMMAND_ASKS(struct fan_input),
     .sheet = SHEET(transverse_columns, struct row),
     .choose_sheet = choose_sheet,
+    .sheets = sheets,
     .explanations = explanations,
     .run = run,
     .makes_many = command_always_many,

@@ -161,6 +161,9 @@ static const struct sheet sheets[] = {
     [FORM_WAVES] = SHEET(wave_columns, struct row),
 };
 
+static const struct sheet *const all_sheets[] = {&sheets[FORM_WELFORD], &sheets[FORM_TRANSVERSE],
+                                                 &sheets[FORM_WAVES], NULL};
+
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
     (void)asking;
@@ -279,6 +282,7 @@ const struct command command_seidel = {
     COMMAND_ASKS(struct seidel_input),
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
+    .sheets = all_sheets,
     .makes_many = command_always_many,
     .varies = varies,
     .brings = brings,

@@ -15,14 +15,15 @@ static const struct word topic_words[] = {
     {"keywords", "words of other programs' lens files, and what becomes of them"},
     {"commands", "commands of this program"},
     {"options", "options of every command"},
+    {"columns", "columns that a command prints: list columns dof"},
     {NULL, NULL},
 };
 
 /* In the order of topic_words. */
 static const struct topic *const topics[] = {
-    &topic_lenses, &topic_formats,  &topic_cameras,  &topic_films,
-    &topic_scenes, &topic_filters,  &topic_glasses,  &topic_stops,
-    &topic_units,  &topic_keywords, &topic_commands, &topic_options,
+    &topic_lenses,   &topic_formats, &topic_cameras, &topic_films, &topic_scenes,
+    &topic_filters,  &topic_glasses, &topic_stops,   &topic_units, &topic_keywords,
+    &topic_commands, &topic_options, &topic_columns,
 };
 
 static const struct option options[] = {
@@ -36,8 +37,16 @@ static const struct option options[] = {
              "glasses, series of "
              "stops, dimension of units, "
              "format of keywords, "
-             "group of commands, command of options"},
+             "group of commands, command of options and columns"},
 };
+
+static const struct sheet *const sheets[] = {&topic_lenses.sheet,   &topic_formats.sheet,
+                                             &topic_cameras.sheet,  &topic_films.sheet,
+                                             &topic_scenes.sheet,   &topic_filters.sheet,
+                                             &topic_glasses.sheet,  &topic_stops.sheet,
+                                             &topic_units.sheet,    &topic_keywords.sheet,
+                                             &topic_commands.sheet, &topic_options.sheet,
+                                             &topic_columns.sheet,  NULL};
 
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
@@ -77,9 +86,10 @@ const struct command command_list = {
     .name = "list",
     .group = "data",
     .summary = "lenses, formats, cameras, films, scenes, filters, glasses, stops, units, commands, "
-               "options",
+               "options, columns",
     COMMAND_ASKS(struct list_input),
     .choose_sheet = choose_sheet,
+    .sheets = sheets,
     .makes_many = command_always_many,
     .reads = READS_LENSDB | READS_GLASSES,
     .run = run,

@@ -41,6 +41,6 @@ const char *list_place(enum lensdb_place place);
 
 extern const struct topic topic_lenses, topic_formats, topic_cameras, topic_films, topic_scenes,
     topic_filters, topic_stops, topic_units, topic_commands, topic_options, topic_glasses,
-    topic_keywords;
+    topic_keywords, topic_columns;
 
 #endif

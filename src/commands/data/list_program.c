@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
 
+#include "cli/columns.h"
+
 #include <math.h>
 
 /* Stop series. */
@@ -190,7 +192,44 @@ static bool list_options(struct list *list, struct error *error)
     return true;
 }
 
+/* Columns of commands. The first word of the search may name a command. */
+struct column_search {
+    struct list *list;
+    struct text rest; /* of the search; empty: all columns */
+};
+
+static bool list_column(void *context, const struct column_row *row)
+{
+    struct column_search *search = context;
+    const char *const texts[] = {row->column, row->label, row->help};
+    const char *kind = search->list->input->kind;
+    bool found = search->rest.length == 0;
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0] && !found; i++) {
+        found = texts[i] != NULL && text_contains_name(text_of(texts[i]), search->rest);
+    }
+    if (found && (kind == NULL || text_same_name(text_of(kind), text_of(row->command)))) {
+        list_row(search->list, row);
+    }
+    return true;
+}
+
+static bool list_columns(struct list *list, struct error *error)
+{
+    (void)error;
+    const char *searched = list->input->search != NULL ? list->input->search : "";
+    struct text behind = text_of(searched);
+    const struct command *only = command_find(text_cut(&behind, ' '));
+    struct column_search search = {list, only != NULL ? behind : text_of(searched)};
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        if ((only == NULL || only == commands[i]) && commands[i]->run != NULL) {
+            columns_describe(commands[i], list_column, &search, list->run->arena);
+        }
+    }
+    return true;
+}
+
 const struct topic topic_stops = {SHEET(stop_columns, struct stop_row), list_stops};
 const struct topic topic_units = {SHEET(unit_columns, struct unit_row), list_units};
 const struct topic topic_commands = {SHEET(command_columns, struct command_row), list_commands};
 const struct topic topic_options = {SHEET(option_columns, struct option_row), list_options};
+const struct topic topic_columns = {SHEET(columns_of_columns, struct column_row), list_columns};

@@ -113,6 +113,12 @@ static const struct fit_kind {
             [FIT_CORRELATIONS] = &fit_correlation_sheet,
             [FIT_RESIDUALS] = &fit_index_sheet}};
 
+static const struct sheet *const all_sheets[] = {&fit_lens_sheet,        &fit_parameter_sheet,
+                                                 &fit_correlation_sheet, &fit_ray_sheet,
+                                                 &fit_model_sheet,       &fit_matrix_sheet,
+                                                 &fit_goal_sheet,        &fit_glass_sheet,
+                                                 &fit_index_sheet,       NULL};
+
 static const struct fit_kind *kind_of(const struct fit_input *input)
 {
     return input->glass != NULL ? &glass : input->goals != NULL ? &prescription : &thick_lens;
@@ -271,6 +277,7 @@ const struct command command_fit = {
     .option_count = sizeof options / sizeof options[0],
     .input_size = sizeof(struct fit_input),
     .choose_sheet = choose_sheet,
+    .sheets = all_sheets,
     .makes_many = makes_many,
     .run = run,
     COMMAND_MAKES(artifacts),

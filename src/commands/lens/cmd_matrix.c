@@ -69,6 +69,7 @@ static const struct column perspective_columns[] = {
 
 static const struct sheet matrix_sheet = SHEET(columns, struct row);
 static const struct sheet perspective_sheet = SHEET(perspective_columns, struct perspective_row);
+static const struct sheet *const sheets[] = {&matrix_sheet, &perspective_sheet, NULL};
 
 static double determinant(const struct paraxial_matrix *m)
 {
@@ -173,5 +174,6 @@ const struct command command_matrix = {
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
+    .sheets = sheets,
     .makes_many = command_always_many,
 };

@@ -195,6 +195,7 @@ static const struct column outline_columns[] = {
 
 static const struct sheet outline_sheet = SHEET(outline_columns, struct row);
 static const struct sheet bounds_sheet = SHEET(columns, struct row);
+static const struct sheet *const sheets[] = {&bounds_sheet, &outline_sheet, NULL};
 
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
@@ -510,6 +511,7 @@ const struct command command_pupil = {
     COMMAND_ASKS(struct pupil_input),
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
+    .sheets = sheets,
     .makes_many = command_always_many,
     .brings = brings,
     COMMAND_MAKES(artifacts),

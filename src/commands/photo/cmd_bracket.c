@@ -58,7 +58,7 @@ static const struct column columns[] = {
     COLUMN_NOMINAL_TIME(struct row, nominal_time),
     {STOPS(offset), .name = "offset", .flags = COLUMN_BRIEF, .symbol = "d", .label = "offset",
      .help = "stops above (+) or below (-) the middle given by --time, else the longest shot"},
-    {TIME(elapsed), .name = "elapsed", .flags = COLUMN_BRIEF, .label = "elapsed",
+    {TIME(elapsed), .name = "elapsed", .flags = COLUMN_BRIEF | COLUMN_SPAN, .label = "elapsed",
      .help = "exposure times so far, this one included"},
     {NUMBER(shots), .name = "shots", .symbol = "n", .label = "shots", .help = "number of shots"},
     {STOPS(step), .name = "step", .symbol = "step", .label = "step",

@@ -209,6 +209,7 @@ static const struct column best_columns[] = {
 static const struct sheet best = SHEET(best_columns, struct row);
 static const struct sheet contrast = SHEET(contrast_columns, struct row);
 static const struct sheet all = SHEET(columns, struct row);
+static const struct sheet *const sheets[] = {&all, &best, &contrast, NULL};
 
 static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
 {
@@ -393,6 +394,7 @@ const struct command command_diffraction = {
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
+    .sheets = sheets,
     .makes_many = makes_many,
     .varies = varies,
     .plot = "mtf_total|airy_diameter_um|fnumber",

@@ -4,6 +4,10 @@
 #include "commands/photo/light_options.h"
 
 #include "base/constants.h"
+#include "report/spoken.h"
+
+#include <math.h>
+#include <string.h>
 
 #define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 
@@ -48,6 +52,9 @@ static const struct option options[] = {
      .help = "of a film or video camera"},
     {OPTION(struct exposure_input, frame_rate), .name = "frame-rate", .column = "frame_rate",
      .dimension = &dimension_rate, POSITIVE, .value = "RATE", .help = "frames per second"},
+    {OPTION(struct exposure_input, metered), .name = "metered", .quantity = "metered time",
+     .column = "metered", .dimension = &dimension_time, .unit = "s", POSITIVE, .value = "TIME",
+     .help = "time metered without the --filter: gives the time to set with it"},
     {OPTION(struct exposure_input, film), .name = "film", .column = "film", .value = "NAME",
      .help = "corrects long times for reciprocity failure; see 'list films'"},
     {OPTION(struct exposure_input, corrected_time), .name = "corrected-time",
@@ -84,8 +91,11 @@ static const struct option options[] = {
 static const struct column columns[] = {
     PHOTO_LENS_COLUMNS(struct exposure_row, real),
     PHOTO_LENS_WAVELENGTH_COLUMN(struct exposure_row, real),
-    {NUMBER(x.N), .name = "fnumber", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "N",
-     .label = "f-number", .help = "f-number"},
+    {TIME(metered), .name = "metered", .flags = COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO,
+     .with = "metered", .symbol = "tm", .label = "metered time",
+     .help = "as metered without filter"},
+    {NUMBER(x.N), .name = "fnumber", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE,
+     .symbol = "N", .label = "f-number", .help = "f-number"},
     COLUMN_NOMINAL_FNUMBER(struct exposure_row, nominal_fnumber),
     {TIME(x.t), .name = "time", .flags = COLUMN_BRIEF, .symbol = "t", .label = "time",
      .help = "exposure time, metered"},
@@ -94,21 +104,26 @@ static const struct column columns[] = {
      .label = "nearest camera settings: over (+) or under (-)",
      .help = "stops by which the nearest steps of the series expose over (+) or under (-)"},
     {STOPS(label_residual), .name = "label_residual", BRIEF_WITH("equivalent"),
-     .label = "their labels by",
-     .help = "the same with the labels taken at their word: 1/125 "
-             "for 1/128"},
+     .label = "the same by their labels",
+     .help = "as residual, with labels taken at face value: 1/125 for 1/128"},
     {TIME(corrected_time), .name = "corrected_time", BRIEF_WITH("film"), .symbol = "Tc",
      .label = "time on this film", .help = "time corrected for reciprocity failure"},
     {STOPS(reciprocity_stops), .name = "reciprocity", .flags = COLUMN_EXTRA, .with = "film",
      .label = "reciprocity failure", .help = "corrected over metered time, in stops"},
-    {NUMBER(x.S), .name = "iso", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "S",
+    {TIME(time_to_set), .name = "time_to_set", BRIEF_WITH("metered"), .symbol = "ts",
+     .label = "time to set", .help = "through the filter, and corrected for the --film"},
+    {NUMBER(timer), .name = "timer", .flags = COLUMN_EXTRA | COLUMN_HIDDEN, .with = "metered",
+     .label = "timer", .help = "time to set in words: 2 min 30 s"},
+    {NUMBER(x.S), .name = "iso", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .symbol = "S",
      .label = "ISO speed", .help = "film or sensor speed"},
-    {NUMBER(x.ev100), .name = "ev100", .flags = COLUMN_BRIEF, .symbol = "EV100",
+    {NUMBER(nominal_iso), .name = "nominal_iso", .flags = COLUMN_BRIEF | COLUMN_SPARSE,
+     .label = "nearest ISO speed", .help = "nearest speed of cameras, where it is solved for"},
+    {NUMBER(x.ev100), .name = "ev100", .flags = COLUMN_BRIEF | COLUMN_SPARSE, .symbol = "EV100",
      .label = "EV at ISO 100", .help = "light as exposure value at ISO 100"},
     {NUMBER(x.ev), .name = "ev_at_iso", .symbol = "EV", .label = "EV at this ISO",
      .help = "light as exposure value at this speed"},
     {STOPS(deviation), .name = "deviation", BRIEF_WITH("iso"), .symbol = "d",
-     .label = "exposed more than metered by",
+     .label = "deviation from the metered exposure",
      .help = "where everything is given: stops over (+) or under (-) the light"},
     {NUMBER(x.L), .dimension = &dimension_luminance, .unit = "cd_m2", .name = "luminance",
      .symbol = "L", .label = "luminance", .help = "of the subject"},
@@ -185,6 +200,11 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     }
     row.real = *lens->real;
     row.pupil = lens->P;
+    if (!isnan(row.time_to_set)) {
+        char words[SPOKEN_LENGTH];
+        spoken_time(words, row.time_to_set, 3);
+        row.timer = arena_string(run->arena, words, strlen(words));
+    }
     if (!input->equivalent) {
         run_emit(run, &row);
         return true;
@@ -239,6 +259,8 @@ static const struct explanation explanations[] = {
      "C depends on the receptor: 250 flat, 340 dome"},
     {"deviation", "d = EV100 + log2({S}/100) - {loss} - {more} - log2({N}^2/{t})", "[Apex60]",
      NULL},
+    {"time_to_set", "ts = {tm} 2^({loss} + {more})", "definition of a stop",
+     "and corrected for the film, where one is given"},
     {"corrected_time", "Tc = t_film({t})",
      "as the film's source gives it: Tm^p, points joined in log-log, or Tm + a Tm^1.62",
      "one emulsion and developer; sources differ by 0.6 stop"},
@@ -257,6 +279,9 @@ static const struct example examples[] = {
     {"exposure -N 16 -t 1/8 --equivalent --series full", "equal exposures, and how equal they are"},
     {"exposure -N 5.6 --ev 12 --filter ND3.0+polarizer", "through two filters"},
     {"exposure --lens cooke-triplet-50 --ev 12 -m 1:2", "a real lens wide open, close up"},
+    {"exposure --metered 1/125 --filter ND1000", "the time to set behind a ten-stop filter"},
+    {"exposure --metered 1/4 --filter 10stops --film \"HP5 Plus\"",
+     "on a film that needs longer, for a timer"},
     {"exposure -N 22 --ev 5 --film \"HP5 Plus\"", "a long time that the film needs longer"},
     {"exposure -N 8 -t 1/125 --iso 400 --ev 12", "how far off these settings are"},
     {"exposure -N 1.4..16 -t 1/500..1/15 --table N,t:ev100", "a table of exposure values"},

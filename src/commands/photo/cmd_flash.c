@@ -108,7 +108,7 @@ static const struct column columns[] = {
      .label = "path over the ceiling", .help = "length of the bounced light's path"},
     {NUMBER(setting.S), .name = "iso", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "S",
      .label = "ISO speed", .help = "film or sensor speed"},
-    {NUMBER(setting.power), .name = "power", .flags = COLUMN_BRIEF, .symbol = "power",
+    {NUMBER(setting.power), .name = "power", .flags = COLUMN_BRIEF | COLUMN_PART, .symbol = "power",
      .label = "power", .help = "fraction of full power"},
     {NUMBER(setting.flashes), .name = "flashes", .flags = COLUMN_ECHO, .symbol = "n",
      .label = "flashes", .help = "number of equal flashes"},

@@ -150,6 +150,7 @@ static const struct sheet plain = {columns + ATTACHED_COLUMNS,
                                    sizeof columns / sizeof columns[0] - ATTACHED_COLUMNS,
                                    sizeof(struct row)};
 static const struct sheet attached = SHEET(columns, struct row);
+static const struct sheet *const sheets[] = {&attached, NULL};
 
 static bool has_attachments(const void *data)
 {
@@ -401,6 +402,7 @@ const struct command command_focus = {
     .sheet = {columns + ATTACHED_COLUMNS, sizeof columns / sizeof columns[0] - ATTACHED_COLUMNS,
               sizeof(struct row)},
     .choose_sheet = choose_sheet,
+    .sheets = sheets,
     .makes_many = makes_many,
     .run = run,
     .explanations = explanations,

@@ -179,6 +179,7 @@ static const struct column row_columns[] = {
 
 static const struct sheet whole = SHEET(columns, struct row);
 static const struct sheet by_row = SHEET(row_columns, struct row);
+static const struct sheet *const sheets[] = {&whole, &by_row, NULL};
 
 static bool makes_many(const void *data)
 {
@@ -385,6 +386,7 @@ const struct command command_panorama = {
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
     .choose_sheet = choose_sheet,
+    .sheets = sheets,
     .makes_many = makes_many,
     .plot = "shots|columns",
     .cell = "shots",

@@ -21,6 +21,8 @@ static void begin_row(const struct exposure_input *input, struct exposure_row *r
         .magnification = input->magnification,
         .corrected_time = NAN,
         .reciprocity_stops = NAN,
+        .metered = input->metered,
+        .time_to_set = NAN,
         .q = NAN,
         .focal_plane = NAN,
         .glass = NAN,
@@ -143,6 +145,36 @@ static void take_time_only(const struct exposure_given *g, struct exposure_row *
     row->loss = row->K = row->C = NAN;
 }
 
+/* A time metered without the filter, and what it becomes: f-number and speed stay as they are. */
+static bool solve_metered(const struct exposure_input *input, struct exposure_given *g,
+                          struct exposure_row *row, struct error *error)
+{
+    bool corrects = !isnan(input->corrected_time) || !isnan(input->shutter_angle);
+    if (count_lights(g) > 0 || !isnan(g->t) || corrects || input->equivalent) {
+        return fail(error, ERROR_USAGE,
+                    "{--metered} stands in place of {--time}, {--corrected-time}, "
+                    "{--shutter-angle}, {--equivalent} and of the light");
+    }
+    double factor = exp2(row->loss + row->compensation);
+    g->t = input->metered * factor;
+    if (!(g->t > 0) || isinf(g->t)) {
+        return fail(error, ERROR_DOMAIN, "the time to set is beyond all numbers");
+    }
+    if (!isnan(g->N) && !isnan(g->S)) {
+        struct exposure_given light = *g;
+        light.ev100 = log2(g->N * g->N / input->metered) - log2(g->S / 100);
+        light.t = NAN;
+        return exposure_solve(&light, &row->x, error);
+    }
+    double loss = row->loss;
+    take_time_only(g, row);
+    row->loss = loss;
+    row->x.N = g->N;
+    row->x.Av = 2 * log2(g->N);
+    row->x.S = g->S;
+    return true;
+}
+
 /* With a film whose speed is known: in place of the usual speed, where one is assumed. */
 static bool take_box_speed(const struct exposure_input *input, struct exposure_given *g,
                            struct exposure_row *row, struct error *error)
@@ -165,6 +197,9 @@ static bool solve(const struct exposure_input *input, struct exposure_given *g,
                   struct exposure_row *row, struct error *error)
 {
     int lights = count_lights(g);
+    if (!isnan(input->metered)) {
+        return solve_metered(input, g, row, error);
+    }
     if (input->equivalent && lights > 0 && isnan(g->N) && isnan(g->t)) {
         g->N = 1; /* any will do: all of them are asked for */
     }
@@ -182,6 +217,8 @@ static bool solve(const struct exposure_input *input, struct exposure_given *g,
 static bool correct(const struct exposure_input *input, struct exposure_row *row,
                     struct error *error)
 {
+    bool asks = !isnan(input->metered);
+    row->time_to_set = asks ? row->x.t : NAN;
     if (input->film.model == NULL) {
         return true;
     }
@@ -189,6 +226,7 @@ static bool correct(const struct exposure_input *input, struct exposure_row *row
         return error_prefix(error, "%s: ", input->film.name);
     }
     row->reciprocity_stops = reciprocity_stops(row->x.t, row->corrected_time);
+    row->time_to_set = asks ? row->corrected_time : NAN;
     return true;
 }
 
@@ -246,14 +284,24 @@ static bool is_label(const char *label, const struct dimension *dimension, doubl
 static void fill_nominal(const struct exposure_input *input, struct exposure_row *row)
 {
     const struct series_value *series = &input->series;
-    double N = rint(row->x.Av * series->per_stop);
-    double t = rint(row->x.Tv * series->per_stop);
-    row->nominal_fnumber = stop_label(series->fnumbers, N);
+    bool asks = !isnan(input->metered), time_alone = asks && isnan(row->x.N);
+    double Av = time_alone ? 0 : row->x.Av, time = asks ? row->time_to_set : row->x.t;
+    double Tv = asks ? -log2(time) : row->x.Tv;
+    double N = rint(Av * series->per_stop);
+    double t = rint(Tv * series->per_stop);
+    double S = rint(row->x.Sv * series->isos_per_stop);
+    bool solved_speed = row->x.unknown == EXPOSURE_S;
+    row->nominal_fnumber = time_alone ? NULL : stop_label(series->fnumbers, N);
     row->nominal_time = stop_label(series->times, t);
+    row->nominal_iso = solved_speed ? stop_label(series->isos, S) : NULL;
     /* settings that are on the dial are set, whatever their labels are rounded from */
-    bool is_set = is_label(row->nominal_fnumber, &dimension_fnumber, row->x.N) &&
-                  is_label(row->nominal_time, &dimension_time, row->x.t);
-    row->residual = is_set ? 0 : row->x.Av + row->x.Tv - (N + t) / series->per_stop;
+    bool is_set = (time_alone || is_label(row->nominal_fnumber, &dimension_fnumber, row->x.N)) &&
+                  is_label(row->nominal_time, &dimension_time, time);
+    row->residual = is_set ? 0 : Av + Tv - (N + t) / series->per_stop;
+    if (asks && row->nominal_time == NULL) {
+        row->residual = NAN; /* for a timer, not for a shutter */
+    }
+    row->residual += solved_speed ? S / series->isos_per_stop - row->x.Sv : 0;
 }
 
 bool exposure_answer(const struct exposure_input *input, struct exposure_row *row,

@@ -19,6 +19,7 @@ struct exposure_input {
     double shutter_angle, frame_rate;
     struct film_value film;
     double corrected_time;
+    double metered; /* s, without what takes light */
     bool focal_plane;
     double vignetting, off_axis;
     struct series_value series;
@@ -29,7 +30,9 @@ struct exposure_input {
 /* Everything about one exposure; NaN and null = absent. */
 struct exposure_row {
     struct exposure x;
-    const char *nominal_fnumber, *nominal_time;
+    const char *nominal_fnumber, *nominal_time, *nominal_iso;
+    double metered, time_to_set; /* s, of a question with --metered */
+    const char *timer;           /* time_to_set in words; filled in by the command */
     double residual, label_residual;
     double deviation, compensation, loss, transmittance, t_stop, magnification;
     double corrected_time, reciprocity_stops;

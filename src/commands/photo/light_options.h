@@ -46,14 +46,15 @@
 /* Columns of the nearest labels, for rows with these members. */
 #define COLUMN_NOMINAL_FNUMBER(S, member)                                                          \
     {                                                                                              \
-        COLUMN(S, member), .name = "nominal_fnumber", .flags = COLUMN_BRIEF,                       \
+        COLUMN(S, member), .name = "nominal_fnumber", .flags = COLUMN_BRIEF | COLUMN_SPARSE,       \
                            .label = "nearest f-number", .help = "nearest f-number of the series"   \
     }
 
 #define COLUMN_NOMINAL_TIME(S, member)                                                             \
     {                                                                                              \
-        COLUMN(S, member), .name = "nominal_time", .flags = COLUMN_BRIEF, .label = "nearest time", \
-                           .help = "nearest time of the series, in s"                              \
+        COLUMN(S, member), .name = "nominal_time", .dimension = &dimension_time,                   \
+                           .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = "nearest time",         \
+                           .help = "nearest time of the series; in machine formats a label in s"   \
     }
 
 #endif

@@ -1,0 +1,28 @@
+# columns by name, in other spelling, by label, symbol, letter or name of the option; and lists of them
+dof() {
+    lenscalc dof -f 50 -N 4,8 -s 3 -c 0.03 --csv --digits 5 "$@" || echo "status $?"
+}
+dof --columns N,s,near
+dof --columns aperture,focal-length,distance
+dof --columns 'Near Limit,far-limit,Depth_of_Field,H'
+dof --columns near_limit_ft,FAR_M
+dof --columns limit
+dof --columns blur
+dof --columns sharpness
+dof --columns hyperfocal_s
+lenscalc dof -f 50 -N 4,8 -s 3,4 -c 0.03 --table N,s:H --csv --digits 5
+lenscalc dof -f 50 -N 4,8 -s 3,4 -c 0.03 --table N,s:limit
+lenscalc hyperfocal --columns '?'
+lenscalc hyperfocal --columns '?' --csv | head -3
+lenscalc matrix --columns '?' --columns z | head -1
+lenscalc draw --columns '?'
+lenscalc list columns dof near --columns column,unit,label
+lenscalc list columns dof nothing
+lenscalc list columns hyperfocal --csv | wc -l
+lenscalc list columns --csv | cut -d, -f1 | sort -u | wc -l
+# every column of every command is found by its label where no other has that, and has a meaning
+lenscalc list columns --jsonl | grep -c '"meaning":null'
+# words of the trade for options
+lenscalc dof -f 50 --fnumber 8 -s 3
+lenscalc exposure --metered 1/125 --nd 10
+lenscalc exposure --shutter-speed 1/125
