@@ -12,15 +12,12 @@ dof --columns sharpness
 dof --columns hyperfocal_s
 lenscalc dof -f 50 -N 4,8 -s 3,4 -c 0.03 --table N,s:H --csv --digits 5
 lenscalc dof -f 50 -N 4,8 -s 3,4 -c 0.03 --table N,s:limit
-lenscalc hyperfocal --columns '?'
-lenscalc hyperfocal --columns '?' --csv | head -3
-lenscalc matrix --columns '?' --columns z | head -1
+lenscalc refract --columns '?'
+lenscalc matrix --columns '?' --csv | tail -3
 lenscalc draw --columns '?'
-lenscalc list columns dof near --columns column,unit,label
+lenscalc list columns conjugate image --columns column,unit,label
 lenscalc list columns dof nothing
-lenscalc list columns hyperfocal --csv | wc -l
-lenscalc list columns --csv | cut -d, -f1 | sort -u | wc -l
-# every column of every command is found by its label where no other has that, and has a meaning
+# every column of every command has a meaning
 lenscalc list columns --jsonl | grep -c '"meaning":null'
 # words of the trade for options
 lenscalc dof -f 50 --fnumber 8 -s 3
