@@ -14,7 +14,8 @@ double readable_median(double *values, size_t count);
  * Given     system   metric or imperial (only columns printed in metres become feet)
  *           shown    the column and the unit of machine output
  *           typical  a typical magnitude in the program's own unit; inf or NaN: no opinion
- * Result    the unit, one that the user named with --columns as it is; null for a plain number, and for times, whose values say their own unit
+ * Result    the unit, one that the user named with --columns as it is; null for a plain number,
+ *           and for times, whose values say their own
  */
 const struct unit *readable_unit(const struct shown *shown, enum unit_system system,
                                  double typical);
@@ -35,8 +36,8 @@ int readable_inch_places(const struct shown *shown, const struct unit *unit, dou
 /*
  * Write the value of a column in words for people: `digits` significant digits, no exponent in
  * the usual range, no more digits than the value's condition allows ("~" before a value of which
- * not even one digit is certain), "inf" for infinity, "" if absent; feet and inches as 9' 4.3", times as 1/125 s and
- * 2 min 30 s.
+ * not even one digit is certain), "inf" for infinity, "" if absent; feet and inches as 9' 4.3",
+ * times as 1/125 s and 2 min 30 s.
  *
  * Given     to, room  receives a string with NUL; 80 characters suffice for numbers
  *           unit      as readable_unit gave it

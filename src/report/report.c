@@ -150,7 +150,7 @@ static void suggest_columns(const struct sheet *sheet, struct text name, struct 
                                               : ", ",
                              names[i]);
     }
-    error_hint(error, count > 0 ? "%s? --columns '?' lists all" : "%s--columns '?' lists all",
+    error_hint(error, count > 0 ? "%s? '?' lists all columns" : "%s'?' lists all columns",
                words);
 }
 

@@ -94,8 +94,8 @@ struct selection {
 bool report_select(struct report *report, const struct selection *selection, struct error *error);
 
 /*
- * Find a column by output name ("near_m"), in another unit ("near_ft") or without one ("near"); where
- * there is no such name by the same in other spelling, by its label ("near limit") or by its symbol.
+ * Find a column by output name ("near_m"), in another unit ("near_ft") or without one ("near");
+ * else by the same in other spelling, by its label ("near limit") or by its symbol.
  *
  * Errors    ERROR_USAGE: no such column, with what is near; a unit it cannot be printed in
  */

@@ -197,9 +197,6 @@ static bool solve(const struct exposure_input *input, struct exposure_given *g,
                   struct exposure_row *row, struct error *error)
 {
     int lights = count_lights(g);
-    if (!isnan(input->metered)) {
-        return solve_metered(input, g, row, error);
-    }
     if (input->equivalent && lights > 0 && isnan(g->N) && isnan(g->t)) {
         g->N = 1; /* any will do: all of them are asked for */
     }
@@ -311,7 +308,7 @@ bool exposure_answer(const struct exposure_input *input, struct exposure_row *ro
     begin_row(input, row);
     if (!take_scene(input, &given, error) || !take_time(input, &given, row, error) ||
         !take_t_stop(input, &given, row, error) || !take_loss(input, &given, row, error) ||
-        !solve(input, &given, row, error) || !fill_t_stop(row, error) ||
+        !(isnan(input->metered) ? solve : solve_metered)(input, &given, row, error) || !fill_t_stop(row, error) ||
         !fill_shutter(input, row, error) || !fill_focal_plane(input, row, error) ||
         (!input->equivalent && !correct(input, row, error))) {
         return false;
