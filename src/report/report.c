@@ -150,8 +150,7 @@ static void suggest_columns(const struct sheet *sheet, struct text name, struct 
                                               : ", ",
                              names[i]);
     }
-    error_hint(error, count > 0 ? "%s? '?' lists all columns" : "%s'?' lists all columns",
-               words);
+    error_hint(error, count > 0 ? "%s? '?' lists all columns" : "%s'?' lists all columns", words);
 }
 
 bool report_find_column(const struct sheet *sheet, struct text name, struct arena *arena,

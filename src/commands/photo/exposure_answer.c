@@ -308,8 +308,9 @@ bool exposure_answer(const struct exposure_input *input, struct exposure_row *ro
     begin_row(input, row);
     if (!take_scene(input, &given, error) || !take_time(input, &given, row, error) ||
         !take_t_stop(input, &given, row, error) || !take_loss(input, &given, row, error) ||
-        !(isnan(input->metered) ? solve : solve_metered)(input, &given, row, error) || !fill_t_stop(row, error) ||
-        !fill_shutter(input, row, error) || !fill_focal_plane(input, row, error) ||
+        !(isnan(input->metered) ? solve : solve_metered)(input, &given, row, error) ||
+        !fill_t_stop(row, error) || !fill_shutter(input, row, error) ||
+        !fill_focal_plane(input, row, error) ||
         (!input->equivalent && !correct(input, row, error))) {
         return false;
     }
