@@ -229,7 +229,12 @@ struct ray bundle_chief(const struct bundle_source *source, size_t to, struct ar
 
 struct islands bundle_islands(const struct bundle_source *source, struct arena *arena)
 {
-    return source->region != NULL && source->question->clip
-               ? quadrature_islands(source->region, arena)
-               : (struct islands){0, 0};
+    if (!source->question->clip) {
+        return (struct islands){0};
+    }
+    if (source->region != NULL) {
+        return quadrature_islands(source->region, arena);
+    }
+    struct quadrature_region region = quadrature_open(&source->pupil, arena);
+    return quadrature_islands(&region, arena);
 }

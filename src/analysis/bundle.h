@@ -88,7 +88,7 @@ bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, st
 /* The chief ray there, unclipped; its status says whether it gets there. */
 struct ray bundle_chief(const struct bundle_source *source, size_t to, struct arena *arena);
 
-/* Light that passes beyond a gap, which a quadrature leaves out; of other patterns none. */
+/* Light that passes beyond a gap: a quadrature leaves it out, other patterns do not reach it. */
 struct islands bundle_islands(const struct bundle_source *source, struct arena *arena);
 
 #endif

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/falloff.h"
 
+#include "analysis/quadrature.h"
 #include "base/constants.h"
 #include "trace/aim.h"
 #include "trace/dispatch.h"
@@ -149,6 +150,11 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
     point.light = from_film(falloff, falloff->film, &film, found ? inside : NULL);
     point.vignetted = 0;
     if (falloff->clip && vignetting) {
+        struct clear_guess guess = clear_guess_of(falloff->film, &film, &falloff->first);
+        for (int i = 0; i < 2 && found; i++) {
+            guess.centre[i] = inside[i];
+        }
+        point.islands = quadrature_islands_about(falloff->film, &film, &guess, setup->arena);
         const struct illumination stop =
             from_film(falloff, falloff->film_stop, &film, found ? inside : NULL);
         point.vignetted = vignetted_of(&point.light, &stop);

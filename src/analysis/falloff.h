@@ -5,6 +5,7 @@
 
 #include "analysis/illumination.h"
 #include "analysis/setup.h"
+#include "trace/islands.h"
 
 /* A lens at one wavelength, with the light in the middle of its image. */
 struct falloff {
@@ -45,6 +46,7 @@ struct falloff_point {
     double relative_field;     /* the same by the rays of the object point; NaN: no chief ray */
     double vignetted;          /* share of what the stop alone would let pass that apertures take */
     double cos4;               /* cos^4 of the angle; NaN without one */
+    struct islands islands;    /* light beyond a gap in the exit pupil, that `light` leaves out */
 };
 
 /*

@@ -240,5 +240,6 @@ bool fan_trace(const struct fan_question *question, struct arena *arena, struct 
         trace_light(fan, &origin, &lights.list[g], arena, rays + g * FAN_SECTIONS * fan->points);
     }
     fan->rays = rays;
+    fan->islands = bundle_islands(&lights.list[0].source, arena);
     return check_light(&lights, rays, count, arena, error);
 }

@@ -41,6 +41,7 @@ struct fan {
     const char *no_opd;  /* why there are no optical path differences; null: there are */
     const struct fan_ray *rays; /* [wavelength][section][point] */
     size_t points;
+    struct islands islands; /* light beyond a gap in the pupil, of the first wavelength */
 };
 
 /*

@@ -440,23 +440,6 @@ static void fill_areas(const struct pupil_question *question, const struct clear
     }
 }
 
-/* Light beside the bundle about the chief ray, or the middle of the beam. */
-static struct islands find_islands(const struct pupil_question *question,
-                                   const struct clear_guess *guess, struct arena *arena)
-{
-    const struct stop_beam pupil = {.system = question->clipped,
-                                    .beam = question->beam,
-                                    .origin = {guess->centre[0], guess->centre[1]},
-                                    .axes = {guess->radius, 0, 0, guess->radius},
-                                    .radius = question->clipped->stop_radius,
-                                    .weight = WEIGHT_BEAM};
-    const struct arena_mark mark = arena_mark(arena);
-    struct quadrature_region region = quadrature_open(&pupil, arena);
-    const struct islands islands = quadrature_islands(&region, arena);
-    arena_reset(arena, mark);
-    return islands;
-}
-
 bool pupil_shape(const struct pupil_question *question, struct arena *arena,
                  struct pupil_shape *shape, struct error *error)
 {
@@ -483,7 +466,7 @@ bool pupil_shape(const struct pupil_question *question, struct arena *arena,
     if (clear.is_empty) {
         return true;
     }
-    shape->islands = find_islands(question, &guess, arena);
+    shape->islands = quadrature_islands_about(question->clipped, beam, &guess, arena);
     /* the centre, the edges, the arms and four bounds, by bisection in about 60 steps */
     shape->rays = 60 * (question->directions + clear.arm_count * (clear.arcs > 0) + 5 * RAYS_BLOCK);
     const double *middle = shape->has_chief ? chief : clear.centre;

@@ -322,8 +322,24 @@ bool quadrature_fills_disc(struct quadrature_region *region, struct arena *arena
 struct islands quadrature_islands(struct quadrature_region *region, struct arena *arena)
 {
     look(region, arena);
-    return region->is_empty ? (struct islands){0, 0}
+    return region->is_empty ? (struct islands){0}
                             : islands_find(&region->margins, region->star, arena);
+}
+
+struct islands quadrature_islands_about(const struct system *clipped, const struct beam *beam,
+                                        const struct clear_guess *guess, struct arena *arena)
+{
+    const struct stop_beam pupil = {.system = clipped,
+                                    .beam = beam,
+                                    .origin = {guess->centre[0], guess->centre[1]},
+                                    .axes = {guess->radius, 0, 0, guess->radius},
+                                    .radius = clipped->stop_radius,
+                                    .weight = WEIGHT_BEAM};
+    const struct arena_mark mark = arena_mark(arena);
+    struct quadrature_region region = quadrature_open(&pupil, arena);
+    const struct islands islands = quadrature_islands(&region, arena);
+    arena_reset(arena, mark);
+    return islands;
 }
 
 struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,

@@ -4,6 +4,7 @@
 #define LENSCALC_ANALYSIS_QUADRATURE_H
 
 #include "base/arena.h"
+#include "trace/clear.h"
 #include "trace/islands.h"
 #include "trace/rays.h"
 #include "trace/sample.h"
@@ -63,6 +64,10 @@ bool quadrature_fills_disc(struct quadrature_region *region, struct arena *arena
 
 /* What of the light a quadrature leaves out: see islands_find. */
 struct islands quadrature_islands(struct quadrature_region *region, struct arena *arena);
+
+/* The same of a beam that is integrated over about a ray: guess->centre, or what passes near. */
+struct islands quadrature_islands_about(const struct system *clipped, const struct beam *beam,
+                                        const struct clear_guess *guess, struct arena *arena);
 
 /* The same as quadrature_fill for one time. */
 struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena);

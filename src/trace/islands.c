@@ -218,7 +218,7 @@ static struct islands find_on_grid(const struct margins *margins, const struct s
     const struct arena_mark mark = arena_mark(arena);
     struct parts *parts = ARENA_NEW(arena, struct parts);
     enum { CELLS = PARTS_SIDE * PARTS_SIDE };
-    struct islands islands = {0, 0};
+    struct islands islands = {0};
     parts_find(margins, NULL, NULL, parts);
     bool *within = ARENA_ARRAY(arena, parts->count + 1, bool);
     size_t all = 0, outside = 0;
@@ -236,14 +236,8 @@ static struct islands find_on_grid(const struct margins *margins, const struct s
     }
     for (size_t i = 0; i < CELLS; i++) {
         outside += parts->part[i] > 0 && !within[parts->part[i]];
-        parts->excess[i] = within[parts->part[i]] ? 1 : parts->excess[i];
     }
-    if (outside > 0) {
-        /* what is thin looks as if it were torn */
-        parts_number(parts, 3);
-        islands.count = parts->count;
-        islands.share = (double)outside / (double)all;
-    }
+    islands.share = outside > 0 ? (double)outside / (double)all : 0;
     arena_reset(arena, mark);
     return islands;
 }
@@ -272,5 +266,5 @@ struct islands islands_find(const struct margins *margins, const struct star *st
     /* apertures of other shapes have corners and sides: no differences say what is between */
     const bool alone = !margins->is_listed && is_alone(all);
     arena_reset(arena, mark);
-    return alone ? (struct islands){0, 0} : find_on_grid(margins, star, arena);
+    return alone ? (struct islands){0} : find_on_grid(margins, star, arena);
 }

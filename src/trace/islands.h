@@ -7,12 +7,9 @@
 #include "trace/margins.h"
 #include "trace/star.h"
 
-#include <stddef.h>
-
 /* Parts of the pupil that pass light and are none of the star. */
 struct islands {
-    size_t count;
-    double share; /* of all that passes, in areas of the beam */
+    double share; /* of all that passes, in areas of the beam; 0: there are none */
 };
 
 /*

@@ -53,23 +53,21 @@ void parts_point(const struct parts *parts, size_t cell, double point[2])
     point[1] = parts->low[1] + (double)(cell / PARTS_SIDE) * parts->step[1];
 }
 
-/* Give the number of a part to all clear cells that are no farther than `reach` from one of it. */
-static void spread(struct parts *parts, size_t first, size_t reach, unsigned short number)
+/* Give the number of a part to all clear cells that touch one of it. */
+static void spread(struct parts *parts, size_t first, unsigned short number)
 {
-    const size_t width = 2 * reach + 1;
     unsigned short waiting[CELLS];
     size_t count = 0;
     parts->part[first] = number;
     waiting[count++] = (unsigned short)first;
     while (count > 0) {
         const size_t cell = waiting[--count], x = cell % PARTS_SIDE, y = cell / PARTS_SIDE;
-        for (size_t i = 0; i < width * width; i++) {
-            const size_t beside = x + i % width, below = y + i / width; /* more by reach */
-            if (beside < reach || beside >= PARTS_SIDE + reach || below < reach ||
-                below >= PARTS_SIDE + reach) {
+        for (size_t i = 0; i < 9; i++) {
+            const size_t beside = x + i % 3, below = y + i / 3; /* more by one */
+            if (beside < 1 || beside > PARTS_SIDE || below < 1 || below > PARTS_SIDE) {
                 continue;
             }
-            const size_t other = (below - reach) * PARTS_SIDE + beside - reach;
+            const size_t other = (below - 1) * PARTS_SIDE + beside - 1;
             if (parts->excess[other] <= 0 && parts->part[other] == 0) {
                 parts->part[other] = number;
                 waiting[count++] = (unsigned short)other;
@@ -78,7 +76,7 @@ static void spread(struct parts *parts, size_t first, size_t reach, unsigned sho
     }
 }
 
-void parts_number(struct parts *parts, size_t reach)
+static void number_parts(struct parts *parts)
 {
     parts->count = 0;
     for (size_t i = 0; i < CELLS; i++) {
@@ -86,7 +84,7 @@ void parts_number(struct parts *parts, size_t reach)
     }
     for (size_t i = 0; i < CELLS; i++) {
         if (parts->excess[i] <= 0 && parts->part[i] == 0) {
-            spread(parts, i, reach, (unsigned short)++parts->count);
+            spread(parts, i, (unsigned short)++parts->count);
         }
     }
 }
@@ -119,7 +117,7 @@ void parts_find(const struct margins *margins, const double low[2], const double
             parts->excess[cell_of(tile, i)] = margins->excess[i];
         }
     }
-    parts_number(parts, 1);
+    number_parts(parts);
 }
 
 bool parts_middle(const struct parts *parts, double point[2])

@@ -32,9 +32,6 @@ void parts_bound(const struct margins *margins, double low[2], double high[2]);
 void parts_find(const struct margins *margins, const double low[2], const double high[2],
                 struct parts *parts);
 
-/* Number the clear cells anew; those up to `reach` apart in rows and columns are one part. */
-void parts_number(struct parts *parts, size_t reach);
-
 /* The u and v of a cell. */
 void parts_point(const struct parts *parts, size_t cell, double point[2]);
 

@@ -134,6 +134,8 @@ static struct row row_of_fan(const struct analysis_case *one, size_t field, cons
         point.spectrum = NULL; /* their weights are not used */
     }
     point.warning = lens_warnings_join(point.warning, fan->no_opd, arena);
+    point.warning =
+        lens_warnings_join(point.warning, lens_island_warning(&fan->islands, arena), arena);
     struct row row = row_of(&point);
     row.reference = fan_reference_words(one, asked->input, arena);
     if (!fan->is_angular) {

@@ -188,7 +188,8 @@ static bool emit(const struct asked *asked, const struct analysis_case *one, siz
         share < 1
             ? "no chief ray of the largest field comes to the image: the points end where one "
               "does"
-            : NULL};
+            : NULL,
+        lens_island_warning(&found->islands, asked->run->arena)};
     for (size_t i = 0; i < sizeof warnings / sizeof warnings[0]; i++) {
         row.point.warning = lens_warnings_join(row.point.warning, warnings[i], asked->run->arena);
     }

@@ -49,12 +49,12 @@ const char *lens_warnings_join(const char *first, const char *second, struct are
 
 const char *lens_island_warning(const struct islands *islands, struct arena *arena)
 {
-    return islands->count == 0
+    return !(islands->share > 0)
                ? NULL
                : arena_printf(arena,
-                              "light passes beyond a gap too, in %zu part%s with about %.2g %% of "
-                              "the area of all: not counted",
-                              islands->count, islands->count > 1 ? "s" : "", 100 * islands->share);
+                              "light passes beyond a gap too, about %.2g %% of the area of all: "
+                              "not counted",
+                              100 * islands->share);
 }
 
 /* What is doubtful about the lens, and what its first-order data leave out. */
