@@ -13,6 +13,8 @@
 static const double centroid_error = 1e-6;
 /* Rays at the edge of the stop are aimed so far within it that rounding does not clip them. */
 static const double edge = 1 - 4e-13;
+/* An end is found when the lost ray beside it is as near, in radii of the pupil. */
+static const double narrow = 1e-9;
 
 /* What aberrations are counted from. */
 struct origin {
@@ -149,18 +151,6 @@ static bool set_reference(const struct fan_question *question, const struct fan_
 
 /* -------- the rays -------- */
 
-/* Both sections, one behind the other: they are aimed as one block. */
-static void set_points(const struct fan *fan, double scale, struct pupil_point *points)
-{
-    for (size_t i = 0; i < fan->points; i++) {
-        bool middle = 2 * i + 1 == fan->points;
-        double h = middle ? 0 : scale * (2 * (double)i / (double)(fan->points - 1) - 1);
-        double x = h * fan->along[0] + 0.0, y = h * fan->along[1] + 0.0;
-        points[FAN_TANGENTIAL * fan->points + i] = (struct pupil_point){x, y, 0};
-        points[FAN_SAGITTAL * fan->points + i] = (struct pupil_point){y, 0.0 - x, 0};
-    }
-}
-
 /* From the reference to where a ray arrives, in the plane through it. */
 static void find_off(const struct fan *fan, const struct origin *origin, const struct ray *ray,
                      double off[2])
@@ -176,29 +166,155 @@ static void find_off(const struct fan *fan, const struct origin *origin, const s
     }
 }
 
-static void trace_light(const struct fan *fan, const struct origin *origin,
-                        const struct fan_light *light, struct arena *arena, struct fan_ray *list)
+/* A place in a section, from -1 to 1. */
+struct place {
+    size_t section;
+    double h;
+};
+
+/* Traces the rays of one wavelength. */
+struct tracer {
+    const struct fan *fan;
+    const struct origin *origin;
+    const struct fan_light *light;
+    struct arena *arena;
+    double zero; /* path of the chief ray, mm */
+};
+
+static struct pupil_point point_of(const struct fan *fan, const struct place *place, double scale)
 {
-    const size_t count = FAN_SECTIONS * fan->points;
-    struct pupil_point *points = ARENA_ARRAY(arena, count, struct pupil_point);
-    struct rays rays = rays_new(arena, count);
-    double zero = origin->has_opd ? opd_path(&origin->opd, &light->chief) : (double)NAN;
-    set_points(fan, light->question.clip ? edge : 1, points);
+    double h = scale * place->h;
+    double x = h * fan->along[0] + 0.0, y = h * fan->along[1] + 0.0;
+    return place->section == FAN_TANGENTIAL ? (struct pupil_point){x, y, 0}
+                                            : (struct pupil_point){y, 0.0 - x, 0};
+}
+
+static void trace_places(const struct tracer *tracer, const struct place *places, size_t count,
+                         struct fan_ray *list)
+{
+    const struct arena_mark mark = arena_mark(tracer->arena);
+    const struct fan *fan = tracer->fan;
+    const struct fan_light *light = tracer->light;
+    struct pupil_point *points = ARENA_ARRAY(tracer->arena, count, struct pupil_point);
+    struct rays rays = rays_new(tracer->arena, count);
+    for (size_t i = 0; i < count; i++) {
+        points[i] = point_of(fan, &places[i], light->question.clip ? edge : 1);
+    }
     bundle_aim(&light->source, points, count, &rays);
-    set_points(fan, 1, points);
     rays_trace(light->system, &rays, NULL);
     for (size_t i = 0; i < count; i++) {
         const struct ray ray = rays_get(&rays, i, light->system->index_last);
-        list[i] = (struct fan_ray){.pupil = {points[i].x, points[i].y},
+        const struct pupil_point point = point_of(fan, &places[i], 1);
+        list[i] = (struct fan_ray){.pupil = {point.x, point.y},
                                    .off = {NAN, NAN},
                                    .opd = NAN,
                                    .status = ray.status,
                                    .surface = ray.surface};
         if (ray.status == RAY_OK) {
-            find_off(fan, origin, &ray, list[i].off);
-            list[i].opd = origin->has_opd ? zero - opd_path(&origin->opd, &ray) : (double)NAN;
+            find_off(fan, tracer->origin, &ray, list[i].off);
+            list[i].opd = tracer->origin->has_opd
+                              ? tracer->zero - opd_path(&tracer->origin->opd, &ray)
+                              : (double)NAN;
         }
     }
+    arena_reset(tracer->arena, mark);
+}
+
+static struct place place_of(const struct fan *fan, size_t i)
+{
+    const double last = (double)(fan->points - 1);
+    return (struct place){i / fan->points, (2 * (double)(i % fan->points) - last) / last};
+}
+
+/* -------- the ends -------- */
+
+/* Between a place whose ray arrives and one whose ray is lost. */
+struct gap {
+    struct place clear, dark;
+    struct fan_ray *last; /* that arrives */
+    size_t surface;       /* where the one behind it is lost */
+};
+
+/* Cut gaps in four until they are as narrow as wanted: four of them trace as fast as one. */
+static void close_gaps(const struct tracer *tracer, struct gap *gaps, size_t count)
+{
+    enum { PARTS = 4, MOST = FAN_SECTIONS * FAN_ENDS * (PARTS - 1) };
+    struct place places[MOST];
+    struct fan_ray rays[MOST];
+    double width = 2 / (double)(tracer->fan->points - 1);
+    for (; width > narrow && count > 0; width /= PARTS) {
+        for (size_t i = 0; i < count * (PARTS - 1); i++) {
+            const struct gap *gap = &gaps[i / (PARTS - 1)];
+            double share = (double)(i % (PARTS - 1) + 1) / PARTS;
+            places[i] = gap->clear;
+            places[i].h += share * (gap->dark.h - gap->clear.h);
+        }
+        trace_places(tracer, places, count * (PARTS - 1), rays);
+        for (size_t i = 0; i < count; i++) {
+            const size_t first = i * (PARTS - 1);
+            size_t k = first;
+            for (; k < first + PARTS - 1 && rays[k].status == RAY_OK; k++) {
+                gaps[i].clear = places[k];
+                *gaps[i].last = rays[k];
+            }
+            if (k < first + PARTS - 1) {
+                gaps[i].dark = places[k];
+                gaps[i].surface = rays[k].surface;
+            }
+        }
+    }
+}
+
+static void find_ends(const struct tracer *tracer, const struct fan_ray *list,
+                      struct fan_ends *ends)
+{
+    const struct fan *fan = tracer->fan;
+    struct gap gaps[FAN_SECTIONS * FAN_ENDS];
+    size_t count = 0;
+    for (size_t i = 0; i < FAN_SECTIONS * fan->points; i++) {
+        struct fan_ends *here = &ends[i / fan->points];
+        bool arrives = list[i].status == RAY_OK;
+        if ((i + 1) % fan->points == 0 || arrives == (list[i + 1].status == RAY_OK) ||
+            here->count == FAN_ENDS) {
+            continue;
+        }
+        here->rays[here->count] = list[arrives ? i : i + 1];
+        here->behind[here->count] = i % fan->points;
+        gaps[count++] =
+            (struct gap){place_of(fan, arrives ? i : i + 1), place_of(fan, arrives ? i + 1 : i),
+                         &here->rays[here->count], list[arrives ? i + 1 : i].surface};
+        here->count++;
+    }
+    close_gaps(tracer, gaps, count);
+    for (size_t i = 0; i < count; i++) {
+        gaps[i].last->surface = gaps[i].surface;
+    }
+}
+
+size_t fan_line(const struct fan *fan, size_t wavelength, enum fan_section section,
+                struct fan_ray *list)
+{
+    const size_t line = wavelength * FAN_SECTIONS + section;
+    const struct fan_ends *ends = &fan->ends[line];
+    size_t count = 0, end = 0;
+    for (size_t i = 0; i < fan->points; i++) {
+        list[count++] = fan->rays[line * fan->points + i];
+        for (; end < ends->count && ends->behind[end] == i; end++) {
+            list[count++] = ends->rays[end];
+        }
+    }
+    return count;
+}
+
+static void trace_light(const struct tracer *tracer, struct fan_ray *list, struct fan_ends *ends)
+{
+    const size_t count = FAN_SECTIONS * tracer->fan->points;
+    struct place *places = ARENA_ARRAY(tracer->arena, count, struct place);
+    for (size_t i = 0; i < count; i++) {
+        places[i] = place_of(tracer->fan, i);
+    }
+    trace_places(tracer, places, count, list);
+    find_ends(tracer, list, ends);
 }
 
 /* Does one ray arrive? Else the error says where the chief ray ends. */
@@ -236,10 +352,18 @@ bool fan_trace(const struct fan_question *question, struct arena *arena, struct 
     }
     const size_t count = lights.count * FAN_SECTIONS * fan->points;
     struct fan_ray *rays = ARENA_ARRAY(arena, count, struct fan_ray);
+    struct fan_ends *ends = ARENA_ARRAY(arena, lights.count * FAN_SECTIONS, struct fan_ends);
     for (size_t g = 0; g < lights.count; g++) {
-        trace_light(fan, &origin, &lights.list[g], arena, rays + g * FAN_SECTIONS * fan->points);
+        const struct fan_light *light = &lights.list[g];
+        double zero = origin.has_opd ? opd_path(&origin.opd, &light->chief) : (double)NAN;
+        const struct tracer tracer = {fan, &origin, light, arena, zero};
+        for (size_t s = 0; s < FAN_SECTIONS; s++) {
+            ends[g * FAN_SECTIONS + s].count = 0;
+        }
+        trace_light(&tracer, rays + g * FAN_SECTIONS * fan->points, ends + g * FAN_SECTIONS);
     }
     fan->rays = rays;
+    fan->ends = ends;
     fan->islands = bundle_islands(&lights.list[0].source, arena);
     return check_light(&lights, rays, count, arena, error);
 }

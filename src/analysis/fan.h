@@ -29,7 +29,15 @@ struct fan_ray {
     double off[2];   /* x and y from the reference, mm, or of an angular fan rad; NaN: lost */
     double opd;      /* of the wavelength's own chief ray less that of the ray, mm; NaN: lost */
     enum ray_status status;
-    size_t surface; /* where it was lost, 1-based; 0 = nowhere */
+    size_t surface; /* where it was lost, 1-based; 0 = nowhere; of an end: what ends the pupil */
+};
+
+/* The last rays that arrive, between a point whose ray does and one whose ray does not. */
+enum { FAN_ENDS = 8 };
+struct fan_ends {
+    struct fan_ray rays[FAN_ENDS];
+    size_t behind[FAN_ENDS]; /* the point it comes after; ascending */
+    size_t count;
 };
 
 /* The fans of one field, at all wavelengths of the setup. */
@@ -41,14 +49,17 @@ struct fan {
     const char *no_opd;  /* why there are no optical path differences; null: there are */
     const struct fan_ray *rays; /* [wavelength][section][point] */
     size_t points;
-    struct islands islands; /* light beyond a gap in the pupil, of the first wavelength */
+    const struct fan_ends *ends; /* [wavelength][section] */
+    struct islands islands;      /* light beyond a gap in the pupil, of the first wavelength */
 };
 
 /*
  * Trace the fans of a field.
  *
  * Result    points run from -1 to 1 in equal steps: of the tangential section upwards (of a field
- *           on the x axis to +x), of the sagittal one to +x (to -y). Lost rays keep their places
+ *           on the x axis to +x), of the sagittal one to +x (to -y). Lost rays keep their places.
+ *           Ends lie within 1e-9 of the edge of what arrives; not found are those beyond FAN_ENDS
+ *           in a section, and gaps between neighbours that both arrive
  * Formula   Every wavelength aims for itself at the same stop radius, and its chief ray has W = 0;
  *           all have one reference: the chief ray of the first wavelength, or the centroid of all
  *           by their weights (spot_find to 1e-6), or the sphere with the least weighted mean square
@@ -63,5 +74,9 @@ struct fan {
  */
 bool fan_trace(const struct fan_question *question, struct arena *arena, struct fan *fan,
                struct error *error);
+
+/* The points of a section in their order, its ends between them: list has room for all of both. */
+size_t fan_line(const struct fan *fan, size_t wavelength, enum fan_section section,
+                struct fan_ray *list);
 
 #endif

@@ -238,8 +238,44 @@ static void test_afocal(void)
     arena_free(&arena);
 }
 
+/*
+ * Nothing refracts: at a rim of the radius 4, 10 mm behind a stop of the radius 5, rays of the
+ * slope u have risen by 10 u; a disc of the radius 1 blocks light in its middle.
+ */
+static void test_ends(void)
+{
+    struct arena arena = {0};
+    const double slope = 0.05, rise = 10 * slope;
+    const struct field_point field = {FIELD_ANGLE, {0, atan(slope)}};
+    struct setup setup = open_setup("wavelength d\nobject inf\naperture stop\nfocus afocal\n"
+                                    "surface - 10 air 10 stop\n"
+                                    "surface - 10 air 8\nblock circle 2\n",
+                                    NAN, &arena);
+    struct fan_question question = question_of(&setup, &field, FAN_CHIEF);
+    const struct fan fan = trace(&question, &arena);
+    const double outer = sqrt(16 - rise * rise) / 5, inner = sqrt(1 - rise * rise) / 5;
+    const double expected[FAN_SECTIONS][4] = {
+        {(-4 - rise) / 5, (-1 - rise) / 5, (1 - rise) / 5, (4 - rise) / 5},
+        {-outer, -inner, inner, outer}};
+    for (size_t s = 0; s < FAN_SECTIONS && fan.ends != NULL; s++) {
+        struct fan_ray line[9 + FAN_ENDS];
+        CHECK(fan.ends[s].count == 4);
+        CHECK(fan_line(&fan, 0, (enum fan_section)s, line) == 9 + 4);
+        for (size_t i = 0; i < 4; i++) {
+            const struct fan_ray *ray = &fan.ends[s].rays[i];
+            CHECK_NEAR(ray->pupil[1 - s], expected[s][i], 1e-9, "the end of a section");
+            CHECK(ray->status == RAY_OK && ray->surface == 2);
+        }
+        for (size_t i = 0; i + 1 < 9 + 4; i++) {
+            CHECK(line[i].pupil[1 - s] < line[i + 1].pupil[1 - s]);
+        }
+    }
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_ends();
     test_azimuths(FAN_CHIEF);
     test_azimuths(FAN_CENTROID);
     test_azimuths(FAN_BEST);

@@ -73,7 +73,8 @@ struct row {
         {PLAIN(status, COLUMN_BRIEF), .name = "status", .label = "status",                         \
          .help = "ok, miss, total_reflection, clipped or not_converged"},                          \
         {PLAIN(surface, COLUMN_BRIEF | COLUMN_SPARSE), .name = "surface", .label = "surface",      \
-         .help = "where the ray was lost, from 1, the stop counted"},                              \
+         .help = "where the ray was lost, from 1, the stop counted; of a ray on the edge of the "  \
+                 "clear pupil what ends it"},                                                      \
         {PLACE(at_x, COLUMN_HIDDEN), .name = "reference_x", .label = "reference x",                \
          .help = "the reference on the image plane"},                                              \
         {PLACE(at_y, COLUMN_HIDDEN), .name = "reference_y", .label = "reference y",                \
@@ -168,13 +169,14 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
         return false;
     }
     struct row row = row_of_fan(one, field, &fan, asked);
-    const struct fan_ray *ray = fan.rays;
+    struct fan_ray *rays = ARENA_ARRAY(asked->run->arena, fan.points + FAN_ENDS, struct fan_ray);
     for (size_t g = 0; g < one->setup->wavelength_count; g++) {
         row.point.wavelength = one->setup->wavelengths[g].wavelength;
         for (size_t s = 0; s < FAN_SECTIONS; s++) {
             row.section = names[s];
-            for (size_t i = 0; i < fan.points; i++) {
-                fill(&fan, ray++, &row);
+            const size_t count = fan_line(&fan, g, (enum fan_section)s, rays);
+            for (size_t i = 0; i < count; i++) {
+                fill(&fan, &rays[i], &row);
                 if (!run_emit(asked->run, &row)) {
                     return false;
                 }

@@ -14,6 +14,7 @@ struct curve {
     double wavelength; /* um */
     size_t row;
     double *x[FAN_SECTIONS], *y[FAN_SECTIONS];
+    size_t counts[FAN_SECTIONS];
 };
 
 /* The drawing at work. */
@@ -89,12 +90,14 @@ static void add_curve(struct painter *painter, const struct fan *fan, size_t g, 
                       const char *label)
 {
     struct arena *arena = painter->arena;
-    struct curve curve = {label, wavelength, row_of(painter, label, wavelength), {0}, {0}};
+    struct curve curve = {label, wavelength, row_of(painter, label, wavelength), {0}, {0}, {0}};
+    const size_t room = fan->points + FAN_ENDS;
+    struct fan_ray *rays = ARENA_ARRAY(arena, room, struct fan_ray);
     for (size_t s = 0; s < FAN_SECTIONS; s++) {
-        const struct fan_ray *rays = fan->rays + (g * FAN_SECTIONS + s) * fan->points;
-        curve.x[s] = ARENA_ARRAY(arena, fan->points, double);
-        curve.y[s] = ARENA_ARRAY(arena, fan->points, double);
-        for (size_t i = 0; i < fan->points; i++) {
+        curve.x[s] = ARENA_ARRAY(arena, room, double);
+        curve.y[s] = ARENA_ARRAY(arena, room, double);
+        curve.counts[s] = fan_line(fan, g, (enum fan_section)s, rays);
+        for (size_t i = 0; i < curve.counts[s]; i++) {
             const double *pupil = rays[i].pupil, *along = fan->along;
             curve.x[s][i] = s == FAN_TANGENTIAL ? pupil[0] * along[0] + pupil[1] * along[1]
                                                 : pupil[0] * along[1] - pupil[1] * along[0];
@@ -199,9 +202,9 @@ static struct panel *make_panels(const struct painter *painter, const double *ke
             series[count++] =
                 (struct panel_series){.x = curve->x[section],
                                       .y = curve->y[section],
-                                      .count = painter->points,
+                                      .count = curve->counts[section],
                                       .key = key_of(keys, key_count, curve->wavelength)};
-            any = find_most(curve->y[section], painter->points, most) || any;
+            any = find_most(curve->y[section], curve->counts[section], most) || any;
         }
         panels[i] =
             (struct panel){.series = series, .count = count, .note = any ? NULL : "no ray arrives"};
