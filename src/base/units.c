@@ -125,6 +125,16 @@ static const struct unit pressure_units[] = {
     {"atm", "atm", {101325, 0}, 1, NULL, "standard atmosphere, 101.325 kPa"},
 };
 
+static const struct unit storage_units[] = {
+    {"B", "B", {1, 0}, 1, "byte bytes", "byte"},
+    {"kB", "kB", {1, 3}, 1, NULL, "1000 bytes"},
+    {"MB", "MB", {1, 6}, 1, NULL, "10^6 bytes"},
+    {"GB", "GB", {1, 9}, 1, NULL, "10^9 bytes, as cards are sold"},
+    {"TB", "TB", {1, 12}, 1, NULL, "10^12 bytes"},
+    {"MiB", "MiB", {1048576, 0}, 1, NULL, "2^20 bytes"},
+    {"GiB", "GiB", {1048576, 0}, 1024, NULL, "2^30 bytes"},
+};
+
 #define UNITS(array) .units = (array), .unit_count = COUNT(array)
 
 const struct dimension dimension_number = {.name = "number", UNITS(number_units)};
@@ -155,15 +165,18 @@ const struct dimension dimension_rate = {.name = "frame rate", UNITS(rate_units)
 
 const struct dimension dimension_temperature = {.name = "temperature", UNITS(temperature_units)};
 const struct dimension dimension_pressure = {.name = "pressure", UNITS(pressure_units)};
+const struct dimension dimension_storage = {.name = "amount of data", UNITS(storage_units)};
 const struct dimension dimension_wavelength = {.name = "wavelength", UNITS(length_units)};
 const struct dimension dimension_wavelength_um = {.name = "wavelength", UNITS(wavelength_units)};
 
 const struct dimension *const dimensions[] = {
-    &dimension_length,   &dimension_angle,       &dimension_time,      &dimension_fnumber,
-    &dimension_ratio,    &dimension_vergence,    &dimension_number,    &dimension_iso,
-    &dimension_ev,       &dimension_stops,       &dimension_luminance, &dimension_illuminance,
-    &dimension_exposure, &dimension_speed,       &dimension_rotation,  &dimension_frequency,
-    &dimension_rate,     &dimension_temperature, &dimension_pressure,  NULL,
+    &dimension_length,    &dimension_angle,     &dimension_time,
+    &dimension_fnumber,   &dimension_ratio,     &dimension_vergence,
+    &dimension_number,    &dimension_iso,       &dimension_ev,
+    &dimension_stops,     &dimension_luminance, &dimension_illuminance,
+    &dimension_exposure,  &dimension_speed,     &dimension_rotation,
+    &dimension_frequency, &dimension_rate,      &dimension_temperature,
+    &dimension_pressure,  &dimension_storage,   NULL,
 };
 
 /* Is `name` one of the blank-separated words? Case counts: mm is not MM, D is not d. */
@@ -190,10 +203,11 @@ const struct unit *unit_find(const struct dimension *dimension, struct text name
     return NULL;
 }
 
-/* 10^n for 0 <= n <= 9, exact. */
+/* 10^n for 0 <= n <= 12, exact. */
 static double power_of_ten(int n)
 {
-    static const double powers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+    static const double powers[] = {1,   1e1, 1e2, 1e3,  1e4,  1e5, 1e6,
+                                    1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
     return powers[n];
 }
 

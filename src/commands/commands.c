@@ -6,7 +6,7 @@ extern const struct command command_dof, command_hyperfocal, command_fov;
 extern const struct command command_exposure, command_flash, command_bracket, command_motion,
     command_stars;
 extern const struct command command_focus, command_diffraction, command_equivalent;
-extern const struct command command_tilt, command_panorama;
+extern const struct command command_tilt, command_panorama, command_timelapse;
 extern const struct command command_refract, command_lensmaker;
 extern const struct command command_trace, command_check, command_pupil, command_draw;
 extern const struct command command_lens, command_surfaces, command_matrix, command_conjugate;
@@ -32,6 +32,7 @@ const struct command *const commands[] = {
     &command_equivalent,
     &command_tilt,
     &command_panorama,
+    &command_timelapse,
     &command_refract,
     &command_lensmaker, /* one surface, one lens */
     &command_lens,

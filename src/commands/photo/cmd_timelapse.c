@@ -1,0 +1,218 @@
+/* commands/photo/cmd_timelapse.c - lenscalc timelapse: shots, interval, clip, storage, trails. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/command.h"
+#include "commands/photo/light_options.h"
+#include "photo/stars.h"
+#include "photo/timelapse.h"
+
+#include "base/constants.h"
+
+#include <math.h>
+
+struct input {
+    struct timelapse_given given;
+    double focal, declination, pitch;
+};
+
+#define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+#define TIME_OPTION(member_name)                                                                   \
+    OPTION(struct input, member_name), .dimension = &dimension_time, .unit = "s", POSITIVE,        \
+                                       .value = "TIME"
+#define DATA_OPTION(member_name)                                                                   \
+    OPTION(struct input, member_name), .dimension = &dimension_storage, POSITIVE, .value = "SIZE"
+
+static const struct option options[] = {
+    {TIME_OPTION(given.event), .name = "event", .quantity = "event length", .column = "event",
+     .help = "how long what is recorded lasts: 2h, 45min"},
+    {TIME_OPTION(given.interval), .name = "interval", .column = "interval",
+     .help = "from the beginning of a shot to that of the next"},
+    {OPTION(struct input, given.shots), .name = "shots", .quantity = "number of shots",
+     .column = "shots", .dimension = &dimension_number, .lowest = 1, .highest = TIMELAPSE_SHOTS,
+     .value = "N", .help = "number of shots"},
+    {TIME_OPTION(given.clip), .name = "clip", .quantity = "clip length", .column = "clip",
+     .help = "length of the clip"},
+    {OPTION(struct input, given.rate), .name = "frame-rate", .column = "frame_rate",
+     .dimension = &dimension_rate, POSITIVE, .value = "RATE",
+     .help = "frames per second of the clip (24 unless it follows from the rest)"},
+    OPTION_TIME(struct input, given.time, 0),
+    {OPTION(struct input, given.gap), .name = "gap", .column = "gap", .dimension = &dimension_time,
+     .unit = "s", .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY, .fallback = "1",
+     .value = "TIME", .wants = "time",
+     .help = "that the camera needs between two exposures, to write and for a delay of its own"},
+    {DATA_OPTION(given.frame), .name = "frame-size", .column = "frame_size", .unit = "MB",
+     .help = "storage that a shot takes: 25MB"},
+    {DATA_OPTION(given.card), .name = "card", .column = "card", .unit = "GB",
+     .help = "storage of a card: 64GB; alone with --frame-size it gives the shots"},
+    {OPTION(struct input, given.star_angle), .name = "star-angle", .column = "star_angle",
+     .dimension = &dimension_angle, .unit = "deg", .lowest = 0, .highest = 2 * PI,
+     .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE", .wants = "time",
+     .help = "that star trails shall span about the pole, in place of --event"},
+    {OPTION(struct input, focal), .name = "focal-length", .letter = 'f', .column = "focal",
+     .dimension = &dimension_length, .unit = "mm", POSITIVE, .value = "LENGTH", .wants = "time",
+     .help = "focal length: adds the trails of stars"},
+    {OPTION(struct input, declination), .name = "declination", .column = "declination",
+     .dimension = &dimension_angle, .unit = "deg", .lowest = -PI / 2, .highest = PI / 2,
+     .fallback = "0", .value = "ANGLE", .wants = "focal-length",
+     .help = "of the stars; 0 is the celestial equator, where they are fastest"},
+    {OPTION(struct input, pitch), .name = "pitch", .quantity = "pixel pitch",
+     .dimension = &dimension_length, .unit = "um", POSITIVE, .value = "LENGTH",
+     .usual = {0.3e-3, 30e-3}, .unusual = "pixels are 0.3 to 30 um wide: is the unit right?",
+     .wants = "focal-length", .help = "pixel pitch: tells the gaps of star trails in pixels"},
+};
+
+struct row {
+    struct timelapse plan;
+    struct timelapse_given given;
+    double focal, declination;
+    double trail, shot_trail, gap_trail, gap_pixels; /* mm; of stars, on the sensor */
+    long card_shots, cards;
+    const char *rate_assumed;
+};
+
+#define NUMBER(member)          COLUMN(struct row, member)
+#define TIME(member)            NUMBER(member), .dimension = &dimension_time, .unit = "s"
+#define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
+#define DATA(member, in_unit)   NUMBER(member), .dimension = &dimension_storage, .unit = in_unit
+#define ANGLE(member)           NUMBER(member), .dimension = &dimension_angle, .unit = "deg"
+#define WITH(options)           .flags = COLUMN_EXTRA, .with = options
+#define BRIEF_WITH(options)     .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = options
+
+static const struct column columns[] = {
+    {NUMBER(plan.shots), .name = "shots", .flags = COLUMN_BRIEF, .symbol = "n", .label = "shots",
+     .help = "number of shots"},
+    {TIME(plan.interval), .name = "interval", .flags = COLUMN_BRIEF, .symbol = "i",
+     .label = "interval", .help = "from the beginning of a shot to that of the next"},
+    {TIME(plan.event), .name = "event", .flags = COLUMN_BRIEF, .symbol = "D",
+     .label = "event length", .help = "that all shots cover, each with its interval"},
+    {TIME(plan.clip), .name = "clip", .flags = COLUMN_BRIEF, .symbol = "C", .label = "clip length",
+     .help = "length of the clip"},
+    {NUMBER(plan.rate), .dimension = &dimension_rate, .unit = "fps", .name = "frame_rate",
+     .symbol = "r", .label = "frame rate", .help = "frames per second of the clip"},
+    {NUMBER(plan.speed_up), .name = "speed_up", .flags = COLUMN_BRIEF, .symbol = "x",
+     .label = "faster than life", .help = "event length over clip length"},
+    {TIME(given.time), .name = "time", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "time",
+     .symbol = "t", .label = "exposure time", .help = "exposure time of a shot"},
+    {TIME(plan.pause), .name = "pause", WITH("time"), .symbol = "p", .label = "pause",
+     .help = "without exposure between two shots"},
+    {ANGLE(plan.shutter_angle), .name = "shutter_angle", WITH("time"), .symbol = "a",
+     .label = "shutter angle of the clip",
+     .help = "the exposed part of an interval, as of a film camera: 180 deg look smooth"},
+    {DATA(given.frame, "MB"), .name = "frame_size", .flags = COLUMN_EXTRA | COLUMN_ECHO,
+     .with = "frame-size", .symbol = "F", .label = "size of a frame",
+     .help = "storage that a shot takes"},
+    {DATA(plan.space, "GB"), .name = "space", BRIEF_WITH("frame-size"), .symbol = "S",
+     .label = "space for all shots", .help = "storage that all shots take"},
+    {DATA(given.card, "GB"), .name = "card", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "card",
+     .symbol = "K", .label = "card", .help = "storage of a card"},
+    {NUMBER(card_shots), .name = "card_shots", WITH("card"), .symbol = "nc",
+     .label = "shots on a card", .help = "that a card holds"},
+    {NUMBER(cards), .name = "cards", BRIEF_WITH("card"), .label = "cards",
+     .help = "that all shots need"},
+    {TIME(plan.card_time), .name = "card_time", WITH("card"), .label = "a card lasts",
+     .help = "until it is full"},
+    {TIME(plan.span), .name = "span", WITH("star-angle focal-length"), .symbol = "T",
+     .label = "first exposure to last",
+     .help = "from the beginning of the first exposure to the end of the last"},
+    {ANGLE(plan.star_angle), .name = "star_angle", BRIEF_WITH("star-angle focal-length"),
+     .symbol = "rot", .label = "star trails about the pole", .help = "angle that the trails span"},
+    {LENGTH(focal, "mm"), .name = "focal", .flags = COLUMN_EXTRA | COLUMN_ECHO,
+     .with = "focal-length", .symbol = "f", .label = "focal length", .help = "focal length"},
+    {LENGTH(trail, "mm"), .name = "star_trail", WITH("focal-length"), .symbol = "X",
+     .label = "star trail",
+     .help = "of a star in the frame's centre, along its path on the sensor"},
+    {LENGTH(shot_trail, "um"), .name = "shot_trail", WITH("focal-length"), .symbol = "xs",
+     .label = "trail of one shot", .help = "that each exposure adds"},
+    {LENGTH(gap_trail, "um"), .name = "gap_trail", BRIEF_WITH("focal-length"), .symbol = "xg",
+     .label = "gap between two shots", .help = "of the trail, while the shutter is closed"},
+    {NUMBER(gap_pixels), .name = "gap_pixels", WITH("pitch"), .label = "gap in pixels",
+     .help = "a gap below one or two is not seen"},
+    {TIME(given.gap), .name = "gap", .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED,
+     .with = "time", .depends = "gap", .label = "gap at least",
+     .help = "that the camera needs between two exposures"},
+    {ANGLE(declination), .name = "declination", .with = "focal-length", .symbol = "dec",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO | COLUMN_TIED, .depends = "declination",
+     .label = "declination", .help = "of the stars"},
+    {NUMBER(rate_assumed), .name = "rate_assumed", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
+     .depends = "frame-rate", .label = "frame rate", .help = "what was taken where none is given"},
+};
+
+/* The trails of stars, where a focal length is given. */
+static bool fill_trails(const struct input *input, struct row *row, struct error *error)
+{
+    struct star_trail all, shot;
+    row->trail = row->shot_trail = row->gap_trail = row->gap_pixels = NAN;
+    if (isnan(input->focal)) {
+        return true;
+    }
+    if (isnan(row->plan.interval)) {
+        return fail(error, ERROR_USAGE,
+                    "{--focal-length} wants what the interval follows from: {--interval}, or "
+                    "{--event}");
+    }
+    if (!star_trail(input->focal, input->declination, row->plan.span, &all, error) ||
+        !star_trail(input->focal, input->declination, input->given.time, &shot, error)) {
+        return false;
+    }
+    row->trail = all.linear;
+    row->shot_trail = shot.linear;
+    row->gap_trail = shot.linear * (row->plan.pause / input->given.time);
+    row->gap_pixels = row->gap_trail / input->pitch;
+    return true;
+}
+
+static long whole(double number)
+{
+    return isnan(number) ? NO_INTEGER : (long)number;
+}
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct input *input = data;
+    struct row row = {
+        .given = input->given, .focal = input->focal, .declination = input->declination};
+    if (!timelapse_solve(&input->given, &row.plan, error) || !fill_trails(input, &row, error)) {
+        return false;
+    }
+    row.card_shots = whole(row.plan.card_shots);
+    row.cards = whole(row.plan.cards);
+    row.rate_assumed = row.plan.rate_assumed ? "24 fps (default)" : NULL;
+    run_emit(run, &row);
+    return true;
+}
+
+static const struct explanation explanations[] = {
+    {"shots", "n = {D}/{i}", "definition; each shot has its interval, the last too",
+     "rounded to whole shots"},
+    {"clip", "C = {n}/{r}", "definition", NULL},
+    {"speed_up", "x = {i} {r}", "definition", NULL},
+    {"pause", "p = {i} - {t}", "definition", NULL},
+    {"shutter_angle", "a = 360 {t}/{i}", "definition of the rotating shutter", NULL},
+    {"space", "S = {n} {F}", "definition", "compressed frames differ in size"},
+    {"span", "T = ({n} - 1) {i} + {t}", "first opening to last closing of the shutter", NULL},
+    {"star_angle", "rot = w {T}", "w = 2 pi/86164.1 s, the Earth's rotation", NULL},
+    {"star_trail", "X = {f} w {T} cos({dec})", "along the star's circle, w = 2 pi/86164.1 s",
+     "in the middle of the frame"},
+    {"gap_trail", "xg = {f} w {p} cos({dec})", "as the trail", NULL},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"timelapse --event 2h --clip 20s", "two hours in twenty seconds: the interval"},
+    {"timelapse --event 1h --interval 5s --frame-size 25MB --card 64GB", "shots, clip and cards"},
+    {"timelapse --clip 10s --interval 4s --frame-rate 30 -t 2s", "how long it takes, how smooth"},
+    {"timelapse -t 30s --star-angle 30deg -f 20mm --pitch 4.3um", "star trails of 30 degrees"},
+    {"timelapse --clip 5min --frame-rate 24 --frame-size 12MB --card 512GB", "footage"},
+    {"timelapse --event 30min,1h,2h,4h --clip 10s,20s,30s --table event,clip:interval",
+     "a table to print"},
+    {NULL, NULL},
+};
+
+const struct command command_timelapse = {
+    .name = "timelapse",
+    .group = "photography",
+    .summary = "time-lapse and star trails: shots, interval, clip, storage",
+    COMMAND_ASKS(struct input),
+    COMMAND_ANSWERS(struct row),
+    .plot = "shots|interval_s|clip_s",
+    .cell = "interval_s",
+};
