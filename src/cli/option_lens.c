@@ -96,6 +96,7 @@ static bool read_lens_text(const struct reader *reader, const struct option *opt
                         error)) {
         return false;
     }
+    value.is_file = text_equal(text_trim(text), value.source);
     *(struct lens_text_value *)member = value;
     return true;
 }

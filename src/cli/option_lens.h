@@ -37,6 +37,7 @@ struct lens_cache {
 struct lens_text_value {
     const char *source; /* what to call it in messages; null = not given */
     struct text content;
+    bool is_file; /* the source is its path */
     struct lensdb *db;
     struct arena *arena; /* that of the value */
 };

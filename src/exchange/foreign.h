@@ -40,7 +40,8 @@ struct foreign_job {
     const char *source; /* for messages */
     struct arena *arena;
     const struct glass_source *glasses; /* null: named glasses stay unresolved */
-    bool lossy;                         /* losses are listed; else they are an error together */
+    bool reads_beside; /* the source is a path: files of its folder that it names are read */
+    bool lossy;        /* losses are listed; else they are an error together */
     struct foreign_loss *losses;
     size_t loss_count, loss_room;
     const char *lost_power; /* the first loss that bends light; null = none */

@@ -200,8 +200,11 @@ bool lens_open(struct lensdb *db, struct text name, struct arena *arena, struct 
     if (!lens_open_text(db, name, arena, &source, &content, error)) {
         return false;
     }
-    struct foreign_job job = {
-        .source = source, .arena = arena, .glasses = &glasses, .lossy = db->lossy};
+    struct foreign_job job = {.source = source,
+                              .arena = arena,
+                              .glasses = &glasses,
+                              .reads_beside = text_equal(name, source), /* else no file */
+                              .lossy = db->lossy};
     if (!foreign_read(&job, content, lens, error)) {
         return false;
     }

@@ -342,3 +342,19 @@ bool merge_positions(struct lens_build *build, const struct lens *lenses, struct
     merge_light_and_stop(&merge);
     return check_fields(&merge, error);
 }
+
+bool merge_read(struct lens_build *build, struct foreign_job *job, const struct merge_file *file,
+                struct error *error)
+{
+    struct lens *lenses = ARENA_ARRAY(job->arena, file->count, struct lens);
+    for (size_t p = 0; p < file->count; p++) {
+        const size_t losses = job->loss_count;
+        if (!file->read(file->context, p, &lenses[p], error)) {
+            return false;
+        }
+        foreign_forget_repeated(job, p > 0 ? losses : job->loss_count);
+    }
+    build->lens->positions = file->names;
+    build->lens->position_count = file->count;
+    return merge_positions(build, lenses, job, error);
+}

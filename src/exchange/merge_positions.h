@@ -19,4 +19,17 @@
 bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,
                      struct error *error);
 
+/* A file with positions. */
+struct merge_file {
+    const char **names; /* of the positions, in the arena */
+    size_t count;
+    /* reads the lens of one of them, from 0 on */
+    bool (*read)(void *context, size_t position, struct lens *lens, struct error *error);
+    void *context;
+};
+
+/* The same of a file that is read once for each of its positions; a loss is listed once. */
+bool merge_read(struct lens_build *build, struct foreign_job *job, const struct merge_file *file,
+                struct error *error);
+
 #endif

@@ -1,6 +1,7 @@
 /* exchange/sequence.c - a lens as CODE V and OSLO have it: surfaces, pick-ups, tilts, solves. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/sequence.h"
+#include "exchange/virtual_object.h"
 
 #include <math.h>
 #include <string.h>
@@ -204,8 +205,7 @@ static const struct displacement *undone(const struct sequence *sequence,
         const struct figure *one = turn ? &from->turn[i] : &from->shift[i];
         if (sequence_is_some(one)) {
             some = true;
-            *(turn ? &all->tilt[i] : &all->decenter[i]) =
-                sequence_negate(*one, sequence->job->arena);
+            *(turn ? &all->tilt[i] : &all->decenter[i]) = figure_negate(*one, sequence->job->arena);
         }
     }
     return some ? all : NULL;
@@ -314,8 +314,7 @@ static bool put_object(const struct sequence *sequence, struct error *error)
                        ? infinite
                        : with_extra(sequence, &object->thickness, object->extra);
     if (!lens->object_is_infinite && !(lens->object.value.hi > 0)) {
-        return commands_fail(sequence->commands, &object->at, error,
-                             "the object's distance %.6g mm is not above 0", lens->object.value.hi);
+        virtual_object_put(sequence->build, lens->object.value);
     }
     return true;
 }
@@ -374,7 +373,7 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
         fail(error, ERROR_DATA, "the file has no surface between object and image");
         return error_locate(error, commands->job->source, 0, 0);
     }
-    if (!sequence_apply_pickups(sequence, error)) {
+    if (!sequence_apply_pickups(sequence, error) || !sequence_to_environment(sequence, error)) {
         return false;
     }
     struct sequence_surface *image = &sequence->surfaces[sequence->count - 1], *last = image - 1;

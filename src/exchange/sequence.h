@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "exchange/command_words.h"
+#include "exchange/environment.h"
 #include "exchange/foreign.h"
 #include "file/lens_build.h"
 #include "file/lens_solve.h"
@@ -102,6 +103,7 @@ struct sequence {
     size_t count, room;
     struct sequence_pickup *pickups;
     size_t pickup_count, pickup_room;
+    struct environment environment;
 };
 
 /* A number that was not given. */
@@ -115,8 +117,16 @@ void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup);
 /* Is the figure given and other than 0? */
 bool sequence_is_some(const struct figure *figure);
 
-/* A figure with the other sign, digits and value. */
-struct figure sequence_negate(struct figure figure, struct arena *arena);
+/*
+ * The present command is a temperature in C, or a pressure.
+ *
+ * Given     per_atmosphere  the pressure of one standard atmosphere in the command's unit
+ */
+bool sequence_environment(struct sequence *sequence, bool is_temperature, double per_atmosphere,
+                          struct error *error);
+
+/* The glasses in the air of the file. A part of sequence_finish. */
+bool sequence_to_environment(struct sequence *sequence, struct error *error);
 
 /* A figure of 1/length^power that was read as a plain number. */
 static inline void sequence_per_length(const struct commands *commands, int power,

@@ -8,15 +8,6 @@ bool sequence_is_some(const struct figure *figure)
     return figure->typed.start != NULL && figure->value.hi != 0;
 }
 
-struct figure sequence_negate(struct figure figure, struct arena *arena)
-{
-    if (figure.typed.start != NULL) {
-        figure.typed = decimal_negate(figure.typed, arena);
-    }
-    figure.value = pair_negate(figure.value);
-    return figure;
-}
-
 struct figure sequence_diameter(const struct figure *radius, struct arena *arena)
 {
     return (struct figure){.value = {2 * radius->value.hi, 2 * radius->value.lo},

@@ -16,7 +16,7 @@ static struct figure follow(const struct sequence *sequence, struct figure sourc
                             const struct sequence_pickup *pickup, struct number_scale unit)
 {
     if (pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1 && pickup->scale.lo == 0) {
-        return pickup->scale.hi == 1 ? source : sequence_negate(source, sequence->job->arena);
+        return pickup->scale.hi == 1 ? source : figure_negate(source, sequence->job->arena);
     }
     struct pair value = pair_add(pair_multiply(pickup->scale, source.value), pickup->offset);
     return figure_computed(value, unit, sequence->job->arena);
@@ -58,7 +58,7 @@ static void follow_profile(const struct sequence *sequence, const struct sequenc
     target->coefficients = source->coefficients;
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         target->coefficient[i] = pickup->scale.hi < 0
-                                     ? sequence_negate(source->coefficient[i], sequence->job->arena)
+                                     ? figure_negate(source->coefficient[i], sequence->job->arena)
                                      : source->coefficient[i];
     }
 }

@@ -3,6 +3,7 @@
 #include "file/lens_build.h"
 
 #include "data/lines.h"
+#include "file/decimal.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
@@ -16,6 +17,18 @@ struct figure figure_zero(void)
     struct figure zero = no_figure;
     zero.typed = text_of("0");
     return zero;
+}
+
+struct figure figure_negate(struct figure figure, struct arena *arena)
+{
+    if (figure.variable != LENS_NONE || figure.value.hi == 0) {
+        return figure;
+    }
+    if (figure.typed.length > 0) {
+        figure.typed = decimal_negate(figure.typed, arena);
+    }
+    figure.value = pair_negate(figure.value);
+    return figure;
 }
 
 void lens_build_begin(struct lens_build *build, struct lens *lens, struct arena *arena)

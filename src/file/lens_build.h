@@ -64,6 +64,9 @@ double figure_rounding(const struct figure *figure);
 /* "0" */
 struct figure figure_zero(void);
 
+/* A figure with the other sign, digits and value; 0 and a variable stay. */
+struct figure figure_negate(struct figure figure, struct arena *arena);
+
 /* The same of a double: the shortest digits that read back to it. */
 struct figure figure_of(double value, struct arena *arena);
 

@@ -18,23 +18,6 @@ struct turn {
     bool flips; /* an even number of mirrors: z and x change their signs */
 };
 
-/* The number with the other sign; its digits too. */
-static struct figure negative(struct figure figure, struct arena *arena)
-{
-    struct text typed = figure.typed;
-    if (figure.variable != LENS_NONE || figure.value.hi == 0) {
-        return figure;
-    }
-    figure.value = pair_negate(figure.value);
-    if (typed.start != NULL && typed.length > 0) {
-        bool minus = typed.start[0] == '-', plus = typed.start[0] == '+';
-        figure.typed = text_of(arena_printf(arena, "%s%.*s", minus ? "" : "-",
-                                            (int)(typed.length - (minus || plus)),
-                                            typed.start + (minus || plus)));
-    }
-    return figure;
-}
-
 /* Has the number the other sign in the lens turned around? */
 static bool turns(const struct turn *turn, enum parameter_kind kind)
 {
@@ -44,13 +27,13 @@ static bool turns(const struct turn *turn, enum parameter_kind kind)
 
 static struct figure turned(const struct turn *turn, enum parameter_kind kind, struct figure figure)
 {
-    return turns(turn, kind) ? negative(figure, turn->arena) : figure;
+    return turns(turn, kind) ? figure_negate(figure, turn->arena) : figure;
 }
 
 /* Undone, and then turned. */
 static struct figure undone(const struct turn *turn, enum parameter_kind kind, struct figure figure)
 {
-    return turns(turn, kind) ? figure : negative(figure, turn->arena);
+    return turns(turn, kind) ? figure : figure_negate(figure, turn->arena);
 }
 
 static void set_thickness(const struct turn *turn, struct surface *to, const struct surface *from)
@@ -97,8 +80,8 @@ static void turn_mark(const struct turn *turn, struct vary *vary)
 {
     if (vary->has_bounds && turns(turn, vary->kind)) {
         struct figure low = vary->low;
-        vary->low = negative(vary->high, turn->arena);
-        vary->high = negative(low, turn->arena);
+        vary->low = figure_negate(vary->high, turn->arena);
+        vary->high = figure_negate(low, turn->arena);
     }
 }
 
@@ -175,7 +158,7 @@ static void turn_numbers(const struct turn *turn, struct surface *surface)
         const struct figure *figure = parameter_figure(surface, each.kind, each.order);
         bool is_behind = (parameter_type(each.kind)->is & PARAMETER_IS_BEHIND) != 0;
         if (figure != NULL && !is_behind && turns(turn, each.kind)) {
-            parameter_put(surface, each.kind, each.order, negative(*figure, turn->arena),
+            parameter_put(surface, each.kind, each.order, figure_negate(*figure, turn->arena),
                           turn->arena);
         }
     }
@@ -193,11 +176,11 @@ static const struct aperture *turn_apertures(const struct turn *turn, const stru
         const size_t count = surface->apertures[i].point_count;
         struct figure(*points)[2] = arena_array(arena, count, sizeof *points);
         copy[i] = surface->apertures[i];
-        copy[i].decenter[0] = negative(copy[i].decenter[0], arena);
-        copy[i].turn = negative(copy[i].turn, arena);
+        copy[i].decenter[0] = figure_negate(copy[i].decenter[0], arena);
+        copy[i].turn = figure_negate(copy[i].turn, arena);
         for (size_t k = 0; k < count; k++) {
             memcpy(points[k], copy[i].points[k], sizeof points[k]);
-            points[k][0] = negative(points[k][0], arena);
+            points[k][0] = figure_negate(points[k][0], arena);
         }
         copy[i].points = (const struct figure(*)[2])points;
         if (copy[i].arms % 2 != 0) {
@@ -267,7 +250,7 @@ static void turn_conjugates(struct turn *turn)
     lens->field_kind = kinds[from->field_kind];
     for (size_t i = 0; i < lens->field_count && lens->field_kind != FIELD_ANGLE; i++) {
         struct figure *x = &lens->fields[i].at[0];
-        *x = turn->flips && x->value.hi != 0 ? negative(*x, turn->arena) : *x;
+        *x = turn->flips && x->value.hi != 0 ? figure_negate(*x, turn->arena) : *x;
     }
 }
 

@@ -56,15 +56,19 @@ def of_zmx(text):
     for line in text.splitlines():
         words = line.split()
         if words[:1] == ["SURF"]:
-            surfaces.append({"PARM": {}, "DISZ": 0., "GLAS": ""})
+            surfaces.append({"PARM": {}, "DISZ": 0., "GLAS": "", "SCBD": {}})
         elif words and surfaces and words[0] == "PARM":
             surfaces[-1]["PARM"][int(words[1])] = float(words[2])
         elif words and surfaces and words[0] == "DISZ" and words[1] != "INFINITY":
             surfaces[-1]["DISZ"] = float(words[1])
+        elif words and surfaces and words[0] == "SCBD":
+            surfaces[-1]["SCBD"][int(words[1])] = [float(word) for word in words[2:]]
         elif words and surfaces and words[0] in ("GLAS", "TYPE"):
             surfaces[-1][words[0]] = words[1]
     for surface in surfaces[1:-1]:
         value = lambda i: surface["PARM"].get(i, 0.)
+        before, behind = (surface["SCBD"].get(i, [0] * 7) for i in (1, 2))
+        follow(frame, before)
         if surface.get("TYPE") == "COORDBRK":
             steps = [lambda: frame.shift(value(1), value(2), 0), lambda: frame.turn(0, value(3)),
                      lambda: frame.turn(1, value(4)), lambda: frame.turn(2, value(5))]
@@ -72,8 +76,22 @@ def of_zmx(text):
                 step()
         else:
             planes.append(frame.plane() + (surface["GLAS"] == "MIRROR",))
+        if behind[1] == 0:
+            follow(frame, behind)
+        else:
+            follow(frame, before, undone=behind[1] == 2)
         frame.shift(0, 0, surface["DISZ"])
     return planes
+
+
+def follow(frame, shift, undone=False):
+    """SCBD order status dx dy tx ty tz: as a coordinate break; undone step by step."""
+    sign = -1 if undone else 1
+    dx, dy, *turns = (sign * number for number in shift[2:])
+    steps = [lambda: frame.shift(dx, dy, 0)]
+    steps += [lambda axis=axis: frame.turn(axis, turns[axis]) for axis in range(3)]
+    for step in reversed(steps) if (shift[0] != 0) != undone else steps:
+        step()
 
 
 def of_lens(text):
@@ -146,6 +164,26 @@ def main():
         with open(path, "w") as file:
             file.write(text)
         check_same(checks, f"order {order}", of_zmx(text), of_lens(convert(program, path)))
+    # before and behind a surface: its own numbers, those before it again, those before it undone
+    tilts = ("1.5 -2 10 20 30", "0 0 45 0 0", "-1 0.5 -7 3 11")
+    for order in (0, 1):
+        for status, behind in ((0, tilts[2]), (1, "0 0 0 0 0"), (2, "0 0 0 0 0")):
+            for tilt in tilts:
+                text = (HEAD + f"SURF 2\n  SCBD 1 {order} 0 {tilt}\n"
+                        f"  SCBD 2 {1 - order} {status} {behind}\n  GLAS MIRROR 0 0\n  DISZ -7\n"
+                        "SURF 3\n  DISZ -5\nSURF 4\n  DISZ 1\nSURF 5\n")
+                with open(path, "w") as file:
+                    file.write(text)
+                check_same(checks, f"SCBD {order} {status} {tilt}", of_zmx(text),
+                           of_lens(convert(program, path)))
+    # a fold by one surface: light goes on along the axis behind it
+    text = HEAD + ("SURF 2\n  SCBD 1 0 0 0 0 45 0 0\n  SCBD 2 0 1 0 0 0 0 0\n  GLAS MIRROR 0 0\n"
+                   "  DISZ -40\nSURF 3\n  DISZ -10\nSURF 4\n")
+    with open(path, "w") as file:
+        file.write(text)
+    planes = of_lens(convert(program, path))
+    checks.check(any(near(at, [0, 40, 30]) for at, _, _ in planes), f"SCBD: {planes}")
+    check_folded(checks, "SCBD", planes, [0])
     real = os.path.join(SHARED, "data/import/complicated_fold_mirrors_setup_v2.zmx")
     if os.path.exists(real):
         with open(real, "rb") as file:

@@ -243,7 +243,7 @@ static const char stands[] = "the number of the file stands";
 
 static const struct refusal losses[] = {
     {"STO", "STO\n@INT S1 'wave.int'", "INT: a measured deformation", ""},
-    {"STO", "STO\n@PRE 0", "PRE: a thermal environment", ""},
+    {"STO", "STO\nPRE @-1", "a pressure is not below 0", NULL},
     {"STO", "STO\n@PUX 0.5", "PUX: an apodised pupil", ""},
     {"STO", "STO\n@XYZ 1", "XYZ: an unknown command", ""},
     {"STO", "STO\n@RET S0", "RET: a shift or turn that is related to another surface", ""},
@@ -252,7 +252,7 @@ static const struct refusal losses[] = {
     {"STO", "STO\n@REX 2", "REX: an aperture that is not stated whole", "left out"},
     {"STO", "STO\n@XTO", "XTO: a toric, anamorphic or special surface", ""},
     {"STO", "STO\n@DIF GRT", "DIF: a diffractive surface", ""},
-    {"STO", "STO\n@TEM 40", "TEM: a thermal environment", ""},
+    {"STO", "STO\nTEM @-300", "a temperature is above -273.15 C", NULL},
     {"STO", "STO\n@INC S1 0.1", "INC: an index that is changed", ""},
     {"STO", "STO\n@VUY 0 0.1", "VUY: vignetting factors", ""},
     {"STO", "STO\n@ADY 1", "ADY: an aperture that is not stated whole", "left out"},

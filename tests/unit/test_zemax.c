@@ -64,11 +64,11 @@ static void check_errors(void)
         {HEAD "YFLN 0 5\nFWGN 1 -1\n" SINGLET, 4, 8, "a weight is not below 0"},
         {HEAD OBJECT "SURF 1\n  TYPE NONSEQCO\n" IMAGE("2"), 8, 8, "non-sequential group"},
         {HEAD OBJECT "SURF 1\n  TYPE BINARY_2\n  PARM 1 50\n" IMAGE("2"), 8, 8, "type BINARY_2"},
-        {HEAD OBJECT "SURF 1\n  UDAD 0 \"slit.uda\" 1\n" IMAGE("2"), 8, 3, "in another file"},
+        {HEAD OBJECT "SURF 1\n  UDAD 0 \"slit.uda\" 1\n" IMAGE("2"), 8, 3,
+         "the aperture of the file 'slit.uda' (files beside it are not read)"},
         {HEAD OBJECT "SURF 1\n  FLAP 1 2 0\n" IMAGE("2"), 8, 3, "a hole"},
         {HEAD OBJECT "SURF 1\n  DISZ INFINITY\n" IMAGE("2"), 8, 8, "infinite distance"},
         {HEAD OBJECT "SURF 1\n  STOP\nSURF 2\n  STOP\n" IMAGE("3"), 9, 1, "second stop"},
-        {HEAD "SURF 0\n  DISZ -5\nSURF 1\n" IMAGE("2"), 4, 8, "behind the first surface"},
         {HEAD OBJECT "SURF 1\n  TYPE TOROIDAL\n  CURV 0.1\n  PARM 1 30\n" IMAGE("2"), 8, 3,
          "a toroid"},
         {HEAD "FLOA\n" OBJECT "SURF 1\n  DISZ 1\n" IMAGE("2"), 3, 1, "which has no diameter"},
@@ -408,6 +408,23 @@ static void check_changes(void)
     forget(reading);
 }
 
+/*
+ * A beam that would meet 100 mm behind the first surface of a lens: 1.5/s = 1/100 + 0.5/100 gives
+ * 100 mm, less the 4 mm of glass 1/s' = 1.5/96 + 0.5/100, so that it meets 1600/33 mm behind it.
+ */
+static void check_virtual_object(void)
+{
+    static const char text[] =
+        HEAD "ENPD 10\nWAVM 1 0.55 1\nSURF 0\n  DISZ -100\nSURF 1\n  STOP\n  CURV 0.01\n  DISZ 4\n"
+             "  GLAS ___BLANK 1 0 1.5 0\nSURF 2\n  CURV -0.01\n  MAZH 0 0\nSURF 3\n";
+    struct reading *reading = read_text(text, false);
+    CHECK(reading->done);
+    const struct first_order first = first_order_at(reading, 0);
+    CHECK_RELATIVE(first.image, 1600. / 33, 4e-16, "image of a virtual object");
+    CHECK_RELATIVE(first.magnification, 1600. / 33 / 96, 4e-16, "its magnification");
+    forget(reading);
+}
+
 int main(void)
 {
     check_errors();
@@ -422,5 +439,6 @@ int main(void)
     check_configurations();
     check_roundtrip();
     check_changes();
+    check_virtual_object();
     return check_report();
 }

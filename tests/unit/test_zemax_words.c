@@ -90,6 +90,14 @@ static const struct meaning of_lens[] = {
      "DISZ -30\nSURF 1\n  DISZ 10\nSURF 2\n  DISZ 45.5\nSURF 3\n  STOP\n  CURV 0.02\n  DISZ "
      "90\nSURF 4",
      "object 25.5"},
+    /* the object in the first surface, and behind it in its own medium */
+    {"DISZ INFINITY", "DISZ 0",
+     "note the object lies in the first surface of the file: surface 1 is a plane 1 mm behind the "
+     "object, from which rays go back"},
+    {"DISZ INFINITY", "DISZ 0", "surface - -1 air -\nsurface 50 4 1.5 - stop"},
+    {"DISZ INFINITY", "DISZ -12.5\n  GLAS ___BLANK 1 0 1.333 0", "object 1\nmedium 1.333"},
+    {"DISZ INFINITY", "DISZ -12.5\n  GLAS ___BLANK 1 0 1.333 0",
+     "surface - -13.5 1.333 -\nsurface 50 4 1.5 - stop"},
 };
 
 /* nd and Vd of the tables of lensdb; the material has to be the one that they describe. */
@@ -183,6 +191,16 @@ static const struct meaning of_surfaces[] = {
      "SURF 4",
      "surface 50 4 1.5 - stop\nsurface -50 90 air -"},
     {"CURV -0.02", "CURV -0.02\n  SCBD 1 0 0 0 0 0 0 0", "surface -50 90 air -"},
+    {"CURV -0.02", "CURV -0.02\n  SCBD 1 0 0 1 2 3 4 5",
+     "bend decenter=1,2 tilt=3,4,5\nsurface -50 90 air -"},
+    {"CURV -0.02", "CURV -0.02\n  SCBD 1 0 0 1 0 3 0 0\n  SCBD 2 0 1 0 0 0 0 0",
+     "bend decenter=1,0 tilt=3,0,0\nsurface -50 0 air -\nbend decenter=1,0 tilt=3,0,0\n"
+     "surface - 90 air -"},
+    {"CURV -0.02", "CURV -0.02\n  SCBD 1 0 0 1 0 3 0 0\n  SCBD 2 0 2 0 0 0 0 0",
+     "bend decenter=1,0 tilt=3,0,0\nsurface -50 0 air -\nbend decenter=0,0 tilt=-3,0,0\n"
+     "surface - 0 air -\nbend decenter=-1,0 tilt=0,0,0\nsurface - 90 air -"},
+    {"SURF 3\n", "SURF 3\n  SCBD 1 0 0 0 0 90 0 0\n",
+     "surface -50 90 air -\nbend decenter=0,0 tilt=90,0,0\nsurface - 0 air -"},
     {"NAME Singlet", "NAME Singlet\nGFAC 0 2", "aperture epd 10"},
     {"NAME Singlet", "NAME Singlet\nGFAC 1 0", "aperture epd 10"},
     {"NAME Singlet", "NAME Singlet\nVCYN 0 0\nZVDY 0", "aperture epd 10"},
@@ -272,8 +290,12 @@ static const struct meaning of_positions[] = {
 };
 
 static const struct refusal losses[] = {
-    {"CURV -0.02", "CURV -0.02\n  @SCBD 1 0 0 0 0 90 0 0",
-     "SCBD: a surface that is shifted or turned beside what coordinate breaks say", ""},
+    {"CURV -0.02", "CURV -0.02\n  @SCBD 2 0 3 0 0 0 0 0",
+     "SCBD: a shift or turn behind a surface that follows another surface", ""},
+    {"CURV -0.02", "CURV -0.02\n  @SCBD 3 0 0 0 0 0 0 0",
+     "SCBD is of 1, before the surface, or of 2, behind it", ""},
+    {"SURF 0", "@SURF 0\n  SCBD 1 0 0 0 0 0 3 0", "SCBD: a shifted or tilted object",
+     "taken across the axis"},
     {"NAME", "@GFAC 1 2\nNAME", "GFAC: lenscalc has no apodised pupil", ""},
     {"NAME", "@GFAC 2 0\nNAME", "GFAC: lenscalc has no apodised pupil", ""},
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 1 1\n@IGNR 2 1 1\n",
@@ -306,7 +328,8 @@ static const struct refusal losses[] = {
      "taken for a plane"},
     {"  TYPE STANDARD\n  DISZ 0", "  @CURV 0.1\n  DISZ 0", "a curved image", "taken for a plane"},
     {"CURV -0.02", "@FLAP 1 5 0", "a floating aperture with a hole", "the hole is left out"},
-    {"CURV -0.02", "@USAP slit.uda", "USAP: an aperture that stands in another file", "left out"},
+    {"CURV -0.02", "@USAP slit.uda",
+     "USAP: the aperture of the file 'slit.uda' (files beside it are not read)", "left out"},
     {"CURV -0.02", "@SQAP 0 5 0", "SQAP: an aperture that is none", "left out"},
     {"CURV -0.02", "@SPID 1 2.5 0", "SPID: an aperture that is none", "left out"},
     {"CURV -0.02", "@OBDC 1 0", "a decentre of an aperture that is not stated", "left out"},
@@ -380,7 +403,6 @@ static const struct refusal errors[] = {
     {"SURF 1", "@SURF 1.5", "SURF 1 is expected here", NULL},
     {"SURF 0", "@SURF 1", "SURF 0 is expected here", NULL},
     {"SURF 1", "@SURF", "SURF 1 is expected here", NULL},
-    {"DISZ INFINITY", "DISZ @-5", "the object lies at or behind the first surface", NULL},
     {"SURF 0", "@SURF 0\n  STOP", "the object is the stop", NULL},
     {"SURF 3", "@SURF 3\n  STOP", "the image is the stop", NULL},
     {"SURF 2", "@SURF 2\n  STOP", "a second stop", NULL},
@@ -417,8 +439,6 @@ static const struct refusal errors[] = {
      "fields have the numbers 1 to 64", NULL},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\nAPER 0 1 @0\n",
      "the aperture must be above 0", NULL},
-    {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2\nTHIC 0 2 @-1\n",
-     "the object lies at or behind the first surface", NULL},
     {"SURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3\n  TYPE STANDARD\n  DISZ 0\n", "",
      "the file has no surface between object and image", NULL},
 };

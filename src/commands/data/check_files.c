@@ -108,8 +108,11 @@ static void check_file(struct lensdb *db, struct arena *kept, struct row *row)
     struct arena scratch = {0};
     struct lens_glasses place = {db, &scratch};
     const struct glass_source glasses = lens_glass_source(&place);
-    struct foreign_job job = {
-        .source = row->file, .arena = &scratch, .glasses = &glasses, .lossy = true};
+    struct foreign_job job = {.source = row->file,
+                              .arena = &scratch,
+                              .glasses = &glasses,
+                              .reads_beside = true,
+                              .lossy = true};
     struct text content;
     struct error error = {0};
     if (whole_file(row->file, &scratch, &content, &error)) {

@@ -203,6 +203,7 @@ static bool write(const struct artifact_job *job, struct output *sink, struct er
     conversion.job = (struct foreign_job){.source = input->lens.source,
                                           .arena = conversion.arena,
                                           .glasses = &conversion.glasses,
+                                          .reads_beside = input->lens.is_file,
                                           .lossy = input->lens.db->lossy};
     return convert(&conversion, foreign_by_name(text_of(job->type->word.word)), sink, error);
 }

@@ -56,17 +56,10 @@ static bool lose(struct codev *codev, const struct word_group *group, struct err
     return commands_lose(&codev->commands, error, "%s%s", group->what, word_group_marks(group));
 }
 
-/* TEM 20 and PRE 760: where indices are measured. */
+/* TEM in C, PRE in mm of mercury. */
 static bool read_environment(struct codev *codev, int what, struct error *error)
 {
-    const struct number_scale plain = {1, 0};
-    const struct command_word word = commands_word(&codev->commands, 1);
-    double value = -1;
-    const char *end = word.text.start + word.text.length;
-    bool usual = codev->commands.count == 2 &&
-                 number_read(word.text.start, end, plain, &value) == end && value == what;
-    return usual || commands_lose(&codev->commands, error, "%s" LOSS_OF_POWER,
-                                  codev_group(codev->commands.words[0].text)->what);
+    return sequence_environment(&codev->sequence, what == 'T', 760, error);
 }
 
 /* Commands and what tells relatives apart; the first three letters count. */
@@ -145,8 +138,8 @@ static const struct {
     {"PRV", codev_catalog, 'P', false},
     {"PWL", codev_catalog, 'W', false},
     {"END", codev_catalog, 'P', false},
-    {"TEM", read_environment, 20, false},
-    {"PRE", read_environment, 760, false},
+    {"TEM", read_environment, 'T', false},
+    {"PRE", read_environment, 'P', false},
 };
 
 static bool is_surface_line(struct text word)
@@ -299,7 +292,8 @@ static bool read_position(struct codev *codev, struct text content, struct lens 
     codev->sequence = (struct sequence){.job = codev->job,
                                         .commands = &codev->commands,
                                         .build = &codev->build,
-                                        .has_positions = codev->positions > 0};
+                                        .has_positions = codev->positions > 0,
+                                        .environment = {.temperature = 20, .pressure = 1}};
     while (commands_next(&codev->commands, error)) {
         if (!run_command(codev, error)) {
             return false;
@@ -313,6 +307,20 @@ static bool read_position(struct codev *codev, struct text content, struct lens 
 }
 
 /* A file with positions is read once for each of them. */
+struct replay {
+    const struct codev *first;
+    struct text content;
+};
+
+static bool read_again(void *context, size_t position, struct lens *lens, struct error *error)
+{
+    const struct replay *replay = context;
+    struct codev *one = ARENA_NEW(replay->first->job->arena, struct codev);
+    *one = *replay->first;
+    one->position = position + 1;
+    return read_position(one, replay->content, lens, error);
+}
+
 static bool codev_read(struct foreign_job *job, struct text content, struct lens *lens,
                        struct error *error)
 {
@@ -326,20 +334,9 @@ static bool codev_read(struct foreign_job *job, struct text content, struct lens
         return read_position(first, content, lens, error);
     }
     struct lens_build build = first->build;
-    struct lens *lenses = ARENA_ARRAY(job->arena, first->positions, struct lens);
-    for (size_t p = 0; p < first->positions; p++) {
-        struct codev *one = ARENA_NEW(job->arena, struct codev);
-        const size_t losses = job->loss_count;
-        *one = *first;
-        one->position = p + 1;
-        if (!read_position(one, content, &lenses[p], error)) {
-            return false;
-        }
-        foreign_forget_repeated(job, p > 0 ? losses : job->loss_count);
-    }
-    lens->positions = first->names;
-    lens->position_count = first->positions;
-    if (!merge_positions(&build, lenses, job, error)) {
+    struct replay replay = {first, content};
+    const struct merge_file file = {first->names, first->positions, read_again, &replay};
+    if (!merge_read(&build, job, &file, error)) {
         return false;
     }
     const struct keep_notes notes = kept_in(content); /* they state a number for each position */

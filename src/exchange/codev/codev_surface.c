@@ -379,7 +379,7 @@ bool codev_shift(struct codev *codev, int what, struct error *error)
         return true;
     }
     figure.value = pair_multiply(figure.value, pair_of(RADIANS_PER_DEGREE));
-    surface->turn[what - 'A'] = what == 'C' ? figure : sequence_negate(figure, codev->job->arena);
+    surface->turn[what - 'A'] = what == 'C' ? figure : figure_negate(figure, codev->job->arena);
     return true;
 }
 

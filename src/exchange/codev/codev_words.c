@@ -25,7 +25,7 @@ const struct word_group codev_words[] = {
     {WORD_KEPT, "surface", "paraxial image, pick-ups and solves", "PIM PIK HMY HCY UMY UCY", 0},
     {WORD_LOST, "system", "vignetting factors", "VUX VLX VUY VLY", WORD_VIGNETTES},
     {WORD_LOST, "system", "an apodised pupil", "PUI PUX PUY", WORD_VIGNETTES},
-    {WORD_LOST, "system", "a thermal environment", "TEM PRE", WORD_COUNTS_AT_0},
+    {WORD_KEPT, "system", "temperature and pressure", "TEM PRE", 0},
     {WORD_LOST, "surface", "a turned aperture", "ARO", WORD_VIGNETTES},
     {WORD_LOST, "surface", "a toric, anamorphic or special surface", "XTO YTO AAS",
      WORD_COUNTS_AT_0 | WORD_HAS_POWER},

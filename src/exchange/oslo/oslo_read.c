@@ -237,7 +237,7 @@ static bool read_shift(struct oslo *oslo, int what, struct error *error)
         return true;
     }
     figure.value = pair_multiply(figure.value, pair_of(RADIANS_PER_DEGREE));
-    surface->turn[what - 'A'] = what == 'C' ? figure : sequence_negate(figure, oslo->job->arena);
+    surface->turn[what - 'A'] = what == 'C' ? figure : figure_negate(figure, oslo->job->arena);
     return true;
 }
 
@@ -328,15 +328,10 @@ static bool lose(struct oslo *oslo, const struct word_group *group, struct error
            commands_lose(&oslo->commands, error, "%s%s", group->what, word_group_marks(group));
 }
 
-/* TEM 20 and PRE 1: where indices are measured. */
-static bool read_environment(struct oslo *oslo, int usual, struct error *error)
+/* TEM in C, PRE in atmospheres. */
+static bool read_environment(struct oslo *oslo, int what, struct error *error)
 {
-    struct figure figure;
-    return read_one(oslo, plain, "value", &figure, error) &&
-           (figure.value.hi == usual ||
-            commands_lose(&oslo->commands, error,
-                          "indices at another temperature or pressure than 20 C and 1 "
-                          "atmosphere"));
+    return sequence_environment(&oslo->sequence, what == 'T', 1, error);
 }
 
 static const struct {
@@ -398,8 +393,8 @@ static const struct {
     {"WW", oslo_weights, 0},
     {"END", read_end, 0},
     {"F", oslo_point, 0},
-    {"TEM", read_environment, 20},
-    {"PRE", read_environment, 1},
+    {"TEM", read_environment, 'T'},
+    {"PRE", read_environment, 'P'},
     {"TELE", oslo_telecentric, 0},
     {"AMO", oslo_mode, 0},
 };
@@ -510,7 +505,8 @@ static bool read_position(struct oslo *oslo, struct text content, struct lens *l
     oslo->sequence = (struct sequence){.job = job,
                                        .commands = &oslo->commands,
                                        .build = &oslo->build,
-                                       .has_positions = oslo->positions > 0};
+                                       .has_positions = oslo->positions > 0,
+                                       .environment = {.temperature = 20, .pressure = 1}};
     struct command_word start = {{content.start, 0}, {content.start, 0}, 1, false};
     struct sequence_surface *object = sequence_add(&oslo->sequence, start);
     object->thickness = figure_computed(pair_of(1e20), scale, job->arena); /* if none is given */
@@ -531,6 +527,20 @@ static bool read_position(struct oslo *oslo, struct text content, struct lens *l
 }
 
 /* A file with configurations is read once for each of them. */
+struct replay {
+    const struct oslo *first;
+    struct text content;
+};
+
+static bool read_again(void *context, size_t position, struct lens *lens, struct error *error)
+{
+    const struct replay *replay = context;
+    struct oslo *one = ARENA_NEW(replay->first->job->arena, struct oslo);
+    *one = *replay->first;
+    one->position = position + 1;
+    return read_position(one, replay->content, lens, error);
+}
+
 static bool oslo_read(struct foreign_job *job, struct text content, struct lens *lens,
                       struct error *error)
 {
@@ -544,22 +554,13 @@ static bool oslo_read(struct foreign_job *job, struct text content, struct lens 
         return read_position(first, content, lens, error);
     }
     struct lens_build build = first->build;
-    struct lens *lenses = ARENA_ARRAY(job->arena, first->positions, struct lens);
+    struct replay replay = {first, content};
     const char **names = ARENA_ARRAY(job->arena, first->positions, const char *);
     for (size_t p = 0; p < first->positions; p++) {
-        struct oslo *one = ARENA_NEW(job->arena, struct oslo);
-        const size_t losses = job->loss_count;
-        *one = *first;
-        one->position = p + 1;
         names[p] = arena_printf(job->arena, "%zu", p + 1);
-        if (!read_position(one, content, &lenses[p], error)) {
-            return false;
-        }
-        foreign_forget_repeated(job, p > 0 ? losses : job->loss_count);
     }
-    lens->positions = names;
-    lens->position_count = first->positions;
-    return merge_positions(&build, lenses, job, error);
+    const struct merge_file file = {names, first->positions, read_again, &replay};
+    return merge_read(&build, job, &file, error);
 }
 
 /* Some line begins with LEN NEW. */

@@ -1,6 +1,7 @@
 /* exchange/zemax/zemax_aperture.c - CLAP, SQAP, ELAP, OBSC, SQOB, ELOB, SPID and OBDC. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_aperture.h"
+#include "exchange/zemax/zemax_user_aperture.h"
 
 #include "file/lens_unit.h"
 #include "optics/aperture.h"
@@ -59,12 +60,57 @@ static size_t word_of(struct text keyword)
     return i;
 }
 
+/* Where a diameter stands beside apertures that pass, it is one about all of them. */
+static void put_apertures(struct surface *to, const struct aperture *apertures, size_t count)
+{
+    const struct surface alone = {.apertures = apertures, .aperture_count = count};
+    to->apertures = apertures;
+    to->aperture_count = count;
+    to->has_diameter = to->has_diameter && (apertures[0].blocks || to->is_stop ||
+                                            to->diameter.value.hi / 2 >= aperture_reach(&alone));
+}
+
+/* OBDC shifts what it is of. */
+static void shift_aperture(struct zemax_file *file, const struct zemax_line *shift,
+                           struct aperture *aperture)
+{
+    for (size_t k = 0; k < 2 && shift != NULL; k++) {
+        if (zemax_number(shift, k) != 0) {
+            struct figure *centre = &aperture->decenter[k];
+            const struct pair sum = pair_add(centre->value, shift->numbers[k].value);
+            *centre = centre->value.hi == 0
+                          ? shift->numbers[k]
+                          : figure_computed(sum, lens_unit_scale(file->build.lens->unit),
+                                            file->job->arena);
+        }
+    }
+}
+
+static bool set_user_apertures(struct zemax_file *file, const struct zemax_surface *from,
+                               struct surface *to, struct error *error)
+{
+    struct aperture *apertures;
+    size_t count;
+    if (!zemax_user_apertures(file, from, &apertures, &count, error)) {
+        to->has_diameter = to->has_diameter && zemax_number(from->diameter, 1) == 0;
+        return error->code == ERROR_NONE;
+    }
+    for (size_t i = 0; i < count; i++) {
+        shift_aperture(file, from->aperture_shift, &apertures[i]);
+    }
+    put_apertures(to, apertures, count);
+    return true;
+}
+
 bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *from,
                         struct surface *to, struct error *error)
 {
     const struct zemax_line *line = from->aperture, *shift = from->aperture_shift;
     size_t word = line != NULL ? word_of(line->keyword) : WORDS;
     struct error wrong;
+    if (from->user_aperture != NULL) {
+        return set_user_apertures(file, from, to, error);
+    }
     if (word == WORDS) {
         return shift == NULL ||
                zemax_loss(file, shift, error,
@@ -74,10 +120,7 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
     struct aperture *aperture = ARENA_NEW(file->job->arena, struct aperture);
     *aperture = aperture_of(words[word].shape, words[word].blocks);
     bool sound = set_sizes(file, line, aperture);
-    for (int k = 0; k < 2 && shift != NULL; k++) {
-        aperture->decenter[k] =
-            zemax_number(shift, (size_t)k) != 0 ? shift->numbers[k] : aperture->decenter[k];
-    }
+    shift_aperture(file, shift, aperture);
     if (!sound || !aperture_check(aperture, &wrong)) {
         return zemax_loss(file, line, error,
                           "%.4s: an aperture that is none" LOSS_VIGNETTES LOSS_INSTEAD "left out",
@@ -87,11 +130,7 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
     if (!aperture->blocks && aperture->shape == SHAPE_CIRCLE && aperture_is_round(aperture)) {
         return true;
     }
-    struct surface alone = {.apertures = aperture, .aperture_count = 1};
-    to->apertures = aperture;
-    to->aperture_count = 1;
-    to->has_diameter = to->has_diameter && (aperture->blocks || to->is_stop ||
-                                            to->diameter.value.hi / 2 >= aperture_reach(&alone));
+    put_apertures(to, aperture, 1);
     return true;
 }
 

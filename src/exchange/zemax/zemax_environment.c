@@ -1,138 +1,24 @@
-/* exchange/zemax/zemax_environment.c - glasses at the temperature and pressure of a .zmx file. */
+/* exchange/zemax/zemax_environment.c - the temperature and pressure of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_environment.h"
 
-#include "file/lens_glass.h"
-#include "file/lens_words.h"
-#include "optics/air.h"
-#include "optics/wavelength.h"
-
-#include <math.h>
-#include <stdlib.h>
-
-/* Of nd, Vd and Ve; steps are so small that a parabola goes between them to 1e-7. */
-static const double lines[] = {WAVELENGTH_G, WAVELENGTH_F_PRIME, WAVELENGTH_F, WAVELENGTH_E,
-                               WAVELENGTH_D, WAVELENGTH_C_PRIME, WAVELENGTH_C};
-static const double step = 1.04;
-enum { LINES = sizeof lines / sizeof lines[0], MOST = ZEMAX_WAVES + LINES + 500 };
-
-/* ENVD temperature pressure adjust */
-static bool is_usual(const struct zemax_line *environment)
-{
-    return zemax_number(environment, 2) == 0 ||
-           (zemax_number(environment, 0) == 20 && zemax_number(environment, 1) == 1);
-}
-
-/* The index relative to the file's air; false: the catalogue lacks what it wants. */
-static bool index_there(const struct glass *glass, const struct air *air, double wavelength,
-                        double *index, struct error *error)
-{
-    const struct air usual = {AIR_KOHLRAUSCH, glass->thermal.reference, AIR_STANDARD_PRESSURE};
-    const double here = air_refractivity(air, wavelength);
-    double catalogued = wavelength * (1 + (here - air_refractivity(&usual, wavelength)) /
-                                              (1 + air_refractivity(&usual, wavelength)));
-    struct glass_state state;
-    catalogued = isnan(catalogued) ? wavelength : catalogued; /* glass_in_air says why */
-    if (!glass_check_range(glass, catalogued, error) ||
-        !glass_in_air(glass, catalogued, air, &state, error)) {
-        return false;
-    }
-    *index = state.n;
-    return true;
-}
-
-static int by_value(const void *a, const void *b)
-{
-    double left = *(const double *)a, right = *(const double *)b;
-    return (left > right) - (left < right);
-}
-
-static size_t add_new(double *all, size_t count, double value)
-{
-    bool is_new = value > 0 && count < MOST;
-    for (size_t i = 0; i < count; i++) {
-        is_new = is_new && fabs(all[i] - value) > 1e-4;
-    }
-    if (is_new) {
-        all[count++] = value;
-    }
-    return count;
-}
-
-/* The file's wavelengths, the lines, and steps from the shortest to the longest of them; rising. */
-static size_t wavelengths_of(const struct zemax_file *file, double *all)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < file->wave_count; i++) {
-        count = add_new(all, count, file->waves[i].value.hi);
-    }
-    for (size_t i = 0; i < LINES; i++) {
-        count = add_new(all, count, lines[i]);
-    }
-    qsort(all, count, sizeof all[0], by_value);
-    const double longest = all[count - 1];
-    for (double value = all[0]; value < longest; value *= step) {
-        count = add_new(all, count, round(1e4 * value) / 1e4);
-    }
-    qsort(all, count, sizeof all[0], by_value);
-    return count;
-}
-
-/* "{0.55um 1.5, ..}"; null where a wavelength of the file has no index. */
-static const char *table_of(const struct zemax_file *file, const struct glass *glass,
-                            const struct air *air, struct error *error)
-{
-    double all[MOST];
-    struct growing text = {.arena = file->job->arena};
-    const size_t count = wavelengths_of(file, all);
-    bool any = false;
-    for (size_t i = 0; i < count; i++) {
-        double index;
-        bool own = false;
-        for (size_t k = 0; k < file->wave_count; k++) {
-            own = own || file->waves[k].value.hi == all[i];
-        }
-        if (index_there(glass, air, all[i], &index, error)) {
-            growing_string(&text, any ? ", " : "{");
-            growing_number(&text, all[i]);
-            growing_string(&text, "um ");
-            growing_number(&text, index);
-            any = true;
-        } else if (own || isnan(glass->thermal.reference)) {
-            return NULL;
-        }
-    }
-    growing_string(&text, any ? "}" : "");
-    const struct text done = growing_done(&text);
-    return any ? arena_string(file->job->arena, done.start, done.length) : NULL;
-}
+#include "exchange/environment.h"
 
 bool zemax_to_environment(struct zemax_file *file, const struct zemax_line *line,
                           struct medium *medium, struct error *error)
 {
-    const struct zemax_line *environment = file->environment;
-    const struct glass *glass = lens_glass_of(medium);
-    const double temperature = zemax_number(environment, 0),
-                 pressure = zemax_number(environment, 1);
-    if (is_usual(environment) || glass == NULL) {
+    /* ENVD temperature pressure adjust */
+    const struct zemax_line *stated = file->environment;
+    struct environment environment = {.job = file->job,
+                                      .build = &file->build,
+                                      .temperature = zemax_number(stated, 0),
+                                      .pressure = zemax_number(stated, 1)};
+    if (zemax_number(stated, 2) == 0) {
         return true;
     }
-    const struct air air = {AIR_KOHLRAUSCH, temperature, pressure * AIR_STANDARD_PRESSURE};
-    struct error why = {.code = ERROR_NONE};
-    const char *written = table_of(file, glass, &air, &why);
-    if (written == NULL) {
-        return zemax_loss(file, line, error,
-                          "the index at %.6g C and %.6g atmospheres (%s)" LOSS_OF_POWER LOSS_INSTEAD
-                          "that of the catalogue stands",
-                          temperature, pressure, why.message);
+    while (environment.wave_count < file->wave_count) {
+        environment.waves[environment.wave_count] = file->waves[environment.wave_count].value.hi;
+        environment.wave_count++;
     }
-    const char *warning = medium->warning;
-    zemax_remark(file, "line %ld: the indices of %.*s at %.6g C and %.6g atmospheres",
-                 line->words.number, text_shown(medium->written), medium->written.start,
-                 temperature, pressure);
-    if (!lens_words_medium(&line->words, text_of(written), medium, error)) {
-        return false;
-    }
-    medium->warning = warning;
-    return true;
+    return environment_apply(&environment, &line->words, line->keyword, medium, error);
 }

@@ -82,7 +82,7 @@ static void put_numbers(struct solving *solving)
             continue;
         }
         struct surface *to = &lens->surfaces[solving->places[i]];
-        to->thickness = solving->thickness[i];
+        lens->surfaces[zemax_gap_place(file, solving->places, i)].thickness = solving->thickness[i];
         if (solving->curvature[i].typed.start != NULL && !file->surfaces[i].has_free_curvature) {
             zemax_set_curvature(file, solving->curvature[i], to);
         }
@@ -110,7 +110,8 @@ bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct err
            solving.lens.surface_count * sizeof solving.lens.surfaces[0]);
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
         if (places[i] != LENS_NONE) {
-            solving.lens.surfaces[places[i]].thickness = solving.thickness[i];
+            solving.lens.surfaces[zemax_gap_place(file, places, i)].thickness =
+                solving.thickness[i];
         }
     }
     if (!solve_all(&solving, error)) {

@@ -113,14 +113,36 @@ static bool read_aperture_shift(struct zemax_file *file, struct text keyword, st
     return true;
 }
 
-static bool read_other_aperture(struct zemax_file *file, struct text keyword, struct error *error)
+/*
+ * USAP passes, USOB blocks; they or UDAD have the name of the file, among numbers of which one may
+ * be a scale: others than 0 and 1 are not known.
+ */
+static bool read_user_aperture(struct zemax_file *file, struct text keyword, struct error *error)
 {
+    struct zemax_surface *surface = surface_of(file);
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    surface_of(file)->has_lost_aperture = true;
-    return zemax_loss(file, line, error,
-                      "%.4s: an aperture that stands in another file" LOSS_VIGNETTES LOSS_INSTEAD
-                      "left out",
-                      keyword.start);
+    bool known = true;
+    surface->user_aperture = line;
+    surface->user_blocks = surface->user_blocks || text_same(keyword, "USOB");
+    for (struct text word = lens_words_next(&file->words); word.length > 0;
+         word = lens_words_next(&file->words)) {
+        double value;
+        bool number = number_read(word.start, word.start + word.length, NUMBER_UNSCALED, &value) ==
+                      word.start + word.length;
+        bool named = !number && !text_equal(word, "\"\"");
+        known = known && (!number || value == 0 || value == 1);
+        surface->user_file = named ? word : surface->user_file;
+    }
+    if (known) {
+        return true;
+    }
+    surface->user_aperture = NULL;
+    surface->has_lost_aperture = true;
+    return zemax_loss(
+        file, line, error,
+        "%.4s: an aperture of a file with numbers beside its name" LOSS_VIGNETTES LOSS_INSTEAD
+        "left out",
+        keyword.start);
 }
 
 static bool read_glass(struct zemax_file *file, struct text keyword, struct error *error)
@@ -208,51 +230,35 @@ static bool read_solve(struct zemax_file *file, struct text keyword, struct erro
     return true;
 }
 
-/* SCBD which .. : what is shifted and turned before or behind the surface. */
+/* SCBD which .. : what is shifted and turned before the surface (1) or behind it (2). */
 static bool read_shift(struct zemax_file *file, struct text keyword, struct error *error)
 {
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    bool none = true;
-    for (size_t i = 1; i < line->count; i++) {
-        none = none && line->numbers[i].value.hi == 0;
+    const double which = zemax_number(line, 0);
+    if (which == 1 || which == 2) {
+        *(which == 1 ? &surface_of(file)->shift_before : &surface_of(file)->shift_behind) = line;
+        return true;
     }
-    return none || zemax_loss(file, line, error,
-                              "SCBD: a surface that is shifted or turned beside what coordinate "
-                              "breaks say");
+    return zemax_loss(file, line, error, "SCBD is of 1, before the surface, or of 2, behind it");
 }
 
 static const struct zemax_keyword surface_keywords[] = {
-    {"TYPE", read_type},
-    {"CURV", read_curvature},
-    {"DISZ", read_thickness},
-    {"CONI", read_conic},
-    {"DIAM", read_diameter},
-    {"GLAS", read_glass},
-    {"STOP", read_stop},
-    {"COMM", read_comment},
-    {"COAT", read_coating},
-    {"PARM", read_numbered},
-    {"XDAT", read_numbered},
-    {"PPAR", read_numbered},
-    {"MAZH", read_solve},
-    {"CHZH", read_solve},
-    {"PZUP", read_solve},
-    {"TCOM", read_solve},
-    {"TOLE", read_solve},
-    {"EDGE", read_solve},
-    {"CLAP", read_aperture},
-    {"FLAP", read_floating},
-    {"SQAP", read_aperture},
-    {"ELAP", read_aperture},
-    {"OBSC", read_aperture},
-    {"SQOB", read_aperture},
-    {"ELOB", read_aperture},
-    {"SPID", read_aperture},
-    {"USAP", read_other_aperture},
-    {"UDAD", read_other_aperture},
-    {"OBDC", read_aperture_shift},
-    {"SCBD", read_shift},
-    {NULL, NULL},
+    {"TYPE", read_type},          {"CURV", read_curvature},
+    {"DISZ", read_thickness},     {"CONI", read_conic},
+    {"DIAM", read_diameter},      {"GLAS", read_glass},
+    {"STOP", read_stop},          {"COMM", read_comment},
+    {"COAT", read_coating},       {"PARM", read_numbered},
+    {"XDAT", read_numbered},      {"PPAR", read_numbered},
+    {"MAZH", read_solve},         {"CHZH", read_solve},
+    {"PZUP", read_solve},         {"TCOM", read_solve},
+    {"TOLE", read_solve},         {"EDGE", read_solve},
+    {"CLAP", read_aperture},      {"FLAP", read_floating},
+    {"SQAP", read_aperture},      {"ELAP", read_aperture},
+    {"OBSC", read_aperture},      {"SQOB", read_aperture},
+    {"ELOB", read_aperture},      {"SPID", read_aperture},
+    {"USAP", read_user_aperture}, {"USOB", read_user_aperture},
+    {"UDAD", read_user_aperture}, {"OBDC", read_aperture_shift},
+    {"SCBD", read_shift},         {NULL, NULL},
 };
 
 static const struct zemax_keyword *find(const struct zemax_keyword *table, struct text word)
@@ -495,7 +501,27 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
 bool zemax_is_tilted(const struct zemax_file *file, size_t at)
 {
     const struct zemax_surface *surface = &file->surfaces[at];
-    return surface->type != NULL && text_same(surface->type->first, "TILTSURF") &&
-           (zemax_number(surface->parameters[1], 1) != 0 ||
-            zemax_number(surface->parameters[2], 1) != 0);
+    bool shifted = false;
+    for (size_t i = 3; i < 8; i++) {
+        shifted = shifted || zemax_number(surface->shift_before, i) != 0;
+    }
+    return shifted || (surface->type != NULL && text_same(surface->type->first, "TILTSURF") &&
+                       (zemax_number(surface->parameters[1], 1) != 0 ||
+                        zemax_number(surface->parameters[2], 1) != 0));
+}
+
+struct figure zemax_parameter(const struct zemax_file *file, size_t at, size_t number)
+{
+    const struct zemax_surface *surface = &file->surfaces[at];
+    const struct zemax_line *pickup = surface->pickups[number];
+    const struct figure none = {.typed = text_of("0"), .variable = LENS_NONE};
+    double from = zemax_number(pickup, 1);
+    if (pickup != NULL && pickup->count >= 3 && from >= 0 && from < (double)at &&
+        zemax_number(pickup, 4) == 0) {
+        struct pair value = zemax_parameter(file, (size_t)from, number).value;
+        struct pair offset = pickup->count > 3 ? pickup->numbers[3].value : pair_of(0);
+        value = pair_add(pair_multiply(value, pickup->numbers[2].value), offset);
+        return figure_computed(value, NUMBER_UNSCALED, file->job->arena);
+    }
+    return surface->parameters[number] != NULL ? surface->parameters[number]->numbers[1] : none;
 }

@@ -37,7 +37,12 @@ struct zemax_surface {
     const struct zemax_line *parameters[ZEMAX_PARAMETERS];
     const struct zemax_line *pickups[ZEMAX_PARAMETERS]; /* PPAR */
     const struct zemax_line *extras[ZEMAX_EXTRAS];
+    const struct zemax_line *shift_before, *shift_behind; /* SCBD 1, SCBD 2 */
+    const struct zemax_line *user_aperture;               /* USAP, USOB, UDAD; it names the file */
+    struct text user_file;
+    bool user_blocks;
     struct text comment;
+    size_t planes_behind; /* in the lens, for SCBD 2; the last has the distance of the surface */
     bool is_stop;
     bool has_free_curvature; /* its solve is lost, the file's number stands */
     bool has_lost_aperture;  /* no clear one may stand for it */
@@ -87,8 +92,21 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
 /* A number of a line, 0 where it is absent. */
 double zemax_number(const struct zemax_line *line, size_t at);
 
-/* Is a surface a tilted plane, TILTSURF with a slope? */
+/* A parameter after its pick-up: scale x (that of an earlier surface) + offset. */
+struct figure zemax_parameter(const struct zemax_file *file, size_t at, size_t number);
+
+/* Is a plane tilted or shifted: TILTSURF with a slope, SCBD with a number? */
 bool zemax_is_tilted(const struct zemax_file *file, size_t at);
+
+/*
+ * The surface of the lens that has the distance of a surface of the file.
+ *
+ * Given     places  of the surfaces of the file in the lens
+ */
+static inline size_t zemax_gap_place(const struct zemax_file *file, const size_t *places, size_t at)
+{
+    return places[at] + file->surfaces[at].planes_behind;
+}
 
 /* A note of the lens: what of the file has given way to something else in it. */
 void zemax_remark(struct zemax_file *file, const char *format, ...)

@@ -57,9 +57,24 @@ static bool place_conic(const struct placing *placing, struct zemax_surface *sur
 static bool place_diameter(const struct placing *placing, struct zemax_surface *surface)
 {
     surface->diameter = line_with(placing, surface->diameter, 0);
-    return placing->setting->line->numbers[2].value.hi > 0 ||
+    return placing->setting->line->numbers[2].value.hi >= 0 || /* 0 is none */
            lens_words_fail(&placing->setting->line->words, placing->setting->line->numbers[2].typed,
-                           placing->error, "a semi-diameter must be above 0");
+                           placing->error, "a semi-diameter is not below 0");
+}
+
+/* CBDX .. before the surface, CADX .. behind it: a number of SCBD. */
+static bool place_shift(const struct placing *placing, struct zemax_surface *surface)
+{
+    static const char *const numbers[] = {"OR", "", "DX", "DY", "TX", "TY", "TZ"};
+    const struct text word = placing->setting->line->keyword, last = {word.start + 2, 2};
+    const struct zemax_line **place =
+        (word.start[1] | 32) == 'b' ? &surface->shift_before : &surface->shift_behind;
+    size_t at = 0;
+    while (!text_same(last, numbers[at])) {
+        at++;
+    }
+    *place = line_with(placing, *place, at + 1);
+    return true;
 }
 
 /* GLSS surface configuration NAME */
@@ -151,7 +166,11 @@ static const struct {
                  {"PRAM", place_numbered},  {"EDVA", place_numbered},  {"PAR1", place_parameter},
                  {"PAR2", place_parameter}, {"PAR3", place_parameter}, {"PAR4", place_parameter},
                  {"PAR5", place_parameter}, {"PAR6", place_parameter}, {"PAR7", place_parameter},
-                 {"PAR8", place_parameter}};
+                 {"PAR8", place_parameter}, {"CBOR", place_shift},     {"CBDX", place_shift},
+                 {"CBDY", place_shift},     {"CBTX", place_shift},     {"CBTY", place_shift},
+                 {"CBTZ", place_shift},     {"CAOR", place_shift},     {"CADX", place_shift},
+                 {"CADY", place_shift},     {"CATX", place_shift},     {"CATY", place_shift},
+                 {"CATZ", place_shift}};
 
 /* STPS: the number of the surface that is the stop is the value. */
 static bool place_stop(const struct placing *placing)

@@ -1,6 +1,7 @@
 /* exchange/zemax/zemax_read.c - a .zmx file as a lens: system data, positions, solves. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/entrance_pupil.h"
+#include "exchange/virtual_object.h"
 #include "exchange/zemax/zemax.h"
 #include "exchange/zemax/zemax_circle.h"
 #include "exchange/zemax/zemax_keyword.h"
@@ -157,7 +158,8 @@ static bool is_nothing(const struct zemax_surface *surface)
     return standard && zemax_number(surface->curvature, 0) == 0 &&
            zemax_number(surface->curvature, 1) < 2 && surface->glass == NULL &&
            surface->clear == NULL && surface->solve == NULL && !surface->is_stop &&
-           thickness != NULL && thickness->count > 0;
+           surface->shift_before == NULL && surface->shift_behind == NULL && thickness != NULL &&
+           thickness->count > 0;
 }
 
 /*
@@ -206,6 +208,35 @@ static bool check_flat(struct zemax_file *file, const struct zemax_surface *surf
                                                                   : "taken for a plane");
 }
 
+/* Does the object lie in or behind the first surface, in any of the configurations? */
+static bool is_virtual(const struct zemax_file *file)
+{
+    const struct zemax_line *own = file->surfaces[0].thickness;
+    bool is = own != NULL && !own->infinite && !(zemax_number(own, 0) > 0);
+    for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
+        bool of_object = one->surface == 0 && text_same(one->line->keyword, "THIC");
+        is = is || (of_object && one->line->count > 2 && !(zemax_number(one->line, 2) > 0));
+    }
+    return is;
+}
+
+/* The distance of an object that is not far. */
+static void set_distance(struct zemax_file *file, const struct figure *figure)
+{
+    struct lens *lens = file->build.lens;
+    struct pair distance = figure->value;
+    lens->object_is_infinite = false;
+    lens->object = *figure;
+    if (!is_virtual(file)) {
+        return;
+    }
+    if (pass_planes(file, &distance)) {
+        lens->object = figure_computed(distance, lens_unit_scale(lens->unit), file->job->arena);
+    } else {
+        virtual_object_put(&file->build, figure->value);
+    }
+}
+
 /* The object's distance, and what lies before the first surface. */
 static bool set_object(struct zemax_file *file, struct error *error)
 {
@@ -217,24 +248,29 @@ static bool set_object(struct zemax_file *file, struct error *error)
     if (!check_flat(file, object, "a curved object", "a tilted object", error)) {
         return false;
     }
-    if (finite) {
-        struct pair distance = line->numbers[0].value;
-        lens->object = line->numbers[0];
-        if (!(distance.hi > 0)) {
-            if (!pass_planes(file, &distance)) {
-                return lens_words_fail(&line->words, line->numbers[0].typed, error,
-                                       "the object lies at or behind the first surface");
-            }
-            lens->object = figure_computed(distance, lens_unit_scale(lens->unit), file->job->arena);
-        }
-        lens->object_is_infinite = false;
+    bool shifts = zemax_is_tilted(file, 0) || zemax_number(object->shift_behind, 2) != 0;
+    for (size_t i = 3; i < 8; i++) {
+        shifts = shifts || zemax_number(object->shift_behind, i) != 0;
+    }
+    if (shifts && !is_shaped(object) &&
+        !zemax_loss(file, object->surf, error,
+                    "SCBD: a shifted or tilted object" LOSS_INSTEAD "taken across the axis")) {
+        return false;
     }
     if (object->is_stop) {
         return lens_words_fail(&object->surf->words, object->surf->keyword, error,
                                "the object is the stop");
     }
-    return object->glass == NULL ||
-           zemax_medium(file, object, &medium_air, &lens->object_medium, error);
+    if (object->glass != NULL &&
+        !zemax_medium(file, object, &medium_air, &lens->object_medium, error)) {
+        return false;
+    }
+    if (finite) {
+        set_distance(file, &line->numbers[0]);
+    } else if (is_virtual(file)) { /* in another configuration, which has this plane */
+        lens_build_surface(&file->build)->medium = lens->object_medium;
+    }
+    return true;
 }
 
 /* A word of a .lens file that is no word of another meaning. */
@@ -292,8 +328,9 @@ static void set_positions(struct zemax_file *file)
 static bool check_image(struct zemax_file *file, struct error *error)
 {
     const struct zemax_surface *image = &file->surfaces[file->surface_count - 1];
-    if (!zemax_is_tilted(file, file->surface_count - 1) &&
-        !check_flat(file, image, "a curved image", "", error)) {
+    bool turns = image->type != NULL && text_same(image->type->first, "TILTSURF") &&
+                 zemax_is_tilted(file, file->surface_count - 1);
+    if (!turns && !check_flat(file, image, "a curved image", "", error)) {
         return false;
     }
     if (image->is_stop) {

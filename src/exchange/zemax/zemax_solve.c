@@ -173,8 +173,10 @@ static bool edge(struct solving *solving, size_t at, const struct zemax_line *li
     if (height == 0 && surface->has_diameter) {
         height = surface->diameter.value.hi / 2;
     }
-    bool last = place + 1 >= solving->lens.surface_count;
-    double sags = surface_sag(surface, height) - (last ? 0 : surface_sag(surface + 1, height));
+    size_t next = zemax_gap_place(solving->file, solving->places, at) + 1;
+    bool last = next >= solving->lens.surface_count;
+    double sags = surface_sag(surface, height) -
+                  (last ? 0 : surface_sag(&solving->lens.surfaces[next], height));
     if (!(height > 0) || !isfinite(sags)) {
         return keep(solving, at, line, "has no clear aperture", error);
     }
@@ -214,7 +216,8 @@ static bool solve_thickness_of(struct solving *solving, size_t at, struct error 
         }
     }
     if (solving->places[at] != LENS_NONE) {
-        solving->lens.surfaces[solving->places[at]].thickness = *figure;
+        solving->lens.surfaces[zemax_gap_place(solving->file, solving->places, at)].thickness =
+            *figure;
     }
     return true;
 }

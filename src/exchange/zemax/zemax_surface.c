@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_surface.h"
 #include "exchange/zemax/zemax_aperture.h"
+#include "exchange/zemax/zemax_break.h"
 
 #include "base/constants.h"
 #include "exchange/zemax/zemax_environment.h"
@@ -166,23 +167,6 @@ bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
     return find_glass(file, line, medium, error) && zemax_to_environment(file, line, medium, error);
 }
 
-/* A parameter after its pick-up: scale x (that of an earlier surface) + offset. */
-static struct figure parameter(struct zemax_file *file, size_t at, size_t number)
-{
-    const struct zemax_surface *surface = &file->surfaces[at];
-    const struct zemax_line *pickup = surface->pickups[number];
-    const struct figure none = {.typed = text_of("0"), .variable = LENS_NONE};
-    double from = zemax_number(pickup, 1);
-    if (pickup != NULL && pickup->count >= 3 && from >= 0 && from < (double)at &&
-        zemax_number(pickup, 4) == 0) {
-        struct pair value = parameter(file, (size_t)from, number).value;
-        struct pair offset = pickup->count > 3 ? pickup->numbers[3].value : pair_of(0);
-        value = pair_add(pair_multiply(value, pickup->numbers[2].value), offset);
-        return figure_computed(value, NUMBER_UNSCALED, file->job->arena);
-    }
-    return surface->parameters[number] != NULL ? surface->parameters[number]->numbers[1] : none;
-}
-
 /* A figure in the file's unit to a power, from one that was read without a unit. */
 static struct figure in_unit(struct zemax_file *file, struct figure figure, int power)
 {
@@ -202,7 +186,7 @@ static void set_coefficient(struct zemax_file *file, struct surface *to, int ord
 static bool set_even(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
 {
     for (int i = 1; i <= ZEMAX_TERMS; i++) {
-        set_coefficient(file, to, 2 * i, parameter(file, at, (size_t)i));
+        set_coefficient(file, to, 2 * i, zemax_parameter(file, at, (size_t)i));
     }
     (void)error;
     return true;
@@ -211,7 +195,7 @@ static bool set_even(struct zemax_file *file, size_t at, struct surface *to, str
 static bool set_odd(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
 {
     for (int i = 1; i <= ZEMAX_TERMS; i++) {
-        set_coefficient(file, to, i, parameter(file, at, (size_t)i));
+        set_coefficient(file, to, i, zemax_parameter(file, at, (size_t)i));
     }
     (void)error;
     return true;
@@ -266,7 +250,7 @@ static bool set_extended_odd(struct zemax_file *file, size_t at, struct surface 
 static const struct displacement *tilt_of(struct zemax_file *file, size_t at)
 {
     struct displacement *decentre = ARENA_NEW(file->job->arena, struct displacement);
-    double a = parameter(file, at, 1).value.hi, b = parameter(file, at, 2).value.hi;
+    double a = zemax_parameter(file, at, 1).value.hi, b = zemax_parameter(file, at, 2).value.hi;
     double turns[3] = {atan(b), atan(-a * cos(atan(b))) + 0., 0}; /* -0 + 0 is 0 */
     for (int i = 0; i < 3; i++) {
         decentre->tilt[i] = figure_of(turns[i] / RADIANS_PER_DEGREE, file->job->arena);
@@ -288,10 +272,10 @@ static bool set_tilted(struct zemax_file *file, size_t at, struct surface *to, s
 static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
                          struct error *error)
 {
-    struct figure radius = parameter(file, at, 1);
+    struct figure radius = zemax_parameter(file, at, 1);
     bool other = false;
     for (size_t i = 2; i < ZEMAX_PARAMETERS; i++) {
-        other = other || parameter(file, at, i).value.hi != 0;
+        other = other || zemax_parameter(file, at, i).value.hi != 0;
     }
     bool both = radius.value.hi != 0 && (!to->is_plane || to->has_curvature);
     if ((both || other) && !zemax_loss(file, file->surfaces[at].type, error,
@@ -311,7 +295,7 @@ static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
 static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to,
                          struct error *error)
 {
-    struct figure focal = in_unit(file, parameter(file, at, 1), 1);
+    struct figure focal = in_unit(file, zemax_parameter(file, at, 1), 1);
     return zemax_set_paraxial(file, &file->surfaces[at], focal, to, error);
 }
 
@@ -435,17 +419,10 @@ static void set_comment(struct zemax_file *file, const struct zemax_surface *fro
     }
 }
 
-/* The medium before the next surface to add. */
-static struct medium medium_before(const struct lens *lens)
-{
-    return lens->surface_count > 0 ? lens->surfaces[lens->surface_count - 1].medium
-                                   : lens->object_medium;
-}
-
 static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
 {
     const struct zemax_surface *from = &file->surfaces[at];
-    const struct medium before = medium_before(file->build.lens);
+    const struct medium before = zemax_medium_before(file->build.lens);
     struct surface *to = lens_build_surface(&file->build);
     to->coordinate_break = file->coordinate_break;
     file->coordinate_break = NULL;
@@ -470,122 +447,63 @@ static bool add_surface(struct zemax_file *file, size_t at, struct error *error)
     return zemax_set_aperture(file, from, to, error);
 }
 
-/* A plane that does nothing but carry a coordinate break, if there is one. */
-static void add_plane(struct zemax_file *file)
+/* A surface, or a break with what it needs; `place` receives where it is in the lens, if it is. */
+static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct error *error)
 {
-    const struct medium before = medium_before(file->build.lens);
-    struct surface *to = lens_build_surface(&file->build);
-    to->medium = before;
-    to->coordinate_break = file->coordinate_break;
-    file->coordinate_break = NULL;
-}
-
-/* Does the break neither shift nor turn? */
-static bool is_null(struct zemax_file *file, size_t at)
-{
-    bool null = true;
-    for (size_t i = 1; i <= 5; i++) {
-        null = null && parameter(file, at, i).value.hi == 0;
-    }
-    return null;
-}
-
-/* A coordinate break waits for its surface. */
-static void hold_break(struct zemax_file *file, const struct displacement *coordinate_break)
-{
-    if (file->coordinate_break != NULL) {
-        add_plane(file);
-    }
-    file->coordinate_break = coordinate_break;
-}
-
-/* Does the break do nothing else, and a surface follow? Then it needs no plane of its own. */
-static bool is_bare(const struct zemax_file *file, size_t at)
-{
+    struct lens *lens = file->build.lens;
     const struct zemax_surface *surface = &file->surfaces[at];
-    bool still = surface->thickness == NULL ||
-                 (!surface->thickness->infinite && zemax_number(surface->thickness, 0) == 0);
-    bool last = at + 2 >= file->surface_count;
-    return still && !last && surface->solve == NULL && !surface->is_stop &&
-           file->configurations < 2 && surface->comment.length == 0;
+    *place = LENS_NONE;
+    if (!zemax_add_shift(file, at, false, error)) {
+        return false;
+    }
+    if (is_type(surface, "COORDBRK")) {
+        zemax_add_break(file, at);
+        if (zemax_is_bare(file, at)) {
+            return true;
+        }
+        zemax_add_plane(file);
+        set_comment(file, surface, &lens->surfaces[lens->surface_count - 1]);
+    } else if (!add_surface(file, at, error)) {
+        return false;
+    }
+    *place = lens->surface_count - 1;
+    if (surface->is_stop && lens->stop != LENS_NONE) {
+        return lens_words_fail(&surface->surf->words, surface->surf->keyword, error,
+                               "a second stop");
+    }
+    if (surface->is_stop) {
+        lens_build_stop(&file->build, *place);
+    }
+    return zemax_add_shift(file, at, true, error);
 }
 
-/* COORDBRK: shift, then turn about x, y, z; with PARM 6 turn about z, y, x, then shift. */
-static void add_break(struct zemax_file *file, size_t at)
+/* A plane that turns the axis at the image. */
+static bool add_image(struct zemax_file *file, struct error *error)
 {
-    static const int parts[2][4] = {{1, 3, 4, 5}, {5, 4, 3, 1}};
-    struct arena *arena = file->job->arena;
-    bool reversed = parameter(file, at, 6).value.hi != 0;
-    struct displacement *coordinate_break = NULL;
-    if (is_null(file, at)) {
-        return;
+    const size_t at = file->surface_count - 1;
+    if (!zemax_is_tilted(file, at)) {
+        return true;
     }
-    for (int i = 0; i < 4; i++) {
-        int part = parts[reversed][i];
-        bool shift = part == 1;
-        struct figure one = parameter(file, at, (size_t)part), two = parameter(file, at, 2);
-        if (one.value.hi == 0 && !(shift && two.value.hi != 0) &&
-            !(i == 3 && coordinate_break == NULL)) {
-            continue;
-        }
-        if (coordinate_break == NULL || reversed) {
-            coordinate_break = ARENA_NEW(arena, struct displacement);
-            for (int k = 0; k < 3; k++) {
-                coordinate_break->tilt[k] = coordinate_break->decenter[k % 2] = figure_of(0, arena);
-            }
-            hold_break(file, coordinate_break);
-        }
-        if (shift) {
-            coordinate_break->decenter[0] = in_unit(file, one, 1);
-            coordinate_break->decenter[1] = in_unit(file, two, 1);
-        } else {
-            coordinate_break->tilt[part - 3] = one;
-            coordinate_break->tilt[part - 3].value =
-                pair_multiply(one.value, pair_of(RADIANS_PER_DEGREE));
-        }
+    if (!zemax_add_shift(file, at, false, error)) {
+        return false;
     }
+    if (is_type(&file->surfaces[at], "TILTSURF")) {
+        zemax_hold_break(file, tilt_of(file, at));
+    }
+    zemax_add_plane(file);
+    return true;
 }
 
 bool zemax_surfaces(struct zemax_file *file, struct error *error)
 {
-    struct lens *lens = file->build.lens;
     size_t *places = ARENA_ARRAY(file->job->arena, file->surface_count, size_t);
-    places[0] = LENS_NONE;
+    places[0] = places[file->surface_count - 1] = LENS_NONE;
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
-        if (!check_pickups(file, i, error)) {
+        places[i] = LENS_NONE;
+        if (!check_pickups(file, i, error) ||
+            (i > file->passed && !add_next(file, i, &places[i], error))) {
             return false;
         }
-        if (i <= file->passed) {
-            places[i] = LENS_NONE;
-            continue;
-        }
-        if (is_type(&file->surfaces[i], "COORDBRK")) {
-            add_break(file, i);
-            if (is_bare(file, i)) {
-                places[i] = LENS_NONE;
-                continue;
-            }
-            add_plane(file);
-            set_comment(file, &file->surfaces[i], &lens->surfaces[lens->surface_count - 1]);
-        } else if (!add_surface(file, i, error)) {
-            return false;
-        }
-        places[i] = lens->surface_count - 1;
-        if (file->surfaces[i].is_stop && lens->stop != LENS_NONE) {
-            return lens_words_fail(&file->surfaces[i].surf->words, file->surfaces[i].surf->keyword,
-                                   error, "a second stop");
-        }
-        if (file->surfaces[i].is_stop) {
-            lens_build_stop(&file->build, places[i]);
-        }
     }
-    places[file->surface_count - 1] = LENS_NONE;
-    if (!zemax_thicknesses(file, places, error)) {
-        return false;
-    }
-    if (zemax_is_tilted(file, file->surface_count - 1)) { /* a plane that turns the image's axis */
-        hold_break(file, tilt_of(file, file->surface_count - 1));
-        add_plane(file);
-    }
-    return true;
+    return zemax_thicknesses(file, places, error) && add_image(file, error);
 }
