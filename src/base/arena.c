@@ -2,11 +2,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 
+#include "base/error.h"
+
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { BLOCK_SIZE = 32 * 1024, ALIGNMENT = _Alignof(max_align_t) };
 
@@ -45,15 +48,28 @@ static struct arena_block *take_spare(struct arena *arena, size_t size)
     return block;
 }
 
+/*
+ * The one end of the program below main: to hand this up from every allocation would double the
+ * code, and nothing can be said with formats, which want memory. Files are still beside their
+ * places, most without a name, so none is left in half.
+ */
+static _Noreturn void end_without_memory(void)
+{
+    static const char message[] = "lenscalc: out of memory\n";
+    ssize_t written = write(STDERR_FILENO, message, sizeof message - 1);
+    (void)written; /* nobody is left to be told */
+    _exit(ERROR_IO);
+}
+
 static struct arena_block *new_block(size_t size)
 {
     size_t room = size > BLOCK_SIZE ? size : BLOCK_SIZE;
     if (room > SIZE_MAX - sizeof(struct arena_block)) {
-        abort();
+        end_without_memory();
     }
     struct arena_block *block = malloc(sizeof *block + room);
     if (block == NULL) {
-        abort();
+        end_without_memory();
     }
     block->size = room;
     return block;
@@ -77,7 +93,7 @@ static void *take(struct arena *arena, size_t bytes)
 void *arena_array(struct arena *arena, size_t count, size_t size)
 {
     if (size > 0 && count > (SIZE_MAX - ALIGNMENT) / size) {
-        abort();
+        end_without_memory();
     }
     size_t bytes = (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
     return memset(take(arena, bytes), 0, bytes);

@@ -23,7 +23,7 @@ struct arena_mark {
  * Memory for `count` objects of `size` bytes, zeroed, aligned for any type.
  *
  * Result    never null: when memory is used up, or count * size overflows, the program cannot go
- *           on and aborts with a message from the C library
+ *           on: it says "out of memory" and ends with ERROR_IO
  */
 void *arena_array(struct arena *arena, size_t count, size_t size);
 

@@ -6,15 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What was typed or read goes to a terminal: no control characters. */
-static void make_printable(char *string)
-{
-    for (; *string != '\0'; string++) {
-        unsigned char c = (unsigned char)*string;
-        *string = c < 0x20 || c == 0x7f ? '?' : *string;
-    }
-}
-
 /* What stands for the braces while the arguments, which may hold braces too, are put in. */
 enum { OPENS = 0x0e, CLOSES = 0x0f, LONGEST_FORMAT = 1024 };
 
@@ -74,9 +65,16 @@ static void compose(char *text, size_t size, struct mentions *mentions, const ch
     mark_names(marked, format);
     vsnprintf(whole, sizeof whole, marked, arguments);
     collect(whole, mentions);
-    make_printable(whole);
-    whole[size - 1] = '\0';
-    memcpy(text, whole, strlen(whole) + 1);
+    text_make_printable(whole, "");
+    size_t length = strlen(whole);
+    if (length >= size) {
+        length = size - 1;
+        while (length > 0 && (whole[length] & 0xc0) == 0x80) {
+            length--; /* no half characters */
+        }
+    }
+    whole[length] = '\0';
+    memcpy(text, whole, length + 1);
 }
 
 static void start(struct error *error, enum error_code code, const char *format, va_list arguments)
@@ -113,7 +111,7 @@ static void set_excerpt(struct error *error, const char *text, size_t length, si
         error->text[i] = text[from + i] != '\0' ? text[from + i] : '?';
     }
     error->text[kept] = '\0';
-    make_printable(error->text);
+    text_make_printable(error->text, "");
     error->caret = (int)(caret - from);
 }
 
@@ -134,7 +132,7 @@ bool fail_at(struct error *error, enum error_code code, struct text text, size_t
 bool error_locate(struct error *error, const char *source, long line, size_t column)
 {
     snprintf(error->source, sizeof error->source, "%s", source);
-    make_printable(error->source);
+    text_make_printable(error->source, "");
     error->line = line;
     error->column = column < 1000000000 ? (int)column : 1000000000;
     return false;
@@ -204,7 +202,7 @@ static void rename_in(char *text, size_t size, struct mentions *mentions,
             snprintf(text + name.at, size - (size_t)name.at, "%s%s", instead, rest);
         }
     }
-    make_printable(text);
+    text_make_printable(text, "");
 }
 
 void error_name(struct error *error,

@@ -218,3 +218,46 @@ size_t text_utf8_length(const char *start, size_t room)
     }
     return forms[form].length;
 }
+
+/* Marks and embeddings that turn the direction of writing, and separators of lines (Unicode 9). */
+static bool turns(const unsigned char *at, size_t length)
+{
+    if (length == 2) {
+        return at[0] == 0xd8 && at[1] == 0x9c; /* U+061C */
+    }
+    return length == 3 && at[0] == 0xe2 &&
+           ((at[1] == 0x80 && (at[2] == 0x8e || at[2] == 0x8f)) || /* U+200E, U+200F */
+            (at[1] == 0x80 && at[2] >= 0xa8 && at[2] <= 0xae) ||   /* U+2028 to U+202E */
+            (at[1] == 0x81 && at[2] >= 0xa6 && at[2] <= 0xa9));    /* U+2066 to U+2069 */
+}
+
+size_t text_unprintable(const char *start, size_t room)
+{
+    const unsigned char *at = (const unsigned char *)start;
+    if (room == 0 || (at[0] >= 0x20 && at[0] < 0x7f)) {
+        return 0;
+    }
+    if (at[0] < 0x20 || at[0] == 0x7f) {
+        return 1;
+    }
+    size_t length = text_utf8_length(start, room);
+    if (length == 0) {
+        return at[0] < 0xa0;
+    }
+    return (at[0] == 0xc2 && at[1] < 0xa0) || turns(at, length) ? length : 0;
+}
+
+void text_make_printable(char *string, const char *kept)
+{
+    const char *end = string + strlen(string);
+    while (string < end) {
+        size_t bad = text_unprintable(string, (size_t)(end - string));
+        size_t good = bad > 0 ? 0 : text_utf8_length(string, (size_t)(end - string));
+        if (bad == 0 || strchr(kept, *string) != NULL) {
+            string += good > 0 ? good : 1;
+            continue;
+        }
+        memset(string, '?', bad);
+        string += bad;
+    }
+}

@@ -73,6 +73,16 @@ int text_distance(struct text a, struct text b, int limit);
 /* Length of the UTF-8 sequence that begins here, 0 if it is none (RFC 3629). */
 size_t text_utf8_length(const char *start, size_t room);
 
+/*
+ * Length of what begins here and must not reach a terminal as it is, 0 if it may: a control
+ * character (ASCII's; U+0080 to U+009F of ISO 6429, also as a stray byte) or one that turns the
+ * direction of writing.
+ */
+size_t text_unprintable(const char *start, size_t room);
+
+/* Put '?' in the place of every byte of these but the characters of `kept`, such as "\n". */
+void text_make_printable(char *string, const char *kept);
+
 /* The nearest word found so far; start with { .typed = ... } and offer all candidates. */
 struct nearest {
     struct text typed;

@@ -4,8 +4,8 @@
 
 #include "cli/arguments.h"
 #include "cli/sweep.h"
+#include "report/place.h"
 
-#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -93,30 +93,6 @@ static bool check_scope(const struct artifact_job *job, const struct artifact_se
            fail(error, ERROR_USAGE, "--%s is of one row, and this answer has several", name);
 }
 
-/* Do two names mean one file? Of files that are not there yet, the folders and last names count. */
-static bool is_same_place(const char *a, const char *b)
-{
-    struct stat first, second;
-    if (strcmp(a, b) == 0) {
-        return true;
-    }
-    if (stat(a, &first) == 0 && stat(b, &second) == 0 && S_ISREG(first.st_mode)) {
-        return first.st_dev == second.st_dev && first.st_ino == second.st_ino;
-    }
-    const char *last_a = strrchr(a, '/'), *last_b = strrchr(b, '/');
-    char folders[2][4096];
-    size_t lengths[2] = {last_a != NULL ? (size_t)(last_a + 1 - a) : 0,
-                         last_b != NULL ? (size_t)(last_b + 1 - b) : 0};
-    if (strcmp(a + lengths[0], b + lengths[1]) != 0 || lengths[0] >= sizeof folders[0] - 1 ||
-        lengths[1] >= sizeof folders[1] - 1) {
-        return false;
-    }
-    snprintf(folders[0], sizeof folders[0], "%.*s.", (int)lengths[0], a);
-    snprintf(folders[1], sizeof folders[1], "%.*s.", (int)lengths[1], b);
-    return stat(folders[0], &first) == 0 && stat(folders[1], &second) == 0 &&
-           first.st_dev == second.st_dev && first.st_ino == second.st_ino;
-}
-
 /* A file that is there already, and two artifacts in one file. */
 static bool check_place(const struct artifacts *artifacts, const struct artifact_job *job,
                         const struct artifact_setting *setting, struct error *error)
@@ -127,11 +103,11 @@ static bool check_place(const struct artifacts *artifacts, const struct artifact
         return fail(error, ERROR_IO, "%s is there already: --force replaces it", job->path);
     }
     const char *rows = setting->common->output, *other = NULL;
-    if (setting->command->run != NULL && is_same_place(rows != NULL ? rows : "-", job->path)) {
+    if (setting->command->run != NULL && place_is_same(rows != NULL ? rows : "-", job->path, setting->arena)) {
         other = "output";
     }
     for (size_t i = 0; i < artifacts->count && other == NULL; i++) {
-        if (artifacts->jobs[i].path != NULL && is_same_place(artifacts->jobs[i].path, job->path)) {
+        if (artifacts->jobs[i].path != NULL && place_is_same(artifacts->jobs[i].path, job->path, setting->arena)) {
             other = artifacts->jobs[i].artifact->option.name;
         }
     }

@@ -5,6 +5,8 @@
 #endif
 #include "report/output.h"
 
+#include "report/place.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
@@ -39,12 +41,8 @@ static mode_t mode_of(const char *path)
 static int open_nameless(const char *path, struct arena *arena)
 {
 #ifdef O_TMPFILE
-    const char *slash = strrchr(path, '/');
-    const char *folder = slash == NULL   ? "."
-                         : slash == path ? "/"
-                                         : arena_string(arena, path, (size_t)(slash - path));
     if (access("/proc/self/fd", F_OK) == 0) {
-        return open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+        return open(place_folder(path, arena), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
     }
 #else
     (void)path;
@@ -53,24 +51,31 @@ static int open_nameless(const char *path, struct arena *arena)
     return -1;
 }
 
-/* Give the nameless file the name `beside`, so that it can be renamed to its path. */
-static bool name_nameless(const struct output *output)
+enum { ATTEMPTS = 100 }; /* to find a name that nobody has */
+
+/* Give the nameless file a name beside its path, so that it can be renamed to that. */
+static bool name_nameless(struct output *output)
 {
     char link[64];
+    bool named = false;
     snprintf(link, sizeof link, "/proc/self/fd/%d", output->descriptor);
-    return linkat(AT_FDCWD, link, AT_FDCWD, output->beside, AT_SYMLINK_FOLLOW) == 0;
+    errno = EEXIST;
+    for (unsigned i = 0; i < ATTEMPTS && !named && errno == EEXIST; i++) {
+        output->beside = place_beside(output->path, i, output->arena);
+        named = linkat(AT_FDCWD, link, AT_FDCWD, output->beside, AT_SYMLINK_FOLLOW) == 0;
+    }
+    return named;
 }
 
 /* A new file that becomes `path` at the end. */
-static int open_beside(struct output *output, const char *path, struct arena *arena)
+static int open_beside(struct output *output, const char *path)
 {
-    int descriptor = open_nameless(path, arena);
+    int descriptor = open_nameless(path, output->arena);
     output->is_nameless = descriptor >= 0;
-    if (output->is_nameless) {
-        output->beside = arena_printf(arena, "%s.%ld", path, (long)getpid());
-    } else {
-        output->beside = arena_printf(arena, "%s.XXXXXX", path);
-        descriptor = mkstemp(output->beside);
+    errno = output->is_nameless ? 0 : EEXIST;
+    for (unsigned i = 0; i < ATTEMPTS && descriptor < 0 && errno == EEXIST; i++) {
+        output->beside = place_beside(path, i, output->arena);
+        descriptor = open(output->beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     }
     if (descriptor >= 0) {
         /* a file system without permissions is no reason to fail */
@@ -91,17 +96,15 @@ bool output_open(struct output *output, const char *path, struct arena *arena, s
     if (path == NULL || strcmp(path, "-") == 0) {
         return true;
     }
-    output->path = path;
     /* what a link points to is written, not the link replaced */
-    char *target = realpath(path, NULL);
-    if (target != NULL) {
-        output->path = path = arena_string(arena, target, strlen(target));
-        free(target);
-    }
-    output->descriptor =
-        is_plain_or_new(path) ? open_beside(output, path, arena) : open(path, O_WRONLY | O_CLOEXEC);
+    const char *place = place_of(path, arena);
+    output->path = place != NULL ? place : path;
+    output->arena = arena;
+    output->is_renamed = place != NULL && is_plain_or_new(place);
+    output->descriptor = output->is_renamed ? open_beside(output, place)
+                                            : open(output->path, O_WRONLY | O_CLOEXEC);
     if (output->descriptor < 0) {
-        return fail(error, ERROR_IO, "cannot write %s: %s", path, strerror(errno));
+        return fail(error, ERROR_IO, "cannot write %s: %s", output->path, strerror(errno));
     }
     return true;
 }
@@ -211,6 +214,14 @@ void output_printf(struct output *output, const char *format, ...)
     }
 }
 
+/* What is renamed is on the disk: after a power failure there is the old file or the new one. */
+static void store(struct output *output)
+{
+    if (fsync(output->descriptor) != 0 && errno != EINVAL && errno != ENOSYS) {
+        output->failure = errno; /* neither: a file system that stores nothing by itself */
+    }
+}
+
 /* Put the whole file in its place; take one away that is not to be kept. */
 static void settle(struct output *output, bool keep)
 {
@@ -227,7 +238,11 @@ static void settle(struct output *output, bool keep)
 bool output_close(struct output *output, bool keep, struct error *error)
 {
     output_flush(output);
-    if (output->is_nameless && keep && output->failure == 0) {
+    bool whole = output->is_renamed && keep && output->failure == 0;
+    if (whole) {
+        store(output);
+    }
+    if (whole && output->is_nameless && output->failure == 0) {
         output->is_nameless = !name_nameless(output);
         output->failure = output->is_nameless ? errno : 0;
     }
@@ -235,7 +250,7 @@ bool output_close(struct output *output, bool keep, struct error *error)
     if (output->path != NULL && close(output->descriptor) != 0 && output->failure == 0) {
         output->failure = errno;
     }
-    if (output->beside != NULL) {
+    if (output->is_renamed) {
         settle(output, keep);
     }
     if (output->failure != 0) {

@@ -15,8 +15,10 @@ struct output {
     int descriptor;
     int failure;      /* errno of the first failed write, 0 = none */
     const char *path; /* null = standard output */
-    char *beside;     /* the name from which it is renamed to `path`; null for stdout */
-    bool is_nameless; /* the file has no name before it is complete */
+    bool is_renamed;  /* to `path` when it is complete */
+    bool is_nameless; /* the file has no name before that */
+    const char *beside;  /* its name before that, if it has one */
+    struct arena *arena; /* of the names */
     char *buffer;
     size_t used, size;
     struct text remarks; /* lines for standard error when all went well */

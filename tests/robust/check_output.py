@@ -125,6 +125,51 @@ def check_places(checks, program):
                      f"left behind: {sorted(os.listdir(folder))}")
 
 
+def check_links(checks, program):
+    """A link is followed, its target there or not; links in a circle and twice one file are refused."""
+    with tempfile.TemporaryDirectory() as folder:
+        os.mkdir(os.path.join(folder, "sub"))
+        for name, target in (("dangling", "later"), ("far", "sub/far"), ("sub/back", "../later2"),
+                             ("one", "two"), ("two", "one"), ("nowhere", "no/x"), ("x", "y.svg")):
+            os.symlink(target, os.path.join(folder, name))
+        for name, target in (("dangling", "later"), ("dangling", "later"), ("far", "sub/far"),
+                             ("sub/back", "later2")):
+            result = program.run(*DOF, "--csv", "-o", name, cwd=folder)
+            checks.check(result.returncode == 0 and os.path.islink(os.path.join(folder, name)),
+                         f"-o {name}: {result.stderr!r}, or the link is replaced")
+            with open(os.path.join(folder, target)) as file:
+                checks.check(file.read().startswith("focal_mm"), f"-o {name}: {target} is not it")
+        for name in ("one", "nowhere"):
+            check_failed(checks, f"-o {name}", program.run(*DOF, "-o", name, cwd=folder), "cannot")
+        for first, second in (("x", "y.svg"), ("y.svg", "x"), ("x", "./sub/../y.svg")):
+            result = program.run(*DOF, "--scale", first, "-o", second, cwd=folder)
+            checks.check(result.returncode == 2 and b"write the same file" in result.stderr,
+                         f"--scale {first} -o {second}: {result.stderr!r}")
+        # a name as long as names may be, which leaves no room for one that is longer
+        longest = "n" * 255
+        result = program.run(*DOF, "--csv", "-o", longest, cwd=folder)
+        checks.check(result.returncode == 0 and longest in os.listdir(folder),
+                     f"-o {longest}: {result.stderr!r}")
+        checks.check(not [name for name in os.listdir(folder) if name.startswith(".lenscalc")],
+                     f"left behind: {os.listdir(folder)}")
+
+
+def check_memory(checks, program):
+    """What wants more memory than there is ends with a message, not with a core."""
+    if program.is_instrumented:
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        for words in ("dof -f 50 -N 4 -s 1..100000000:1 --force",
+                      "dof --batch huge.csv --csv", "lens huge.lens"):
+            with open(os.path.join(folder, "huge.csv"), "w") as file:
+                file.write("f,N,s\n" + "5" * 40_000_000)
+            with open(os.path.join(folder, "huge.lens"), "w") as file:
+                file.write("lens huge\n" + "surface 50 1 air\n" * 2_000_000)
+            result = program.shell(f"ulimit -v 65536; lenscalc {words}", folder)
+            check_failed(checks, f"{words} in 64 MB", result, "out of memory")
+            checks.check(result.stdout == b"", f"{words} in 64 MB: prints {result.stdout[:80]!r}")
+
+
 def check_full_disk(checks, program):
     """A limit on the size of files stands for a full disk in the middle of a file."""
     with tempfile.TemporaryDirectory() as folder:
@@ -185,7 +230,7 @@ def check_json(checks, program):
 
 def main():
     checks, program = Checks(), Program(sys.argv[1])
-    for check in (check_standard_output, check_pipe, check_places, check_full_disk,
+    for check in (check_standard_output, check_pipe, check_places, check_links, check_memory, check_full_disk,
                   check_interrupted, check_json):
         check(checks, program)
     checks.finish()
