@@ -36,7 +36,7 @@ static int unknown_command(const char *name)
     } else {
         error_hint(&error, "see 'lenscalc help'");
     }
-    error_print(&error, NULL);
+    error_print(&error, NULL, COLOR_AUTO);
     return ERROR_USAGE;
 }
 

@@ -7,11 +7,16 @@ LENSCALC_WRAPPER (for example "valgrind -q --error-exitcode=99") is put before t
 """
 # SPDX-License-Identifier: MIT
 
+import fcntl
 import os
+import pty
+import select
 import shlex
+import struct
 import subprocess
 import sys
 import tempfile
+import termios
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SHARED = os.path.join(os.path.dirname(ROOT), "shared")
@@ -38,6 +43,34 @@ class Checks:
     def finish(self):
         print(f"{self.passed} passed, {self.failed} failed")
         sys.exit(self.failed != 0)
+
+
+def on_terminal(program, words, width, **variables):
+    """(standard output, standard error, status) of one call on terminals of so many columns."""
+    ends = [pty.openpty() for _ in range(2)]
+    for _, terminal in ends:
+        fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, width, 0, 0))
+    environment = {name: value for name, value in program.environment().items()
+                   if name != "COLUMNS"}
+    process = subprocess.Popen(program.command + words, stdin=subprocess.DEVNULL,
+                               stdout=ends[0][1], stderr=ends[1][1],
+                               env={**environment, **variables})
+    for _, terminal in ends:
+        os.close(terminal)
+    ours = [end for end, _ in ends]
+    shown, open_ends = {end: b"" for end in ours}, set(ours)
+    while open_ends:
+        for end in select.select(list(open_ends), [], [], 60)[0]:
+            try:
+                piece = os.read(end, 65536)
+            except OSError:  # the other side is closed
+                piece = b""
+            shown[end] += piece
+            if not piece:
+                open_ends.remove(end)
+                os.close(end)
+    texts = [shown[end].replace(b"\r\n", b"\n").decode() for end in ours]
+    return texts[0], texts[1], process.wait()
 
 
 class Program:
@@ -81,6 +114,7 @@ class Program:
         """One call; the result has bytes in stdout and stderr."""
         if isinstance(stdin, str):
             stdin = stdin.encode()
+        variables = more.pop("variables", {})
         more.setdefault("stdout", subprocess.PIPE)
         more.setdefault("stderr", subprocess.PIPE)
         if "stdin_file" in more:
@@ -88,7 +122,7 @@ class Program:
         else:
             more["input"] = stdin
         return subprocess.run(self.command + [str(word) for word in words], timeout=timeout,
-                              env=self.environment(), **more)
+                              env={**self.environment(), **variables}, **more)
 
     def shell(self, script, folder, timeout=60):
         """An sh script in a folder, with the program in PATH."""

@@ -328,12 +328,29 @@ static bool check_standard_input(const struct arguments *arguments, struct error
     return true;
 }
 
+/* What --color asks for: known before anything is complained about. */
+static enum color_when color_of(int count, char **all)
+{
+    enum color_when color = COLOR_AUTO;
+    for (int i = 0; i < count && strcmp(all[i], "--") != 0; i++) {
+        struct text asked = text_behind(text_of(all[i]), "--color=");
+        if (strcmp(all[i], "--color") == 0 && i + 1 < count) {
+            asked = text_of(all[i + 1]);
+        }
+        for (int k = 0; asked.start != NULL && color_words[k].word != NULL; k++) {
+            color = text_equal(asked, color_words[k].word) ? (enum color_when)k : color;
+        }
+    }
+    return color;
+}
+
 bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
                      char **all, struct arena *arena, struct error *error)
 {
     struct words words = {.count = count, .all = all};
     bool options_end = false;
     arguments->command = command;
+    arguments->color = color_of(count, all);
     list_options(arguments, arena);
     while (words.at < words.count) {
         struct text word = text_of(words.all[words.at++]);

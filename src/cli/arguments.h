@@ -4,6 +4,7 @@
 #define LENSCALC_CLI_ARGUMENTS_H
 
 #include "cli/command.h"
+#include "report/terminal.h"
 
 /* An option and what was typed for it. */
 struct argument {
@@ -19,6 +20,7 @@ struct arguments {
     const struct command *command;
     struct argument *all;
     size_t count;
+    enum color_when color; /* of messages, also of those about these words */
 };
 
 /*

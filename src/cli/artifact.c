@@ -103,11 +103,13 @@ static bool check_place(const struct artifacts *artifacts, const struct artifact
         return fail(error, ERROR_IO, "%s is there already: --force replaces it", job->path);
     }
     const char *rows = setting->common->output, *other = NULL;
-    if (setting->command->run != NULL && place_is_same(rows != NULL ? rows : "-", job->path, setting->arena)) {
+    if (setting->command->run != NULL &&
+        place_is_same(rows != NULL ? rows : "-", job->path, setting->arena)) {
         other = "output";
     }
     for (size_t i = 0; i < artifacts->count && other == NULL; i++) {
-        if (artifacts->jobs[i].path != NULL && place_is_same(artifacts->jobs[i].path, job->path, setting->arena)) {
+        if (artifacts->jobs[i].path != NULL &&
+            place_is_same(artifacts->jobs[i].path, job->path, setting->arena)) {
             other = artifacts->jobs[i].artifact->option.name;
         }
     }

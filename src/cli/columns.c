@@ -125,8 +125,9 @@ int columns_print(const struct command *command, const struct common *common, st
     const struct format *format;
     struct output output;
     struct error error;
+    enum color_when color = (enum color_when)common->color;
     if (!common_format(common, common->format != 0, &format, &error)) {
-        error_print(&error, command->name);
+        error_print(&error, command->name, color);
         return (int)error.code;
     }
     struct report report = {.format = format,
@@ -134,6 +135,7 @@ int columns_print(const struct command *command, const struct common *common, st
                             .arena = arena,
                             .command = command->name,
                             .sheet = &described,
+                            .remedy = "--csv shows all",
                             .many = true};
     const struct selection selection = {.many = true,
                                         .layout = format->is_for_people ? SELECT_TABLE : SELECT_ALL,
@@ -141,14 +143,17 @@ int columns_print(const struct command *command, const struct common *common, st
                                         .varied = never};
     if (!report_select(&report, &selection, &error) ||
         !output_open(&output, common->output, arena, &error)) {
-        error_print(&error, command->name);
+        error_print(&error, command->name, color);
         return (int)error.code;
+    }
+    if (format == &format_text) {
+        terminal_prepare(&output, color);
     }
     format->begin(&report);
     columns_describe(command, print_row, &report, arena);
     format->end(&report);
     if (!output_close(&output, true, &error)) {
-        error_print(&error, command->name);
+        error_print(&error, command->name, color);
         return (int)error.code;
     }
     return 0;

@@ -116,7 +116,7 @@ const struct command *command_asked(const struct command *command, int count, ch
 struct common {
     bool explain, csv, tsv, json, jsonl, nominal, force, fail_fast, lossy, help;
     const char *columns, *output, *lensdb, *agf, *batch, *table, *plot;
-    int format, batch_format, units;
+    int format, batch_format, units, color;
     long digits;
 };
 

@@ -3,6 +3,7 @@
 #include "cli/batch.h"
 #include "cli/command.h"
 #include "report/report.h"
+#include "report/terminal.h"
 
 #include <string.h>
 
@@ -59,6 +60,8 @@ const struct option common_options[] = {
      .help = "glass catalogues of your own in the AGF format, searched first"},
     {COMMON(lossy), .name = "lossy",
      .help = "leave out what a file of another program cannot keep, and list it on standard error"},
+    {COMMON(color), .name = "color", .value = "WHEN", .words = color_words, .fallback = "auto",
+     .help = "colour the heads of tables, warnings and errors"},
     {COMMON(help), .name = "help", .letter = 'h', .help = "show examples and options"},
 };
 

@@ -3,36 +3,101 @@
 #include "cli/complain.h"
 
 #include <stdio.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
 enum { PROGRESS_ROWS = 65536 };
 
-void error_print(const struct error *error, const char *command)
+/* Standard error: what was said is written in one piece, and a failure to do so is nobody's. */
+struct voice {
+    struct output output;
+    char buffer[OUTPUT_RESERVE];
+};
+
+static struct output *begin(struct voice *voice, enum color_when color)
 {
-    char place[400] = "";
-    if (error->source[0] != '\0') {
-        int used = snprintf(place, sizeof place, "%s:", error->source);
-        if (error->line > 0) {
-            used += snprintf(place + used, sizeof place - (size_t)used, "%ld:", error->line);
+    voice->output = (struct output){
+        .descriptor = STDERR_FILENO, .buffer = voice->buffer, .size = sizeof voice->buffer};
+    voice->output.has_color = terminal_has_color(STDERR_FILENO, color);
+    return &voice->output;
+}
+
+/* Lines from outside; what must not reach a terminal is '?'. */
+static void write_lines(struct output *output, const char *start, size_t length)
+{
+    for (size_t i = 0; i < length;) {
+        size_t bad = start[i] == '\n' ? 0 : text_unprintable(start + i, length - i);
+        if (bad > 0) {
+            output_character(output, '?');
+            i += bad;
+        } else {
+            output_character(output, start[i++]);
         }
-        if (error->column > 0) {
-            used += snprintf(place + used, sizeof place - (size_t)used, "%d:", error->column);
-        }
-        snprintf(place + used, sizeof place - (size_t)used, " ");
     }
+}
+
+static void write_string(struct output *output, const char *string)
+{
+    write_lines(output, string, strlen(string));
+}
+
+/* "tessar.lens:7:12: " */
+static void write_place(struct output *output, const struct error *error)
+{
+    if (error->source[0] == '\0') {
+        return;
+    }
+    write_string(output, error->source);
+    if (error->line > 0) {
+        output_printf(output, ":%ld", error->line);
+    }
+    if (error->column > 0) {
+        output_printf(output, ":%d", error->column);
+    }
+    output_string(output, ": ");
+}
+
+/* The text, and a caret under its wrong character. */
+static void write_caret(struct output *output, const struct error *error)
+{
+    size_t before = 0;
+    for (int i = 0; i + 1 < error->caret && error->text[i] != '\0'; i++) {
+        before += ((unsigned char)error->text[i] & 0xc0) != 0x80;
+    }
+    output_string(output, "    ");
+    write_string(output, error->text);
+    output_string(output, "\n    ");
+    output_spaces(output, before);
+    output_styled(output, STYLE_ERROR, "^");
+    output_character(output, '\n');
+}
+
+void error_print(const struct error *error, const char *command, enum color_when color)
+{
+    struct voice voice;
+    struct output *output = begin(&voice, color);
     bool named = command != NULL && command[0] != '\0';
-    fprintf(stderr, "lenscalc: %s%s%s%s\n", named ? command : "", named ? ": " : "", place,
-            error->message);
+    output_style(output, STYLE_ERROR);
+    output_printf(output, "lenscalc:%s%s%s", named ? " " : "", named ? command : "",
+                  named ? ":" : "");
+    output_style(output, STYLE_PLAIN);
+    output_character(output, ' ');
+    write_place(output, error);
+    write_string(output, error->message);
+    output_character(output, '\n');
     if (error->caret > 0) {
-        fprintf(stderr, "    %s\n    %*s\n", error->text, error->caret, "^");
+        write_caret(output, error);
     }
     if (error->more != NULL) {
-        fputs(error->more, stderr);
+        write_string(output, error->more);
     }
     if (error->hint[0] != '\0') {
-        fprintf(stderr, "    %s\n", error->hint);
+        output_string(output, "    ");
+        write_string(output, error->hint);
+        output_character(output, '\n');
     }
+    output_flush(output);
 }
 
 struct naming {
@@ -74,26 +139,41 @@ static const char *given_by(void *context, struct text quantity, bool asked)
 void complain(struct error *error, const struct arguments *arguments, const struct batch *batch)
 {
     error_name(error, given_by, &(struct naming){.arguments = arguments, .batch = batch});
-    error_print(error, arguments->command->name);
+    error_print(error, arguments->command->name, arguments->color);
 }
 
-void print_beside(const struct report *report, bool is_table)
+static void write_warning(struct output *output, const char *command, const char *text)
+{
+    output_printf(output, "lenscalc: %s: ", command);
+    output_styled(output, STYLE_WARNING, "warning:");
+    output_character(output, ' ');
+    write_string(output, text);
+    output_character(output, '\n');
+}
+
+void print_beside(const struct report *report, bool is_table, enum color_when color)
 {
     struct doubts *doubts = report->doubts;
     bool has_place = report->format == &format_json || report->format->is_for_people;
-    if (report->explain != NULL && !has_place) {
-        fprintf(stderr, "%s\n", report->explain);
+    const char *explain = has_place ? NULL : report->explain;
+    size_t warnings = has_place && !is_table ? 0 : doubts->count;
+    if (explain == NULL && warnings == 0) {
+        return; /* as most: the terminal is not even asked */
     }
-    if (has_place && !is_table) {
-        return;
+    struct voice voice;
+    struct output *output = begin(&voice, color);
+    if (explain != NULL) {
+        write_string(output, explain);
+        output_character(output, '\n');
     }
-    for (size_t i = 0; i < doubts->count; i++) {
-        fprintf(stderr, "lenscalc: %s: warning: %s\n", report->command, doubts->texts[i]);
+    for (size_t i = 0; i < warnings; i++) {
+        write_warning(output, report->command, doubts->texts[i]);
     }
-    const char *more = doubts_left_out(doubts);
+    const char *more = warnings > 0 ? doubts_left_out(doubts) : NULL;
     if (more != NULL) {
-        fprintf(stderr, "lenscalc: %s: warning: %s\n", report->command, more);
+        write_warning(output, report->command, more);
     }
+    output_flush(output);
 }
 
 double progress_now(void)
@@ -115,7 +195,11 @@ void progress_show(double started, size_t rows, bool last)
 
 void print_remark(const char *start, size_t length)
 {
-    if (length > 0) {
-        fwrite(start, 1, length, stderr);
+    struct voice voice;
+    if (length == 0) {
+        return;
     }
+    struct output *output = begin(&voice, COLOR_NEVER);
+    write_lines(output, start, length);
+    output_flush(output);
 }

@@ -7,12 +7,13 @@
 #include "cli/arguments.h"
 #include "cli/batch.h"
 #include "report/report.h"
+#include "report/terminal.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
 /* Print an error as people expect it: place, message, text with caret, hint. */
-void error_print(const struct error *error, const char *command);
+void error_print(const struct error *error, const char *command, enum color_when color);
 
 /*
  * Print an error of a command, its quantities named by the options or columns that they were given
@@ -23,7 +24,7 @@ void error_print(const struct error *error, const char *command);
 void complain(struct error *error, const struct arguments *arguments, const struct batch *batch);
 
 /* Formulas and doubts of a report for which its format, or a cross-table, has no place. */
-void print_beside(const struct report *report, bool is_table);
+void print_beside(const struct report *report, bool is_table, enum color_when color);
 
 /* What is said beside an answer: nothing has no address. */
 void print_remark(const char *start, size_t length);

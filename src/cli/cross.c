@@ -293,6 +293,7 @@ bool cross_table_write(const struct collection *collection, const char *specific
         grid.title =
             arena_printf(collection->arena, "%s by %s and %s", value_words(collection, &cross),
                          axis_label(collection, cross.down), axis_label(collection, cross.across));
+        grid.in_blocks = true;
         grid.note = row != NULL ? report_assumptions(report, row) : NULL;
     }
     write_grid(report, &grid);

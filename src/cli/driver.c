@@ -8,47 +8,13 @@
 #include "cli/complain.h"
 #include "cli/help.h"
 #include "cli/idle.h"
-#include "cli/queue.h"
 #include "cli/relay.h"
-#include "report/explain.h"
+#include "cli/rows.h"
+#include "report/terminal.h"
 
-#include <stdio.h>
 #include <string.h>
 
-enum { MOST_CELLS = 100000, MOST_POINTS = 1000000, PROGRESS_ROWS = 65536 };
-
-/* One command at work. */
-struct driver {
-    const struct command *command;
-    struct arena arena;     /* until the end */
-    struct arena row_arena; /* until the next input */
-    struct lensdb db;
-    struct reader reader;
-    struct lens_cache lenses;
-    struct arguments arguments;
-    struct common common;
-    struct sweep sweep;
-    struct batch batch;
-    struct run run;
-    struct report report;
-    struct selection selection;
-    struct output output;
-    struct collection collection;
-    struct artifacts artifacts;
-    struct asking asking; /* the columns of a batch count as given */
-    struct arena kept;    /* of the command, until the end */
-    struct doubts doubts;
-    struct queue queue;        /* rows of the batch that wait to be computed together */
-    const struct text *passed; /* columns handed through, of the row being printed */
-    void *input;
-    const char *database;
-    bool is_batch, is_open, begun, collects;
-    size_t index; /* of the present combination of the sweep */
-    size_t good, failed;
-    bool answered;         /* at least one input, if only in part */
-    const void *explained; /* the row whose numbers --explain puts in */
-    double started;
-};
+enum { MOST_CELLS = 100000, MOST_POINTS = 1000000 };
 
 static bool asked_given(const void *asked, const char *option)
 {
@@ -72,23 +38,13 @@ static bool asked_varied(const void *asked, const char *option)
            (driver->is_batch && batch_has(&driver->batch, option));
 }
 
-/* All rows have the columns of the first input. */
-static bool check_sheet(const struct driver *driver, struct error *error)
-{
-    const struct command *command = driver->command;
-    return command->choose_sheet == NULL ||
-           command->choose_sheet(driver->input, &driver->asking) == driver->report.sheet ||
-           fail(error, ERROR_USAGE,
-                "these options ask for rows with other columns than the first: ask one at a time");
-}
-
 /* Before a row is printed: a batch finds out row by row. */
 static bool check_sheets(struct driver *driver, struct error *error)
 {
     size_t count = driver->command->choose_sheet != NULL ? driver->sweep.total : 0;
     for (size_t i = 0; i < count; i++) {
         sweep_set(&driver->sweep, i, driver->input);
-        if (!check_sheet(driver, error)) {
+        if (!rows_check_sheet(driver, error)) {
             return false;
         }
     }
@@ -169,190 +125,6 @@ static bool set_up_collection(struct driver *driver, struct error *error)
                                                           common->columns != NULL, error));
 }
 
-static void begin(struct driver *driver)
-{
-    driver->begun = true;
-    driver->report.format->begin(&driver->report);
-}
-
-static bool emit(struct run *run, const void *row)
-{
-    struct driver *driver = run->driver;
-    struct report *report = &driver->report;
-    if (driver->collects) {
-        collection_keep(&driver->collection, driver->index, row);
-    }
-    if (driver->common.explain && driver->explained == NULL) {
-        void *copy = arena_array(&driver->arena, 1, report->sheet->row_size);
-        driver->explained = memcpy(copy, row, report->sheet->row_size);
-        const char *text = explain_row(report, driver->command->explanations, row);
-        report->explain = text != NULL ? text : "nothing to explain: plain facts";
-    }
-    if (driver->common.table == NULL) {
-        if (!driver->begun) {
-            begin(driver);
-        }
-        report->format->row(report, row, driver->passed, NULL);
-        report->rows++;
-    }
-    return driver->output.failure == 0;
-}
-
-/* A row that failed keeps its place. */
-static void emit_failure(struct driver *driver, struct error *failure)
-{
-    driver->failed++;
-    complain(failure, &driver->arguments, &driver->batch);
-    if (driver->common.table == NULL) {
-        if (!driver->begun) {
-            begin(driver);
-        }
-        driver->report.format->row(&driver->report, NULL, driver->passed, failure);
-        driver->report.rows++;
-    }
-}
-
-static bool run_one(struct driver *driver, struct error *error)
-{
-    if (!check_sheet(driver, error)) {
-        return false;
-    }
-    struct error *shortfall = &driver->run.shortfall;
-    shortfall->code = ERROR_NONE;
-    bool done = driver->command->run(driver->input, &driver->run, error);
-    bool is_short = done && shortfall->code != ERROR_NONE;
-    if (is_short) {
-        complain(shortfall, &driver->arguments, &driver->batch);
-    }
-    driver->failed += is_short;
-    driver->good += done && !is_short;
-    driver->answered = driver->answered || done;
-    return done;
-}
-
-/* --fail-fast: the status is that of the rows so far. Returns false. */
-static bool stop_early(const struct driver *driver, struct error *error)
-{
-    error->code = driver->good > 0 ? ERROR_ROWS : ERROR_DOMAIN;
-    return false;
-}
-
-/* Every combination of a sweep; one combination is an ordinary answer. */
-static bool run_sweep(struct driver *driver, struct error *error)
-{
-    for (size_t i = 0; i < driver->sweep.total && driver->output.failure == 0; i++) {
-        struct arena_mark mark = arena_mark(&driver->row_arena);
-        driver->index = i;
-        sweep_set(&driver->sweep, i, driver->input);
-        if (!run_one(driver, error)) {
-            if (driver->sweep.total == 1 || error->code == ERROR_USAGE) {
-                return false;
-            }
-            if (driver->common.fail_fast) {
-                return stop_early(driver, error);
-            }
-            emit_failure(driver, error);
-        }
-        if (!driver->collects && driver->artifacts.count == 0) {
-            arena_reset(&driver->row_arena, mark);
-        }
-        progress_show(driver->started, i, false);
-    }
-    if (driver->sweep.total > PROGRESS_ROWS) {
-        progress_show(driver->started, driver->sweep.total, true);
-    }
-    return true;
-}
-
-/* A row that cannot be answered. False if that ends the batch. */
-static bool take_failure(struct driver *driver, struct error *error)
-{
-    if (driver->common.fail_fast) {
-        return stop_early(driver, error);
-    }
-    emit_failure(driver, error);
-    return true;
-}
-
-/* Compute the rows that wait, and print them in their order. */
-static bool flush_queue(struct driver *driver, struct error *error)
-{
-    struct queue *queue = &driver->queue;
-    bool going = true;
-    queue_run(queue, driver->command, &driver->run);
-    for (size_t i = 0; i < queue->count && going && driver->output.failure == 0; i++) {
-        driver->passed = queue_passed(queue, i);
-        if (queue->errors[i].code == ERROR_NONE) {
-            driver->good++;
-            emit(&driver->run, queue_row(queue, i));
-        } else {
-            *error = queue->errors[i];
-            error_locate(error, driver->batch.source, queue->lines[i], 0);
-            going = take_failure(driver, error);
-        }
-    }
-    driver->passed = driver->batch.passed;
-    queue->count = 0;
-    return going;
-}
-
-/* Who feeds the pipe sees all answers before being waited for. */
-static bool flush_before_read(void *data, struct error *error)
-{
-    struct driver *driver = data;
-    bool going = flush_queue(driver, error);
-    output_flush(&driver->output);
-    return going;
-}
-
-/* A row of the batch: into the queue, or answered at once. False if that ends the batch. */
-static bool take_row(struct driver *driver, enum batch_result result, struct error *error)
-{
-    struct queue *queue = &driver->queue;
-    if (result == BATCH_ROW && queue->capacity > 0) {
-        queue_add(queue, driver->input, &driver->batch);
-        return queue->count < queue->capacity || flush_queue(driver, error);
-    }
-    if (result == BATCH_ROW && run_one(driver, error)) {
-        return true;
-    }
-    if (result == BATCH_ROW) {
-        error_locate(error, driver->batch.source, driver->batch.line, 0);
-    }
-    struct error earlier;
-    if (queue->count > 0 && !flush_queue(driver, &earlier)) {
-        *error = earlier;
-        return false;
-    }
-    return take_failure(driver, error);
-}
-
-static bool run_batch(struct driver *driver, struct error *error)
-{
-    size_t rows = 0;
-    const struct arena_mark mark = arena_mark(&driver->row_arena);
-    driver->batch.before_read = flush_before_read;
-    driver->batch.waiting = driver;
-    for (;; rows++) {
-        enum batch_result result = batch_next(&driver->batch, driver->input, error);
-        if (result == BATCH_END) {
-            break;
-        }
-        if (result == BATCH_FAILED || !take_row(driver, result, error)) {
-            return false;
-        }
-        if (driver->queue.count == 0) {
-            arena_reset(&driver->row_arena, mark);
-        }
-        if (driver->output.failure != 0) {
-            break;
-        }
-        progress_show(driver->started, rows, false);
-    }
-    progress_show(driver->started, rows, true);
-    return flush_queue(driver, error);
-}
-
 /* --plot of a command that has no picture of its own: its columns. */
 static bool draw_columns(const struct artifact_job *job, struct output *sink, struct error *error)
 {
@@ -396,7 +168,7 @@ static bool finish(struct driver *driver, struct error *error)
         }
     } else {
         if (!driver->begun && report->many) {
-            begin(driver);
+            rows_begin(driver);
         }
         if (driver->begun) {
             report->format->end(report);
@@ -425,7 +197,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
                                .doubts = &driver->doubts,
                                .kept = &driver->kept,
                                .db = &driver->db,
-                               .emit = emit,
+                               .emit = rows_emit,
                                .driver = driver};
     driver->reader.nominal = driver->common.nominal;
     driver->asking = (struct asking){asked_given, driver};
@@ -471,6 +243,16 @@ static void choose_sheet(struct driver *driver)
     }
 }
 
+static bool take_output(struct driver *driver)
+{
+    driver->is_open = true;
+    if (driver->report.format == &format_text) {
+        terminal_prepare(&driver->output, driver->arguments.color);
+        driver->report.remedy = "--columns NAMES chooses, --csv shows all";
+    }
+    return true;
+}
+
 /* Everything that can be wrong with the question is found before a byte is written. */
 static bool ask(struct driver *driver, struct error *error)
 {
@@ -496,13 +278,13 @@ static bool ask(struct driver *driver, struct error *error)
     return check_sheets(driver, error) && set_up_report(driver, error) &&
            set_up_collection(driver, error) && order_artifacts(driver, error) &&
            output_open(&driver->output, common->output, &driver->arena, error) &&
-           (driver->is_open = true);
+           take_output(driver);
 }
 
 static bool answer(struct driver *driver, struct error *error)
 {
     driver->started = progress_now();
-    bool done = (driver->is_batch ? run_batch(driver, error) : run_sweep(driver, error)) &&
+    bool done = (driver->is_batch ? rows_of_batch(driver, error) : rows_of_sweep(driver, error)) &&
                 finish(driver, error);
     if (driver->begun && !done) {
         /* rows before the failure were promised to the pipe; a file would be half a file */
@@ -567,7 +349,7 @@ static int compute(struct driver *driver, const struct error *missing)
         complain(&error, &driver->arguments, &driver->batch);
         return (int)error.code;
     }
-    print_beside(&driver->report, driver->common.table != NULL);
+    print_beside(&driver->report, driver->common.table != NULL, driver->arguments.color);
     return status_of(driver);
 }
 

@@ -8,7 +8,12 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { NAME_WIDTH = 30, WORD_WIDTH = 15, WIDTH = HELP_WIDTH };
+enum { NAME_WIDTH = 30, WORD_WIDTH = 15, WIDTH = 80, NARROWEST = 40 };
+
+size_t help_width(const struct output *output)
+{
+    return output->width >= NARROWEST && output->width < WIDTH ? output->width : WIDTH;
+}
 
 /* "(mm; above 0 mm; default 50)": unit, range and default of an option; "" if it has none. */
 static const char *facts_of(const struct option *option, struct arena *arena)
@@ -43,14 +48,14 @@ static void write_option(const struct option *option, struct output *output, str
         output_printf(output, "\n%*s", NAME_WIDTH, "");
     }
     output_paragraph(output, arena_printf(arena, "%s%s", option->help, facts_of(option, arena)),
-                     NAME_WIDTH, NAME_WIDTH, WIDTH);
+                     NAME_WIDTH, NAME_WIDTH, help_width(output));
     for (size_t i = 0; option_word(option, i) != NULL; i++) {
         const struct word *word = option_word(option, i);
         enum { WORD_AT = NAME_WIDTH + 2, HELP_AT = WORD_AT + WORD_WIDTH };
         output_printf(output, "%*s%-*s ", WORD_AT, "", WORD_WIDTH - 1, word->word);
         size_t length = strlen(word->word);
         output_paragraph(output, word->help, length < WORD_WIDTH ? HELP_AT : WORD_AT + 1 + length,
-                         HELP_AT, WIDTH);
+                         HELP_AT, help_width(output));
     }
 }
 
@@ -65,7 +70,7 @@ static void write_usage(const struct command *command, struct output *output, st
         }
     }
     output_paragraph(output, arena_printf(arena, "%s [options]: %s", usage, command->summary), 0, 2,
-                     WIDTH);
+                     help_width(output));
 }
 
 /* The last place of the first `most` characters before which a shell lets a line end. */
@@ -89,7 +94,7 @@ static size_t line_end(const char *words, size_t most)
 static void write_example(const char *words, struct output *output)
 {
     enum { BEGINS = sizeof "  lenscalc " - 1, INDENT = 6 };
-    size_t room = WIDTH - BEGINS;
+    size_t room = help_width(output) - BEGINS;
     output_string(output, "  lenscalc ");
     while (strlen(words) > room) {
         size_t end = line_end(words, room - 2);
@@ -98,7 +103,7 @@ static void write_example(const char *words, struct output *output)
         }
         output_printf(output, "%.*s \\\n%*s", (int)end, words, INDENT, "");
         words += end + 1;
-        room = WIDTH - INDENT;
+        room = help_width(output) - INDENT;
     }
     output_printf(output, "%s\n", words);
 }
@@ -110,7 +115,7 @@ void help_write(const struct command *command, struct output *output, struct are
     for (const struct example *example = command->examples; example->arguments != NULL; example++) {
         write_example(example->arguments, output);
         output_spaces(output, 6);
-        output_paragraph(output, example->help, 6, 6, WIDTH);
+        output_paragraph(output, example->help, 6, 6, help_width(output));
     }
     output_string(output, "\nOptions:\n");
     for (size_t i = 0; command_option(command, i) != NULL; i++) {
@@ -128,7 +133,7 @@ void help_write(const struct command *command, struct output *output, struct are
                      "Units may always be written (50mm 10ft 5ft6in 1/125s); a list 1.4,2,2.8 or a "
                      "range 1..10:0.5 sweeps an option. More in lenscalc-%s(1) and lenscalc(1).",
                      command->name),
-        WIDTH);
+        help_width(output));
 }
 
 int help_command(const struct command *command, struct arena *arena)
@@ -138,9 +143,10 @@ int help_command(const struct command *command, struct arena *arena)
     if (!output_open(&output, NULL, arena, &error)) {
         return (int)error.code;
     }
+    output.width = terminal_width(STDOUT_FILENO);
     help_write(command, &output, arena);
     if (!output_close(&output, true, &error)) {
-        error_print(&error, command->name);
+        error_print(&error, command->name, COLOR_AUTO);
         return (int)error.code;
     }
     return 0;
@@ -151,7 +157,7 @@ static void write_entry(const char *name, const char *summary, struct output *ou
 {
     enum { SUMMARY_AT = 15 };
     output_printf(output, "  %-12s ", name);
-    output_paragraph(output, summary, SUMMARY_AT, SUMMARY_AT, WIDTH);
+    output_paragraph(output, summary, SUMMARY_AT, SUMMARY_AT, help_width(output));
 }
 
 void help_write_overview(struct output *output)
@@ -188,8 +194,8 @@ void help_short(void)
     for (size_t i = 0; commands[i] != NULL; i++) {
         line = arena_printf(&arena, "%s %s", line, commands[i]->name);
     }
-    output_paragraph(&output, line, 0, 2, WIDTH);
-    output_wrapped(&output, "more: lenscalc help, lenscalc COMMAND --help", WIDTH);
+    output_paragraph(&output, line, 0, 2, help_width(&output));
+    output_wrapped(&output, "more: lenscalc help, lenscalc COMMAND --help", help_width(&output));
     output_flush(&output);
     arena_free(&arena);
 }

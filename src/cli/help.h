@@ -20,7 +20,8 @@ struct topic_text {
     void (*list)(struct output *output); /* writes what follows the text; null = nothing does */
 };
 
-enum { HELP_WIDTH = 80 };
+/* Columns of help: 80, or those of a narrower terminal. */
+size_t help_width(const struct output *output);
 
 extern const struct topic_text help_topics[];
 

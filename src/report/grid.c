@@ -4,8 +4,6 @@
 
 #include <string.h>
 
-enum { NOTE_WIDTH = 79 };
-
 struct grid grid_new(struct arena *arena, size_t columns, size_t head_rows)
 {
     struct grid grid = {.arena = arena, .columns = columns, .head_rows = head_rows};
@@ -18,7 +16,7 @@ void grid_add_row(struct grid *grid)
 {
     if (grid->rows == grid->capacity) {
         size_t capacity = grid->capacity == 0 ? 16 : 2 * grid->capacity;
-        const char **cells = ARENA_ARRAY(grid->arena, capacity * grid->columns, const char *);
+        char **cells = ARENA_ARRAY(grid->arena, capacity * grid->columns, char *);
         if (grid->rows > 0) {
             memcpy(cells, grid->cells, grid->rows * grid->columns * sizeof *cells);
         }
@@ -34,83 +32,19 @@ void grid_set(struct grid *grid, size_t column, const char *string)
         arena_string(grid->arena, string, strlen(string));
 }
 
-static const char *cell(const struct grid *grid, size_t row, size_t column)
+void grid_make_printable(const struct grid *grid)
+{
+    for (size_t i = 0; i < grid->rows * grid->columns; i++) {
+        if (grid->cells[i] != NULL) {
+            text_make_printable(grid->cells[i], "");
+        }
+    }
+}
+
+const char *grid_cell(const struct grid *grid, size_t row, size_t column)
 {
     const char *string = grid->cells[row * grid->columns + column];
     return string != NULL ? string : "";
-}
-
-/* Characters on the screen: UTF-8 continuation bytes take no room. */
-static size_t width_of(const char *string)
-{
-    size_t width = 0;
-    for (; *string != '\0'; string++) {
-        width += ((unsigned char)*string & 0xc0) != 0x80;
-    }
-    return width;
-}
-
-void grid_measure(const struct grid *grid, size_t *widths)
-{
-    for (size_t j = 0; j < grid->columns; j++) {
-        widths[j] = grid->least_width[j];
-        for (size_t i = 0; i < grid->rows; i++) {
-            size_t width = width_of(cell(grid, i, j));
-            widths[j] = width > widths[j] ? width : widths[j];
-        }
-    }
-}
-
-static size_t *measured(const struct grid *grid)
-{
-    size_t *widths = ARENA_ARRAY(grid->arena, grid->columns, size_t);
-    grid_measure(grid, widths);
-    return widths;
-}
-
-/* One cell padded to its width; nothing behind the last cell of a line. */
-static void write_padded(struct output *output, const char *string, size_t width, bool left,
-                         bool last)
-{
-    size_t blanks = width - width_of(string);
-    if (!left) {
-        output_spaces(output, blanks);
-    }
-    output_string(output, string);
-    if (left && !last) {
-        output_spaces(output, blanks);
-    }
-}
-
-/* Is everything from this column on empty? */
-static bool is_tail_empty(const struct grid *grid, size_t row, size_t column)
-{
-    for (; column < grid->columns; column++) {
-        if (cell(grid, row, column)[0] != '\0') {
-            return false;
-        }
-    }
-    return true;
-}
-
-void grid_write_text(const struct grid *grid, struct output *output, bool with_head)
-{
-    const size_t *widths = measured(grid);
-    if (grid->title != NULL && with_head) {
-        output_printf(output, "%s\n\n", grid->title);
-    }
-    for (size_t i = with_head ? 0 : grid->head_rows; i < grid->rows; i++) {
-        for (size_t j = 0; j < grid->columns && !is_tail_empty(grid, i, j); j++) {
-            output_string(output, j > 0 ? "  " : "");
-            write_padded(output, cell(grid, i, j), widths[j], grid->left[j],
-                         is_tail_empty(grid, i, j + 1));
-        }
-        output_character(output, '\n');
-    }
-    if (grid->note != NULL) {
-        output_character(output, '\n');
-        output_wrapped(output, grid->note, NOTE_WIDTH);
-    }
 }
 
 /* The head of one column in one cell: its rows joined. */
@@ -118,7 +52,7 @@ static const char *joined_head(const struct grid *grid, size_t column)
 {
     const char *head = "";
     for (size_t i = 0; i < grid->head_rows; i++) {
-        const char *part = cell(grid, i, column);
+        const char *part = grid_cell(grid, i, column);
         if (part[0] != '\0') {
             head = head[0] == '\0' ? part : arena_printf(grid->arena, "%s (%s)", head, part);
         }
@@ -126,15 +60,16 @@ static const char *joined_head(const struct grid *grid, size_t column)
     return head;
 }
 
-/* A pipe or a backslash would end or change a markdown cell. */
-static void write_markdown_cell(struct output *output, const char *string)
+const char *grid_markdown_text(struct arena *arena, const char *string)
 {
+    char *text = arena_array(arena, 2 * strlen(string) + 1, 1), *to = text;
     for (; *string != '\0'; string++) {
-        if (*string == '|' || *string == '\\') {
-            output_character(output, '\\');
+        if (*string == '|' || *string == '\\' || *string == '<') {
+            *to++ = '\\';
         }
-        output_character(output, *string);
+        *to++ = *string;
     }
+    return text;
 }
 
 static void write_markdown_row(const struct grid *grid, struct output *output, size_t row)
@@ -142,8 +77,8 @@ static void write_markdown_row(const struct grid *grid, struct output *output, s
     output_character(output, '|');
     for (size_t j = 0; j < grid->columns; j++) {
         output_character(output, ' ');
-        write_markdown_cell(output,
-                            row < grid->head_rows ? joined_head(grid, j) : cell(grid, row, j));
+        const char *text = row < grid->head_rows ? joined_head(grid, j) : grid_cell(grid, row, j);
+        output_string(output, grid_markdown_text(grid->arena, text));
         output_string(output, " |");
     }
     output_character(output, '\n');
@@ -153,7 +88,9 @@ static void write_markdown_row(const struct grid *grid, struct output *output, s
 static void write_markdown_head(const struct grid *grid, struct output *output)
 {
     if (grid->title != NULL) {
-        output_printf(output, "**%s**\n\n", grid->title);
+        output_string(output, "**");
+        output_string(output, grid_markdown_text(grid->arena, grid->title));
+        output_string(output, "**\n\n");
     }
     write_markdown_row(grid, output, 0);
     output_character(output, '|');
@@ -165,6 +102,7 @@ static void write_markdown_head(const struct grid *grid, struct output *output)
 
 void grid_write_markdown(const struct grid *grid, struct output *output, bool with_head)
 {
+    grid_make_printable(grid);
     if (with_head) {
         write_markdown_head(grid, output);
     }
@@ -172,7 +110,9 @@ void grid_write_markdown(const struct grid *grid, struct output *output, bool wi
         write_markdown_row(grid, output, i);
     }
     if (grid->note != NULL) {
-        output_printf(output, "\n%s\n", grid->note);
+        output_character(output, '\n');
+        output_string(output, grid_markdown_text(grid->arena, grid->note));
+        output_character(output, '\n');
     }
 }
 
@@ -231,7 +171,7 @@ static void write_html_row(const struct grid *grid, struct output *output, size_
     output_string(output, "<tr>");
     for (size_t j = 0; j < grid->columns; j++) {
         output_printf(output, "<%s%s>", tag, grid->left[j] ? " class=\"w\"" : "");
-        write_html(output, cell(grid, row, j));
+        write_html(output, grid_cell(grid, row, j));
         output_printf(output, "</%s>", tag);
     }
     output_string(output, "</tr>\n");
@@ -239,6 +179,7 @@ static void write_html_row(const struct grid *grid, struct output *output, size_
 
 void grid_write_html(const struct grid *grid, struct output *output, bool with_head)
 {
+    grid_make_printable(grid);
     if (with_head) {
         output_string(output, "<table>\n");
     }
@@ -247,14 +188,15 @@ void grid_write_html(const struct grid *grid, struct output *output, bool with_h
         write_html(output, grid->title);
         output_string(output, "</caption>\n");
     }
-    output_string(output, with_head ? "<thead>\n" : "");
+    bool has_head = with_head && grid->head_rows > 0;
+    output_string(output, has_head ? "<thead>\n" : with_head ? "<tbody>\n" : "");
     for (size_t i = with_head ? 0 : grid->head_rows; i < grid->rows; i++) {
-        if (i == grid->head_rows && with_head) {
+        if (i == grid->head_rows && has_head) {
             output_string(output, "</thead>\n<tbody>\n");
         }
         write_html_row(grid, output, i);
     }
-    output_string(output, grid->rows == grid->head_rows ? "</thead>\n<tbody>\n" : "");
+    output_string(output, has_head && grid->rows == grid->head_rows ? "</thead>\n<tbody>\n" : "");
 }
 
 void grid_html_close(const struct grid *grid, struct output *output)
@@ -286,7 +228,7 @@ void grid_write_separated(const struct grid *grid, struct output *output, char s
             if (j > 0) {
                 output_character(output, separator);
             }
-            write_quoted(output, cell(grid, i, j), separator);
+            write_quoted(output, grid_cell(grid, i, j), separator);
         }
         output_character(output, '\n');
     }

@@ -9,11 +9,15 @@
 struct grid {
     struct arena *arena;
     size_t columns, rows, capacity, head_rows;
-    const char **cells;  /* rows x columns */
+    char **cells;        /* rows x columns */
     bool *left;          /* one a column: align left (words), not right (numbers) */
     size_t *least_width; /* one a column: print at least this wide */
-    const char *title;   /* above; null = none */
-    const char *note;    /* below; null = none */
+    /* Of a terminal, one a column, by grid_fit; null = as wide as the widest cell, all shown. */
+    size_t *widths;    /* longer words go on in another line */
+    bool *hidden;      /* left out */
+    bool in_blocks;    /* a table too wide for the terminal goes on below, its first column again */
+    const char *title; /* above; null = none */
+    const char *note;  /* below; null = none */
 };
 
 struct grid grid_new(struct arena *arena, size_t columns, size_t head_rows);
@@ -24,14 +28,34 @@ void grid_add_row(struct grid *grid);
 /* Set a cell of the last row; the string is copied. */
 void grid_set(struct grid *grid, size_t column, const char *string);
 
+/* A cell; "" if it was not set. */
+const char *grid_cell(const struct grid *grid, size_t row, size_t column);
+
+/* Put '?' in the place of what must not reach a terminal, in all cells. */
+void grid_make_printable(const struct grid *grid);
+
 /* Widths as printed (in characters, not bytes), one a column, at least least_width. */
 void grid_measure(const struct grid *grid, size_t *widths);
+
+/*
+ * Make a grid as narrow as a terminal: long words go on in further lines, then columns are left
+ * out. Sets widths and hidden.
+ *
+ * Given     width  of the terminal
+ *           least  one a column: no narrower than this; 0 = as its words and numbers allow
+ *           rank   one a column: the highest is left out first; 0 = never
+ * Result    how many are left out
+ */
+size_t grid_fit(struct grid *grid, size_t width, const size_t *least, const size_t *rank);
 
 /* Print in one of the formats that people or spreadsheets read. */
 void grid_write_text(const struct grid *grid, struct output *output, bool with_head);
 void grid_write_markdown(const struct grid *grid, struct output *output, bool with_head);
 void grid_write_html(const struct grid *grid, struct output *output, bool with_head);
 void grid_write_separated(const struct grid *grid, struct output *output, char separator);
+
+/* Text that means nothing but itself in Markdown: no end of a cell, no HTML. */
+const char *grid_markdown_text(struct arena *arena, const char *string);
 
 /* A whole HTML page around tables: written first and last. */
 void grid_html_begin(struct output *output, const char *title);

@@ -6,6 +6,17 @@
 #include <math.h>
 #include <string.h>
 
+/* Of a UTF-8 sequence of at most three bytes. */
+static unsigned code_point(const char *start, size_t length)
+{
+    static const unsigned char masks[] = {0, 0x7f, 0x1f, 0x0f};
+    unsigned code = (unsigned char)start[0] & masks[length];
+    for (size_t i = 1; i < length; i++) {
+        code = code << 6 | ((unsigned char)start[i] & 0x3f);
+    }
+    return code;
+}
+
 static void write_string(struct output *output, const char *start, size_t length)
 {
     output_character(output, '"');
@@ -22,8 +33,8 @@ static void write_string(struct output *output, const char *start, size_t length
             output_character(output, (char)c);
         } else if (c == '\n' || c == '\t') {
             output_string(output, c == '\n' ? "\\n" : "\\t");
-        } else if (c < 0x20) {
-            output_printf(output, "\\u%04x", c);
+        } else if (text_unprintable(start + i, length - i) > 0) {
+            output_printf(output, "\\u%04x", code_point(start + i, sequence));
         } else {
             output_text(output, start + i, sequence);
         }

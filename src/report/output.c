@@ -101,8 +101,8 @@ bool output_open(struct output *output, const char *path, struct arena *arena, s
     output->path = place != NULL ? place : path;
     output->arena = arena;
     output->is_renamed = place != NULL && is_plain_or_new(place);
-    output->descriptor = output->is_renamed ? open_beside(output, place)
-                                            : open(output->path, O_WRONLY | O_CLOEXEC);
+    output->descriptor =
+        output->is_renamed ? open_beside(output, place) : open(output->path, O_WRONLY | O_CLOEXEC);
     if (output->descriptor < 0) {
         return fail(error, ERROR_IO, "cannot write %s: %s", output->path, strerror(errno));
     }
@@ -168,6 +168,24 @@ void output_spaces(struct output *output, size_t count)
     while (count-- > 0) {
         output_character(output, ' ');
     }
+}
+
+void output_style(struct output *output, enum style style)
+{
+    static const char *const codes[] = {[STYLE_PLAIN] = "\033[0m",
+                                        [STYLE_HEAD] = "\033[1m",
+                                        [STYLE_WARNING] = "\033[33m",
+                                        [STYLE_ERROR] = "\033[1;31m"};
+    if (output->has_color) {
+        output_string(output, codes[style]);
+    }
+}
+
+void output_styled(struct output *output, enum style style, const char *string)
+{
+    output_style(output, style);
+    output_string(output, string);
+    output_style(output, STYLE_PLAIN);
 }
 
 /* Characters up to the next blank or the end of the line; bytes that continue one do not count. */

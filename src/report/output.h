@@ -13,14 +13,16 @@
 /* Where results go. A failed write is remembered and reported by output_close. */
 struct output {
     int descriptor;
-    int failure;      /* errno of the first failed write, 0 = none */
-    const char *path; /* null = standard output */
-    bool is_renamed;  /* to `path` when it is complete */
-    bool is_nameless; /* the file has no name before that */
+    int failure;         /* errno of the first failed write, 0 = none */
+    const char *path;    /* null = standard output */
+    bool is_renamed;     /* to `path` when it is complete */
+    bool is_nameless;    /* the file has no name before that */
     const char *beside;  /* its name before that, if it has one */
     struct arena *arena; /* of the names */
     char *buffer;
     size_t used, size;
+    size_t width;        /* of the terminal that shows it; 0 = it is none */
+    bool has_color;      /* output_style writes something */
     struct text remarks; /* lines for standard error when all went well */
 };
 
@@ -58,6 +60,15 @@ void output_wrapped(struct output *output, const char *text, size_t width);
 void output_spaces(struct output *output, size_t count);
 void output_printf(struct output *output, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/* How a stretch of text looks where there are colours. */
+enum style { STYLE_PLAIN, STYLE_HEAD, STYLE_WARNING, STYLE_ERROR };
+
+/* From here on; what ends it is STYLE_PLAIN. Nothing without colours. */
+void output_style(struct output *output, enum style style);
+
+/* A string in such a style. */
+void output_styled(struct output *output, enum style style, const char *string);
 
 /* Hand over what is buffered now, so that a reader of the pipe sees it. */
 void output_flush(struct output *output);

@@ -26,6 +26,7 @@ struct text_state {
     bool has_layout;
     const struct unit **units; /* one a shown column */
     size_t *widths;
+    bool *hidden;      /* one a column of the grid: no room for it on this terminal */
     bool *is_empty;    /* columns without a value in the rows looked at */
     bool has_failures; /* among the rows looked at: then there is a column for the reasons */
     struct arena scratch;
@@ -250,6 +251,43 @@ static const void *first_good_row(const struct text_state *state)
     return NULL;
 }
 
+/* Does the format keep within the width of a terminal, and is there one? */
+static bool has_width(const struct report *report)
+{
+    return report->format == &format_text && report->output->width > 0;
+}
+
+/* A text as a terminal may get it; null stays null. */
+static const char *printable(const struct report *report, const char *text)
+{
+    char *copy = text != NULL ? arena_string(report->arena, text, strlen(text)) : NULL;
+    if (copy != NULL) {
+        text_make_printable(copy, "\n");
+    }
+    return copy;
+}
+
+/*
+ * What stays of a table that is wider than the terminal: its first column, what was asked for by
+ * name, and why rows failed; then what stands further left. Columns that are only handed through
+ * go first.
+ */
+static void fit_table(struct report *report, struct grid *grid)
+{
+    struct text_state *state = report->state;
+    size_t *least = ARENA_ARRAY(report->arena, grid->columns, size_t);
+    size_t *rank = ARENA_ARRAY(report->arena, grid->columns, size_t);
+    for (size_t j = 1; j < grid->columns; j++) {
+        bool passed = j < report->passed_count;
+        bool is_error = state->has_failures && j + 1 == grid->columns;
+        bool stays = is_error || (!passed && report->are_named);
+        rank[j] = stays ? 0 : passed ? grid->columns + j : j;
+    }
+    grid_fit(grid, report->output->width, least, rank);
+    state->widths = grid->widths;
+    state->hidden = grid->hidden;
+}
+
 /* Several rows: a table with names and units in its head. */
 static void write_table(struct report *report)
 {
@@ -259,9 +297,13 @@ static void write_table(struct report *report)
         const struct kept *kept = &state->kept[i];
         add_row(report, &grid, kept->row, kept->passed, kept->failure);
     }
-    state->widths = ARENA_ARRAY(report->arena, grid.columns, size_t);
-    grid_measure(&grid, state->widths);
-    grid.title = report->title;
+    if (has_width(report)) {
+        fit_table(report, &grid);
+    } else {
+        state->widths = ARENA_ARRAY(report->arena, grid.columns, size_t);
+        grid_measure(&grid, state->widths);
+    }
+    grid.title = printable(report, report->title);
     report->format->write_grid(&grid, report->output, true);
 }
 
@@ -281,8 +323,16 @@ static void write_list(struct report *report)
 {
     struct text_state *state = report->state;
     const void *row = state->kept[0].row;
-    struct grid grid = grid_new(report->arena, 3, 0);
+    const bool with_head = report->format == &format_markdown; /* it has no tables without */
+    size_t least[3] = {0}, rank[3] = {0};
+    struct grid grid = grid_new(report->arena, 3, with_head);
     grid.left[0] = grid.left[2] = true;
+    if (with_head) {
+        grid_add_row(&grid);
+        grid_set(&grid, 0, "quantity");
+        grid_set(&grid, 1, "value");
+        grid_set(&grid, 2, "unit");
+    }
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct shown *shown = &report->shown[i];
         if (state->is_empty[i]) {
@@ -291,6 +341,9 @@ static void write_list(struct report *report)
         char cell[CELL];
         readable_value(cell, sizeof cell, row, shown, state->units[i],
                        digits_of(report, shown->column));
+        if (shown->column->type == COLUMN_NUMBER && strlen(cell) > least[1]) {
+            least[1] = strlen(cell); /* words may go on in another line */
+        }
         grid_add_row(&grid);
         grid_set(&grid, 0,
                  shown->column->label != NULL ? shown->column->label
@@ -302,14 +355,17 @@ static void write_list(struct report *report)
         grid_set(&grid, 1, cell);
         grid_set(&grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
     }
-    grid.title = report->title;
+    if (has_width(report)) {
+        grid_fit(&grid, report->output->width, least, rank);
+    }
+    grid.title = printable(report, report->title);
     report->format->write_grid(&grid, report->output, true);
 }
 
 static bool is_list(const struct report *report)
 {
     const struct text_state *state = report->state;
-    return !report->many && state->kept_count == 1 && report->format == &format_text;
+    return !report->many && state->kept_count == 1;
 }
 
 static void write_kept(struct report *report)
@@ -331,12 +387,17 @@ static void write_later_row(struct report *report, const void *row, const struct
     struct text_state *state = report->state;
     struct arena_mark mark = arena_mark(&state->scratch);
     struct grid grid = new_grid(report, &state->scratch);
-    memcpy(grid.least_width, state->widths, grid.columns * sizeof grid.least_width[0]);
+    if (has_width(report)) {
+        grid.widths = state->widths;
+        grid.hidden = state->hidden;
+    } else {
+        memcpy(grid.least_width, state->widths, grid.columns * sizeof grid.least_width[0]);
+    }
     add_row(report, &grid, row, passed, failure != NULL ? failure->message : NULL);
     report->format->write_grid(&grid, report->output, false);
     if (failure != NULL && !state->has_failures) {
-        output_printf(report->output, "error: %s\n",
-                      failure->message); /* there is no column for it */
+        output_styled(report->output, STYLE_ERROR, "error:"); /* there is no column for it */
+        output_printf(report->output, " %s\n", failure->message);
     }
     arena_reset(&state->scratch, mark);
 }
@@ -367,23 +428,70 @@ static void text_row(struct report *report, const void *row, const struct text *
     }
 }
 
+/* A line below the table, behind a word that stands out; both may be null. */
+static void write_remark(struct report *report, enum style style, const char *word,
+                         const char *line)
+{
+    struct output *output = report->output;
+    line = printable(report, line);
+    if (line == NULL) {
+        return;
+    }
+    if (report->format != &format_text && word != NULL) {
+        line = ARENA_JOIN(report->arena, word, line);
+        word = NULL;
+    }
+    if (report->format == &format_html) {
+        grid_html_paragraph(output, line);
+        return;
+    }
+    if (report->format == &format_markdown) {
+        line = grid_markdown_text(report->arena, line);
+    }
+    output_character(output, '\n');
+    if (word != NULL) {
+        output_styled(output, style, word);
+    }
+    output_paragraph(output, line, word != NULL ? strlen(word) : 0, 0,
+                     output->width > 0 ? output->width : LINE_WIDTH);
+}
+
 static void write_line(struct report *report, const char *line)
 {
-    if (line != NULL && report->format == &format_html) {
-        grid_html_paragraph(report->output, line);
-    } else if (line != NULL) {
-        output_character(report->output, '\n');
-        output_wrapped(report->output, line, LINE_WIDTH);
+    write_remark(report, STYLE_PLAIN, NULL, line);
+}
+
+/* Which columns had no room, and what shows them. */
+static void write_left_out(struct report *report)
+{
+    const struct text_state *state = report->state;
+    const char *names = NULL;
+    for (size_t j = 0; state->hidden != NULL && j < report->passed_count + report->shown_count;
+         j++) {
+        if (state->hidden[j]) {
+            struct text name = j < report->passed_count
+                                   ? report->passed_names[j]
+                                   : text_of(report->shown[j - report->passed_count].name);
+            names = arena_printf(report->arena, "%s%s%.*s", names != NULL ? names : "",
+                                 names != NULL ? ", " : "", (int)name.length, name.start);
+        }
+    }
+    if (names != NULL) {
+        write_line(report,
+                   arena_printf(report->arena, "not shown, for want of room in %zu columns: %s; %s",
+                                report->output->width, names, report->remedy));
     }
 }
 
 /* What the symbols mean that stand in the head. */
 static void write_legend(struct report *report)
 {
+    const struct text_state *state = report->state;
     const char *line = NULL;
     for (size_t i = 0; i < report->shown_count && !is_list(report); i++) {
         const struct column *column = report->shown[i].column;
-        if (has_head(report, column) && column->symbol != NULL &&
+        bool is_shown = state->hidden == NULL || !state->hidden[report->passed_count + i];
+        if (is_shown && has_head(report, column) && column->symbol != NULL &&
             strcmp(column->head, column->symbol) == 0) {
             line = arena_printf(report->arena, "%s%s%s: %s", line != NULL ? line : "",
                                 line != NULL ? "; " : "", column->head, column->label);
@@ -424,7 +532,8 @@ static void write_doubts(struct report *report)
 {
     struct doubts *doubts = report->doubts;
     for (size_t i = 0; doubts != NULL && i < doubts->count; i++) {
-        write_line(report, arena_printf(&doubts->arena, "warning: %s", doubts->texts[i]));
+        write_remark(report, STYLE_WARNING,
+                     "warning:", arena_printf(&doubts->arena, " %s", doubts->texts[i]));
     }
     write_line(report, doubts != NULL ? doubts_left_out(doubts) : NULL);
 }
@@ -438,12 +547,16 @@ static void text_end(struct report *report)
     if (report->format == &format_html && state->has_layout) {
         grid_html_close(NULL, report->output);
     }
+    write_left_out(report);
     write_legend(report);
     write_line(report, report_assumptions(report, first_good_row(state)));
     write_all_notes(report);
     write_doubts(report);
     if (report->explain != NULL && report->format != &format_html) {
-        output_printf(report->output, "\n%s\n", report->explain); /* formulas keep their lines */
+        /* formulas keep their lines */
+        output_character(report->output, '\n');
+        output_string(report->output, printable(report, report->explain));
+        output_character(report->output, '\n');
     } else {
         write_line(report, report->explain);
     }

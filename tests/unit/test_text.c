@@ -114,8 +114,55 @@ static void check_arena(void)
     CHECK(arena.block == NULL);
 }
 
+/* What a terminal obeys is as long as its bytes; what it prints is not (ECMA-48, Unicode 9). */
+static void check_printable(void)
+{
+    static const struct {
+        const char *bytes;
+        size_t length;
+    } cases[] = {{"a", 0},
+                 {" ", 0},
+                 {"~", 0},
+                 {"\033[1m", 1},
+                 {"\n", 1},
+                 {"\177", 1},
+                 {"\xc2\x80", 2},
+                 {"\xc2\x9f", 2},
+                 {"\xc2\xa0", 0},
+                 {"\x9b", 1},
+                 {"\xa0", 0},
+                 {"\xff", 0},
+                 {"\xc3\xa9", 0},
+                 {"\xd8\x9c", 2},
+                 {"\xd8\x9d", 0},
+                 {"\xe2\x80\x8d", 0},
+                 {"\xe2\x80\x8e", 3},
+                 {"\xe2\x80\x8f", 3},
+                 {"\xe2\x80\x90", 0},
+                 {"\xe2\x80\xa7", 0},
+                 {"\xe2\x80\xa8", 3},
+                 {"\xe2\x80\xae", 3},
+                 {"\xe2\x80\xaf", 0},
+                 {"\xe2\x81\xa5", 0},
+                 {"\xe2\x81\xa6", 3},
+                 {"\xe2\x81\xa9", 3},
+                 {"\xe2\x81\xaa", 0},
+                 {"\xf0\x9f\x93\xb7", 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct text text = text_of(cases[i].bytes);
+        CHECK(text_unprintable(text.start, text.length) == cases[i].length);
+    }
+    CHECK(text_unprintable("", 0) == 0);
+    char mixed[] = "a\033\xc2\x9b\n\xc3\xa9\xe2\x80\xae.";
+    text_make_printable(mixed, "\n");
+    CHECK_TEXT(mixed, "a???\n\xc3\xa9???.");
+    text_make_printable(mixed, "");
+    CHECK_TEXT(mixed, "a????\xc3\xa9???.");
+}
+
 int main(void)
 {
+    check_printable();
     check_distance();
     check_names();
     check_cut();

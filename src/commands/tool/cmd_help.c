@@ -1,8 +1,10 @@
 /* commands/tool/cmd_help.c - lenscalc help: commands and topics. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/help.h"
+#include "report/terminal.h"
 
 #include <string.h>
+#include <unistd.h>
 
 struct input {
     const char *topic;
@@ -32,7 +34,7 @@ static bool unknown(const char *topic, struct error *error)
 static void write_topic(const struct topic_text *topic, struct output *output)
 {
     output_printf(output, "%s: %s\n\n", topic->name, topic->summary);
-    output_wrapped(output, topic->text, HELP_WIDTH);
+    output_wrapped(output, topic->text, help_width(output));
     if (topic->list != NULL) {
         topic->list(output);
     }
@@ -41,6 +43,7 @@ static void write_topic(const struct topic_text *topic, struct output *output)
 static bool explain(const struct artifact_job *job, struct output *output, struct error *error)
 {
     const struct input *input = job->inputs[0];
+    output->width = job->path == NULL ? terminal_width(STDOUT_FILENO) : 0;
     if (input->topic == NULL) {
         help_write_overview(output);
         return true;

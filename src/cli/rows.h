@@ -1,0 +1,65 @@
+/* cli/rows.h - the rows of a question: every combination of a sweep, every line of a batch. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CLI_ROWS_H
+#define LENSCALC_CLI_ROWS_H
+
+#include "cli/batch.h"
+#include "cli/collect.h"
+#include "cli/queue.h"
+
+/* One command at work. */
+struct driver {
+    const struct command *command;
+    struct arena arena;     /* until the end */
+    struct arena row_arena; /* until the next input */
+    struct lensdb db;
+    struct reader reader;
+    struct lens_cache lenses;
+    struct arguments arguments;
+    struct common common;
+    struct sweep sweep;
+    struct batch batch;
+    struct run run;
+    struct report report;
+    struct selection selection;
+    struct output output;
+    struct collection collection;
+    struct artifacts artifacts;
+    struct asking asking; /* the columns of a batch count as given */
+    struct arena kept;    /* of the command, until the end */
+    struct doubts doubts;
+    struct queue queue;        /* rows of the batch that wait to be computed together */
+    const struct text *passed; /* columns handed through, of the row being printed */
+    void *input;
+    const char *database;
+    bool is_batch, is_open, begun, collects;
+    size_t index; /* of the present combination of the sweep */
+    size_t good, failed;
+    bool answered;         /* at least one input, if only in part */
+    const void *explained; /* the row whose numbers --explain puts in */
+    double started;
+};
+
+/*
+ * All rows have the columns of the first input.
+ *
+ * Errors    ERROR_USAGE: this input asks for others
+ */
+bool rows_check_sheet(const struct driver *driver, struct error *error);
+
+/* The head of the output, before its first row. */
+void rows_begin(struct driver *driver);
+
+/* What `run` hands its rows to. */
+bool rows_emit(struct run *run, const void *row);
+
+/*
+ * Answer every combination of a sweep, or every row of a batch. One that fails keeps its place and
+ * is complained about; one combination is an ordinary answer.
+ *
+ * Errors    what ends the work before its end
+ */
+bool rows_of_sweep(struct driver *driver, struct error *error);
+bool rows_of_batch(struct driver *driver, struct error *error);
+
+#endif
