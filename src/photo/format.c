@@ -23,6 +23,11 @@ double sensor_diagonal(const struct sensor *sensor)
     return hypot(sensor->width, sensor->height);
 }
 
+double sensor_pitch_of(const struct sensor *sensor, double pixels)
+{
+    return sqrt(sensor->width * (sensor->height / pixels));
+}
+
 double sensor_crop(const struct sensor *sensor)
 {
     return hypot(36, 24) / sensor_diagonal(sensor);

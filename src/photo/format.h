@@ -30,6 +30,16 @@ double sensor_diagonal(const struct sensor *sensor);
 double sensor_crop(const struct sensor *sensor);
 
 /*
+ * Pixel pitch of so many pixels.
+ *
+ * Given     sensor  checked;  pixels  number, > 0
+ * Result    mm
+ * Formula   sqrt(width height/pixels)
+ * Limits    square pixels that fill the picture area
+ */
+double sensor_pitch_of(const struct sensor *sensor, double pixels);
+
+/*
  * The picture area that an optical format ("1/1.28 inch") stands for.
  *
  * Given     inches  the format, 1/20 to 4

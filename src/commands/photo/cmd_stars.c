@@ -1,5 +1,6 @@
 /* commands/photo/cmd_stars.c - lenscalc stars: how long before stars become trails. */
 /* SPDX-License-Identifier: MIT */
+#include "base/arena.h"
 #include "cli/command.h"
 #include "commands/photo/light_options.h"
 #include "commands/photo/sharpness.h"
@@ -37,7 +38,6 @@ static const struct option options[] = {
     {OPTION(struct input, accuracy), .name = "accuracy", .column = "accuracy",
      .dimension = &dimension_number, OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1", .value = "K",
-     .wants = "pitch|sensor",
      .help = "factor k of the NPF rule: 1 for points, 2 and 3 for longer and longer trails"},
 };
 
@@ -45,6 +45,8 @@ struct row {
     double focal, fnumber, declination, allowed, pitch, crop, rule, accuracy;
     struct star_time time;
     double rule_time, npf, npf_simple, four_minus_crop;
+    double npf_fnumber, npf_pitch; /* given or assumed */
+    const char *npf_assumed;
     double exposure;
     struct star_trail trail;
     double worst;
@@ -64,6 +66,11 @@ struct row {
 #define WITH_TIME_INFINITE      WITH_TIME_BRIEF_FLAGS | COLUMN_INFINITE, .with = "time"
 
 static const struct column columns[] = {
+    {NUMBER(npf_fnumber), .name = "npf_fnumber", .flags = COLUMN_EXTRA, .symbol = "N",
+     .label = "f-number of the NPF rule", .help = "as given, else 2.8"},
+    {LENGTH(npf_pitch, "um"), .name = "npf_pitch", .flags = COLUMN_EXTRA, .symbol = "p",
+     .label = "pixel pitch of the NPF rule",
+     .help = "as given or of the camera, else that of 24 megapixels on the sensor"},
     {LENGTH(focal, "mm"), .name = "focal", .flags = ECHO, .symbol = "f", .label = "focal length",
      .help = "focal length"},
     COLUMN_FNUMBER(struct row, fnumber, 0),
@@ -78,7 +85,7 @@ static const struct column columns[] = {
     {TIME(rule_time), .name = "rule_of_thumb", .flags = COLUMN_BRIEF, .symbol = "tr",
      .label = "by the 500 rule", .help = "constant over crop factor and focal length"},
     {TIME(npf), .name = "npf", .flags = COLUMN_BRIEF, .symbol = "tn", .label = "by the NPF rule",
-     .help = "wants f-number and pixel pitch"},
+     .help = "by f-number and pixel pitch"},
     {TIME(npf_simple), .name = "npf_simple", .symbol = "ts", .label = "by the simple NPF rule",
      .help = "without declination"},
     {TIME(four_minus_crop), .name = "four_minus_crop", .symbol = "t4",
@@ -106,7 +113,9 @@ static const struct column columns[] = {
      .symbol = "rule", .label = "rule", .help = "constant of the rule of thumb"},
     {NUMBER(accuracy), .name = "accuracy", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "accuracy",
      .symbol = "k", .label = "k of the NPF rule", .help = "its accuracy"},
-    {LENGTH(pitch, "um"), .name = "pitch", ASSUMED, .depends = "pitch sensor", .symbol = "p",
+    {NUMBER(npf_assumed), .name = "npf_assumed", ASSUMED, .depends = "pitch sensor aperture",
+     .label = "NPF rule for", .help = "what was taken where f-number or pixel pitch is not known"},
+    {LENGTH(pitch, "um"), .name = "pitch", ASSUMED, .depends = "pitch sensor",
      .label = "pixel pitch", .help = "distance of two pixels"},
     COLUMN_SENSOR(struct row, sensor),
     {NUMBER(criterion), .name = "trail_criterion", ASSUMED, .depends = "coc trail",
@@ -127,7 +136,29 @@ static bool allow(const struct input *input, struct row *row, struct error *erro
     return sharpness_resolve(&sharp, input->fnumber, &row->allowed, error);
 }
 
-/* The rules of thumb, as far as what they want is known. */
+/* A camera and a lens of today for the NPF rule, where neither is given. */
+#define USUAL_FNUMBER    2.8
+#define USUAL_MEGAPIXELS 24
+
+/* What the NPF rule wants, and what of it is assumed. */
+static void assume(const struct sensor *sensor, struct row *row, struct arena *arena)
+{
+    bool has_N = is_given(row->fnumber), has_pitch = is_given(row->pitch);
+    row->npf_fnumber = has_N ? row->fnumber : USUAL_FNUMBER;
+    row->npf_pitch = has_pitch ? row->pitch : sensor_pitch_of(sensor, USUAL_MEGAPIXELS * 1e6);
+    row->npf_assumed =
+        has_N && has_pitch
+            ? NULL
+            : arena_printf(arena, "%s%s%s", has_N ? "" : "f/2.8 (default)",
+                           has_N || has_pitch ? "" : " and ",
+                           has_pitch ? ""
+                                     : arena_printf(arena,
+                                                    "%d megapixels of %.3g um "
+                                                    "(default)",
+                                                    USUAL_MEGAPIXELS, 1000 * row->npf_pitch));
+}
+
+/* The rules of thumb. */
 static bool apply_rules(struct row *row, struct error *error)
 {
     row->npf = row->npf_simple = row->four_minus_crop = NAN;
@@ -138,15 +169,12 @@ static bool apply_rules(struct row *row, struct error *error)
         !four_minus_crop_time(row->focal, row->crop, &row->four_minus_crop, error)) {
         return false;
     }
-    if (!is_given(row->fnumber) || !is_given(row->pitch)) {
-        return true;
-    }
     const struct npf_setting full = {.f = row->focal,
-                                     .N = row->fnumber,
-                                     .pitch = row->pitch,
+                                     .N = row->npf_fnumber,
+                                     .pitch = row->npf_pitch,
                                      .dec = row->declination,
                                      .k = row->accuracy};
-    return npf_simple_time(row->focal, row->fnumber, row->pitch, &row->npf_simple, error) &&
+    return npf_simple_time(full.f, full.N, full.pitch, &row->npf_simple, error) &&
            npf_full_time(&full, &row->npf, error);
 }
 
@@ -185,19 +213,13 @@ static bool run(const void *data, struct run *run, struct error *error)
                     "the longest focal length");
     }
     sharpness_doubt_pitch(&input->sharp, run->doubts);
+    assume(sensor, &row, run->arena);
     if (!allow(input, &row, error) ||
         (!is_given(row.focal) &&
          !star_focal_length(row.declination, row.exposure, row.allowed, &row.focal, error)) ||
         !star_time(row.focal, row.declination, row.allowed, &row.time, error) ||
         !apply_rules(&row, error) || !measure_trail(sensor, &row, error)) {
         return false;
-    }
-    if (!is_given(row.npf)) {
-        doubts_add(run->doubts, "the NPF rule wants %s%s%s: it is left out",
-                   is_given(row.fnumber) ? "" : "the f-number (-N)",
-                   is_given(row.fnumber) || is_given(row.pitch) ? "" : " and ",
-                   is_given(row.pitch) ? ""
-                                       : "the pixel pitch (--pitch, or --sensor with a camera)");
     }
     run_emit(run, &row);
     return true;
@@ -226,6 +248,7 @@ static const struct explanation explanations[] = {
 };
 
 static const struct example examples[] = {
+    {"stars -f 20mm -N 1.8 --sensor \"Nikon D850\"", "with the pixels of a camera"},
     {"stars -f 24mm -N 2.8 --pitch 4.35um", "500 rule, NPF rule and exact, side by side"},
     {"stars -f 14,20,24,35,50 -N 2.8 --pitch 5um --trail 2px", "a table for the bag"},
     {"stars -f 50mm --declination 60deg -t 20s", "how long the trails of 20 seconds are"},
