@@ -252,6 +252,39 @@ bool fov_solve(const struct fov_setting *setting, const struct sensor *sensor,
     return found == NULL || solve_goal(setting, found, f, error);
 }
 
+/* On level ground, straight below. */
+static double ground_across(double altitude, double angle)
+{
+    return angle < PI ? 2 * altitude * tan(angle / 2) : (double)INFINITY;
+}
+
+bool fov_ground(const struct fov_setting *setting, const struct fov *fov, double pitch,
+                struct fov_ground *ground, struct error *error)
+{
+    const struct given numbers[] = {{"altitude", " mm", ground->altitude},
+                                    {"ground sample", " mm", ground->sample},
+                                    {"pixel pitch", " mm", pitch}};
+    if (is_given(ground->altitude) == is_given(ground->sample)) {
+        return fail(error, ERROR_USAGE, "give one of {altitude} and {ground sample}");
+    }
+    if (is_given(ground->sample) && !is_given(pitch)) {
+        return fail(error, ERROR_USAGE, "{ground sample} wants {pixel pitch}");
+    }
+    if (!given_positive(numbers, 3, error)) {
+        return false;
+    }
+    double m = setting->f / (setting->s - setting->f);
+    double scale = setting->f * (1 + m / setting->P);
+    if (is_given(ground->sample)) {
+        ground->altitude = ground->sample * (scale / pitch);
+    } else {
+        ground->sample = ground->altitude * (pitch / scale);
+    }
+    ground->width = ground_across(ground->altitude, fov->horizontal);
+    ground->height = ground_across(ground->altitude, fov->vertical);
+    return true;
+}
+
 const char *fov_kind(double diagonal)
 {
     static const struct {

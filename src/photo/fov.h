@@ -128,6 +128,30 @@ struct fov_goals {
 bool fov_solve(const struct fov_setting *setting, const struct sensor *sensor,
                const struct fov_goals *goals, double *f, struct error *error);
 
+/* What a camera above level ground that looks straight down sees of it; lengths in mm. */
+struct fov_ground {
+    double altitude;      /* of the entrance pupil above the ground */
+    double sample;        /* one pixel on the ground, in the middle of the picture */
+    double width, height; /* of the ground in the picture; inf from 180 deg on */
+};
+
+/*
+ * Ground sampling distance and footprint, of a drone or an aeroplane.
+ *
+ * Given     setting  complete; fov of it;  pitch  of the pixels, mm, > 0, or NaN: not known
+ *           ground   one of altitude and sample, mm, > 0, the other NaN
+ * Result    ground   complete; sample is NaN without a pitch
+ * Formula   sample = pitch altitude/(f (1 + m/P)); width = 2 altitude tan(horizontal/2)
+ * Source    similar triangles at the entrance pupil; the first factor is the scale of every
+ *           projection of this file in the middle of its picture
+ * Errors    ERROR_USAGE: neither or both; an altitude asked for without a pitch; ERROR_DOMAIN: a
+ *           number not above 0
+ * Limits    level ground, the camera straight down; away from the middle a rectilinear lens keeps
+ *           the sample, a fisheye does not
+ */
+bool fov_ground(const struct fov_setting *setting, const struct fov *fov, double pitch,
+                struct fov_ground *ground, struct error *error);
+
 /*
  * What a lens of this full diagonal angle is called.
  *

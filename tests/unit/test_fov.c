@@ -181,6 +181,7 @@ static void test_format(void)
 {
     CHECK_RELATIVE(sensor_diagonal(&full_frame), 43.266615305567871, 2 * DBL_EPSILON, "12 sqrt 13");
     CHECK(sensor_crop(&full_frame) == 1);
+    CHECK_RELATIVE(sensor_pitch_of(&full_frame, 24e6), 0.006, 1e-15, "6000 x 4000 pixels");
     struct sensor small = {18, 12, 0.004};
     CHECK_RELATIVE(sensor_crop(&small), 2.0, 2 * DBL_EPSILON, "half the size");
     CHECK_NEAR(resolved(coc_default, full_frame), 0.028844, 1e-6, "43.2666/1500");
@@ -221,8 +222,45 @@ static void test_format(void)
     CHECK(!sensor_check(&flat, &error));
 }
 
+static void test_ground(void)
+{
+    struct error error;
+    const struct fov_setting drone = {RECTILINEAR, 8.8, INFINITY, 1, 1};
+    const struct sensor inch = {13.2, 8.8, NAN};
+    struct fov fov;
+    CHECK(fov_compute(&drone, &inch, &fov, &error));
+    struct fov_ground ground = {100e3, NAN, NAN, NAN};
+    CHECK(fov_ground(&drone, &fov, 0.00241, &ground, &error));
+    CHECK_NEAR(ground.sample, 1e5 / 3650.0, 0.02,
+               "pix4d.com: altitude in m over 36.5 is the sample in cm (8.8 mm, 13.2 mm, 5472 px)");
+    CHECK_RELATIVE(ground.width, 150e3, 1e-14, "100 m x 13.2/8.8");
+    CHECK_RELATIVE(ground.height, 100e3, 1e-14, "100 m x 8.8/8.8");
+    ground = (struct fov_ground){NAN, 20, NAN, NAN};
+    CHECK(fov_ground(&drone, &fov, 0.0022, &ground, &error));
+    CHECK_RELATIVE(ground.altitude, 80e3, 1e-14, "20 mm x 8.8/0.0022");
+    /* focused at 3 f, m = 1/2: the picture is larger by 1.5, a pixel sees less by as much */
+    const struct fov_setting near = {RECTILINEAR, 100, 300, 1, 1};
+    CHECK(fov_compute(&near, &inch, &fov, &error));
+    ground = (struct fov_ground){3000, NAN, NAN, NAN};
+    CHECK(fov_ground(&near, &fov, 0.005, &ground, &error));
+    CHECK_RELATIVE(ground.sample, 0.1, 1e-14, "3000 x 0.005/150");
+    ground = (struct fov_ground){3000, NAN, NAN, NAN};
+    CHECK(fov_ground(&near, &fov, NAN, &ground, &error));
+    CHECK(isnan(ground.sample) && ground.width > 0);
+    ground = (struct fov_ground){NAN, 10, NAN, NAN};
+    CHECK(!fov_ground(&near, &fov, NAN, &ground, &error));
+    CHECK_TEXT(error.message, "ground sample wants pixel pitch");
+    ground = (struct fov_ground){1000, 10, NAN, NAN};
+    CHECK(!fov_ground(&near, &fov, 0.005, &ground, &error));
+    CHECK_TEXT(error.message, "give one of altitude and ground sample");
+    fov.horizontal = 3.5; /* a fisheye sees beyond the horizon */
+    ground = (struct fov_ground){1000, NAN, NAN, NAN};
+    CHECK(fov_ground(&near, &fov, 0.005, &ground, &error) && isinf(ground.width));
+}
+
 int main(void)
 {
+    test_ground();
     test_published();
     test_kinds();
     test_projections();

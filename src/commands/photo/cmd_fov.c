@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/angle_of_view.h"
 #include "commands/photo/photo_lens.h"
+#include "commands/photo/sharpness.h"
 #include "photo/fov.h"
 
 #include "base/constants.h"
@@ -29,6 +30,7 @@ struct input {
     int projection;
     double horizontal, vertical, diagonal;            /* wanted angles, rad */
     double field_width, field_height, field_diagonal; /* wanted fields, mm */
+    double altitude, gsd, pitch;                      /* of a camera in the air, mm */
 };
 
 #define ANGLE_GOAL(member_name)                                                                    \
@@ -71,12 +73,26 @@ static const struct option options[] = {
      .column = "field_height", .help = "wanted height of the field"},
     {FIELD_GOAL(field_diagonal), .name = "field-diagonal", .quantity = "diagonal of the field",
      .column = "field_diagonal", .help = "wanted diagonal of the field"},
+    {OPTION(struct input, altitude), .name = "altitude", .column = "altitude",
+     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
+     .help = "of a drone that looks straight down: adds what a pixel and the picture cover"},
+    {OPTION(struct input, gsd), .name = "gsd", .quantity = "ground sample", .column = "gsd",
+     .dimension = &dimension_length, .unit = "cm", OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
+     .help = "wanted ground sampling distance, in place of --altitude: solves for it"},
+    {OPTION(struct input, pitch), .name = "pitch", .quantity = "pixel pitch",
+     .dimension = &dimension_length, .unit = "um", OPTION_POSITIVE,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH", .wants = "altitude|gsd",
+     .usual = {0.3e-3, 30e-3}, .unusual = "pixels are 0.3 to 30 um wide: is the unit right?",
+     .help = "pixel pitch (otherwise that of the camera)"},
 };
 
 struct row {
     struct fov_setting setting;
     struct fov fov;
-    double magnification, width, height, crop, image, sensor_distance, circle;
+    double magnification, width, height, crop, image, sensor_distance, circle, pitch;
+    struct fov_ground ground;
     struct photo_real real;
     const char *sensor, *projection, *from;
 };
@@ -85,6 +101,8 @@ struct row {
     COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = in_unit
 #define ANGLE(member_name)                                                                         \
     COLUMN(struct row, member_name), .dimension = &dimension_angle, .unit = "deg"
+
+#define OF_GROUND .with = "altitude gsd", .flags = COLUMN_EXTRA | COLUMN_BRIEF
 
 static const struct column columns[] = {
     PHOTO_LENS_COLUMNS(struct row, real),
@@ -111,6 +129,14 @@ static const struct column columns[] = {
     COLUMN_MAGNIFICATION(struct row, magnification, 0),
     {COLUMN(struct row, fov.kind), .name = "class", .flags = COLUMN_BRIEF, .label = "kind of lens",
      .help = "narrow, medium, normal, wide or ultra-wide, by the diagonal angle"},
+    {LENGTH(ground.altitude, "m"), .name = "altitude", OF_GROUND, .symbol = "A",
+     .label = "altitude", .help = "of the entrance pupil above level ground, camera straight down"},
+    {LENGTH(ground.sample, "cm"), .name = "gsd", OF_GROUND, .symbol = "g", .label = "ground sample",
+     .help = "of one pixel, in the middle of the picture"},
+    {LENGTH(ground.width, "m"), .name = "ground_width", OF_GROUND | COLUMN_INFINITE,
+     .label = "ground width", .help = "of the ground in the picture"},
+    {LENGTH(ground.height, "m"), .name = "ground_height", OF_GROUND | COLUMN_INFINITE,
+     .label = "ground height", .help = "of the ground in the picture"},
     {LENGTH(width, "mm"), .name = "sensor_width", .flags = COLUMN_HIDDEN, .symbol = "w",
      .label = "sensor width", .help = "width of the sensor"},
     {LENGTH(height, "mm"), .name = "sensor_height", .flags = COLUMN_HIDDEN, .symbol = "h",
@@ -132,6 +158,9 @@ static const struct column columns[] = {
     {COLUMN(struct row, projection), .name = "projection",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_HIDDEN, .with = "lens projection",
      .depends = "projection lens pupil", .label = "projection", .help = "how the lens maps angles"},
+    {LENGTH(pitch, "um"), .name = "pitch", .with = "altitude gsd", .symbol = "p",
+     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED, .depends = "pitch sensor",
+     .label = "pixel pitch", .help = "distance of two pixels"},
     COLUMN_FROM(struct row, from),
     COLUMN_PUPIL(struct row, setting.P),
     {COLUMN(struct row, setting.squeeze), .name = "squeeze", .symbol = "q",
@@ -260,6 +289,25 @@ static bool find_subject(const struct input *input, const struct photo_lens *len
                 input->magnification, m);
 }
 
+/* What a camera in the air sees of the ground, if that is asked for. */
+static bool fill_ground(const struct input *input, struct row *row, struct run *run,
+                        struct error *error)
+{
+    const struct sharpness pixels = {.sensor = input->sensor, .pitch = input->pitch};
+    row->ground = (struct fov_ground){input->altitude, input->gsd, NAN, NAN};
+    row->pitch = NAN;
+    if (isnan(input->altitude) && isnan(input->gsd)) {
+        return true;
+    }
+    row->pitch = sharpness_pitch(&pixels);
+    sharpness_doubt_pitch(&pixels, run->doubts);
+    if (isnan(row->pitch) && isnan(input->gsd)) {
+        doubts_add(run->doubts, "the ground sample wants the pixel pitch (--pitch, or --sensor "
+                                "with a camera): it is left out");
+    }
+    return fov_ground(&row->setting, &row->fov, row->pitch, &row->ground, error);
+}
+
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
                    struct error *error)
 {
@@ -284,6 +332,9 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     }
     row.image = distance_image(row.setting.f, row.setting.s);
     if (wants_rays(input, lens) && !view_by_rays(input, lens, &row, run->arena, error)) {
+        return false;
+    }
+    if (!fill_ground(input, &row, run, error)) {
         return false;
     }
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);
@@ -323,6 +374,9 @@ static const struct explanation explanations[] = {
     {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
     {"distance_sensor", "Ds = {s} + {v} + {HH'}",
      "[Gauss41] HH' from the front to the rear principal plane", NULL},
+    {"gsd", "g = {p} {A}/({f} (1 + {m}/{P}))", "similar triangles at the entrance pupil",
+     "level ground, the camera straight down"},
+    {"ground_width", "2 {A} tan({hfov}/2)", "similar triangles", NULL},
     {"field_width projection=rectilinear", "W = {q} {w}/{m}", "similar triangles", NULL},
     {"field_width projection=chief-rays",
      "W = distance of the points where those rays meet the plane at {s}", "[Welford86]", NULL},
@@ -339,6 +393,7 @@ static const struct example examples[] = {
     {"fov --lens double-gauss -s 0.5m", "a real lens, close up, by its rays"},
     {"fov --lens fisheye-16", "and a fisheye"},
     {"fov -f 50mm --squeeze 2 --sensor scope", "anamorphic cinema"},
+    {"fov -f 8.8mm --sensor 13.2x8.8mm --pitch 2.41um --altitude 60m,120m", "from a drone"},
     {NULL, NULL},
 };
 
