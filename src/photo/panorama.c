@@ -128,6 +128,30 @@ bool panorama_plan(const struct panorama_frame *frame, const struct panorama_goa
     return true;
 }
 
+bool panorama_set_rows(const struct panorama_frame *frame, struct panorama_goal *goal, int rows,
+                       struct panorama *plan, struct error *error)
+{
+    double v = frame->vertical;
+    if (rows < 1 || !((double)plan->columns * rows <= most_frames)) {
+        return fail(error, ERROR_DOMAIN,
+                    "%d rows of %d frames are out of range (1 row or more, up to %g frames)", rows,
+                    plan->columns, most_frames);
+    }
+    if (!(goal->span > 0) && rows > 1) {
+        goal->span = fmin(PI, v * (1 + (rows - 1) * (1 - goal->overlap)));
+    }
+    double beyond = fmax(goal->span - v, 0);
+    plan->rows = rows;
+    plan->shots = plan->columns * rows;
+    plan->row_step = rows > 1 ? beyond / (rows - 1) : 0;
+    plan->row_overlap = rows > 1 ? 1 - plan->row_step / v : (double)NAN;
+    double reach = rows * v;
+    return goal->span <= reach * (1 + 1e-12) ||
+           fail(error, ERROR_DOMAIN,
+                "{number of rows} %d leaves gaps: at least %g for {span} %g degrees", rows,
+                ceil(goal->span / v - 1e-9), degrees_from_radians(goal->span));
+}
+
 bool panorama_overlap(const struct panorama_frame *frame, double arc, int columns, double *overlap,
                       struct error *error)
 {

@@ -81,6 +81,20 @@ bool panorama_focal(double angle, double m, double P, double width, double *f, s
 bool panorama_plan(const struct panorama_frame *frame, const struct panorama_goal *goal,
                    struct panorama *plan, struct error *error);
 
+/*
+ * A plan with a wished number of rows in place of those that the overlap asks for.
+ *
+ * Given     frame, goal  as panorama_plan; a span of 0 becomes what the rows cover with the
+ *                        overlap, at most pi
+ *           rows         1 or more
+ *           plan         of panorama_plan, changed
+ * Formula   span = v + (rows - 1) v (1 - o); step (span - v)/(rows - 1); overlap 1 - step/v
+ * Source    lenscalc.7, photography
+ * Errors    rows that leave gaps, or more frames than a million
+ */
+bool panorama_set_rows(const struct panorama_frame *frame, struct panorama_goal *goal, int rows,
+                       struct panorama *plan, struct error *error);
+
 /* The overlap that `columns` frames give over the arc; negative = gaps; NaN for one frame of an
  * arc. */
 bool panorama_overlap(const struct panorama_frame *frame, double arc, int columns, double *overlap,

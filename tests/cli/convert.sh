@@ -49,6 +49,10 @@ printf 'aperture f/4\nsurface 50 4 1.5 20\nsurface -50 - air 20\n' | lenscalc co
 lenscalc convert double-gauss -o lens.abc
 lenscalc convert double-gauss --scale 2 -f 50mm
 lenscalc convert double-gauss --position tele
+echo "status $?"
+lenscalc convert canon-nfd-70-210 --position mid > mid.lens
+lenscalc convert canon-nfd-70-210 --position 135mm | cmp - mid.lens && echo "the nearest, named"
+lenscalc convert canon-nfd-70-210 --position 250mm
 lenscalc convert no-such-lens
 lenscalc convert
 printf 'CC a catalogue\n' > own.agf && lenscalc convert own.agf

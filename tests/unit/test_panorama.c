@@ -96,6 +96,37 @@ static void test_plan(void)
     CHECK(p.shots == 1 && isnan(p.overlap));
 }
 
+/* A wished number of rows: the overlap that is left, or the span they reach. */
+static void test_wished_rows(void)
+{
+    struct panorama_frame frame = {60 * degree, 40 * degree};
+    struct panorama_goal goal = {2 * pi, 100 * degree, 0.3};
+    struct panorama p;
+    struct error error;
+    CHECK(panorama_plan(&frame, &goal, &p, &error));
+    CHECK(panorama_set_rows(&frame, &goal, 4, &p, &error));
+    CHECK(p.rows == 4 && p.shots == 4 * p.columns);
+    CHECK_RELATIVE(p.row_step / degree, 20.0, 1e-13, "(100 - 40)/3");
+    CHECK_RELATIVE(p.row_overlap, 0.5, 1e-13, "1 - 20/40");
+    CHECK(panorama_set_rows(&frame, &goal, 3, &p, &error));
+    CHECK_RELATIVE(p.row_overlap, 0.25, 1e-13, "less than the 30 % asked for: (100 - 40)/2 is 30");
+    CHECK(!panorama_set_rows(&frame, &goal, 2, &p, &error));
+    CHECK_TEXT(error.message, "number of rows 2 leaves gaps: at least 3 for span 100 degrees");
+    goal.span = 0;
+    CHECK(panorama_set_rows(&frame, &goal, 3, &p, &error));
+    CHECK_RELATIVE(goal.span / degree, 96.0, 1e-13, "40 + 2 x 40 x 0.7");
+    CHECK_RELATIVE(p.row_overlap, 0.3, 1e-13, "as asked");
+    goal.span = 0;
+    CHECK(panorama_set_rows(&frame, &goal, 9, &p, &error));
+    CHECK_RELATIVE(goal.span, pi, 1e-15, "no higher than zenith to nadir");
+    CHECK_RELATIVE(p.row_step / degree, 17.5, 1e-13, "(180 - 40)/8");
+    goal.span = 0;
+    CHECK(panorama_set_rows(&frame, &goal, 1, &p, &error));
+    CHECK(p.rows == 1 && isnan(p.row_overlap));
+    CHECK(!panorama_set_rows(&frame, &goal, 0, &p, &error));
+    CHECK(!panorama_set_rows(&frame, &goal, 1000000, &p, &error));
+}
+
 /* Fewer columns high up; every azimuth of the row is seen, by turning edge points. */
 static void test_rows(void)
 {
@@ -232,6 +263,7 @@ int main(void)
     test_columbia();
     test_angles();
     test_plan();
+    test_wished_rows();
     test_rows();
     test_size();
     test_parallax();

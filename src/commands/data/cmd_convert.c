@@ -41,8 +41,9 @@ static const struct option options[] = {
      .help = "a lens of lensdb (list lenses), a file, or - for standard input"},
     {OPTION(struct input, to), .name = "to", .word_at = format_word_at, .fallback = "auto",
      .value = "FORMAT", .help = "what to write"},
-    {OPTION(struct input, position), .name = "position", .value = "NAME",
-     .help = "only this zoom or focus position; without it all"},
+    {OPTION(struct input, position), .name = "position", .value = "NAME|LENGTH",
+     .help = "only this zoom or focus position, or the one nearest to a focal length: 135mm; "
+             "without it all"},
     {OPTION(struct input, reverse), .name = "reverse", .help = "turn the lens around"},
     {OPTION(struct input, scale), .name = "scale", .dimension = &dimension_number, .lowest = 0,
      .highest = 1e6, .flags = OPTION_ABOVE_LOWEST, .value = "FACTOR", .excludes = "focal-length",
@@ -63,6 +64,7 @@ struct conversion {
     struct glass_source glasses;
     struct foreign_job job;
     const struct lens *lens;
+    const char *position; /* that stands for a focal length; null = none does */
     const char *left_out; /* marks that --reverse leaves out; null = none */
 };
 
@@ -76,11 +78,12 @@ static bool choose_position(struct conversion *conversion, struct error *error)
     if (lens->position_count == 0) {
         return fail(error, ERROR_USAGE, "{--position} '%s': the lens has only one position", name);
     }
-    size_t position = lens_position_find(lens, text_of(name));
-    if (position == LENS_NONE) {
-        fail(error, ERROR_USAGE, "{--position} '%s': the lens has no such position", name);
-        return error_hint(error, "its first position is '%s'", lens->positions[0]);
+    size_t position;
+    if (!lens_position_named(lens, text_of(name), conversion->arena, &position, error)) {
+        return error_prefix(error, "{--position}: ");
     }
+    conversion->position =
+        text_same(text_of(name), lens->positions[position]) ? NULL : lens->positions[position];
     conversion->lens = lens_one_position(lens, position, conversion->arena);
     return true;
 }
@@ -186,6 +189,10 @@ static bool convert(struct conversion *conversion, const struct foreign_format *
     output_text(output, text.start, text.length);
     struct growing lost = {.arena = input->lens.arena};
     foreign_losses(&conversion->job, &lost);
+    if (conversion->position != NULL) {
+        growing_format(&lost, "%s: position '%s' is the nearest to %s\n", input->lens.source,
+                       conversion->position, input->position);
+    }
     if (conversion->left_out != NULL) {
         growing_format(&lost, "%s: lost: %s: --reverse has no mark for what lies before the lens\n",
                        input->lens.source, conversion->left_out);

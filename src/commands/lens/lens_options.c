@@ -229,8 +229,8 @@ static size_t nearest_focal(const struct lens *lens, struct text name, const dou
     return wanted * beyond >= least && wanted <= most * beyond ? nearest : LENS_NONE;
 }
 
-static bool find_position(const struct lens *lens, struct text name, struct arena *arena,
-                          size_t *position, struct error *error)
+bool lens_position_named(const struct lens *lens, struct text name, struct arena *arena,
+                         size_t *position, struct error *error)
 {
     *position = lens_position_find(lens, name);
     if (*position != LENS_NONE) {
@@ -275,7 +275,8 @@ bool lens_positions(const struct lens *lens, const char *names, struct arena *ar
         return true;
     }
     while (rest.start != NULL) {
-        if (!find_position(lens, text_trim(text_cut(&rest, ',')), arena, &found[*count], error)) {
+        if (!lens_position_named(lens, text_trim(text_cut(&rest, ',')), arena, &found[*count],
+                                 error)) {
             return false;
         }
         ++*count;

@@ -162,11 +162,21 @@ struct setup_field lens_field(enum field_kind kind, double x, double y, int sect
 const char *lens_field_words(const struct field_point *field, struct arena *arena);
 
 /*
+ * The position of a name, or of a focal length with a unit ("135mm"): the nearest to it by ratio.
+ * A lens says nothing of what is between its positions.
+ *
+ * Given     position  receives its place in the lens's list
+ * Errors    ERROR_USAGE: no such position, or a focal length more than 5 % beyond the ends of the
+ *           zoom, with the positions there are
+ */
+bool lens_position_named(const struct lens *lens, struct text name, struct arena *arena,
+                         size_t *position, struct error *error);
+
+/*
  * The positions that --position names.
  *
- * Given     names      null = the first; "all"; or a list with commas, of names or of focal lengths
- *                      with a unit ("135mm"), which stand for the position nearest to them by
- *                      ratio; a lens says nothing of what is between its positions
+ * Given     names      null = the first; "all"; or a list with commas, of what lens_position_named
+ *                      takes
  *           positions  receives an array in the arena, of `count`
  * Errors    ERROR_USAGE: no lens; no such position, with a suggestion
  */

@@ -17,6 +17,7 @@ struct input {
     double horizontal, vertical; /* of a frame, in place of the lens */
     double arc, span, elevation, overlap;
     long per_row; /* 0 = as many as the overlap asks for */
+    long rows;    /* 0 = likewise */
     bool each_row;
     long pixels;                         /* 0 = from the camera */
     double offset, near, far, tolerance; /* parallax */
@@ -54,6 +55,9 @@ static const struct option options[] = {
      .help = "of neighbouring frames, at least: 30% or 0.3"},
     {OPTION(struct input, per_row), .name = "per-row", .lowest = 1, .highest = 1e6,
      .value = "NUMBER", .help = "frames a row, in place of those that --overlap asks for"},
+    {OPTION(struct input, rows), .name = "rows", .quantity = "number of rows", .lowest = 1,
+     .highest = 1e6, .value = "NUMBER",
+     .help = "rows, in place of those that --span and --overlap ask for"},
     {OPTION(struct input, each_row), .name = "each-row",
      .help = "a line for each row: its elevation, and how few frames do there"},
     {OPTION(struct input, pixels), .name = "pixels", .lowest = 1, .highest = 1e6, .value = "NUMBER",
@@ -307,7 +311,7 @@ static bool emit_rows(const struct input *input, const struct panorama_goal *goa
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    const struct panorama_goal goal = {input->arc, input->span, input->overlap};
+    struct panorama_goal goal = {input->arc, input->span, input->overlap};
     double pixels = frame_pixels(input);
     struct panorama plan;
     struct row row = {
@@ -315,7 +319,6 @@ static bool run(const void *data, struct run *run, struct error *error)
         .distance = input->distance,
         .size = {NAN, NAN, NAN, NAN, NAN},
         .arc = input->arc,
-        .span = input->span,
         .offset = input->offset,
         .parallax = NAN,
         .parallax_pixels = NAN,
@@ -326,9 +329,12 @@ static bool run(const void *data, struct run *run, struct error *error)
         .sensor = isnan(input->focal) ? NULL : input->sensor.name,
         .held = input->portrait ? "portrait" : "landscape",
     };
-    if (!find_frame(input, &row, error) || !panorama_plan(&row.frame, &goal, &plan, error)) {
+    if (!find_frame(input, &row, error) || !panorama_plan(&row.frame, &goal, &plan, error) ||
+        (input->rows > 0 &&
+         !panorama_set_rows(&row.frame, &goal, (int)input->rows, &plan, error))) {
         return false;
     }
+    row.span = goal.span;
     if (input->each_row) {
         if (input->per_row > 0) {
             return fail(error, ERROR_USAGE,
@@ -372,6 +378,7 @@ static const struct example examples[] = {
     {"panorama -f 24 --portrait", "a full turn with a 24 mm lens on 35 mm film"},
     {"panorama -f 50 --portrait --arc 120deg --sensor \"Nikon D1\"", "an arc, with pixels"},
     {"panorama -f 20 --portrait --span 180deg --each-row", "the whole sphere, row by row"},
+    {"panorama -f 100 --arc 60deg --rows 3", "three rows: how high they reach"},
     {"panorama -f 35 --offset 10mm --near 1m --pixels 6000", "off the no-parallax point"},
     {"panorama --horizontal 100deg --vertical 140deg", "a fisheye held upright"},
     {"panorama -f 14,20,24,35,50 --portrait --overlap 20%,30%,50% --table f,overlap:columns",
