@@ -75,6 +75,15 @@ bool text_same_name(struct text a, struct text b)
     return c == d;
 }
 
+size_t text_shared_name(struct text a, struct text b)
+{
+    size_t count = 0;
+    for (char c = next_letter(&a); c != '\0' && c == next_letter(&b); c = next_letter(&a)) {
+        count++;
+    }
+    return count;
+}
+
 /* Does `whole` begin with the letters of `part`? */
 static bool begins_with_name(struct text whole, struct text part)
 {

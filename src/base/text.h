@@ -42,6 +42,9 @@ bool text_same(struct text a, const char *b);
 /* Equal as names are typed: case, spaces, '-' and '_' do not count ("nikon-d1" is "Nikon D1"). */
 bool text_same_name(struct text a, struct text b);
 
+/* How many letters do two names begin with in common, by the rules of text_same_name? */
+size_t text_shared_name(struct text a, struct text b);
+
 /* Does `part` occur in `whole`, by the rules of text_same_name? */
 bool text_contains_name(struct text whole, struct text part);
 

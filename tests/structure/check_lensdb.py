@@ -14,6 +14,7 @@ import re
 import sys
 
 CONFIDENCE = ("sourced", "recall", "approx")
+CAMERAS = ("dslr", "mirrorless", "rangefinder", "compact", "cine", "phone", "drone", "action", "-")
 STATUS = ("published", "third-party", "recall")
 DIVISIONS = {"full": 1, "half": 2, "third": 3}
 DEFAULT_FORMAT = "35mm"
@@ -38,7 +39,7 @@ WHOLE = {"px_w", "px_h", "step", "din"}
 
 COLUMNS = {
     "formats.tsv": "name aliases width_mm height_mm class confidence source",
-    "cameras.tsv": "maker model width_mm height_mm px_w px_h pitch_um pitch_from confidence source",
+    "cameras.tsv": "maker model aliases class width_mm height_mm px_w px_h pitch_um pitch_from confidence source",
     "fstops.tsv": "series step label note",
     "shutters.tsv": "series step label note",
     "iso.tsv": "series step label din note",
@@ -205,14 +206,24 @@ def check_cameras(path, rows):
             faults.append("pitch_um and pitch_from must be known or unknown together")
         if (row["px_w"] == "-") != (row["px_h"] == "-"):
             faults.append("px_w and px_h must be known or unknown together")
-        if width and height and not 1 <= width / height <= 2.5:
+        if width and height and not 0.85 <= width / height <= 2.5:
             faults.append(f"aspect ratio of {width:g} x {height:g} mm is not believable")
         if pitch and width and px_w and abs(1000 * width / px_w / pitch - 1) > 0.05:
             faults.append("pitch differs from width / px_w by more than 5 %")
         if width and height and px_w and px_h and abs(width / px_w * px_h / height - 1) > 0.05:
             faults.append("pixels differ from square by more than 5 %")
+        if row["class"] not in CAMERAS:
+            faults.append(f"class '{row['class']}' is none of {', '.join(CAMERAS)}")
         check(f"{path}:{line}", faults)
     unique(path, [(line, row["maker"] + row["model"]) for line, row in rows])
+    # an alias is found with its maker and without: it is the name of no other camera
+    models = {key(row["model"]) for _, row in rows}
+    aliases = [(line, name) for line, row in rows if row["aliases"] != "-"
+               for name in row["aliases"].split(",")]
+    unique(path, aliases)
+    for line, name in aliases:
+        check(f"{path}:{line}", [f"alias '{name}' is the model of a camera"]
+              if key(name) in models or name != name.strip() else [])
 
 
 def label_value(text):

@@ -28,7 +28,7 @@ const char *list_string(const struct list *list, struct text text);
 
 /*
  * Is the row wanted? It must be of the kind that is asked for, and one of the texts must contain
- * what is searched for. Null texts contain nothing.
+ * what is searched for, or all texts together each of its words. Null texts contain nothing.
  */
 bool list_matches(const struct list *list, const char *kind, const char *const *texts,
                   size_t count);

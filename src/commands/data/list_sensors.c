@@ -49,6 +49,10 @@ static const struct column format_columns[] = {
 static const struct column camera_columns[] = {
     {SENSOR(name), .name = "camera", .flags = COLUMN_BRIEF, .label = "camera",
      .help = "maker and model"},
+    {SENSOR(aliases), .name = "aliases", .label = "also called",
+     .help = "other names: short, in EXIF, of sensor modes"},
+    {SENSOR(class), .name = "class", .flags = COLUMN_BRIEF, .label = "class",
+     .help = "dslr, mirrorless, rangefinder, compact, cine, phone, drone or action"},
     SENSOR_SIZE,
     {SENSOR(pixels_wide), .name = "pixels_wide", .flags = COLUMN_BRIEF | COLUMN_ECHO,
      .label = "pixels wide", .help = "pixel count along the width"},

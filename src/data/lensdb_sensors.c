@@ -1,0 +1,359 @@
+/* data/lensdb_sensors.c - formats and cameras of lensdb, and how they are found. */
+/* SPDX-License-Identifier: MIT */
+#include "data/lensdb.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A column that a user's table may leave out. */
+static size_t column_or_none(const struct tsv *tsv, const char *name)
+{
+    struct error ignored;
+    size_t column;
+    return tsv_column(tsv, name, &column, &ignored) ? column : TSV_MOST_COLUMNS;
+}
+
+bool lensdb_sensors_open(struct lensdb_sensors *sensors, struct lensdb *db, enum lensdb_place place,
+                         bool cameras, struct error *error)
+{
+    const char *file = cameras ? "cameras.tsv" : "formats.tsv";
+    sensors->place = place;
+    sensors->cameras = cameras;
+    struct tsv *tsv = &sensors->tsv;
+    if (!lensdb_open(db, place, file, tsv, error) ||
+        !tsv_column(tsv, cameras ? "model" : "name", &sensors->name, error) ||
+        !tsv_column(tsv, "width_mm", &sensors->width, error) ||
+        !tsv_column(tsv, "height_mm", &sensors->height, error)) {
+        return false;
+    }
+    sensors->maker = column_or_none(tsv, "maker");
+    sensors->aliases = column_or_none(tsv, "aliases");
+    sensors->class = column_or_none(tsv, "class");
+    sensors->pixels_wide = column_or_none(tsv, "px_w");
+    sensors->pixels_high = column_or_none(tsv, "px_h");
+    sensors->pitch = column_or_none(tsv, "pitch_um");
+    sensors->pitch_from = column_or_none(tsv, "pitch_from");
+    sensors->confidence = column_or_none(tsv, "confidence");
+    sensors->source = column_or_none(tsv, "source");
+    return true;
+}
+
+static struct text cell_of(const struct tsv *tsv, size_t column)
+{
+    return column < TSV_MOST_COLUMNS ? tsv->cells[column] : (struct text){"", 0};
+}
+
+/* A number of the present row that must be positive if it is there; absent columns give NaN. */
+static bool read_positive(const struct tsv *tsv, size_t column, double *value, struct error *error)
+{
+    *value = NAN;
+    if (column >= TSV_MOST_COLUMNS) {
+        return true;
+    }
+    if (!tsv_number(tsv, column, value, error)) {
+        return false;
+    }
+    if (!isnan(*value) && (!(*value > 0) || isinf(*value))) {
+        return tsv_fail(tsv, column, error, "must be a number above 0");
+    }
+    return true;
+}
+
+static bool read_sensor(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
+                        struct error *error)
+{
+    const struct tsv *tsv = &sensors->tsv;
+    double pitch_um;
+    if (!read_positive(tsv, sensors->width, &sensor->size.width, error) ||
+        !read_positive(tsv, sensors->height, &sensor->size.height, error) ||
+        !read_positive(tsv, sensors->pixels_wide, &sensor->pixels_wide, error) ||
+        !read_positive(tsv, sensors->pixels_high, &sensor->pixels_high, error) ||
+        !read_positive(tsv, sensors->pitch, &pitch_um, error)) {
+        return false;
+    }
+    if (isnan(sensor->size.width) || isnan(sensor->size.height)) {
+        return tsv_fail(tsv, isnan(sensor->size.width) ? sensors->width : sensors->height, error,
+                        "is missing");
+    }
+    sensor->size.pitch = pitch_um / 1000;
+    return true;
+}
+
+/* The next row's words, without its numbers. */
+static bool next_words(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
+                       struct error *error)
+{
+    const struct tsv *tsv = &sensors->tsv;
+    if (!tsv_next(&sensors->tsv, error)) {
+        return false;
+    }
+    *sensor = (struct lensdb_sensor){
+        .maker = cell_of(tsv, sensors->maker),
+        .name = cell_of(tsv, sensors->name),
+        .aliases = cell_of(tsv, sensors->aliases),
+        .class = cell_of(tsv, sensors->class),
+        .pitch_from = cell_of(tsv, sensors->pitch_from),
+        .confidence = cell_of(tsv, sensors->confidence),
+        .source = cell_of(tsv, sensors->source),
+        .place = sensors->place,
+    };
+    return true;
+}
+
+bool lensdb_sensors_next(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
+                         struct error *error)
+{
+    return next_words(sensors, sensor, error) && read_sensor(sensors, sensor, error);
+}
+
+/* Is `name` one of the words between separators? */
+static bool is_one_of(struct text name, struct text words, char separator)
+{
+    while (words.start != NULL && words.length > 0) {
+        if (text_same_name(text_trim(text_cut(&words, separator)), name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* What makers are called besides their names in cameras.tsv. */
+static const struct {
+    const char *typed, *maker;
+} maker_names[] = {
+    {"Fuji", "Fujifilm"},
+    {"Blackmagic Design", "Blackmagic"},
+    {"BMD", "Blackmagic"},
+    {"Olympus", "OM System"},
+};
+
+static bool cut_word(struct text *name, struct text word)
+{
+    for (size_t i = 1; word.length > 0 && i < name->length; i++) {
+        if (text_same_name((struct text){name->start, i}, word)) {
+            *name = (struct text){name->start + i, name->length - i};
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Does `name` begin with the maker? Then cut the maker off. */
+static bool cut_maker(struct text *name, struct text maker)
+{
+    bool cut = cut_word(name, maker);
+    for (size_t i = 0; i < sizeof maker_names / sizeof maker_names[0] && !cut; i++) {
+        cut = text_equal(maker, maker_names[i].maker) &&
+              cut_word(name, text_of(maker_names[i].typed));
+    }
+    return cut;
+}
+
+struct search {
+    struct text name;
+    struct text maker, model; /* of the last row; the name without this maker */
+    bool by_maker;            /* is the maker part of the name? */
+    struct lensdb_sensor found, second;
+    int quality; /* of found */
+    bool ambiguous;
+};
+
+/* How well does a sensor answer to a name? 0 not at all, 1 by model, 2 fully. */
+static int answers_to(const struct lensdb_sensor *sensor, struct search *search)
+{
+    if (sensor->maker.length == 0) {
+        bool named = text_same_name(sensor->name, search->name);
+        return named || is_one_of(search->name, sensor->aliases, ',') ? 2 : 0;
+    }
+    if (!text_identical(sensor->maker, search->maker)) {
+        search->maker = sensor->maker;
+        search->model = search->name;
+        search->by_maker = cut_maker(&search->model, sensor->maker);
+    }
+    if (text_same_name(sensor->name, search->model)) {
+        return search->by_maker ? 2 : 1;
+    }
+    if (is_one_of(search->model, sensor->aliases, ',')) {
+        return 2;
+    }
+    return is_one_of(search->model, sensor->name, '/') ? 1 : 0;
+}
+
+/* Look through one table; stops at a full match. What is not found is not read as numbers, but in
+   the user's own table, whose faults are to be told. */
+static bool search_table(struct lensdb *db, enum lensdb_place place, bool cameras,
+                         struct search *search, struct error *error)
+{
+    struct lensdb_sensors sensors;
+    struct lensdb_sensor sensor;
+    if (!lensdb_sensors_open(&sensors, db, place, cameras, error)) {
+        return error->code == ERROR_NONE;
+    }
+    while (search->quality < 2 && next_words(&sensors, &sensor, error)) {
+        int quality = answers_to(&sensor, search);
+        bool counts = quality > search->quality || (quality == 1 && search->quality == 1);
+        if ((counts || place == LENSDB_USER) && !read_sensor(&sensors, &sensor, error)) {
+            return false;
+        }
+        if (quality > search->quality) {
+            search->found = sensor;
+            search->quality = quality;
+        } else if (counts) {
+            search->ambiguous = true;
+            search->second = sensor;
+        }
+    }
+    return search->quality == 2 || error->code == ERROR_NONE;
+}
+
+/* -------- what to say where there is no such name -------- */
+
+enum { MOST_RELATIVES = 3, MOST_NAME = 96 };
+
+/* The cameras whose names begin most like the one that was typed. */
+struct family {
+    struct text typed;
+    struct text maker; /* where the maker alone was typed; else its start is null */
+    struct nearest format, nearest;
+    char
+        nearest_name[MOST_NAME]; /* a copy of what `nearest` found, if that is no text of a table */
+    struct lensdb_sensor relatives[MOST_RELATIVES];
+    size_t shared[MOST_RELATIVES]; /* letters in common; falling */
+    size_t count;
+};
+
+/* Keep it among the relatives, the longest beginnings first, then the shortest names. */
+static void offer_relative(struct family *family, const struct lensdb_sensor *sensor)
+{
+    struct text model = family->typed;
+    bool by_maker = sensor->maker.length > 0 && cut_maker(&model, sensor->maker);
+    size_t shared = text_shared_name(model, sensor->name);
+    if (shared < (by_maker ? 1 : 3)) {
+        return;
+    }
+    size_t at = family->count;
+    while (at > 0 && (shared > family->shared[at - 1] ||
+                      (shared == family->shared[at - 1] &&
+                       sensor->name.length < family->relatives[at - 1].name.length))) {
+        at--;
+    }
+    if (at == MOST_RELATIVES) {
+        return;
+    }
+    family->count += family->count < MOST_RELATIVES;
+    for (size_t i = family->count - 1; i > at; i--) {
+        family->relatives[i] = family->relatives[i - 1];
+        family->shared[i] = family->shared[i - 1];
+    }
+    family->relatives[at] = *sensor;
+    family->shared[at] = shared;
+}
+
+/* "maker model" stands nowhere in one piece; a name that is kept is copied. */
+static void offer_full_name(struct family *family, const struct lensdb_sensor *sensor)
+{
+    char name[MOST_NAME];
+    snprintf(name, sizeof name, "%.*s %.*s", (int)sensor->maker.length, sensor->maker.start,
+             (int)sensor->name.length, sensor->name.start);
+    nearest_offer(&family->nearest, text_of(name));
+    if (family->nearest.best.start == name) {
+        memcpy(family->nearest_name, name, sizeof name);
+        family->nearest.best = text_of(family->nearest_name);
+    }
+}
+
+/* Offer all names of one table. */
+static void offer_names(struct lensdb *db, enum lensdb_place place, bool cameras,
+                        struct family *family)
+{
+    struct lensdb_sensors sensors;
+    struct lensdb_sensor sensor;
+    struct error ignored;
+    if (!lensdb_sensors_open(&sensors, db, place, cameras, &ignored)) {
+        return;
+    }
+    while (lensdb_sensors_next(&sensors, &sensor, &ignored)) {
+        struct text aliases = sensor.aliases;
+        struct nearest *nearest = cameras ? &family->nearest : &family->format;
+        nearest_offer(nearest, sensor.name);
+        while (aliases.start != NULL && aliases.length > 0) {
+            nearest_offer(nearest, text_cut(&aliases, ','));
+        }
+        if (cameras) {
+            family->maker =
+                text_same_name(family->typed, sensor.maker) ? sensor.maker : family->maker;
+            offer_full_name(family, &sensor);
+            offer_relative(family, &sensor);
+        }
+    }
+}
+
+/* "'EOS R5' (36 x 24 mm), 'EOS R50' (22.3 x 14.9 mm)": the family, with its formats. */
+static void name_relatives(const struct family *family, char *words, size_t room)
+{
+    size_t used = 0;
+    words[0] = '\0';
+    for (size_t i = 0; i < family->count; i++) {
+        const struct lensdb_sensor *sensor = &family->relatives[i];
+        int length = snprintf(words + used, room - used, "%s'%.*s' (%g x %g mm)", i > 0 ? ", " : "",
+                              (int)sensor->name.length, sensor->name.start, sensor->size.width,
+                              sensor->size.height);
+        if (length < 0 || used + (size_t)length >= room) {
+            words[used] = '\0';
+            return;
+        }
+        used += (size_t)length;
+    }
+}
+
+static bool not_found(struct lensdb *db, struct text name, struct error *error)
+{
+    char relatives[140];
+    struct family family = {.typed = name, .format = {.typed = name}, .nearest = {.typed = name}};
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
+        offer_names(db, place, false, &family);
+        offer_names(db, place, true, &family);
+    }
+    name_relatives(&family, relatives, sizeof relatives);
+    fail(error, ERROR_USAGE, "there is no format or camera '%.*s'", text_shown(name), name.start);
+    if (family.maker.start != NULL) {
+        return error_hint(error, "say which: see 'lenscalc list cameras --kind \"%.*s\"'",
+                          (int)family.maker.length, family.maker.start);
+    }
+    bool is_slip = family.format.best.start != NULL && family.format.distance <= 1;
+    if (relatives[0] != '\0' && !is_slip) {
+        return error_hint(error, "of its family: %s", relatives);
+    }
+    struct text best =
+        is_slip || family.nearest.best.start == NULL ? family.format.best : family.nearest.best;
+    if (best.start != NULL) {
+        return error_hint(error, "did you mean '%.*s'?", (int)best.length, best.start);
+    }
+    return error_hint(error, "see 'lenscalc list formats' and 'lenscalc list cameras', or give a "
+                             "size such as 36x24mm");
+}
+
+bool lensdb_find_sensor(struct lensdb *db, struct text name, struct lensdb_sensor *sensor,
+                        struct error *error)
+{
+    struct search search = {.name = text_trim(name)};
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES && search.quality == 0;
+         place++) {
+        if (!search_table(db, place, false, &search, error) ||
+            (search.quality == 0 && !search_table(db, place, true, &search, error))) {
+            return false;
+        }
+    }
+    if (search.quality == 0) {
+        return not_found(db, search.name, error);
+    }
+    if (search.ambiguous && search.quality == 1) {
+        return fail(error, ERROR_USAGE, "'%.*s' is a camera of %.*s and of %.*s: say which",
+                    (int)search.name.length, search.name.start, (int)search.found.maker.length,
+                    search.found.maker.start, (int)search.second.maker.length,
+                    search.second.maker.start);
+    }
+    *sensor = search.found;
+    return true;
+}
