@@ -82,7 +82,8 @@ bool lensdb_sensors_next(struct lensdb_sensors *sensors, struct lensdb_sensor *s
  * Case, blanks, '-' and '_' do not count; a camera is known by maker and model, by its model, by an
  * alias, or by one of the models that stand in its row between " / ".
  *
- * Errors    ERROR_USAGE with what is near, of cameras the family with its formats: no such name, or a model that two makers have
+ * Errors    ERROR_USAGE with what is near, of cameras the family with its formats: no such name, or
+ *           a model that two makers have
  */
 bool lensdb_find_sensor(struct lensdb *db, struct text name, struct lensdb_sensor *sensor,
                         struct error *error);

@@ -318,7 +318,7 @@ static bool not_found(struct lensdb *db, struct text name, struct error *error)
     name_relatives(&family, relatives, sizeof relatives);
     fail(error, ERROR_USAGE, "there is no format or camera '%.*s'", text_shown(name), name.start);
     if (family.maker.start != NULL) {
-        return error_hint(error, "say which: see 'lenscalc list cameras --kind \"%.*s\"'",
+        return error_hint(error, "say which: see 'lenscalc list cameras %.*s'",
                           (int)family.maker.length, family.maker.start);
     }
     bool is_slip = family.format.best.start != NULL && family.format.distance <= 1;

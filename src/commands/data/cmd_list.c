@@ -5,7 +5,7 @@
 static const struct word topic_words[] = {
     {"lenses", "lenses with their prescriptions"},
     {"formats", "film and sensor formats"},
-    {"cameras", "digital cameras"},
+    {"cameras", "digital cameras, cine cameras with their sensor modes, drones, phones"},
     {"films", "films, with the correction of long exposures"},
     {"scenes", "typical scenes and their light"},
     {"filters", "filters and the light they take"},
@@ -75,6 +75,8 @@ static const struct example examples[] = {
     {"list lenses --kind zoom", "lenses of one kind"},
     {"list formats", "all formats with sizes, crop factors and circles of confusion"},
     {"list cameras nikon d1", "cameras whose name contains these words"},
+    {"list cameras alexa 35", "a cine camera and its sensor modes"},
+    {"list columns dof", "what dof prints: columns, units, meanings"},
     {"list formats --kind cine-film --csv", "one class, for a spreadsheet"},
     {"list films hp5", "what is published on a film, and by whom"},
     {"list scenes moon", "light by moon, and of the moon"},
