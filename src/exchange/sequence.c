@@ -1,6 +1,7 @@
 /* exchange/sequence.c - a lens as CODE V and OSLO have it: surfaces, pick-ups, tilts, solves. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/sequence.h"
+#include "exchange/sequence_move.h"
 #include "exchange/virtual_object.h"
 
 #include <math.h>
@@ -62,79 +63,6 @@ static void put_curve(const struct sequence *sequence, const struct sequence_sur
     }
 }
 
-/* Beside a shift along the axis, which goes into the thicknesses. */
-static bool is_decentred(const struct sequence_surface *surface)
-{
-    bool some = sequence_is_some(&surface->shift[0]) || sequence_is_some(&surface->shift[1]);
-    for (int i = 0; i < 3; i++) {
-        some = some || sequence_is_some(&surface->turn[i]);
-    }
-    return some;
-}
-
-/* Shift and turns. */
-static const struct displacement *displacement_of(const struct sequence *sequence,
-                                                  const struct sequence_surface *from,
-                                                  bool turn_only)
-{
-    struct displacement *all = ARENA_NEW(sequence->job->arena, struct displacement);
-    for (int i = 0; i < 2; i++) {
-        all->decenter[i] = turn_only ? sequence_nothing : from->shift[i];
-    }
-    for (int i = 0; i < 3; i++) {
-        all->tilt[i] = from->turn[i];
-    }
-    return all;
-}
-
-/* What the surfaces' shifts along z do to the thicknesses around them. */
-static void spread_z(const struct sequence *sequence)
-{
-    for (size_t i = 1; i < sequence->count; i++) {
-        struct sequence_surface *surface = &sequence->surfaces[i];
-        struct pair z = surface->shift[2].value;
-        if (surface->move != SEQUENCE_RETURN) {
-            surface[-1].extra = pair_add(surface[-1].extra, z);
-        }
-        if (surface->move == SEQUENCE_BACK || surface->move == SEQUENCE_RETURN) {
-            surface->extra = pair_subtract(surface->extra, z);
-        }
-    }
-}
-
-static bool check_move(const struct sequence *sequence, const struct sequence_surface *from,
-                       struct error *error)
-{
-    const struct lens_words place = commands_place(sequence->commands, &from->decentred_at);
-    const struct text word = from->decentred_at.text;
-    int turns = sequence_is_some(&from->turn[0]) + sequence_is_some(&from->turn[1]);
-    bool about_z = sequence_is_some(&from->turn[2]);
-    int moves = turns + about_z;
-    for (int i = 0; i < 3; i++) {
-        moves += sequence_is_some(&from->shift[i]);
-    }
-    if (from->turns_first && moves > 1) {
-        return foreign_loss(sequence->job, &place, word, error,
-                            "a surface that is turned before it is shifted" LOSS_INSTEAD
-                            "shifted first");
-    }
-    if (from->move == SEQUENCE_BEND && (turns > 1 || about_z)) {
-        return foreign_loss(sequence->job, &place, word, error,
-                            "a bend with turns about more than one axis" LOSS_INSTEAD
-                            "only the first is kept");
-    }
-    if (from->move == SEQUENCE_RETURN && turns + about_z > 1) {
-        return foreign_loss(sequence->job, &place, word, error,
-                            "a return with turns about more than one axis" LOSS_INSTEAD
-                            "they are undone in another order");
-    }
-    if (from->move == SEQUENCE_BACK && about_z && from->curved != CURVED_BOTH) {
-        return foreign_loss(sequence->job, &place, word, error,
-                            "a cylinder turned about z" LOSS_INSTEAD "left unturned");
-    }
-    return true;
-}
-
 /* A decentred one is none, where its decentre is lost. */
 static bool has_circle(const struct sequence_surface *from)
 {
@@ -178,69 +106,6 @@ static bool put_apertures(const struct sequence *sequence, const struct sequence
     return true;
 }
 
-/* A plane behind a surface; the surface's distance is to be the plane's. */
-static struct surface *add_plane(const struct sequence *sequence, struct sequence_surface *from,
-                                 struct surface *surface, const struct displacement *moved)
-{
-    const struct medium medium = surface->medium;
-    surface->thickness = figure_of(0, sequence->job->arena);
-    surface = lens_build_surface(sequence->build);
-    surface->medium = medium;
-    surface->coordinate_break = moved;
-    from->planes_behind++;
-    return surface;
-}
-
-/* Turned back, then shifted back; null: by nothing. */
-static const struct displacement *undone(const struct sequence *sequence,
-                                         const struct sequence_surface *from, bool turn)
-{
-    struct displacement *all = ARENA_NEW(sequence->job->arena, struct displacement);
-    bool some = false;
-    for (int i = 0; i < 3; i++) {
-        all->tilt[i] = sequence_nothing;
-        all->decenter[i % 2] = sequence_nothing;
-    }
-    for (int i = 0; i < (turn ? 3 : 2); i++) {
-        const struct figure *one = turn ? &from->turn[i] : &from->shift[i];
-        if (sequence_is_some(one)) {
-            some = true;
-            *(turn ? &all->tilt[i] : &all->decenter[i]) = figure_negate(*one, sequence->job->arena);
-        }
-    }
-    return some ? all : NULL;
-}
-
-static struct surface *put_back(const struct sequence *sequence, struct sequence_surface *from,
-                                struct surface *surface)
-{
-    for (int i = 0; i < 2; i++) {
-        const struct displacement *moved = undone(sequence, from, i == 0);
-        if (moved != NULL || sequence->has_positions) {
-            surface = add_plane(sequence, from, surface, moved);
-        }
-    }
-    return surface;
-}
-
-/* Shift and turn a surface. Result: the one whose distance is that to the next. */
-static struct surface *move(const struct sequence *sequence, struct sequence_surface *from,
-                            struct surface *surface)
-{
-    if (from->move == SEQUENCE_RETURN) {
-        return put_back(sequence, from, surface);
-    }
-    if (is_decentred(from) && from->move == SEQUENCE_BACK) {
-        surface->decentre = displacement_of(sequence, from, false);
-    } else if (is_decentred(from)) {
-        surface->coordinate_break = displacement_of(sequence, from, false);
-    }
-    bool bends = from->move == SEQUENCE_BEND && (is_decentred(from) || sequence->has_positions);
-    const struct displacement *again =
-        bends && is_decentred(from) ? displacement_of(sequence, from, true) : NULL;
-    return bends ? add_plane(sequence, from, surface, again) : surface;
-}
-
 /* The surface, and behind a bend a plane that turns the axis. */
 static bool put_surface(const struct sequence *sequence, size_t index, size_t *lens_index,
                         struct error *error)
@@ -249,11 +114,12 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     struct lens_build *build = sequence->build;
     struct arena *arena = sequence->job->arena;
     struct lens *lens = build->lens;
-    if (is_decentred(from) && !check_move(sequence, from, error)) {
+    if (sequence_is_decentred(from) && !sequence_check_move(sequence, from, error)) {
         return false;
     }
+    sequence_turn_first(sequence, from);
     struct surface *surface = lens_build_surface(build);
-    *lens_index = lens->surface_count - 1;
+    *lens_index = from->place = lens->surface_count - 1;
     put_curve(sequence, from, surface);
     const struct medium *before = *lens_index > 0 ? &surface[-1].medium : &lens->object_medium;
     surface->kind = from->reflects ? SURFACE_REFLECT : SURFACE_REFRACT;
@@ -278,7 +144,7 @@ static bool put_surface(const struct sequence *sequence, size_t index, size_t *l
     if (from->is_stop) {
         lens_build_stop(build, *lens_index);
     }
-    surface = move(sequence, from, surface);
+    surface = sequence_move_surface(sequence, from, surface);
     surface->thickness = thickness;
     return true;
 }
@@ -302,7 +168,7 @@ static bool put_object(const struct sequence *sequence, struct error *error)
     struct sequence_surface *object = &sequence->surfaces[0];
     const struct lens_words place = commands_place(sequence->commands, &object->at);
     bool along = sequence_is_some(&object->shift[2]);
-    if ((sequence_is_some(&object->curve) || is_decentred(object) || along) &&
+    if ((sequence_is_some(&object->curve) || sequence_is_decentred(object) || along) &&
         !foreign_loss(sequence->job, &place, object->at.text, error,
                       "a curved or tilted object" LOSS_INSTEAD "taken as a plane")) {
         return false;
@@ -347,7 +213,7 @@ static bool put_image(const struct sequence *sequence, bool is_solved, struct er
                       "a curved image" LOSS_INSTEAD "taken as a plane")) {
         return false;
     }
-    if (is_decentred(image) && image->move != SEQUENCE_RETURN) {
+    if (sequence_is_decentred(image) && image->move != SEQUENCE_RETURN) {
         image->thickness = sequence_nothing;
         image->extra = pair_of(0);
         image->medium = lens->surfaces[last - 1].medium;
@@ -380,7 +246,7 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
     if (image->thickness.typed.start != NULL) { /* the defocus */
         last->extra = pair_add(last->extra, image->thickness.value);
     }
-    spread_z(sequence);
+    sequence_spread_z(sequence);
     size_t *indices = ARENA_ARRAY(sequence->job->arena, sequence->count, size_t);
     if (!put_object(sequence, error) || !check_telecentric(sequence, error)) {
         return false;

@@ -43,6 +43,7 @@ enum sequence_what {
     SEQUENCE_CONIC,
     SEQUENCE_MEDIUM,
     SEQUENCE_PROFILE, /* curvature, conic and coefficients */
+    SEQUENCE_TURNS,   /* shifts and turns; of a scale below 0 undone: in the other order too */
     SEQUENCE_LENGTH   /* a thickness: the sum of those from `source` up to before `end` */
 };
 
@@ -86,6 +87,7 @@ struct sequence_surface {
     bool turns_first;                /* before it is shifted, and about z first */
     struct figure shift[3], turn[3]; /* x, y, z */
     struct command_word decentred_at;
+    size_t place;              /* in the lens */
     size_t planes_behind;      /* in the lens, that turn and shift the axis */
     struct command_word glass; /* what is still to be looked up; empty = medium is known */
     struct sequence_solve thickness_solve, curvature_solve;

@@ -63,6 +63,18 @@ static void follow_profile(const struct sequence *sequence, const struct sequenc
     }
 }
 
+static void follow_turns(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                         const struct sequence_surface *source, struct sequence_surface *target)
+{
+    const struct number_scale plain = {1, 0};
+    for (int i = 0; i < 3; i++) {
+        target->shift[i] = follow(sequence, source->shift[i], pickup, plain);
+        target->turn[i] = follow(sequence, source->turn[i], pickup, plain);
+    }
+    target->turns_first = source->turns_first != (pickup->scale.hi < 0);
+    target->decentred_at = pickup->at;
+}
+
 static void follow_length(const struct sequence *sequence, const struct sequence_pickup *pickup,
                           struct sequence_surface *target)
 {
@@ -106,6 +118,9 @@ static bool apply_pickup(const struct sequence *sequence, const struct sequence_
     case SEQUENCE_CONIC:
         target->conic = follow(sequence, source->conic, pickup, (struct number_scale){1, 0});
         break;
+    case SEQUENCE_TURNS:
+        follow_turns(sequence, pickup, source, target);
+        break;
     case SEQUENCE_MEDIUM:
         target->medium = source->medium;
         break;
@@ -116,12 +131,16 @@ static bool apply_pickup(const struct sequence *sequence, const struct sequence_
 /* What a pick-up changes, and so what it follows: bits. */
 static unsigned kinds_of(enum sequence_what what)
 {
-    enum { CURVE = 1, CONIC = 2, THICKNESS = 4, DIAMETER = 8, MEDIUM = 16 };
-    static const unsigned kinds[] = {
-        [SEQUENCE_RADIUS] = CURVE,          [SEQUENCE_CURVATURE] = CURVE,
-        [SEQUENCE_THICKNESS] = THICKNESS,   [SEQUENCE_DIAMETER] = DIAMETER,
-        [SEQUENCE_CONIC] = CONIC,           [SEQUENCE_MEDIUM] = MEDIUM,
-        [SEQUENCE_PROFILE] = CURVE | CONIC, [SEQUENCE_LENGTH] = THICKNESS};
+    enum { CURVE = 1, CONIC = 2, THICKNESS = 4, DIAMETER = 8, MEDIUM = 16, TURNS = 32 };
+    static const unsigned kinds[] = {[SEQUENCE_RADIUS] = CURVE,
+                                     [SEQUENCE_CURVATURE] = CURVE,
+                                     [SEQUENCE_THICKNESS] = THICKNESS,
+                                     [SEQUENCE_DIAMETER] = DIAMETER,
+                                     [SEQUENCE_CONIC] = CONIC,
+                                     [SEQUENCE_MEDIUM] = MEDIUM,
+                                     [SEQUENCE_PROFILE] = CURVE | CONIC,
+                                     [SEQUENCE_LENGTH] = THICKNESS,
+                                     [SEQUENCE_TURNS] = TURNS};
     return kinds[what];
 }
 

@@ -109,7 +109,11 @@ struct text decimal_half(struct text typed, struct arena *arena)
 struct text decimal_negate(struct text typed, struct arena *arena)
 {
     struct decimal decimal = take_apart(typed, arena);
-    decimal.is_negative = !decimal.is_negative;
+    bool is_zero = true;
+    for (size_t i = 0; i < decimal.count; i++) {
+        is_zero = is_zero && decimal.digits[i] == '0';
+    }
+    decimal.is_negative = !is_zero && !decimal.is_negative;
     return put_together(decimal, arena);
 }
 

@@ -89,6 +89,19 @@ static const struct meaning of_surfaces[] = {
     {"AST", "AST\nASP ARA 3\nAS1 1e-3;AS2 2e-4;AS20 1e-21",
      "surface 50 4 1.5 - A1=1e-3 A2=2e-4 A20=1e-21 stop"},
     {"AST", "AST\nTOX 0;RDX 0;APN 0", "surface 50 4 1.5 - stop"},
+    /* special apertures: between edges, corners, obstructing, picked up */
+    {"AST", "AST\nAPN 1;ATP A 2;AAC A 4;AX1 A -2;AX2 A 2;AY1 A -1;AY2 A 1",
+     "surface 50 4 1.5 - stop\npass rectangle 4 2"},
+    {"AST", "AST\nATP A 2;AAC A 4;AX1 A -2;AX2 A 2;AY1 A -1;AY2 A 1;AAN A 90",
+     "surface 50 4 1.5 - stop\npass rectangle 2 4"},
+    {"AST", "AST\nATP A 2;AAC A 4;AX1 A -.2;AY1 A -1.5;AY2 A 1.5",
+     "surface 50 4 1.5 - stop\npass rectangle 0.2 3 decenter=-0.1,0"},
+    {"AST", "AST\nAP 6\nATP A 1;AAC A 2;AX2 A 2;AY1 A -1;AY2 A 1",
+     "surface 50 4 1.5 12 stop\nblock ellipse 2 2 decenter=1,0"},
+    {"AST", "AST\nATP A 3;AAC A 4;AVX2 A 2;AVY3 A 2",
+     "surface 50 4 1.5 - stop\npass polygon 0,0 2,0 0,2"},
+    {"AST\nNXT", "AST\nATP A 4;AAC A 4;AVX2 A 2;AVX3 A 2;AVY3 A 2;AVY4 A 1\nNXT\nAPK B -1 A",
+     "surface -50 90 air -\npass polygon 0,0 2,0 2,2 0,1"},
 };
 
 /* Tilts about x and y turn left-handed in OSLO, about z right-handed. */
@@ -100,6 +113,17 @@ static const struct meaning of_shifts[] = {
     {"AST", "AST\nDT -1;TLA 2;RCO 1", "surface 50 4 1.5 - stop decenter=0,0 tilt=-2,0"},
     {"RD -50\nTH 90", "RD -50\nTH 90\nDCZ 2", "surface 50 6 1.5 - stop\nsurface -50 90 air -"},
     {"RD -50\nTH 90", "RD -50\nTH 90\nDCZ 2;RCO", "surface 50 6 1.5 - stop\nsurface -50 88 air -"},
+    /* turned about z, y, x, then shifted; undone where the axis goes on unbent */
+    {"AST", "AST\nDT -1;DCX 1;DCZ 3;TLA 10;TLC 30",
+     "bend decenter=0,0 tilt=0,0,30\nsurface - 0 air -\nbend decenter=0,0 tilt=-10,0,0\n"
+     "surface - 3 air -\nbend decenter=1,0 tilt=0,0,0\nsurface 50 4 1.5 - stop"},
+    {"AST", "AST\nDT -1;DCY 2;TLA 10;RCO",
+     "bend decenter=0,0 tilt=-10,0,0\nsurface - 0 air -\nbend decenter=0,2 tilt=0,0,0\n"
+     "surface 50 0 1.5 - stop\nbend decenter=0,-2 tilt=0,0,0\nsurface - 0 1.5 -\n"
+     "bend decenter=0,0 tilt=10,0,0\nsurface - 4 1.5 -"},
+    {"AST\nNXT\nRD -50", "AST\nDCY 4;TLA 30\nNXT\nPK TDM 1\nRD -50",
+     "bend decenter=0,0 tilt=30,0,0\nsurface - 0 1.5 -\nbend decenter=0,-4 tilt=0,0,0\n"
+     "surface -50 90 air -"},
     {"RD -50\nTH 90", "TH -30\nRFL\nTLA 45;BEN",
      "bend decenter=0,0 tilt=-45,0,0\nsurface - 0 mirror -\n"
      "bend decenter=0,0 tilt=-45,0,0\nsurface - -30 1.5 -"},
@@ -150,8 +174,15 @@ static const struct refusal losses[] = {
     {"AST", "AST\n@TOY 1", "TOY: coordinates of another surface", ""},
     {"AST", "AST\n@CFG 2", "CFG: configurations, in a block behind END", ""},
     {"AST", "AST\n@CVX 0.1", "CVX: a toric surface", ""},
-    {"AST", "AST\n@APN 1", "APN: apertures that are no circle, by their number", ""},
-    {"AST", "AST\n@AX1 A 2", "AX1: an aperture that is no circle", ""},
+    {"AST", "AST\n@AX1 A 2", "a special aperture that neither obstructs nor transmits", "left out"},
+    {"AST", "AST\n@ATP A 1;AAC A 1", "a special aperture that is a hole", "left out"},
+    {"AST", "AST\n@ATP A 5;AAC A 4", "a special aperture of an unknown shape", "left out"},
+    {"AST", "AST\n@ATP A 2;AAC A 4;AX2 A 2;AY2 A 2;AAN A 90", "a special aperture that is turned",
+     "left out"},
+    {"AST", "AST\n@ATP A 2;AAC A 4;AX2 A 2", "ATP: an aperture that is not stated whole",
+     "left out"},
+    {"AST", "AST\nTEM @-300", "a temperature is above -273.15 C", NULL},
+    {"AST", "AST\nPRE @-1", "a pressure is not below 0", NULL},
     {"AST", "AST\n@GRT 1", "GRT: an index that changes inside of the glass", ""},
     {"AST", "AST\n@ASP ZER 3", "ASP: an asphere that is no polynomial of r", ""},
     {"AST", "AST\n@AS1 1e-3", shape, ""},
@@ -168,8 +199,9 @@ static const struct refusal losses[] = {
      "a solve in a file with configurations", "each is solved by itself"},
     {"END 2", "END 2\nCFG NEW\nANG 2 5\nEND", "the fields differ between the configurations",
      "those of the first stand"},
-    {"AST", "AST\nDT -1;DCX 1;@TLA 5", "a surface that is turned before it is shifted",
-     "shifted first"},
+    {"AST", "AST\nDT -1;DCX 1;TLA 5;@BEN",
+     "a bend or return of a surface that is turned before it is shifted",
+     "without the bend or return"},
     {"AST", "AST\nTLA 5;TLB 1;@BEN", "a bend with turns about more than one axis",
      "only the first is kept"},
     {"AST", "AST\n@PK RDX 0", "PK: a pick-up that is not known", stands},

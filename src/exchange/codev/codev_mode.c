@@ -71,24 +71,17 @@ static bool is_open(const struct sequence_surface *surface)
     return !surface->is_radius && surface->curve.value.hi != 0 && !surface->curvature_solve.is_set;
 }
 
-/* The next surface's place in the lens: planes that turn the axis are surfaces there. */
-static size_t next_place(const struct sequence_surface *surface, size_t at)
-{
-    return at + 1 + surface->planes_behind;
-}
-
 static struct doubt doubt_of(const struct sequence *sequence, const struct lens *lens)
 {
     struct arena *arena = sequence->job->arena;
     const double *marginal = heights_of(lens, SOLVE_MARGINAL, arena);
     const double *chief = heights_of(lens, SOLVE_CHIEF, arena);
     struct doubt worst = {0};
-    size_t at = 0;
     for (size_t i = 1; i + 1 < sequence->count; i++) {
+        const size_t at = sequence->surfaces[i].place;
         if (is_open(&sequence->surfaces[i])) {
             doubt_surface(lens, at, i, (struct beams){marginal[at], chief[at]}, &worst);
         }
-        at = next_place(&sequence->surfaces[i], at);
     }
     return worst;
 }
@@ -98,19 +91,17 @@ static struct lens as_radii(const struct sequence *sequence, const struct lens *
 {
     struct lens other = *lens;
     struct pair units = lens_words_per_length(pair_of(1), sequence->commands->scale, 2);
-    size_t at = 0;
     other.surfaces = ARENA_ARRAY(sequence->job->arena, lens->surface_count, struct surface);
     for (size_t i = 0; i < lens->surface_count; i++) {
         other.surfaces[i] = lens->surfaces[i];
     }
     for (size_t i = 1; i + 1 < sequence->count; i++) {
-        struct surface *surface = &other.surfaces[at];
+        struct surface *surface = &other.surfaces[sequence->surfaces[i].place];
         if (is_open(&sequence->surfaces[i])) {
             surface->is_plane = surface->has_curvature = false;
             surface->radius = sequence->surfaces[i].curve;
             surface->radius.value = pair_divide(surface->radius.value, units);
         }
-        at = next_place(&sequence->surfaces[i], at);
     }
     return other;
 }

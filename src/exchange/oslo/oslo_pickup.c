@@ -12,10 +12,10 @@ static const struct {
 } pickups[] = {{"CV", SEQUENCE_PROFILE, 1, false},  {"CVM", SEQUENCE_PROFILE, -1, false},
                {"TH", SEQUENCE_THICKNESS, 1, true}, {"THM", SEQUENCE_THICKNESS, -1, true},
                {"LN", SEQUENCE_LENGTH, 1, true},    {"LNM", SEQUENCE_LENGTH, -1, true},
-               {"AP", SEQUENCE_DIAMETER, 1, true},  {"GLA", SEQUENCE_MEDIUM, 1, false}};
+               {"AP", SEQUENCE_DIAMETER, 1, true},  {"GLA", SEQUENCE_MEDIUM, 1, false},
+               {"TD", SEQUENCE_TURNS, 1, false},    {"TDM", SEQUENCE_TURNS, -1, false}};
 
-/* A surface by its number, or that many before the present one. */
-static bool read_reference(struct oslo *oslo, size_t word, size_t *surface, struct error *error)
+bool oslo_reference(struct oslo *oslo, size_t word, size_t *surface, struct error *error)
 {
     const struct command_word found = commands_word(&oslo->commands, word);
     bool is_relative = found.text.length > 0 && found.text.start[0] == '-';
@@ -50,7 +50,7 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error)
                              "a pick-up that is not known" LOSS_INSTEAD
                              "the number of the file stands");
     }
-    if (!read_reference(oslo, 2, &pickup.source, error)) {
+    if (!oslo_reference(oslo, 2, &pickup.source, error)) {
         return false;
     }
     pickup.what = pickups[found].what;

@@ -431,7 +431,8 @@ static bool run_keyword(struct oslo *oslo, struct error *error)
             return keywords[i].run(oslo, keywords[i].what, error);
         }
     }
-    if (!run_numbered(oslo, word->text, &known, error)) {
+    if (!run_numbered(oslo, word->text, &known, error) ||
+        (!known && !oslo_special(oslo, &known, error))) {
         return false;
     }
     if (known) {
@@ -498,6 +499,8 @@ static bool read_position(struct oslo *oslo, struct text content, struct lens *l
     lens_build_begin(&oslo->build, lens, job->arena);
     lens->unit = unit;
     oslo->has_ended = false;
+    oslo->specials = NULL;
+    oslo->special_count = oslo->special_room = 0;
     oslo->block = OSLO_NO_BLOCK;
     oslo_kept_glasses(oslo, content);
     commands_open(&oslo->commands, job, content, &grammar);
@@ -521,9 +524,9 @@ static bool read_position(struct oslo *oslo, struct text content, struct lens *l
     if (!oslo->has_stop && oslo->sequence.count > 2) { /* OSLO's stop, where none is named */
         oslo->sequence.surfaces[1].is_stop = true;
     }
-    return oslo_check_solves(oslo, error) && oslo_finish_system(oslo, error) &&
-           oslo_keep_notes(oslo, content, error) && sequence_finish(&oslo->sequence, error) &&
-           oslo_finish_aperture(oslo, error);
+    return oslo_check_solves(oslo, error) && oslo_put_apertures(oslo, error) &&
+           oslo_finish_system(oslo, error) && oslo_keep_notes(oslo, content, error) &&
+           sequence_finish(&oslo->sequence, error) && oslo_finish_aperture(oslo, error);
 }
 
 /* A file with configurations is read once for each of them. */
@@ -581,4 +584,5 @@ const struct foreign_format oslo_format = {.type = {{"len", "OSLO"}, ".len"},
                                            .is_like = oslo_is_like,
                                            .read = oslo_read,
                                            .write = oslo_write,
+                                           .has_apertures = true,
                                            .words = oslo_words};

@@ -24,6 +24,18 @@ struct oslo_point {
     struct figure at[2], weight; /* x, y */
 };
 
+/* The edges along x and y, and the corners x, y of triangles and quadrangles. */
+enum { OSLO_CORNERS = 4, OSLO_EDGES = 12 };
+
+/* A special aperture: its numbers, by the letter that names it. */
+struct oslo_special {
+    size_t surface;
+    struct text letter;
+    struct command_word at;
+    double number[4]; /* type, action, group, turn in degrees */
+    struct figure edge[OSLO_EDGES];
+};
+
 /* A .len file being read. */
 struct oslo {
     struct foreign_job *job;
@@ -45,6 +57,8 @@ struct oslo {
     size_t point_count;
     struct text waves[OSLO_MOST_WAVES], weights[OSLO_MOST_WAVES]; /* um */
     size_t wave_count, weight_count;
+    struct oslo_special *specials;
+    size_t special_count, special_room;
     struct text glasses[SEQUENCE_MOST]; /* CATALOG:NAME that lenscalc has kept, or empty */
 };
 
@@ -62,6 +76,20 @@ bool oslo_weight(struct oslo *oslo, struct error *error);
 
 /* PK TH 3 0.5 */
 bool oslo_pickup(struct oslo *oslo, int what, struct error *error);
+
+/* An earlier surface by its number, or that many before the present one: -2. */
+bool oslo_reference(struct oslo *oslo, size_t word, size_t *surface, struct error *error);
+
+/*
+ * A command of a special aperture, by its letter: ATP A 2 and the like, edges, corners, and as one
+ * of an earlier surface, APK A 3 B.
+ *
+ * Result    known  it is one
+ */
+bool oslo_special(struct oslo *oslo, bool *known, struct error *error);
+
+/* The special apertures go to their surfaces, when all of the file is read. */
+bool oslo_put_apertures(struct oslo *oslo, struct error *error);
 
 /* F n y x ..: a point of the field */
 bool oslo_point(struct oslo *oslo, int what, struct error *error);

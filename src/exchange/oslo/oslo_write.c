@@ -384,6 +384,9 @@ static bool put_surface(struct output *output, size_t index, struct error *error
                     decimal_half(length_of(output, &surface->diameter), output->job->arena));
     }
     put_string(output, surface->is_stop ? "AST\n" : "");
+    if (!oslo_write_apertures(&output->writing, output->job, surface, error)) {
+        return false;
+    }
     if (surface->decentre != NULL || surface->coordinate_break != NULL) {
         put_displacement(output,
                          surface->decentre != NULL ? surface->decentre : surface->coordinate_break,
