@@ -260,6 +260,10 @@ void text_make_printable(char *string, const char *kept)
 {
     const char *end = string + strlen(string);
     while (string < end) {
+        if (*string >= 0x20 && *string < 0x7f) {
+            string++; /* as nearly all */
+            continue;
+        }
         size_t bad = text_unprintable(string, (size_t)(end - string));
         size_t good = bad > 0 ? 0 : text_utf8_length(string, (size_t)(end - string));
         if (bad == 0 || strchr(kept, *string) != NULL) {

@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 enum { BLOCK = BATCH_BLOCK, BEHIND = BATCH_BEHIND };
@@ -409,6 +410,17 @@ bool batch_open(struct batch *batch, const struct batch_source *source, struct e
     }
     batch->at = batch->end = batch->buffer;
     return begin(batch, source->format, error);
+}
+
+double batch_share(const struct batch *batch)
+{
+    struct stat file;
+    off_t at = lseek(batch->descriptor, 0, SEEK_CUR);
+    if (at < 0 || fstat(batch->descriptor, &file) != 0 || !S_ISREG(file.st_mode) ||
+        file.st_size == 0) {
+        return NAN;
+    }
+    return (double)(at - (batch->end - batch->at)) / (double)file.st_size;
 }
 
 void batch_close(struct batch *batch)

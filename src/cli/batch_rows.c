@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/batch.h"
 
+#include "cli/interrupt.h"
+
 #include <errno.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -37,7 +39,10 @@ bool batch_refill(struct batch *batch, struct error *error)
     ssize_t got;
     do {
         got = read(batch->descriptor, batch->buffer + kept, batch->capacity - kept);
-    } while (got < 0 && errno == EINTR);
+    } while (got < 0 && errno == EINTR && !interrupt_came());
+    if (got < 0 && errno == EINTR) {
+        return interrupt_fail(error);
+    }
     if (got < 0) {
         return fail(error, ERROR_IO, "cannot read %s: %s", batch->source, strerror(errno));
     }

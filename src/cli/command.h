@@ -3,6 +3,7 @@
 #ifndef LENSCALC_CLI_COMMAND_H
 #define LENSCALC_CLI_COMMAND_H
 
+#include "base/watch.h"
 #include "cli/artifact.h"
 #include "cli/option.h"
 #include "report/doubts.h"
@@ -21,6 +22,7 @@ struct run {
     bool (*emit)(struct run *run, const void *row);
     void *driver;           /* the driver's own */
     struct doubts *doubts;  /* what is doubtful about the answer, see report/doubts.h; or null */
+    struct watch *watch;    /* of work on one input that may be long, see base/watch.h; or null */
     struct error shortfall; /* set by a command whose rows stand, but are less than was asked: it is
                                printed beside them, and the question counts as failed */
 };

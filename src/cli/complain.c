@@ -1,13 +1,10 @@
-/* cli/complain.c - errors and progress on standard error. */
+/* cli/complain.c - errors on standard error. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/complain.h"
 
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
-
-enum { PROGRESS_ROWS = 65536 };
 
 /* Standard error: what was said is written in one piece, and a failure to do so is nobody's. */
 struct voice {
@@ -174,23 +171,6 @@ void print_beside(const struct report *report, bool is_table, enum color_when co
         write_warning(output, report->command, more);
     }
     output_flush(output);
-}
-
-double progress_now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
-void progress_show(double started, size_t rows, bool last)
-{
-    if (rows % PROGRESS_ROWS != 0 && !last) {
-        return;
-    }
-    if (isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO) && progress_now() - started > 0.5) {
-        fprintf(stderr, "\r%zu rows%s", rows, last ? "\n" : "");
-    }
 }
 
 void print_remark(const char *start, size_t length)

@@ -1,4 +1,4 @@
-/* cli/complain.h - errors and progress on standard error. */
+/* cli/complain.h - errors on standard error. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_CLI_COMPLAIN_H
 #define LENSCALC_CLI_COMPLAIN_H
@@ -28,11 +28,5 @@ void print_beside(const struct report *report, bool is_table, enum color_when co
 
 /* What is said beside an answer: nothing has no address. */
 void print_remark(const char *start, size_t length);
-
-/* Seconds of a clock that only runs forward. */
-double progress_now(void);
-
-/* Rows so far, now and then, where somebody is looking and it takes long. */
-void progress_show(double started, size_t rows, bool last);
 
 #endif

@@ -8,6 +8,7 @@
 #include "cli/complain.h"
 #include "cli/help.h"
 #include "cli/idle.h"
+#include "cli/interrupt.h"
 #include "cli/relay.h"
 #include "cli/rows.h"
 #include "report/terminal.h"
@@ -172,6 +173,7 @@ static bool finish(struct driver *driver, struct error *error)
         }
         if (driver->begun) {
             report->format->end(report);
+            driver->has_ended = true;
         }
     }
     return !driver->answered || artifacts_make(&driver->artifacts, error);
@@ -195,6 +197,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     driver->report.doubts = &driver->doubts;
     driver->run = (struct run){.arena = &driver->row_arena,
                                .doubts = &driver->doubts,
+                               .watch = &driver->progress.watch,
                                .kept = &driver->kept,
                                .db = &driver->db,
                                .emit = rows_emit,
@@ -283,12 +286,17 @@ static bool ask(struct driver *driver, struct error *error)
 
 static bool answer(struct driver *driver, struct error *error)
 {
-    driver->started = progress_now();
+    progress_begin(&driver->progress, driver->command->name, rows_state, driver);
+    driver->output.before_write = progress_make_way;
+    driver->output.context = &driver->progress;
+    if (driver->report.many) {
+        interrupt_watch(); /* rows so far are worth something */
+    }
     bool done = (driver->is_batch ? rows_of_batch(driver, error) : rows_of_sweep(driver, error)) &&
                 finish(driver, error);
-    if (driver->begun && !done) {
-        /* rows before the failure were promised to the pipe; a file would be half a file */
-        output_flush(&driver->output);
+    progress_erase(&driver->progress);
+    if (!done) {
+        rows_break_off(driver, error);
     }
     return done;
 }

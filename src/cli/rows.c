@@ -3,11 +3,11 @@
 #include "cli/rows.h"
 
 #include "cli/complain.h"
+#include "cli/interrupt.h"
 #include "report/explain.h"
 
+#include <math.h>
 #include <string.h>
-
-enum { PROGRESS_ROWS = 65536 };
 
 /* All rows have the columns of the first input. */
 bool rows_check_sheet(const struct driver *driver, struct error *error)
@@ -25,9 +25,14 @@ void rows_begin(struct driver *driver)
     driver->report.format->begin(&driver->report);
 }
 
-bool rows_emit(struct run *run, const void *row)
+static bool is_going(const struct driver *driver)
 {
-    struct driver *driver = run->driver;
+    return driver->output.failure == 0 && !atomic_load(&driver->progress.watch.is_ended);
+}
+
+/* The first row, and every one that is kept for something else too. */
+static void emit_first(struct driver *driver, const void *row)
+{
     struct report *report = &driver->report;
     if (driver->collects) {
         collection_keep(&driver->collection, driver->index, row);
@@ -38,28 +43,86 @@ bool rows_emit(struct run *run, const void *row)
         const char *text = explain_row(report, driver->command->explanations, row);
         report->explain = text != NULL ? text : "nothing to explain: plain facts";
     }
-    if (driver->common.table == NULL) {
-        if (!driver->begun) {
-            rows_begin(driver);
-        }
+    if (driver->common.table == NULL && !driver->begun) {
+        rows_begin(driver);
+    }
+    driver->only_prints = driver->begun && !driver->collects;
+}
+
+bool rows_emit(struct run *run, const void *row)
+{
+    struct driver *driver = run->driver;
+    struct report *report = &driver->report;
+    if (!driver->only_prints) {
+        emit_first(driver, row);
+    }
+    if (driver->begun) {
         report->format->row(report, row, driver->passed, NULL);
         report->rows++;
     }
-    return driver->output.failure == 0;
+    progress_row(&driver->progress);
+    return is_going(driver);
+}
+
+static void say(struct driver *driver, struct error *failure)
+{
+    progress_erase(&driver->progress);
+    complain(failure, &driver->arguments, &driver->batch);
+}
+
+static void write_failure(struct driver *driver, const struct text *passed,
+                          const struct error *failure)
+{
+    driver->report.format->row(&driver->report, NULL, passed, failure);
+    driver->report.rows++;
 }
 
 /* A row that failed keeps its place. */
 static void emit_failure(struct driver *driver, struct error *failure)
 {
     driver->failed++;
-    complain(failure, &driver->arguments, &driver->batch);
+    say(driver, failure);
     if (driver->common.table == NULL) {
         if (!driver->begun) {
             rows_begin(driver);
         }
-        driver->report.format->row(&driver->report, NULL, driver->passed, failure);
-        driver->report.rows++;
+        write_failure(driver, driver->passed, failure);
     }
+    progress_row(&driver->progress);
+}
+
+/* Can the format say in a row why there is none? */
+static bool has_place(const struct report *report)
+{
+    return report->format->separator == '\0' || report->has_error_column;
+}
+
+void rows_break_off(struct driver *driver, const struct error *failure)
+{
+    struct report *report = &driver->report;
+    if (!driver->begun || driver->has_ended) {
+        output_flush(&driver->output);
+        return;
+    }
+    if (!driver->is_broken_off && has_place(report)) {
+        struct text *none = ARENA_ARRAY(&driver->arena, report->passed_count + 1, struct text);
+        for (size_t i = 0; i < report->passed_count; i++) {
+            none[i] = text_of("");
+        }
+        write_failure(driver, none, failure);
+    }
+    report->format->end(report);
+    output_flush(&driver->output);
+}
+
+struct progress_state rows_state(const void *context)
+{
+    const struct driver *driver = context;
+    size_t answered = driver->good + driver->failed, rows = driver->report.rows;
+    double share = driver->is_batch          ? batch_share(&driver->batch)
+                   : driver->sweep.total > 1 ? (double)driver->index / (double)driver->sweep.total
+                                             : NAN;
+    return (struct progress_state){.rows = rows > answered ? rows : answered, .share = share};
 }
 
 static bool run_one(struct driver *driver, struct error *error)
@@ -72,7 +135,7 @@ static bool run_one(struct driver *driver, struct error *error)
     bool done = driver->command->run(driver->input, &driver->run, error);
     bool is_short = done && shortfall->code != ERROR_NONE;
     if (is_short) {
-        complain(shortfall, &driver->arguments, &driver->batch);
+        say(driver, shortfall);
     }
     driver->failed += is_short;
     driver->good += done && !is_short;
@@ -81,8 +144,12 @@ static bool run_one(struct driver *driver, struct error *error)
 }
 
 /* --fail-fast: the status is that of the rows so far. Returns false. */
-static bool stop_early(const struct driver *driver, struct error *error)
+static bool stop_early(struct driver *driver, struct error *error)
 {
+    if (driver->begun && has_place(&driver->report)) {
+        write_failure(driver, driver->passed, error);
+        driver->is_broken_off = true;
+    }
     error->code = driver->good > 0 ? ERROR_ROWS : ERROR_DOMAIN;
     return false;
 }
@@ -90,7 +157,7 @@ static bool stop_early(const struct driver *driver, struct error *error)
 /* Every combination of a sweep; one combination is an ordinary answer. */
 bool rows_of_sweep(struct driver *driver, struct error *error)
 {
-    for (size_t i = 0; i < driver->sweep.total && driver->output.failure == 0; i++) {
+    for (size_t i = 0; i < driver->sweep.total && is_going(driver); i++) {
         struct arena_mark mark = arena_mark(&driver->row_arena);
         driver->index = i;
         sweep_set(&driver->sweep, i, driver->input);
@@ -106,12 +173,8 @@ bool rows_of_sweep(struct driver *driver, struct error *error)
         if (!driver->collects && driver->artifacts.count == 0) {
             arena_reset(&driver->row_arena, mark);
         }
-        progress_show(driver->started, i, false);
     }
-    if (driver->sweep.total > PROGRESS_ROWS) {
-        progress_show(driver->started, driver->sweep.total, true);
-    }
-    return true;
+    return !interrupt_came() || interrupt_fail(error);
 }
 
 /* A row that cannot be answered. False if that ends the batch. */
@@ -179,11 +242,10 @@ static bool take_row(struct driver *driver, enum batch_result result, struct err
 
 bool rows_of_batch(struct driver *driver, struct error *error)
 {
-    size_t rows = 0;
     const struct arena_mark mark = arena_mark(&driver->row_arena);
     driver->batch.before_read = flush_before_read;
     driver->batch.waiting = driver;
-    for (;; rows++) {
+    for (;;) {
         enum batch_result result = batch_next(&driver->batch, driver->input, error);
         if (result == BATCH_END) {
             break;
@@ -194,11 +256,9 @@ bool rows_of_batch(struct driver *driver, struct error *error)
         if (driver->queue.count == 0) {
             arena_reset(&driver->row_arena, mark);
         }
-        if (driver->output.failure != 0) {
+        if (!is_going(driver)) {
             break;
         }
-        progress_show(driver->started, rows, false);
     }
-    progress_show(driver->started, rows, true);
-    return flush_queue(driver, error);
+    return flush_queue(driver, error) && (!interrupt_came() || interrupt_fail(error));
 }

@@ -5,6 +5,7 @@
 
 #include "cli/batch.h"
 #include "cli/collect.h"
+#include "cli/progress.h"
 #include "cli/queue.h"
 
 /* One command at work. */
@@ -37,7 +38,10 @@ struct driver {
     size_t good, failed;
     bool answered;         /* at least one input, if only in part */
     const void *explained; /* the row whose numbers --explain puts in */
-    double started;
+    struct progress progress;
+    bool only_prints;   /* nothing is left to do with further rows but that */
+    bool has_ended;     /* all rows are written, and what follows them */
+    bool is_broken_off; /* the failure that ends the work has its row */
 };
 
 /*
@@ -61,5 +65,11 @@ bool rows_emit(struct run *run, const void *row);
  */
 bool rows_of_sweep(struct driver *driver, struct error *error);
 bool rows_of_batch(struct driver *driver, struct error *error);
+
+/* End an output that has begun, with the failure that ends the work in the place of its row. */
+void rows_break_off(struct driver *driver, const struct error *failure);
+
+/* How far they are. */
+struct progress_state rows_state(const void *driver);
 
 #endif

@@ -111,6 +111,9 @@ bool output_open(struct output *output, const char *path, struct arena *arena, s
 
 static void write_all(struct output *output, const char *start, size_t length)
 {
+    if (output->before_write != NULL && length > 0) {
+        output->before_write(output->context);
+    }
     while (length > 0 && output->failure == 0) {
         ssize_t written = write(output->descriptor, start, length);
         if (written > 0) {

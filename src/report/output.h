@@ -21,8 +21,10 @@ struct output {
     struct arena *arena; /* of the names */
     char *buffer;
     size_t used, size;
-    size_t width;        /* of the terminal that shows it; 0 = it is none */
-    bool has_color;      /* output_style writes something */
+    size_t width;                        /* of the terminal that shows it; 0 = it is none */
+    bool has_color;                      /* output_style writes something */
+    void (*before_write)(void *context); /* called before anything is handed over; or null */
+    void *context;
     struct text remarks; /* lines for standard error when all went well */
 };
 

@@ -8,9 +8,14 @@ colours; and nothing that comes from outside makes the terminal do what it shoul
 
 import json
 import os
+import pty
 import re
+import signal
+import subprocess
 import sys
 import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -203,10 +208,146 @@ def check_escapes(checks, program):
     checks.check(rb"\<script>x\|y" in result.stdout, f"markdown: {result.stdout!r}")
 
 
+def screen(text):
+    """What a terminal shows in the end of what was written to it; the lines that were there."""
+    lines, seen = [""], []
+    at = 0
+    for c in text:
+        if c == "\r":
+            seen.append(lines[-1].rstrip())
+            at = 0
+        elif c == "\n":
+            lines.append("")
+            at = 0
+        else:
+            lines[-1] = lines[-1][:at] + c + lines[-1][at + 1:]
+            at += 1
+    return [line.rstrip() for line in lines], seen
+
+
+def read_all(ours):
+    """What is left to read of a terminal whose other side is closed."""
+    shown = b""
+    while True:
+        try:
+            shown += os.read(ours, 65536)
+        except OSError:
+            os.close(ours)
+            return shown.decode().replace("\r\n", "\n")
+
+
+def slowly(program, words, rows, interrupt=False, stderr=subprocess.PIPE):
+    """A call whose rows come one by one, then its end or Ctrl-C; the process and its answer."""
+    process = subprocess.Popen(program.command + words, stdin=subprocess.PIPE,
+                               stdout=subprocess.PIPE, stderr=stderr, env=program.environment())
+    process.stdin.write(b"f,N,s\n")
+    for row in rows:
+        process.stdin.write(row)
+        process.stdin.flush()
+        time.sleep(0.06)
+    if interrupt:
+        process.send_signal(signal.SIGINT)
+        time.sleep(0.2)
+    process.stdin.close()
+    answer = process.stdout.read()
+    return process.wait(), answer, process.stderr.read().decode() if process.stderr else ""
+
+
+def check_progress(checks, program):
+    """A line on a terminal after half a second, gone in the end; none anywhere else."""
+    rows = [b"50,4,%d\n" % (i + 1) for i in range(13)]
+    batch = ["dof", "--batch", "-", "--csv", "--columns", "near_m"]
+    ours, terminal = pty.openpty()
+    status, answer, _ = slowly(program, batch, rows + [b"x,4,1\n"], stderr=terminal)
+    os.close(terminal)
+    shown = read_all(ours)
+    lines, seen = screen(shown)
+    checks.check(status == 3 and len(answer.split()) == 15, f"slow rows: {status}, {answer}")
+    checks.check(any(re.fullmatch(r"lenscalc dof: \d+ rows  [0-9.]+ rows/s", line) for line in seen),
+                 f"slow rows: no progress in {seen}")
+    checks.check(lines[0].startswith("lenscalc: dof: standard input:15:1") and lines[-1] == "",
+                 f"slow rows: what stays is {lines}")
+    status, _, error = slowly(program, batch, rows)
+    checks.check(status == 0 and error == "", f"progress in a pipe: {error!r}")
+    answer, error, status = on_terminal(program, ["spot", "double-gauss", "--field", "0..14:0.02"],
+                                        80)
+    lines, seen = screen(error)
+    percents = [int(found) for found in re.findall(r"rows  (\d+) %  [0-9.]+ (?:k )?rows/s", error)]
+    checks.check(percents and percents == sorted(percents) and percents[-1] <= 100 and
+                 lines == [""], f"a sweep: {percents}, {lines}")
+    quick = on_terminal(program, ["dof", "-f", "50", "-N", "4", "-s", "1..100", "--csv"], 80)
+    checks.check(quick[1] == "", f"progress of what is done at once: {quick[1]!r}")
+
+
+def check_interrupted(checks, program):
+    """Ctrl-C between rows: the answer is complete but for them, says so, and status 1."""
+    rows = [b"50,4,%d\n" % (i + 1) for i in range(3)]
+    forms = ("json", "jsonl", "csv", "html", "markdown", "text")
+    with ThreadPoolExecutor(len(forms)) as pool:  # they wait more than they work
+        answers = list(pool.map(lambda form: slowly(program, ["dof", "--batch", "-", "--format",
+                                                              form], rows, interrupt=True), forms))
+    for form, (status, answer, error) in zip(forms, answers):
+        text = answer.decode()
+        checks.check(status == 1 and "interrupted" in error, f"{form}: {status}, {error!r}")
+        if form == "json":
+            found = json.loads(text)["rows"]
+            checks.check(len(found) == 4 and found[2]["near_m"] > 0 and
+                         "interrupted" in found[3]["error"], f"{form}: {text}")
+        elif form == "jsonl":
+            found = [json.loads(line) for line in text.split("\n")[:-1]]
+            checks.check(len(found) == 4 and "interrupted" in found[3]["error"], f"{form}: {text}")
+        else:
+            checks.check("interrupted" in text and (form != "html" or "</html>" in text),
+                         f"{form}: {text}")
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "x.csv")
+        slowly(program, ["dof", "--batch", "-", "--csv", "-o", path], rows, interrupt=True)
+        checks.check(os.listdir(folder) == [], "interrupted: the file is there")
+    process = subprocess.Popen(program.command + ["spot", "double-gauss", "--field", "0..14:0.001",
+                                                  "--json"], stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, env=program.environment())
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    answer, error = process.communicate()
+    found = json.loads(answer)["rows"]
+    checks.check(process.returncode == 1 and 1 < len(found) < 14000 and
+                 "interrupted" in found[-1]["error"], f"a sweep: {len(found)} rows, {error!r}")
+
+
+def check_broken_off(checks, program):
+    """What fails between rows leaves a complete answer, in which a row has the reason."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "rows.csv")
+        with open(path, "w") as file:
+            file.write("f,N,s,note\n50,4,3,a\n50,4,x,b\n50,4,2,c\n")
+        for words, name in ((["-f", "50", "-N", "4", "-s", "3,0.01,4", "--fail-fast"], "sweep"),
+                            (["--batch", path, "--fail-fast"], "batch"),
+                            (["-f", "100", "-N", "8", "--near", "24cm", "--far", "40cm", "--tube",
+                              "50", "--stack"], "stack")):
+            answers = {form: program.run("dof", *words, "--format", form)
+                       for form in ("json", "html", "markdown", "text", "jsonl", "csv")}
+            for form, result in answers.items():
+                checks.check(result.returncode in (1, 3) and result.stderr != b"",
+                             f"{name} {form}: status {result.returncode}")
+            rows = json.loads(answers["json"].stdout)["rows"]
+            lines = answers["jsonl"].stdout.decode().split("\n")[:-1]
+            checks.check(len(rows) > 1 and "near_m" in rows[0] and "error" not in rows[-2] and
+                         rows[-1]["error"] and rows[-1]["near_m"] is None, f"{name}: {rows[-2:]}")
+            checks.check([json.loads(line) for line in lines] == rows, f"{name}: jsonl")
+            checks.check(name != "batch" or rows[-1]["note"] == "b", f"{name}: {rows[-1]}")
+            for form in ("html", "markdown", "text"):
+                text = answers[form].stdout.decode()
+                ends = text.endswith("</body>\n</html>\n") if form == "html" else "assuming" in text
+                checks.check(ends and "error" in text, f"{name} {form}: {text[-300:]}")
+            checks.check(len(answers["csv"].stdout.split(b"\n")) in (len(rows) + 1, len(rows) + 2),
+                         f"{name} csv: {answers['csv'].stdout}")
+
+
 def main():
     program = Program(sys.argv[1])
     checks = Checks()
-    for check in (check_help, check_width, check_blocks, check_color, check_escapes):
+    for check in (check_help, check_width, check_blocks, check_color, check_escapes,
+                  check_progress, check_interrupted, check_broken_off):
         check(checks, program)
     checks.finish()
 

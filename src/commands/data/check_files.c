@@ -57,6 +57,7 @@ static const struct column columns[] = {
 /* What all threads share, each with a database of its own. */
 struct checking {
     const struct lensdb *db;
+    struct watch *watch;
     struct lensdb *of_thread[PARALLEL_MOST];
     const struct check_list *files;
     struct row *rows;
@@ -145,13 +146,14 @@ static void check_piece(void *context, const struct parallel_piece *piece)
 {
     struct checking *checking = context;
     struct lensdb *db = database_of(checking, piece);
-    for (size_t i = piece->begin; i < piece->end; i++) {
+    for (size_t i = piece->begin; i < piece->end && !watch_is_ended(checking->watch); i++) {
         struct row *row = &checking->rows[i];
         *row = (struct row){.file = checking->files->paths[i],
                             .efl = NAN,
                             .surfaces = NO_INTEGER,
                             .losses = NO_INTEGER};
         check_file(db, piece->arena, row);
+        watch_add(checking->watch, 1);
     }
 }
 
@@ -171,11 +173,15 @@ static bool run(const void *data, struct run *run, struct error *error)
     struct parallel *parallel = ARENA_NEW(run->arena, struct parallel);
     struct checking *checking = ARENA_NEW(run->arena, struct checking);
     *checking = (struct checking){.db = run->db,
+                                  .watch = run->watch,
                                   .files = &files,
                                   .rows = ARENA_ARRAY(run->arena, files.count + 1, struct row)};
     parallel->threads = parallel_threads(input->threads);
+    watch_begin(run->watch, "files", files.count);
     parallel_pieces(parallel, files.count, FILES_A_PIECE, check_piece, checking);
-    for (size_t i = 0; i < files.count && run_emit(run, &checking->rows[i]); i++) {
+    for (size_t i = 0;
+         i < files.count && checking->rows[i].file != NULL && run_emit(run, &checking->rows[i]);
+         i++) {
         refused += checking->rows[i].surfaces == NO_INTEGER ? 1 : 0;
     }
     if (refused > 0) {

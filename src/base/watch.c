@@ -1,0 +1,32 @@
+/* base/watch.c - long work tells how far it is, and is told to stop. */
+/* SPDX-License-Identifier: MIT */
+#include "base/watch.h"
+
+void watch_begin(struct watch *watch, const char *unit, size_t total)
+{
+    if (watch == NULL) {
+        return;
+    }
+    watch->unit = unit;
+    watch->total = total;
+    atomic_store(&watch->done, 0);
+    atomic_store(&watch->next, 1);
+}
+
+bool watch_add(struct watch *watch, size_t more)
+{
+    if (watch == NULL) {
+        return true;
+    }
+    size_t done = atomic_fetch_add(&watch->done, more) + more;
+    if (done >= atomic_load(&watch->next) && !atomic_flag_test_and_set(&watch->is_busy)) {
+        watch->look(watch);
+        atomic_flag_clear(&watch->is_busy);
+    }
+    return !atomic_load(&watch->is_ended);
+}
+
+bool watch_is_ended(struct watch *watch)
+{
+    return watch != NULL && atomic_load(&watch->is_ended);
+}
