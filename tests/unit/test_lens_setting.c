@@ -110,6 +110,68 @@ static void test_json(struct arena *arena)
     }
 }
 
+/* CODE V files hold it too: every kind of number, glasses, the stop, wavelengths. */
+static void test_sequence(struct arena *arena)
+{
+    static const char text[] =
+        "unit mm\nwavelength 550nm 480nm:0.5\nobject inf\nfield angle 0 5\naperture epd 10\n"
+        "focus table\nposition near far mid\n"
+        "set R1 50 60.5 inf\nset glass1 1.600/40.0 1.500/60.0 air\nset k1 0.5 -1 0\n"
+        "set A4_1 1e-6 0 2e-6\nset c2 -0.02 0.01 0\nset A3_2 1e-5 2e-5 0\nset k2 -1 0 1\n"
+        "set decenter_y3 0.1 0 -0.2\nset tilt_x3 1 2 -3\nset tilt_y3 0 0 4\n"
+        "set bend_tilt_x3 10 -20 0\nset bend_decenter_x3 0 1 2\nset stop 1 2 1\n"
+        "set wavelength 550nm,480nm:0.5 550nm 600nm,480nm:2\n"
+        "surface 50 4 1.600/40.0 20 k=0.5 A4=1e-6 stop\n"
+        "surface - 10 air 20 c=-0.02 k=-1 A3=1e-5\n"
+        "bend decenter=0,0 tilt=10,0,0\n"
+        "surface 200 30 1.550/50.0 30 decenter=0,0.1 tilt=1,0\n"
+        "surface - 5 air 30\n";
+    const struct lens *lens = read_lens(text, arena);
+    struct foreign_job out = {.source = "a.seq", .arena = arena},
+                       back = {.source = "a.seq", .arena = arena};
+    struct text made = {NULL, 0};
+    struct error error = {0};
+    struct lens again;
+    CHECK(foreign_write(&out, foreign_by_name(text_of("seq")), lens, &made, &error));
+    CHECK(foreign_read(&back, made, &again, &error));
+    CHECK(again.position_count == 3);
+    for (size_t p = 0; p < 3 && p < again.position_count; p++) {
+        /* the break before surface 3 has a plane of its own there */
+        struct first_order first, other;
+        const struct lens *one = lens_at_position(lens, p, arena),
+                          *two = lens_at_position(&again, p, arena);
+        const double wave = lens_primary_wavelength(one);
+        CHECK(wave == lens_primary_wavelength(two) &&
+              one->wavelength_count == two->wavelength_count);
+        CHECK(one->stop == two->stop);
+        CHECK(first_order_of_lens(one, wave, SECTION_Y, arena, &first, &error) &&
+              first_order_of_lens(two, wave, SECTION_Y, arena, &other, &error));
+        CHECK(first.efl == other.efl && first.image == other.image);
+    }
+    made = lens_write(&again, arena);
+    const char *all = arena_string(arena, made.start, made.length);
+    static const char *const lines[] = {"set R1 50 60.5 inf\n",
+                                        "set glass1 1.600/40.0 1.500/60.0 air\n",
+                                        "set k1 0.5 -1 0\n",
+                                        "set A4_1 1e-6 0 2e-6\n",
+                                        "set A3_2 1e-5 2e-5 0\n",
+                                        "set k2 -1 0 1\n",
+                                        "set decenter_y4 0.1 0 -0.2\n",
+                                        "set tilt_x4 1 2 -3\n",
+                                        "set tilt_y4 0 0 4\n",
+                                        "set bend_tilt_x3 10 -20 0\n",
+                                        "set bend_decenter_x3 0 1 2\n",
+                                        "set stop 1 2 1\n",
+                                        "set wavelength 550nm,480nm:0.5 550nm 600nm,480nm:2\n"};
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        bool found = strstr(all, lines[i]) != NULL;
+        if (!found) {
+            printf("missing: %s", lines[i]);
+        }
+        CHECK(found);
+    }
+}
+
 /* 1/f = (n - 1)(1/R1 - 1/R2 + (n - 1) t/(n R1 R2)), of two glasses and radii. */
 static void test_focal_length(struct arena *arena)
 {
@@ -199,6 +261,7 @@ int main(void)
     test_positions(&arena);
     test_change(&arena);
     test_json(&arena);
+    test_sequence(&arena);
     test_focal_length(&arena);
     test_parameter_check(&arena);
     test_errors(&arena);

@@ -361,4 +361,5 @@ const struct foreign_format codev_format = {.type = {{"seq", "CODE V"}, ".seq"},
                                             .read = codev_read,
                                             .write = codev_write,
                                             .words = codev_words,
+                                            .has_settings = true,
                                             .has_apertures = true};

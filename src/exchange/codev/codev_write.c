@@ -1,6 +1,7 @@
 /* exchange/codev/codev_write.c - a lens as a CODE V sequence file. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
+#include "exchange/codev/codev_writer.h"
 
 #include "exchange/keep_notes.h"
 #include "exchange/writing.h"
@@ -9,40 +10,17 @@
 #include <math.h>
 #include <string.h>
 
-enum { LINE = 72 };
-
-/* A lens being written; what is no glass of CODE V goes into a catalogue of the file. */
-struct output {
-    struct writing writing;
-    struct foreign_job *job;
-    const struct lens *lens;
-    const struct medium **own; /* media of the file's catalogue */
-    size_t own_count;
-};
-
-static void put(struct output *output, struct text text)
+static void put(struct codev_output *output, struct text text)
 {
     growing_text(&output->writing.text, text);
 }
 
-static void put_string(struct output *output, const char *string)
+static void put_string(struct codev_output *output, const char *string)
 {
     put(output, text_of(string));
 }
 
-/* Numbers of one command; long commands go on in the next line. */
-static void put_number(struct output *output, size_t *column, struct text number)
-{
-    if (*column + number.length + 2 > LINE) {
-        put_string(output, "&\n  ");
-        *column = 2;
-    }
-    put_string(output, " ");
-    put(output, number);
-    *column += number.length + 1;
-}
-
-static void put_command(struct output *output, const char *name, struct text value)
+static void put_command(struct codev_output *output, const char *name, struct text value)
 {
     put_string(output, name);
     put_string(output, " ");
@@ -50,86 +28,8 @@ static void put_command(struct output *output, const char *name, struct text val
     put_string(output, "\n");
 }
 
-static bool put_text(struct output *output, const char *name, const char *string,
-                     struct error *error)
-{
-    bool has_lost = false;
-    const char *quote = strchr(string, '\'') == NULL ? "'" : "\"";
-    const struct text text = writing_quotable(&output->writing, string, quote, &has_lost);
-    put_string(output, arena_printf(output->job->arena, "%s %s", name, quote));
-    put(output, text);
-    put_string(output, quote);
-    put_string(output, "\n");
-    return !has_lost || foreign_lose(output->job, error,
-                                     "a text with both kinds of quotes" LOSS_INSTEAD
-                                     "the double ones are left out");
-}
-
-/* nd = 1.ddd and Vd = vv.v as ddd.vvv; empty where nd or Vd do not fit. */
-static struct text code_of(const struct output *output, const struct medium *medium)
-{
-    struct text abbe = medium->written, index = text_cut(&abbe, '/');
-    const char *digits = "0123456789";
-    bool fits = index.length > 2 && index.start[0] == '1' && index.start[1] == '.' &&
-                medium->abbe.hi > 0 && medium->abbe.hi < 100 && abbe.length < 40 &&
-                index.length < 40;
-    for (size_t i = 2; fits && i < index.length; i++) {
-        fits = strchr(digits, index.start[i]) != NULL;
-    }
-    for (size_t i = 0; fits && i < abbe.length; i++) {
-        fits = abbe.start[i] == '.' || strchr(digits, abbe.start[i]) != NULL;
-    }
-    if (!fits) {
-        return (struct text){"", 0};
-    }
-    struct text hundredth = decimal_shift(abbe, -2, output->job->arena);
-    const char *point = memchr(hundredth.start, '.', hundredth.length);
-    const char *zeros = index.length == 3 ? "00" : index.length == 4 ? "0" : "";
-    return text_of(arena_printf(output->job->arena, "%.*s%s%.*s", (int)index.length - 2,
-                                index.start + 2, zeros,
-                                (int)(hundredth.start + hundredth.length - point), point));
-}
-
-/* The word for a medium behind a surface, with a blank before it; nothing for air. */
-static bool put_medium(struct output *output, const struct medium *medium, struct error *error)
-{
-    struct text name, catalog, code = {"", 0};
-    if (medium_is_air(medium)) {
-        return true;
-    }
-    put_string(output, " ");
-    if (medium->kind == MEDIUM_GLASS) {
-        writing_glass(&output->writing, output->job, medium, &name, &catalog);
-        bool quoted = memchr(name.start, ' ', name.length) != NULL;
-        put_string(output, quoted ? "'" : "");
-        put(output, name);
-        put_string(output, catalog.length > 0 ? "_" : "");
-        put(output, catalog);
-        put_string(output, quoted ? "'" : "");
-        return true;
-    }
-    for (size_t i = 0; i < output->own_count; i++) {
-        if (medium_is_same(output->own[i], medium)) {
-            growing_format(&output->writing.text, "'N%zu'", i + 1);
-            return true;
-        }
-    }
-    code = code_of(output, medium);
-    if (code.length > 0) {
-        put(output, code);
-        return true;
-    }
-    struct text abbe = medium->written, index = text_cut(&abbe, '/');
-    put(output, index);
-    put_string(output, ":");
-    put(output, abbe);
-    return foreign_lose(output->job, error,
-                        "a glass whose nd is not from 1 to 2 or whose Vd is not from 0 to "
-                        "100 has no code" LOSS_INSTEAD "it is written nd:Vd");
-}
-
 /* A table of indices or one index for all light, as a glass of the file's own catalogue. */
-static void put_own(struct output *output, size_t index)
+static void put_own(struct codev_output *output, size_t index)
 {
     const struct medium *medium = output->own[index];
     const struct lens *lens = output->lens;
@@ -141,7 +41,7 @@ static void put_own(struct output *output, size_t index)
     for (size_t i = 0; i < count; i++) {
         double wave = is_table ? medium->points[i].wavelength : lens->wavelengths[i].wavelength;
         const struct text typed = is_table ? (struct text){"", 0} : lens->wavelengths[i].typed;
-        put_number(output, &column, writing_wave(writing, wave, typed, 3));
+        codev_put_number(output, &column, writing_wave(writing, wave, typed, 3));
     }
     if (count == 0) {
         put_string(output, " 587.5618");
@@ -151,13 +51,13 @@ static void put_own(struct output *output, size_t index)
     for (size_t i = 0; i < count || i == 0; i++) {
         const struct figure figure = {.value = is_table ? medium->points[i].index : medium->index,
                                       .variable = LENS_NONE};
-        put_number(output, &column,
-                   is_table ? writing_length(writing, &figure, 0) : medium->written);
+        codev_put_number(output, &column,
+                         is_table ? writing_length(writing, &figure, 0) : medium->written);
     }
     put_string(output, "\n");
 }
 
-static void add_own(struct output *output, const struct medium *medium)
+static void add_own(struct codev_output *output, const struct medium *medium)
 {
     bool own =
         (medium->kind == MEDIUM_CONSTANT && !medium_is_air(medium)) || medium->kind == MEDIUM_TABLE;
@@ -169,13 +69,19 @@ static void add_own(struct output *output, const struct medium *medium)
     }
 }
 
-static void put_catalog(struct output *output)
+static void put_catalog(struct codev_output *output)
 {
     const struct lens *lens = output->lens;
-    output->own = ARENA_ARRAY(output->job->arena, lens->surface_count + 1, const struct medium *);
+    const size_t most = lens->surface_count + 1 + lens->setting_count * lens->position_count;
+    output->own = ARENA_ARRAY(output->job->arena, most, const struct medium *);
     add_own(output, &lens->object_medium);
     for (size_t i = 0; i < lens->surface_count; i++) {
         add_own(output, &lens->surfaces[i].medium);
+    }
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        for (size_t p = 0; p < lens->position_count && lens->settings[i].media != NULL; p++) {
+            add_own(output, &lens->settings[i].media[p]);
+        }
     }
     put_string(output, output->own_count > 0 ? "PRV\n" : "");
     for (size_t i = 0; i < output->own_count; i++) {
@@ -184,25 +90,8 @@ static void put_catalog(struct output *output)
     put_string(output, output->own_count > 0 ? "END\n" : "");
 }
 
-static const char *const aperture_words[] = {
-    [APERTURE_FNUMBER] = "FNO", [APERTURE_EPD] = "EPD", [APERTURE_NA] = "NAO"};
-
-static void put_values(struct output *output, const char *name, const struct figure *values,
-                       int power, bool halve)
-{
-    size_t column = strlen(name);
-    put_string(output, name);
-    for (size_t i = 0; i < output->lens->position_count; i++) {
-        struct text number = isinf(values[i].value.hi)
-                                 ? text_of("0.1e14")
-                                 : writing_length(&output->writing, &values[i], power);
-        put_number(output, &column, halve ? decimal_half(number, output->job->arena) : number);
-    }
-    put_string(output, "\n");
-}
-
 /* The pupil that the stop's diameter gives, and a comment by which it is read as that stop. */
-static bool put_pupil(struct output *output, struct error *error)
+static bool put_pupil(struct codev_output *output, struct error *error)
 {
     struct figure pupil = {.variable = LENS_NONE};
     put_string(output, CODEV_KEEP_NOTE CODEV_STOP_RULES "\n");
@@ -214,21 +103,7 @@ static bool put_pupil(struct output *output, struct error *error)
     return true;
 }
 
-/* The same in every position. */
-static void put_pupils(struct output *output)
-{
-    const struct lens *lens = output->lens;
-    struct figure *pupils = ARENA_ARRAY(output->job->arena, lens->position_count, struct figure);
-    for (size_t i = 0; i < lens->position_count; i++) {
-        pupils[i].variable = LENS_NONE;
-        if (!writing_pupil(&output->writing, i, &pupils[i])) {
-            return;
-        }
-    }
-    put_values(output, "ZOO EPD", pupils, 1, false);
-}
-
-static bool put_aperture(struct output *output, struct error *error)
+static bool put_aperture(struct codev_output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
     enum aperture_kind kind = lens->aperture_kind;
@@ -246,12 +121,12 @@ static bool put_aperture(struct output *output, struct error *error)
         return false;
     }
     const struct figure figure = lens->apertures != NULL ? lens->apertures[0] : lens->aperture;
-    put_command(output, aperture_words[kind],
+    put_command(output, codev_aperture_words[kind],
                 writing_length(&output->writing, &figure, kind == APERTURE_EPD));
     return true;
 }
 
-static void put_waves(struct output *output)
+static void put_waves(struct codev_output *output)
 {
     const struct lens *lens = output->lens;
     struct writing *writing = &output->writing;
@@ -259,34 +134,35 @@ static void put_waves(struct output *output)
     put_string(output, "WL");
     for (size_t i = 0; i < lens->wavelength_count; i++) {
         const struct lens_wavelength *one = &lens->wavelengths[i];
-        put_number(output, &column, writing_wave(writing, one->wavelength, one->typed, 3));
+        codev_put_number(output, &column, writing_wave(writing, one->wavelength, one->typed, 3));
     }
     put_string(output, lens->wavelength_count == 0 ? " 587.5618\nREF 1\nWTW" : "\nREF 1\nWTW");
     column = 3;
     for (size_t i = 0; i < lens->wavelength_count || i == 0; i++) {
         const struct text weight =
             i < lens->wavelength_count ? lens->wavelengths[i].weight_typed : (struct text){NULL, 0};
-        put_number(output, &column, weight.start != NULL ? weight : text_of("1"));
+        codev_put_number(output, &column, weight.start != NULL ? weight : text_of("1"));
     }
     put_string(output, "\n");
 }
 
-static void put_coordinates(struct output *output, int axis)
+static void put_coordinates(struct codev_output *output, int axis)
 {
     const struct lens *lens = output->lens;
     size_t column = 3;
     for (size_t i = 0; i < lens->field_count; i++) {
         const struct figure *field = &lens->fields[i].at[axis];
         const bool nothing = field->value.hi == 0 && field->typed.start == NULL;
-        put_number(output, &column,
-                   nothing                           ? text_of("0.0")
-                   : lens->field_kind == FIELD_ANGLE ? writing_degrees(&output->writing, field)
-                                                     : writing_length(&output->writing, field, 1));
+        codev_put_number(output, &column,
+                         nothing ? text_of("0.0")
+                         : lens->field_kind == FIELD_ANGLE
+                             ? writing_degrees(&output->writing, field)
+                             : writing_length(&output->writing, field, 1));
     }
     put_string(output, "\n");
 }
 
-static void put_fields(struct output *output)
+static void put_fields(struct codev_output *output)
 {
     static const char *const words[][2] = {[FIELD_ANGLE] = {"XAN", "YAN"},
                                            [FIELD_HEIGHT] = {"XOB", "YOB"},
@@ -305,16 +181,16 @@ static void put_fields(struct output *output)
     put_string(output, weighted ? "WTF" : "");
     for (size_t i = 0; i < lens->field_count && weighted; i++) {
         const struct text typed = lens->fields[i].weight_typed;
-        put_number(output, &column, typed.start != NULL ? typed : text_of("1"));
+        codev_put_number(output, &column, typed.start != NULL ? typed : text_of("1"));
     }
     put_string(output, weighted ? "\n" : "");
 }
 
-static bool put_header(struct output *output, struct error *error)
+static bool put_header(struct codev_output *output, struct error *error)
 {
     const struct lens *lens = output->lens;
     put_string(output, "RDM;LEN\n");
-    if (lens->title != NULL && !put_text(output, "TITLE", lens->title, error)) {
+    if (lens->title != NULL && !codev_put_text(output, "TITLE", lens->title, error)) {
         return false;
     }
     keep_notes_write(&output->writing.text, lens, output->writing.scale, CODEV_KEEP_NOTE, "\n");
@@ -336,7 +212,7 @@ static bool put_header(struct output *output, struct error *error)
     return true;
 }
 
-static void put_displacement(struct output *output, const struct displacement *all, bool back)
+static void put_displacement(struct codev_output *output, const struct displacement *all, bool back)
 {
     struct writing *writing = &output->writing;
     struct arena *arena = output->job->arena;
@@ -359,34 +235,21 @@ static const struct asphere {
 } conic_shape = {"  CON\n", "  K"}, even_shape = {"  ASP\n", "  K"},
   odd_shape = {"  SPS ODD 0.0\n", "  SCO K"};
 
-static bool is_of_asp(int term)
-{
-    return term > 0 && term < LENS_EVEN;
-}
-
-static bool is_term_given(const struct surface *surface, int term)
-{
-    return (surface->coefficients >> term & 1) != 0;
-}
-
 /* The simplest shape that has all the surface's terms; null for a sphere. */
 static const struct asphere *shape_of(const struct surface *surface)
 {
     bool conic = surface->conic.value.hi != 0 || surface->conic.typed.start != NULL;
     const struct asphere *shape = conic ? &conic_shape : NULL;
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        if (is_term_given(surface, i) && is_of_asp(i)) {
-            shape = shape == &odd_shape ? shape : &even_shape;
-        } else if (is_term_given(surface, i) && surface->coefficient[i].value.hi != 0) {
-            shape = &odd_shape;
-        }
+        shape = codev_is_term_given(surface, i) && codev_is_of_asp(i) ? &even_shape : shape;
     }
+    shape = codev_is_odd(surface) ? &odd_shape : shape;
     return shape;
 }
 
-static bool put_asphere(struct output *output, const struct surface *surface, struct error *error)
+static bool put_asphere(struct codev_output *output, const struct surface *surface,
+                        struct error *error)
 {
-    static const char letters[] = "  ABCDEFGHJ";
     struct writing *writing = &output->writing;
     struct arena *arena = output->job->arena;
     const struct asphere *shape = shape_of(surface);
@@ -403,17 +266,18 @@ static bool put_asphere(struct output *output, const struct surface *surface, st
     }
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
         int i = surface_term(order);
-        if (is_term_given(surface, i) && (is_odd || is_of_asp(i))) {
+        if (codev_is_term_given(surface, i) && (is_odd || codev_is_of_asp(i))) {
             put_command(output,
-                        is_odd ? arena_printf(arena, "  SCO AR%d", order)
-                               : arena_printf(arena, "  %c", letters[order / 2]),
+                        arena_printf(arena, "  %s%s", is_odd ? "SCO " : "",
+                                     codev_coefficient_word(order, is_odd, arena)),
                         writing_length(writing, &surface->coefficient[i], 1 - order));
         }
     }
     return true;
 }
 
-static bool put_clear(struct output *output, const struct surface *surface, struct error *error)
+static bool put_clear(struct codev_output *output, const struct surface *surface,
+                      struct error *error)
 {
     if (surface->has_diameter) {
         const struct text diameter = writing_length(&output->writing, &surface->diameter, 1);
@@ -422,7 +286,8 @@ static bool put_clear(struct output *output, const struct surface *surface, stru
     return codev_put_apertures(&output->writing, output->job, surface, error);
 }
 
-static bool put_details(struct output *output, const struct surface *surface, struct error *error)
+static bool put_details(struct codev_output *output, const struct surface *surface,
+                        struct error *error)
 {
     struct writing *writing = &output->writing;
     bool along_x = surface->curved == CURVED_X;
@@ -441,7 +306,7 @@ static bool put_details(struct output *output, const struct surface *surface, st
     if (!put_clear(output, surface, error)) {
         return false;
     }
-    if (surface->name != NULL && !put_text(output, "  SLB", surface->name, error)) {
+    if (surface->name != NULL && !codev_put_text(output, "  SLB", surface->name, error)) {
         return false;
     }
     if (surface->decentre != NULL || surface->coordinate_break != NULL) {
@@ -457,7 +322,7 @@ static bool put_details(struct output *output, const struct surface *surface, st
     return put_asphere(output, surface, error);
 }
 
-static bool put_surface(struct output *output, size_t index, struct error *error)
+static bool put_surface(struct codev_output *output, size_t index, struct error *error)
 {
     const struct surface *surface = &output->lens->surfaces[index];
     struct writing *writing = &output->writing;
@@ -465,7 +330,7 @@ static bool put_surface(struct output *output, size_t index, struct error *error
     if (surface->decentre != NULL &&
         surface->coordinate_break != NULL) { /* the break on a plane of its own */
         put_string(output, "S 0.0 0.0");
-        if (!put_medium(output, before, error)) {
+        if (!codev_put_medium(output, before, error)) {
             return false;
         }
         put_string(output, "\n");
@@ -479,66 +344,17 @@ static bool put_surface(struct output *output, size_t index, struct error *error
         surface->has_thickness ? writing_length(writing, &surface->thickness, 1) : text_of("0.0"));
     if (surface_reflects(surface)) {
         put_string(output, " REFL");
-    } else if (!put_medium(output, &surface->medium, error)) {
+    } else if (!codev_put_medium(output, &surface->medium, error)) {
         return false;
     }
     put_string(output, "\n");
     return put_details(output, surface, error);
 }
 
-/* CODE V counts the planes that were put in for coordinate breaks. */
-static size_t number_of(const struct lens *lens, size_t index)
-{
-    size_t number = 1;
-    for (size_t i = 0; i <= index; i++) {
-        number += i < index;
-        number += lens->surfaces[i].decentre != NULL && lens->surfaces[i].coordinate_break != NULL;
-    }
-    return number;
-}
-
-static bool put_positions(struct output *output, struct error *error)
-{
-    const struct lens *lens = output->lens;
-    struct arena *arena = output->job->arena;
-    if (lens->position_count == 0) {
-        return true;
-    }
-    growing_format(&output->writing.text, "ZOO %zu\nZOO TIT\n", lens->position_count);
-    for (size_t i = 0; i < lens->position_count; i++) {
-        if (!put_text(output, arena_printf(arena, "TIT Z%zu", i + 1), lens->positions[i], error)) {
-            return false;
-        }
-    }
-    if (lens->apertures != NULL && lens->aperture_kind > APERTURE_STOP) {
-        put_values(output, arena_printf(arena, "ZOO %s", aperture_words[lens->aperture_kind]),
-                   lens->apertures, lens->aperture_kind == APERTURE_EPD, false);
-    }
-    if (lens->aperture_kind == APERTURE_STOP) {
-        put_pupils(output);
-    }
-    if (lens->objects != NULL) {
-        put_values(output, "ZOO THI SO", lens->objects, 1, false);
-    }
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        size_t number = number_of(lens, i);
-        if (surface->has_thickness && surface->thickness.variable != LENS_NONE) {
-            put_values(output, arena_printf(arena, "ZOO THI S%zu", number),
-                       lens->variables[surface->thickness.variable].values, 1, false);
-        }
-        if (surface->has_diameter && surface->diameter.variable != LENS_NONE) {
-            put_values(output, arena_printf(arena, "ZOO CIR S%zu", number),
-                       lens->variables[surface->diameter.variable].values, 1, true);
-        }
-    }
-    return true;
-}
-
 bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                  struct error *error)
 {
-    struct output output = {.job = job, .lens = lens};
+    struct codev_output output = {.job = job, .lens = lens};
     writing_begin(&output.writing, lens, false, job->arena);
     if (!put_header(&output, error)) {
         return false;
@@ -546,7 +362,7 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
     put_string(&output, "SO 0.0 ");
     put(&output, lens->object_is_infinite ? text_of("0.1e14")
                                           : writing_length(&output.writing, &lens->object, 1));
-    if (!put_medium(&output, &lens->object_medium, error)) {
+    if (!codev_put_medium(&output, &lens->object_medium, error)) {
         return false;
     }
     put_string(&output, "\n");
@@ -559,7 +375,7 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
     if ((lens->focus == FOCUS_BEST &&
          !foreign_lose(output.job, error,
                        "the best focus" LOSS_INSTEAD "the image lies at the last thickness")) ||
-        !put_positions(&output, error)) {
+        !codev_put_positions(&output, error)) {
         return false;
     }
     put_string(&output, "GO\n");

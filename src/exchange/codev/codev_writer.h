@@ -1,0 +1,44 @@
+/* exchange/codev/codev_writer.h - a CODE V file while it is written. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_EXCHANGE_CODEV_CODEV_WRITER_H
+#define LENSCALC_EXCHANGE_CODEV_CODEV_WRITER_H
+
+#include "exchange/foreign.h"
+#include "exchange/writing.h"
+
+/* A lens being written; what is no glass of CODE V goes into a catalogue of the file. */
+struct codev_output {
+    struct writing writing;
+    struct foreign_job *job;
+    const struct lens *lens;
+    const struct medium **own; /* media of the file's catalogue */
+    size_t own_count;
+};
+
+/* The command of an aperture, by its kind. */
+extern const char *const codev_aperture_words[];
+
+/* Numbers of one command; long commands go on in the next line. */
+void codev_put_number(struct codev_output *output, size_t *column, struct text number);
+
+bool codev_put_text(struct codev_output *output, const char *name, const char *string,
+                    struct error *error);
+
+/* The word for a medium behind a surface, with a blank before it; nothing for air. */
+bool codev_put_medium(struct codev_output *output, const struct medium *medium,
+                      struct error *error);
+
+/* Is it a term of ASP, an even power from r^4 on? Has the surface it, be it 0? */
+bool codev_is_of_asp(int term);
+bool codev_is_term_given(const struct surface *surface, int term);
+
+/* Is the surface one of SPS ODD, whose numbers are those of SCO? */
+bool codev_is_odd(const struct surface *surface);
+
+/* "A" of r^4, or "AR3" */
+const char *codev_coefficient_word(int order, bool is_odd, struct arena *arena);
+
+/* ZOO, and commands of a position: Zk. */
+bool codev_put_positions(struct codev_output *output, struct error *error);
+
+#endif
