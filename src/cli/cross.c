@@ -198,7 +198,8 @@ static const char *axis_head(const struct collection *collection, const struct a
 {
     const char *label = axis_label(collection, axis);
     bool unit = axis->unit != NULL && axis->unit->label[0] != '\0' &&
-                axis->option->dimension != &dimension_time; /* times say their own */
+                axis->option->dimension != &dimension_time && /* times say their own */
+                axis->option->kind != &kind_print;            /* as prints do */
     return unit ? arena_printf(collection->arena, "%s (%s)", label, axis->unit->label) : label;
 }
 
@@ -206,7 +207,8 @@ static const char *axis_head(const struct collection *collection, const struct a
 static const char *machine_name(const struct collection *collection, const struct axis *axis)
 {
     const char *name = axis->option->column != NULL ? axis->option->column : axis->option->name;
-    bool unit = axis->unit != NULL && axis->unit->name[0] != '\0';
+    bool unit =
+        axis->unit != NULL && axis->unit->name[0] != '\0' && axis->option->kind != &kind_print;
     return unit ? arena_printf(collection->arena, "%s_%s", name, axis->unit->name) : name;
 }
 

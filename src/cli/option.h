@@ -58,7 +58,7 @@ struct option_kind {
 extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
     kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass, kind_interval,
     kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane, kind_target,
-    kind_fields, kind_spectrum;
+    kind_fields, kind_spectrum, kind_print;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -66,6 +66,23 @@ struct sensor_value {
     const char *name;       /* as printed: "35mm (36 x 24 mm)" */
     const char *pitch_note; /* what to know of the pixel pitch; null = nothing */
 };
+
+/* A print as the user wrote it, mm; NaN = not given. */
+struct print_value {
+    double longer, shorter; /* sides of the paper; of a length alone the longer one */
+    double viewing;         /* distance it is looked at from */
+    double acuity;          /* of the eye, line pairs per mm at 25 cm */
+    const char *criterion;  /* "print A2@1m", as typed */
+};
+
+/*
+ * Read "36x24mm" or "36 x 24 in": two lengths with one unit, mm where none stands there.
+ *
+ * Given     sides  receives width and height, mm, not checked;  has_unit  is there a unit?
+ * Errors    ERROR_USAGE: a bad length; code ERROR_NONE: it is no size
+ */
+bool option_read_size(const struct option *option, struct text text, double sides[2],
+                      bool *has_unit, struct error *error);
 
 /* The criterion of a circle of confusion that is a length. */
 #define COC_GIVEN "given"
@@ -101,7 +118,8 @@ struct coc_value {
         struct plane_value: &kind_plane, \
         struct target_value: &kind_target, \
         struct fields_value: &kind_fields, \
-        struct spectrum_value: &kind_spectrum)
+        struct spectrum_value: &kind_spectrum, \
+        struct print_value: &kind_print)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
 

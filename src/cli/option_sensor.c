@@ -32,30 +32,41 @@ static struct text cut_width(struct text *rest)
     return whole;
 }
 
-/* "36x24mm" and "36 x 24 mm": two lengths, one unit, which is mm where none stands there. */
-static bool read_size(const struct reader *reader, const struct option *option, struct text text,
-                      struct sensor_value *sensor, struct error *error)
+bool option_read_size(const struct option *option, struct text text, double sides[2],
+                      bool *has_unit, struct error *error)
 {
     struct text rest = text;
     struct text width = cut_width(&rest);
     const struct unit *unit = NULL, *other = NULL;
-    struct sensor *size = &sensor->size;
     error->code = ERROR_NONE;
     if (rest.start == NULL || width.length == 0 ||
         !(char_is_digit(width.start[0]) || width.start[0] == '.')) {
         return false;
     }
-    if (!quantity_read(rest, &dimension_length, NULL, &size->height, &unit, error) ||
-        !quantity_read(width, &dimension_length, unit, &size->width, &other, error) ||
-        !quantity_read(rest, &dimension_length, other, &size->height, NULL, error)) {
+    if (!quantity_read(rest, &dimension_length, NULL, &sides[1], &unit, error) ||
+        !quantity_read(width, &dimension_length, unit, &sides[0], &other, error) ||
+        !quantity_read(rest, &dimension_length, other, &sides[1], NULL, error)) {
         return option_blame(option, text, error);
     }
+    *has_unit = unit != NULL || other != NULL;
+    return true;
+}
+
+static bool read_size(const struct reader *reader, const struct option *option, struct text text,
+                      struct sensor_value *sensor, struct error *error)
+{
+    double sides[2];
+    bool has_unit;
+    struct sensor *size = &sensor->size;
+    if (!option_read_size(option, text, sides, &has_unit, error)) {
+        return false;
+    }
+    *size = (struct sensor){sides[0], sides[1], NAN};
     if (!(size->width > 0 && size->height > 0) || isinf(size->width) || isinf(size->height)) {
         return fail(error, ERROR_DOMAIN, "a sensor is wider and higher than 0 mm");
     }
-    size->pitch = NAN;
     sensor->name = size_name(reader->arena, *size);
-    if (unit == NULL && other == NULL) {
+    if (!has_unit) {
         sensor->name = arena_printf(reader->arena, "%s (no unit: mm)", sensor->name);
     }
     return true;

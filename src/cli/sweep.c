@@ -52,8 +52,8 @@ static bool reserve(struct values *values, size_t more, struct error *error)
     return true;
 }
 
-/* A wavelength of a range, as if it had been typed: 700 nm, not 700.0000000000001. */
-static bool add_wavelength(struct values *values, double number, struct error *error)
+/* What is more than a number, as if it had been typed: 700 nm, not 700.0000000000001. */
+static bool add_typed(struct values *values, double number, struct error *error)
 {
     char text[NUMBER_LENGTH];
     const struct unit *unit = option_unit(values->option);
@@ -87,8 +87,8 @@ static double as_typed(const struct range *range, double number)
 static bool add_number(struct values *values, const struct range *range, double number,
                        struct error *error)
 {
-    if (values->option->kind == &kind_wavelength) {
-        return add_wavelength(values, number, error);
+    if (values->option->kind != &kind_quantity) {
+        return add_typed(values, number, error);
     }
     number = as_typed(range, number);
     if (!option_check_range(values->option, number, error) || !reserve(values, 1, error)) {
@@ -429,7 +429,7 @@ static const struct unit *shared_unit(const struct option *option, struct text t
     struct text rest = text;
     bool light =
         option->dimension == &dimension_wavelength || option->dimension == &dimension_wavelength_um;
-    if (option->kind != &kind_quantity || light) {
+    if (!is_number(option) || light) {
         return NULL;
     }
     while (rest.start != NULL) {

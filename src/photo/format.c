@@ -93,6 +93,8 @@ static bool coc_print(const struct coc *coc, const struct sensor *sensor, double
                       struct error *error)
 {
     double enlargement = coc->print / fmax(sensor->width, sensor->height);
+    double other = coc->print_short / fmin(sensor->width, sensor->height);
+    enlargement = other > 0 ? fmin(enlargement, other) : enlargement;
     *c = coc->viewing / 250 / (coc->acuity * enlargement);
     return check_positive("viewing distance", " mm", coc->viewing, error) &&
            check_positive("acuity", " line pairs per mm", coc->acuity, error) &&

@@ -78,6 +78,7 @@ struct coc {
     double viewing;             /* viewing distance, mm; COC_PRINT only, as the next two */
     double acuity;              /* resolving power of the eye at 250 mm, line pairs per mm */
     double print;               /* long side of the print, mm */
+    double print_short;         /* its other side, mm; 0 = whatever the picture makes it */
     double wavelength, fnumber; /* mm, 1; COC_AIRY only */
 };
 
@@ -91,7 +92,8 @@ extern const struct coc coc_default;
  *           sensor  the picture area, with its pitch for COC_PIXELS
  *           c       receives the diameter, mm
  * Formula   c; d/value; value x pitch; (viewing/250)/(acuity x enlargement), enlargement =
- *           print/long side of the sensor; 2.43934 wavelength x fnumber
+ *           print/long side of the sensor, or the shorter sides' where that is less: the whole
+ *           picture is on the paper; 2.43934 wavelength x fnumber
  * Source    customs of the trade: on 36 x 24 mm d/1500 is 0.0288 mm, d/1730 is 0.0250 mm, d/1440 is
  *           0.0300 mm; print: one line pair of the eye's limit, seen from 25 cm
  * Errors    as sensor_check; value, viewing, acuity or print not above 0; pitch unknown

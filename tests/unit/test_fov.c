@@ -198,6 +198,14 @@ static void test_format(void)
     struct sensor tall = {24, 36, NAN};
     CHECK_RELATIVE(resolved(print, tall), 0.04, 4 * DBL_EPSILON, "long side of a tall picture");
 
+    /* A2 is 594 x 420 mm: 36 x 24 enlarged 16.5 times, not 17.5, to fit on it; 4:3 by height */
+    print = (struct coc){
+        .kind = COC_PRINT, .viewing = 250, .acuity = 5, .print = 594, .print_short = 420};
+    CHECK_RELATIVE(resolved(print, full_frame), 0.2 / 16.5, 4 * DBL_EPSILON, "A2, width");
+    CHECK_RELATIVE(resolved(print, (struct sensor){17.3, 13, NAN}), 0.2 / (420 / 13.0),
+                   4 * DBL_EPSILON, "A2, height");
+    CHECK_RELATIVE(resolved(print, tall), 0.2 / 16.5, 4 * DBL_EPSILON, "A2 upright");
+
     /* the lecture's slide: f/64 at 0.5 um has the Airy radius 1.22 x 64 x 0.5 um = 0.03904 mm */
     struct coc airy = {.kind = COC_AIRY, .wavelength = 500e-6, .fnumber = 64};
     CHECK_NEAR(resolved(airy, full_frame), 2 * 0.03904, 3e-5, "Airy disc");

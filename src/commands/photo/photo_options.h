@@ -98,9 +98,10 @@ bool coc_is_print(const struct coc_value *coc);
     {                                                                                              \
         OPTION(S, member), .name = "print", .dimension = &dimension_length, .unit = "mm",          \
                            OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,     \
-                           .value = "LENGTH", .serves = coc_is_print, .served = "print",           \
-                           .help = "long side of the print (254 mm), for --coc print, which it "   \
-                                   "implies"                                                       \
+                           .value = "PRINT", .serves = coc_is_print, .served = "print",            \
+                           .help = "for --coc print, which it implies: the long side (254 mm), "   \
+                                   "16x24in or a paper, A2; seen from 1 m: A2@1m; by which eye: "  \
+                                   "A2@1m@20/20"                                                   \
     }
 
 #define OPTION_VIEWING(S, member)                                                                  \

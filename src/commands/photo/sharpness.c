@@ -10,7 +10,7 @@ static double given_or(double value, double usual)
 
 static bool is_print_given(const struct sharpness *a)
 {
-    return !isnan(a->print) || !isnan(a->viewing) || !isnan(a->acuity);
+    return !isnan(a->print.longer) || !isnan(a->viewing) || !isnan(a->acuity);
 }
 
 bool sharpness_imply(const struct sharpness *a, enum pitch_use use, struct sharpness *implied,
@@ -18,6 +18,9 @@ bool sharpness_imply(const struct sharpness *a, enum pitch_use use, struct sharp
 {
     bool is_print = is_print_given(a), is_pitch = !isnan(a->pitch) && use == PITCH_FOR_COC;
     *implied = *a;
+    if (coc_is_print(&a->coc) && a->print.criterion != NULL) {
+        implied->coc.criterion = a->print.criterion;
+    }
     if ((!is_print && !is_pitch) || !a->coc.is_fallback) {
         return true;
     }
@@ -25,7 +28,8 @@ bool sharpness_imply(const struct sharpness *a, enum pitch_use use, struct sharp
         fail(error, ERROR_USAGE, "{--pitch} and {--print} are two criteria of sharpness");
         return error_hint(error, "{--coc} print or {--coc} 2px says which counts");
     }
-    implied->coc = is_print ? (struct coc_value){{.kind = COC_PRINT, .value = 1}, "print", false}
+    const char *print = a->print.criterion != NULL ? a->print.criterion : "print";
+    implied->coc = is_print ? (struct coc_value){{.kind = COC_PRINT, .value = 1}, print, false}
                             : (struct coc_value){{.kind = COC_PIXELS, .value = 2}, "2px", false};
     return true;
 }
@@ -43,9 +47,15 @@ bool sharpness_resolve_in(const struct sharpness *a, double wavelength, double f
     struct coc coc = a->coc.coc;
     struct sensor sensor = a->sensor.size;
     sensor.pitch = sharpness_pitch(a);
-    coc.print = given_or(a->print, 254);
-    coc.viewing = given_or(a->viewing, 250);
-    coc.acuity = given_or(a->acuity, 5);
+    if ((!isnan(a->viewing) && !isnan(a->print.viewing)) ||
+        (!isnan(a->acuity) && !isnan(a->print.acuity))) {
+        return fail(error, ERROR_USAGE, "{--print} gives {--%s} already",
+                    isnan(a->print.viewing) || isnan(a->viewing) ? "acuity" : "viewing");
+    }
+    coc.print = given_or(a->print.longer, 254);
+    coc.print_short = given_or(a->print.shorter, 0);
+    coc.viewing = given_or(given_or(a->viewing, a->print.viewing), 250);
+    coc.acuity = given_or(given_or(a->acuity, a->print.acuity), 5);
     coc.wavelength = wavelength;
     coc.fnumber = fnumber;
     return coc_resolve(&coc, &sensor, c, error);

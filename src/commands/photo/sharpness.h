@@ -10,10 +10,11 @@
 struct sharpness {
     struct coc_value coc;
     struct sensor_value sensor;
-    double pitch;          /* mm; NaN = that of the sensor */
-    double print, viewing; /* mm; NaN = not given, as the next */
-    double acuity;         /* line pairs per mm at 25 cm */
-    double wavelength;     /* mm; of a command without --lens */
+    double pitch; /* mm; NaN = that of the sensor */
+    struct print_value print;
+    double viewing;    /* mm; NaN = not given, as the next */
+    double acuity;     /* line pairs per mm at 25 cm */
+    double wavelength; /* mm; of a command without --lens */
 };
 
 /*
@@ -80,7 +81,7 @@ bool sharpness_imply(const struct sharpness *sharpness, enum pitch_use use,
 /* Is --coc, or its default, all there is? */
 static inline bool sharpness_is_plain(const struct sharpness *a)
 {
-    return isnan(a->pitch) && isnan(a->print) && isnan(a->viewing) && isnan(a->acuity);
+    return isnan(a->pitch) && isnan(a->print.longer) && isnan(a->viewing) && isnan(a->acuity);
 }
 
 /* The pixel pitch: as given, else that of the sensor; NaN where neither is known. */
