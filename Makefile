@@ -47,7 +47,7 @@ kernels := $(wildcard src/trace/kernel*.c)
 # in the order of linking: what every answer needs lies together, on as few pages as can be
 folders := base report photo cli commands commands/photo commands/tool optics analysis trace data \
            file exchange exchange/zemax exchange/codev exchange/oslo commands/lens commands/analysis \
-           commands/data design commands/design draw
+           commands/data design commands/design draw base/image
 apart   := src/main.c src/data/embed.c src/design/solver_none.c $(kernels)
 sources := $(filter-out $(apart),$(foreach folder,$(folders),$(wildcard src/$(folder)/*.c)))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \
@@ -92,6 +92,9 @@ $(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(none) $(BUILD)/objects
 # its rays lie side by side and are never stored in between; vectors are passed to inlined functions
 # only, so that it does not matter how others would pass them
 $(BUILD)/optics/paraxial.o: FLOATING += -ftree-slp-vectorize -Wno-psabi
+
+# of stb's headers not all is used; its sums run over where a JPEG is damaged
+$(BUILD)/base/image/stb.o: FLOATING += -Wno-unused-function -fwrapv
 
 # the same program with Ceres, which lenscalc becomes when a command needs it
 $(BUILD)/lenscalc-ceres: $(BUILD)/main.o $(objects) $(ceres) $(BUILD)/objects
@@ -155,7 +158,7 @@ $(BUILD)/ceres/%: tests/ceres/%.c $(objects) $(ceres)
 -include $(patsubst %.o,%.d,$(BUILD)/main.o $(objects) $(none) $(ceres)) $(addsuffix .d,$(units))
 
 ceres_packages_1 = g++ libceres-dev
-build_packages = gcc make libc6-dev $(ceres_packages_$(CERES))
+build_packages = gcc make libc6-dev libstb-dev $(ceres_packages_$(CERES))
 check_packages = $(build_packages) python3 binutils pmccabe librsvg2-bin
 all_packages   = $(check_packages) clang clang-format libclang-rt-14-dev valgrind mawk mandoc \
                  zsh fish

@@ -4,13 +4,24 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdint.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-bool whole_stream(int descriptor, const char *path, struct arena *arena, struct text *content,
-                  struct error *error)
+/* Room for what a file says it has, and for one more byte, so that its end is seen at once. */
+static size_t first_room(int descriptor, size_t most)
 {
-    size_t room = 65536, used = 0;
+    struct stat found;
+    const bool is_known = fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode) &&
+                          found.st_size >= 65536 && (uintmax_t)found.st_size < most;
+    return is_known ? (size_t)found.st_size + 1 : 65536;
+}
+
+static bool read_all(int descriptor, const char *path, size_t most, struct arena *arena,
+                     struct text *content, struct error *error)
+{
+    size_t room = first_room(descriptor, most << 20), used = 0;
     char *data = arena_array(arena, room, 1);
     for (;;) {
         ssize_t got = read(descriptor, data + used, room - used);
@@ -22,9 +33,8 @@ bool whole_stream(int descriptor, const char *path, struct arena *arena, struct 
             return true;
         }
         used += (size_t)got;
-        if (used > (size_t)WHOLE_FILE_MOST << 20) {
-            return fail(error, ERROR_IO, "cannot read %s: larger than %d MiB", path,
-                        WHOLE_FILE_MOST);
+        if (used > most << 20) {
+            return fail(error, ERROR_IO, "cannot read %s: larger than %zu MiB", path, most);
         }
         if (used == room) {
             char *more = arena_array(arena, 2 * room, 1);
@@ -34,7 +44,14 @@ bool whole_stream(int descriptor, const char *path, struct arena *arena, struct 
     }
 }
 
-bool whole_file(const char *path, struct arena *arena, struct text *content, struct error *error)
+bool whole_stream(int descriptor, const char *path, struct arena *arena, struct text *content,
+                  struct error *error)
+{
+    return read_all(descriptor, path, WHOLE_FILE_MOST, arena, content, error);
+}
+
+bool large_file(const char *path, size_t most, struct arena *arena, struct text *content,
+                struct error *error)
 {
     int descriptor = open(path, O_RDONLY | O_CLOEXEC);
     error->code = ERROR_NONE;
@@ -42,7 +59,12 @@ bool whole_file(const char *path, struct arena *arena, struct text *content, str
         return errno != ENOENT &&
                fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
     }
-    bool done = whole_stream(descriptor, path, arena, content, error);
+    bool done = read_all(descriptor, path, most, arena, content, error);
     close(descriptor);
     return done;
+}
+
+bool whole_file(const char *path, struct arena *arena, struct text *content, struct error *error)
+{
+    return large_file(path, WHOLE_FILE_MOST, arena, content, error);
 }

@@ -21,7 +21,16 @@ enum { WHOLE_FILE_MOST = 64 };
 bool whole_stream(int descriptor, const char *path, struct arena *arena, struct text *content,
                   struct error *error);
 
-/* The same of a file. Result: false with error->code ERROR_NONE if there is none of that name. */
+/*
+ * Everything a file holds that may be as large as pictures are.
+ *
+ * Given     most   MiB
+ * Result    false with error->code ERROR_NONE if there is none of that name
+ */
+bool large_file(const char *path, size_t most, struct arena *arena, struct text *content,
+                struct error *error);
+
+/* The same, of at most WHOLE_FILE_MOST. */
 bool whole_file(const char *path, struct arena *arena, struct text *content, struct error *error);
 
 #endif

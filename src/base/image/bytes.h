@@ -1,0 +1,65 @@
+/* base/image/bytes.h - numbers as files of pictures hold them. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_BASE_IMAGE_BYTES_H
+#define LENSCALC_BASE_IMAGE_BYTES_H
+
+#include "base/arena.h"
+#include "base/text.h"
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+static inline uint64_t bytes_little(const unsigned char *at, int count)
+{
+    uint64_t value = 0;
+    while (count-- > 0) {
+        value = value << 8 | at[count];
+    }
+    return value;
+}
+
+static inline uint64_t bytes_big(const unsigned char *at, int count)
+{
+    uint64_t value = 0;
+    for (int i = 0; i < count; i++) {
+        value = value << 8 | at[i];
+    }
+    return value;
+}
+
+static inline float bytes_float(uint32_t bits)
+{
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static inline uint32_t bytes_bits(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/* What is being written; begins with {arena}. */
+struct bytes {
+    struct arena *arena;
+    unsigned char *data;
+    size_t used, room;
+};
+
+/* Room for `count` more behind what is there; then `used` may be moved on. */
+unsigned char *bytes_room(struct bytes *bytes, size_t count);
+
+void bytes_put(struct bytes *bytes, const void *data, size_t count);
+void bytes_put_string(struct bytes *bytes, const char *string);
+void bytes_put_little(struct bytes *bytes, uint64_t value, int count);
+void bytes_put_big(struct bytes *bytes, uint64_t value, int count);
+
+static inline struct text bytes_text(const struct bytes *bytes)
+{
+    return (struct text){(const char *)bytes->data, bytes->used};
+}
+
+#endif

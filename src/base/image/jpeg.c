@@ -1,0 +1,117 @@
+/* base/image/jpeg.c - JPEG, which is read only. */
+/* SPDX-License-Identifier: MIT */
+#include "base/image/jpeg.h"
+
+#include "base/image/bytes.h"
+#include "base/image/srgb.h"
+#include "base/image/stb.h"
+
+enum { PIXELS_A_BYTE = 2048 };
+enum { START = 0xd8, END = 0xd9, SCAN = 0xda, TABLES = 0xc4, RESTART = 0xd0 };
+
+bool jpeg_is(struct text file)
+{
+    return file.length >= 3 && memcmp(file.start, "\xff\xd8\xff", 3) == 0;
+}
+
+/* A frame's header: C0 to CF but the tables DHT and DAC and the extension. */
+static bool is_frame(int marker)
+{
+    return marker >= 0xc0 && marker <= 0xcf && marker != TABLES && marker != 0xc8 && marker != 0xcc;
+}
+
+/* Behind the packed bytes that begin here: at the next marker that is no restart. */
+static size_t end_of_scan(struct text file, size_t at)
+{
+    const unsigned char *data = (const unsigned char *)file.start;
+    while (at + 1 < file.length) {
+        const int next = data[at + 1];
+        if (data[at] == 0xff && next != 0 && next != 0xff && !(next >= RESTART && next < START)) {
+            return at;
+        }
+        at++;
+    }
+    return file.length;
+}
+
+/* Are there as many values in all its tables as their counts say, at most 256 in each? */
+static bool are_tables(const unsigned char *body, size_t size)
+{
+    while (size >= 17) {
+        size_t sum = 0;
+        for (int i = 1; i <= 16; i++) {
+            sum += body[i];
+        }
+        if (sum > 256 || sum > size - 17) {
+            return false;
+        }
+        body += 17 + sum;
+        size -= 17 + sum;
+    }
+    return size == 0;
+}
+
+/* What stb needs to be told of, or kept from. */
+static bool take_segment(int marker, const unsigned char *body, size_t size, struct image *image)
+{
+    if (is_frame(marker) && size >= 6) {
+        image->height = bytes_big(body + 1, 2);
+        image->width = bytes_big(body + 3, 2);
+        image->channels = body[5] == 1 ? 1 : 3;
+    }
+    /* stb would write behind its own table */
+    return marker != TABLES || are_tables(body, size);
+}
+
+/* Walk from marker to marker up to the last; stb would fill up what is missing with grey. */
+static bool walk(struct text file, struct image *image, struct error *error)
+{
+    const unsigned char *data = (const unsigned char *)file.start;
+    size_t at = 2;
+    while (at + 4 <= file.length && data[at] == 0xff && data[at + 1] != END) {
+        const size_t length = bytes_big(data + at + 2, 2);
+        if (length < 2 || length > file.length - at - 2) {
+            break;
+        }
+        if (!take_segment(data[at + 1], data + at + 4, length - 2, image)) {
+            return fail(error, ERROR_DATA, "JPEG: no Huffman tables at byte %zu", at);
+        }
+        const bool is_scan = data[at + 1] == SCAN;
+        at += 2 + length;
+        at = is_scan ? end_of_scan(file, at) : at;
+    }
+    if (at + 2 > file.length) {
+        return fail(error, ERROR_DATA, "JPEG: ends at byte %zu, before its end mark", file.length);
+    }
+    if (data[at] != 0xff || data[at + 1] != END) {
+        return fail(error, ERROR_DATA, "JPEG: no segment begins at byte %zu", at);
+    }
+    return image->width > 0 || fail(error, ERROR_DATA, "JPEG: there is no picture in it");
+}
+
+bool jpeg_read(struct text file, enum image_values values, struct arena *arena, struct image *image,
+               struct error *error)
+{
+    struct stb_picture picture;
+    *image = (struct image){.channels = 1};
+    if (!walk(file, image, error)) {
+        return false;
+    }
+    /* 64 values take at least one bit; those of light, at the least, are every second each way */
+    if (image->width * image->height / PIXELS_A_BYTE > file.length) {
+        return fail(error, ERROR_DATA, "JPEG: %zu x %zu pixels do not come from %zu bytes",
+                    image->width, image->height, file.length);
+    }
+    if (!image_new(image, arena, error)) {
+        return false;
+    }
+    if (!stb_decode(file, 8, arena, &picture) || picture.width != image->width ||
+        picture.height != image->height || picture.channels != image->channels) {
+        return fail(error, ERROR_DATA, "JPEG: damaged, or neither baseline nor progressive");
+    }
+    for (size_t i = 0; i < picture.width * picture.height * picture.channels; i++) {
+        const double code = picture.values[i] / 255.0;
+        image->pixels[i] = (float)(values == IMAGE_LIGHT ? srgb_light(code) : code);
+    }
+    return true;
+}

@@ -1,0 +1,184 @@
+/* base/image/openexr.c - OpenEXR written: scanlines of halves and floats. */
+/* SPDX-License-Identifier: MIT */
+#include "base/image/openexr.h"
+
+#include "base/image/bytes.h"
+#include "base/image/half.h"
+#include "base/image/stb.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A channel, for sorting by name. */
+struct channel {
+    const char *name;
+    size_t number; /* in the image */
+};
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const struct channel *)a)->name, ((const struct channel *)b)->name);
+}
+
+static struct channel *sort_channels(const struct image *image, struct arena *arena)
+{
+    struct channel *channels = ARENA_ARRAY(arena, image->channels, struct channel);
+    for (size_t i = 0; i < image->channels; i++) {
+        channels[i] = (struct channel){image_channel(image, i, arena), i};
+    }
+    qsort(channels, image->channels, sizeof *channels, by_name);
+    return channels;
+}
+
+static void put_name(struct bytes *to, const char *name)
+{
+    bytes_put(to, name, strlen(name) + 1);
+}
+
+static void put_attribute(struct bytes *to, const char *name, const char *type, size_t size)
+{
+    put_name(to, name);
+    put_name(to, type);
+    bytes_put_little(to, size, 4);
+}
+
+static void put_channels(struct bytes *to, const struct channel *channels, size_t count, int type)
+{
+    struct bytes list = {.arena = to->arena};
+    for (size_t i = 0; i < count; i++) {
+        put_name(&list, channels[i].name);
+        bytes_put_little(&list, (uint64_t)type, 4);
+        bytes_put_little(&list, 0, 4);
+        bytes_put_little(&list, 1, 4);
+        bytes_put_little(&list, 1, 4);
+    }
+    bytes_put_little(&list, 0, 1);
+    put_attribute(to, "channels", "chlist", list.used);
+    bytes_put(to, list.data, list.used);
+}
+
+static void put_float(struct bytes *to, const char *name, float value)
+{
+    put_attribute(to, name, "float", 4);
+    bytes_put_little(to, bytes_bits(value), 4);
+}
+
+static void put_byte(struct bytes *to, const char *name, const char *type, int value)
+{
+    put_attribute(to, name, type, 1);
+    bytes_put_little(to, (uint64_t)value, 1);
+}
+
+static void put_window(struct bytes *to, const char *name, const struct image *image)
+{
+    put_attribute(to, name, "box2i", 16);
+    bytes_put_little(to, 0, 8);
+    bytes_put_little(to, image->width - 1, 4);
+    bytes_put_little(to, image->height - 1, 4);
+}
+
+static void put_head(struct bytes *to, const struct image *image, const struct channel *channels,
+                     const struct image_way *way)
+{
+    bytes_put_little(to, OPENEXR_MAGIC, 4);
+    bytes_put_little(to, 2, 4);
+    put_channels(to, channels, image->channels, way->half ? OPENEXR_HALF : OPENEXR_FLOAT);
+    put_byte(to, "compression", "compression", way->packed ? OPENEXR_ZIP : OPENEXR_NONE);
+    put_window(to, "dataWindow", image);
+    put_window(to, "displayWindow", image);
+    put_byte(to, "lineOrder", "lineOrder", 0);
+    put_float(to, "pixelAspectRatio", 1);
+    put_attribute(to, "screenWindowCenter", "v2f", 8);
+    bytes_put_little(to, 0, 8);
+    put_float(to, "screenWindowWidth", 1);
+    for (size_t i = 0; i < image->note_count; i++) {
+        const char *value = image->notes[i].value;
+        /* of 31 characters at most, unless readers are told of longer ones */
+        char *key = arena_string(to->arena, image->notes[i].key, strlen(image->notes[i].key));
+        key[strlen(key) > 31 ? 31 : strlen(key)] = '\0';
+        put_attribute(to, key, "string", strlen(value));
+        bytes_put_string(to, value);
+    }
+    bytes_put_little(to, 0, 1);
+}
+
+static void put_rows(struct bytes *to, const struct image *image, const struct channel *channels,
+                     bool half, const size_t rows[2])
+{
+    for (size_t y = rows[0]; y < rows[1]; y++) {
+        const float *row = image_row(image, y);
+        for (size_t k = 0; k < image->channels; k++) {
+            for (size_t x = 0; x < image->width; x++) {
+                const float value = row[x * image->channels + channels[k].number];
+                bytes_put_little(to, half ? half_of_float(value) : bytes_bits(value), half ? 2 : 4);
+            }
+        }
+    }
+}
+
+/* Even bytes before odd ones, each as its difference from the one before, and 128. */
+static void spread(const unsigned char *from, size_t count, unsigned char *to)
+{
+    for (size_t i = 0; i < count; i++) {
+        to[i / 2 + (i % 2 != 0 ? (count + 1) / 2 : 0)] = from[i];
+    }
+    for (size_t i = count; i-- > 1;) {
+        to[i] = (unsigned char)(to[i] - to[i - 1] + 128);
+    }
+}
+
+/* The rows of a block, packed where that makes them less. */
+static struct text pack(const struct bytes *plain, struct arena *arena)
+{
+    struct bytes packed = {.arena = arena};
+    unsigned char *apart = ARENA_ARRAY(arena, plain->used, unsigned char);
+    spread(plain->data, plain->used, apart);
+    stb_pack(&packed, apart, plain->used);
+    return bytes_text(packed.used < plain->used ? &packed : plain);
+}
+
+static bool check_values(const struct image *image, bool half, struct error *error)
+{
+    const size_t count = image->width * image->height * image->channels;
+    for (size_t i = 0; i < count && half; i++) {
+        const float value = image->pixels[i];
+        if (fabsf(value) >= HALF_END && !isinf(value)) {
+            return fail(error, ERROR_DATA, "a value of %g: half floats reach to 65504",
+                        (double)value);
+        }
+    }
+    return image_check(image, IMAGE_NUMBERS, error);
+}
+
+bool openexr_write(const struct image *image, const struct image_way *way, struct arena *arena,
+                   struct text *file, struct error *error)
+{
+    const size_t rows = way->packed ? OPENEXR_ZIP_ROWS : 1;
+    const size_t blocks = (image->height + rows - 1) / rows;
+    const struct channel *channels = sort_channels(image, arena);
+    struct bytes to = {.arena = arena};
+    struct arena scratch = {0};
+    if (!check_values(image, way->half, error)) {
+        return false;
+    }
+    put_head(&to, image, channels, way);
+    const size_t table = to.used;
+    bytes_room(&to, 8 * blocks);
+    to.used += 8 * blocks;
+    for (size_t i = 0; i < blocks; i++) {
+        const size_t last = (i + 1) * rows;
+        const size_t range[2] = {i * rows, last < image->height ? last : image->height};
+        struct bytes at = {.arena = arena, .data = to.data + table + 8 * i, .room = 8};
+        struct bytes plain = {.arena = &scratch};
+        bytes_put_little(&at, to.used, 8);
+        put_rows(&plain, image, channels, way->half, range);
+        const struct text block = way->packed ? pack(&plain, &scratch) : bytes_text(&plain);
+        bytes_put_little(&to, range[0], 4);
+        bytes_put_little(&to, block.length, 4);
+        bytes_put(&to, block.start, block.length);
+        arena_reset(&scratch, (struct arena_mark){NULL, 0});
+    }
+    arena_free(&scratch);
+    *file = bytes_text(&to);
+    return true;
+}

@@ -1,0 +1,174 @@
+/* base/image/png.c - PNG: whole numbers of 8 or 16 bits, compressed without loss. */
+/* SPDX-License-Identifier: MIT */
+#include "base/image/png.h"
+
+#include "base/image/bytes.h"
+#include "base/image/crc.h"
+#include "base/image/srgb.h"
+#include "base/image/stb.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+static const char signature[] = "\x89PNG\r\n\x1a\n";
+enum { SIGNATURE = 8, FRAME = 12, HEADER = 13, LINEAR = 100000, SRGB_GAMMA = 45455 };
+
+static void put_chunk(struct bytes *to, const char *type, const void *data, size_t count)
+{
+    bytes_put_big(to, count, 4);
+    const size_t from = to->used;
+    bytes_put_string(to, type);
+    bytes_put(to, data, count);
+    bytes_put_big(to, crc_of(to->data + from, to->used - from), 4);
+}
+
+static void put_header(struct bytes *to, const struct image *image, int bits)
+{
+    static const unsigned char colors[] = {0, 0, 4, 2, 6};
+    unsigned char header[HEADER] = {0};
+    for (int i = 0; i < 4; i++) {
+        header[i] = (unsigned char)(image->width >> (24 - 8 * i));
+        header[4 + i] = (unsigned char)(image->height >> (24 - 8 * i));
+    }
+    header[8] = (unsigned char)bits;
+    header[9] = colors[image->channels];
+    put_chunk(to, "IHDR", header, HEADER);
+}
+
+static void put_encoding(struct bytes *to, enum image_values values)
+{
+    const uint32_t gamma = values == IMAGE_LIGHT ? SRGB_GAMMA : LINEAR;
+    const unsigned char big[] = {(unsigned char)(gamma >> 24), (unsigned char)(gamma >> 16),
+                                 (unsigned char)(gamma >> 8), (unsigned char)gamma};
+    if (values == IMAGE_LIGHT) {
+        put_chunk(to, "sRGB", "", 1);
+    }
+    put_chunk(to, "gAMA", big, sizeof big);
+}
+
+/* Latin letters as tEXt, others, in UTF-8, as iTXt. */
+static void put_note(struct bytes *to, const struct image_note *note)
+{
+    struct bytes text = {.arena = to->arena};
+    bool is_ascii = true;
+    for (const char *at = note->value; *at != '\0'; at++) {
+        is_ascii = is_ascii && (unsigned char)*at < 0x80;
+    }
+    bytes_put(&text, note->key, strlen(note->key) + 1);
+    if (!is_ascii) {
+        bytes_put(&text, "\0\0\0", 4);
+    }
+    bytes_put_string(&text, note->value);
+    put_chunk(to, is_ascii ? "tEXt" : "iTXt", text.data, text.used);
+}
+
+/* The number of the five filters, and a byte less what it foretells. */
+enum { FILTERS = 5 };
+
+static int foretold(int filter, int left, int above, int corner)
+{
+    const int way = left + above - corner;
+    const int a = abs(way - left), b = abs(way - above), c = abs(way - corner);
+    switch (filter) {
+    case 1:
+        return left;
+    case 2:
+        return above;
+    case 3:
+        return (left + above) / 2;
+    case 4:
+        return a <= b && a <= c ? left : b <= c ? above : corner;
+    default:
+        return 0;
+    }
+}
+
+/* One row by one filter; the sum of what is left of it, as signed bytes. */
+static size_t filter_row(int filter, const unsigned char *row, const unsigned char *above,
+                         const size_t size[2], unsigned char *to)
+{
+    const size_t count = size[0], pixel = size[1];
+    size_t sum = 0;
+    to[0] = (unsigned char)filter;
+    for (size_t i = 0; i < count; i++) {
+        const int left = i < pixel ? 0 : row[i - pixel], corner = i < pixel ? 0 : above[i - pixel];
+        const unsigned char rest =
+            (unsigned char)(row[i] - foretold(filter, left, above[i], corner));
+        to[1 + i] = rest;
+        sum += rest < 128 ? rest : 256U - rest;
+    }
+    return sum;
+}
+
+static void encode_row(const struct image *image, const struct image_way *way, size_t y,
+                       unsigned char *to)
+{
+    const float *row = image_row(image, y);
+    const uint32_t most = way->bits == 16 ? 65535 : 255;
+    for (size_t i = 0; i < image->width * image->channels; i++) {
+        const size_t channel = i % image->channels;
+        const bool is_alpha = image->channels % 2 == 0 && channel == image->channels - 1;
+        const uint32_t code = srgb_code(row[i], most, way->values == IMAGE_LIGHT && !is_alpha);
+        if (way->bits == 16) {
+            *to++ = (unsigned char)(code >> 8);
+        }
+        *to++ = (unsigned char)code;
+    }
+}
+
+/* All rows, each by the filter that leaves the least. */
+static unsigned char *filter_all(const struct image *image, const struct image_way *way,
+                                 struct arena *arena)
+{
+    const size_t pixel = image->channels * (size_t)way->bits / 8;
+    const size_t size[2] = {image->width * pixel, pixel}, stride = 1 + size[0];
+    unsigned char *all = ARENA_ARRAY(arena, image->height * stride, unsigned char);
+    unsigned char *above = ARENA_ARRAY(arena, size[0], unsigned char);
+    unsigned char *row = ARENA_ARRAY(arena, size[0], unsigned char);
+    unsigned char *trial = ARENA_ARRAY(arena, stride, unsigned char);
+    for (size_t y = 0; y < image->height; y++) {
+        size_t least = SIZE_MAX;
+        encode_row(image, way, y, row);
+        for (int filter = 0; filter < FILTERS; filter++) {
+            const size_t sum = filter_row(filter, row, above, size, trial);
+            if (sum < least) {
+                least = sum;
+                memcpy(all + y * stride, trial, stride);
+            }
+        }
+        unsigned char *spare = above;
+        above = row;
+        row = spare;
+    }
+    return all;
+}
+
+bool png_write(const struct image *image, const struct image_way *way, struct arena *arena,
+               struct text *file, struct error *error)
+{
+    const size_t stride = 1 + image->width * image->channels * (size_t)way->bits / 8;
+    struct bytes to = {.arena = arena}, packed = {.arena = arena};
+    assert(way->bits == 8 || way->bits == 16);
+    if (image->channels > 4) {
+        return fail(error, ERROR_DATA, "a PNG has 1 to 4 channels, not %zu", image->channels);
+    }
+    if (stride > STB_PACKED_MOST / image->height) {
+        return fail(error, ERROR_DATA, "%zu x %zu pixels: a PNG is written of at most %d bytes",
+                    image->width, image->height, STB_PACKED_MOST);
+    }
+    if (!image_check(image, IMAGE_NUMBERS, error)) {
+        return false;
+    }
+    bytes_put(&to, signature, SIGNATURE);
+    put_header(&to, image, way->bits);
+    put_encoding(&to, way->values);
+    for (size_t i = 0; i < image->note_count; i++) {
+        put_note(&to, &image->notes[i]);
+    }
+    stb_pack(&packed, filter_all(image, way, arena), stride * image->height);
+    put_chunk(&to, "IDAT", packed.data, packed.used);
+    put_chunk(&to, "IEND", "", 0);
+    *file = bytes_text(&to);
+    return true;
+}

@@ -1,0 +1,359 @@
+/* base/image/radiance.c - Radiance's pictures: three floats in four bytes. */
+/* SPDX-License-Identifier: MIT */
+#include "base/image/radiance.h"
+
+#include "base/image/bytes.h"
+#include "base/number.h"
+
+#include <math.h>
+
+/* Of the exponent byte: 128 more than the exponent, of mantissas of 8 bits behind the point. */
+enum { EXCESS = 136, PACKED_LEAST = 8, PACKED_MOST = 32767, RUN_MOST = 127, RUN_LEAST = 4 };
+
+bool radiance_is(struct text file)
+{
+    return file.length >= 2 && file.start[0] == '#' && file.start[1] == '?';
+}
+
+/* --- reading --- */
+
+struct radiance {
+    struct text rest; /* what is not yet read */
+    const char *start;
+    double factor[3];
+    bool is_xyz;
+    bool from_bottom, from_right;
+    struct arena *arena;
+    struct image *image;
+};
+
+static size_t place(const struct radiance *file)
+{
+    return (size_t)(file->rest.start - file->start);
+}
+
+static bool next_line(struct radiance *file, struct text *line, struct error *error)
+{
+    const char *end = memchr(file->rest.start, '\n', file->rest.length);
+    if (end == NULL) {
+        return fail(error, ERROR_DATA, "Radiance: ends within its head");
+    }
+    *line = text_between(file->rest.start, end);
+    file->rest = text_between(end + 1, file->rest.start + file->rest.length);
+    return true;
+}
+
+/* Divide by `count` numbers of a line, or by one for all channels. */
+static bool divide(struct radiance *file, struct text values, int count, struct error *error)
+{
+    const char *end = values.start + values.length, *at = values.start;
+    double value = 0;
+    for (int i = 0; i < 3; i++) {
+        if (i < count) {
+            while (at < end && *at == ' ') {
+                at++;
+            }
+            at = number_read(at, end, NUMBER_UNSCALED, &value);
+        }
+        if (at == NULL || !(value > 0) || isinf(value)) {
+            return fail(error, ERROR_DATA, "Radiance: '%.*s' must be %s above 0",
+                        text_shown(values), values.start,
+                        count == 1 ? "a number" : "three numbers");
+        }
+        file->factor[i] /= value;
+    }
+    return true;
+}
+
+static void take_note(struct radiance *file, struct text line)
+{
+    struct text value = {line.start + 1, line.length - 1}, key = text_cut(&value, ':');
+    if (value.start != NULL) {
+        image_note(file->image, file->arena, text_trim(key), text_trim(value));
+    }
+}
+
+static bool take_line(struct radiance *file, struct text line, struct error *error)
+{
+    const struct text exposure = text_behind(line, "EXPOSURE=");
+    const struct text correction = text_behind(line, "COLORCORR=");
+    const struct text format = text_behind(line, "FORMAT=");
+    if (exposure.start != NULL) {
+        return divide(file, exposure, 1, error);
+    }
+    if (correction.start != NULL) {
+        return divide(file, correction, 3, error);
+    }
+    if (format.start != NULL) {
+        file->is_xyz = text_equal(text_trim(format), "32-bit_rle_xyze");
+        return file->is_xyz || text_equal(text_trim(format), "32-bit_rle_rgbe") ||
+               fail(error, ERROR_DATA,
+                    "Radiance: format '%.*s' is neither 32-bit_rle_rgbe nor "
+                    "32-bit_rle_xyze",
+                    text_shown(format), format.start);
+    }
+    if (line.length > 0 && line.start[0] == '#') {
+        take_note(file, line);
+    }
+    return true;
+}
+
+/* "-Y 480": from where, and how many. */
+static bool take_side(struct text *line, char axis, bool *is_positive, size_t *count)
+{
+    const struct text sign = text_cut(line, ' ');
+    const struct text number = line->start != NULL ? text_cut(line, ' ') : (struct text){NULL, 0};
+    *count = 0;
+    for (size_t i = 0; i < number.length; i++) {
+        if (!char_is_digit(number.start[i]) || *count > IMAGE_SIDE_MOST) {
+            return false;
+        }
+        *count = 10 * *count + (size_t)(number.start[i] - '0');
+    }
+    *is_positive = sign.length > 0 && sign.start[0] == '+';
+    return sign.length == 2 && sign.start[1] == axis && (*is_positive || sign.start[0] == '-');
+}
+
+static bool read_head(struct radiance *file, struct error *error)
+{
+    struct text line;
+    do {
+        if (!next_line(file, &line, error) || !take_line(file, line, error)) {
+            return false;
+        }
+    } while (line.length > 0);
+    if (!next_line(file, &line, error)) {
+        return false;
+    }
+    struct text rest = line;
+    bool left = true;
+    if (!take_side(&rest, 'Y', &file->from_bottom, &file->image->height) || rest.start == NULL ||
+        !take_side(&rest, 'X', &left, &file->image->width)) {
+        return fail(error, ERROR_DATA, "Radiance: '%.*s' is no size like '-Y 480 +X 640'",
+                    text_shown(line), line.start);
+    }
+    file->from_right = !left;
+    return true;
+}
+
+static bool short_of(const struct radiance *file, size_t row, struct error *error)
+{
+    return fail(error, ERROR_DATA, "Radiance: ends at byte %zu, within row %zu of %zu",
+                place(file) + file->rest.length, row + 1, file->image->height);
+}
+
+static void skip(struct radiance *file, size_t count)
+{
+    file->rest = (struct text){file->rest.start + count, file->rest.length - count};
+}
+
+/* Four planes, each of runs (128 + n, byte) and stretches (n, n bytes). */
+static bool read_packed(struct radiance *file, size_t row, unsigned char *pixels,
+                        struct error *error)
+{
+    const size_t width = file->image->width;
+    skip(file, 4);
+    for (size_t plane = 0; plane < 4; plane++) {
+        for (size_t x = 0; x < width;) {
+            if (file->rest.length < 2) {
+                return short_of(file, row, error);
+            }
+            const unsigned char *at = (const unsigned char *)file->rest.start;
+            const bool is_run = at[0] > 128;
+            const size_t count = is_run ? at[0] - 128U : at[0];
+            if (count == 0 || count > width - x) {
+                return fail(error, ERROR_DATA,
+                            "Radiance: byte %zu, in row %zu, makes the row longer than %zu pixels",
+                            place(file), row + 1, width);
+            }
+            if (!is_run && file->rest.length < 1 + count) {
+                return short_of(file, row, error);
+            }
+            for (size_t i = 0; i < count; i++, x++) {
+                pixels[4 * x + plane] = at[is_run ? 1 : 1 + i];
+            }
+            skip(file, is_run ? 2 : 1 + count);
+        }
+    }
+    return true;
+}
+
+/* Pixel by pixel. 1, 1, 1, n repeated the pixel before it: how rows were packed before 1991. */
+static bool read_plain(struct radiance *file, size_t row, unsigned char *pixels,
+                       struct error *error)
+{
+    const size_t width = file->image->width;
+    if (file->rest.length < 4 * width) {
+        return short_of(file, row, error);
+    }
+    memcpy(pixels, file->rest.start, 4 * width);
+    skip(file, 4 * width);
+    for (size_t x = 0; x < width; x++) {
+        if (memcmp(pixels + 4 * x, "\1\1\1", 3) == 0) {
+            return fail(error, ERROR_DATA,
+                        "Radiance: row %zu is packed in the old way, which is not read", row + 1);
+        }
+    }
+    return true;
+}
+
+/* A row that begins with 2, 2 and its width is packed; a plain one has no such pixel. */
+static bool read_row(struct radiance *file, size_t row, unsigned char *pixels, struct error *error)
+{
+    const unsigned char *at = (const unsigned char *)file->rest.start;
+    const size_t width = file->image->width;
+    if (width < PACKED_LEAST || width > PACKED_MOST || file->rest.length < 4 || at[0] != 2 ||
+        at[1] != 2 || at[2] >= 128) {
+        return read_plain(file, row, pixels, error);
+    }
+    if (bytes_big(at + 2, 2) != width) {
+        return fail(error, ERROR_DATA, "Radiance: row %zu says it has %zu pixels, not %zu", row + 1,
+                    (size_t)bytes_big(at + 2, 2), width);
+    }
+    return read_packed(file, row, pixels, error);
+}
+
+static void fill_row(const struct radiance *file, size_t row, const unsigned char *pixels)
+{
+    const struct image *image = file->image;
+    float *to = image_row(image, file->from_bottom ? image->height - 1 - row : row);
+    for (size_t x = 0; x < image->width; x++) {
+        const unsigned char *from = pixels + 4 * x;
+        float *pixel = to + 3 * (file->from_right ? image->width - 1 - x : x);
+        for (int k = 0; k < 3 && from[3] != 0; k++) {
+            pixel[k] = (float)(ldexp(from[k], from[3] - EXCESS) * file->factor[k]);
+        }
+    }
+}
+
+bool radiance_read(struct text bytes, struct arena *arena, struct image *image, struct error *error)
+{
+    static const char *const xyz[] = {"X", "Y", "Z"};
+    struct radiance file = {bytes, bytes.start, {1, 1, 1}, false, false, false, arena, image};
+    *image = (struct image){.channels = 3};
+    if (!read_head(&file, error)) {
+        return false;
+    }
+    /* the shortest row is one of runs */
+    const size_t width = image->width,
+                 least = width < PACKED_LEAST ? 4 * width : 8 * (width / RUN_MOST);
+    if (image->height > 0 && least > file.rest.length / image->height) {
+        return fail(error, ERROR_DATA, "Radiance: %zu x %zu pixels do not come from %zu bytes",
+                    width, image->height, file.rest.length);
+    }
+    if (!image_new(image, arena, error)) {
+        return false;
+    }
+    image->names = file.is_xyz ? xyz : NULL;
+    unsigned char *pixels = ARENA_ARRAY(arena, 4 * width, unsigned char);
+    for (size_t y = 0; y < image->height; y++) {
+        if (!read_row(&file, y, pixels, error)) {
+            return false;
+        }
+        fill_row(&file, y, pixels);
+    }
+    return image_check(image, IMAGE_FINITE, error);
+}
+
+/* --- writing --- */
+
+/* False: too large. */
+static bool encode(const float rgb[3], unsigned char to[4])
+{
+    const float most = fmaxf(fmaxf(rgb[0], rgb[1]), rgb[2]);
+    int exponent;
+    frexp((double)most, &exponent);
+    /* what would be rounded to 256 */
+    exponent += ldexp((double)most, 8 - exponent) >= 255.5 ? 1 : 0;
+    const int byte = exponent + EXCESS - 8;
+    memset(to, 0, 4);
+    if (!(most > 0) || byte < 1) {
+        return true;
+    }
+    for (int k = 0; k < 3 && byte <= 255; k++) {
+        to[k] = (unsigned char)floor(ldexp((double)rgb[k], 8 - exponent) + 0.5);
+    }
+    to[3] = (unsigned char)byte;
+    return byte <= 255;
+}
+
+/* How often the byte at x is repeated, at most RUN_MOST. */
+static size_t run_at(const unsigned char *pixels, size_t width, size_t x)
+{
+    size_t count = 1;
+    while (x + count < width && count < RUN_MOST && pixels[4 * (x + count)] == pixels[4 * x]) {
+        count++;
+    }
+    return count;
+}
+
+static void pack_plane(struct bytes *to, const unsigned char *pixels, size_t width)
+{
+    for (size_t x = 0; x < width;) {
+        const size_t run = run_at(pixels, width, x);
+        if (run >= RUN_LEAST) {
+            bytes_put_big(to, 128 + run, 1);
+            bytes_put(to, pixels + 4 * x, 1);
+            x += run;
+            continue;
+        }
+        size_t count = run;
+        while (x + count < width && count < 128 && run_at(pixels, width, x + count) < RUN_LEAST) {
+            count++;
+        }
+        bytes_put_big(to, count, 1);
+        for (size_t i = 0; i < count; i++, x++) {
+            bytes_put(to, pixels + 4 * x, 1);
+        }
+    }
+}
+
+static void write_row(struct bytes *to, const unsigned char *pixels, size_t width)
+{
+    if (width < PACKED_LEAST || width > PACKED_MOST) {
+        bytes_put(to, pixels, 4 * width);
+        return;
+    }
+    bytes_put_big(to, 0x0202, 2);
+    bytes_put_big(to, width, 2);
+    for (size_t plane = 0; plane < 4; plane++) {
+        pack_plane(to, pixels + plane, width);
+    }
+}
+
+bool radiance_write(const struct image *image, struct arena *arena, struct text *file,
+                    struct error *error)
+{
+    struct bytes to = {.arena = arena};
+    const size_t channels = image->channels;
+    if (channels != 1 && channels != 3) {
+        return fail(error, ERROR_DATA, "a Radiance picture has 1 channel or 3, not %zu", channels);
+    }
+    if (!image_check(image, IMAGE_POSITIVE, error)) {
+        return false;
+    }
+    const char *format = text_equal(text_of(image_channel(image, 0, arena)), "X") ? "xyze" : "rgbe";
+    bytes_put_string(&to, "#?RADIANCE\n");
+    for (size_t i = 0; i < image->note_count; i++) {
+        bytes_put_string(
+            &to, ARENA_JOIN(arena, "# ", image->notes[i].key, ": ", image->notes[i].value, "\n"));
+    }
+    bytes_put_string(&to, arena_printf(arena, "FORMAT=32-bit_rle_%s\n\n-Y %zu +X %zu\n", format,
+                                       image->height, image->width));
+    unsigned char *pixels = ARENA_ARRAY(arena, 4 * image->width, unsigned char);
+    for (size_t y = 0; y < image->height; y++) {
+        const float *row = image_row(image, y);
+        for (size_t x = 0; x < image->width; x++) {
+            const float grey[3] = {row[x], row[x], row[x]};
+            if (!encode(channels == 1 ? grey : row + 3 * x, pixels + 4 * x)) {
+                return fail(error, ERROR_DATA,
+                            "the pixel in column %zu, row %zu is %g: a Radiance picture has at "
+                            "most 1.69e38",
+                            x + 1, y + 1, (double)row[channels * x]);
+            }
+        }
+        write_row(&to, pixels, image->width);
+    }
+    *file = bytes_text(&to);
+    return true;
+}

@@ -1,0 +1,115 @@
+/* file/image_file.c - pictures in files: which formats there are, read by content. */
+/* SPDX-License-Identifier: MIT */
+#include "file/image_file.h"
+
+#include "base/image/jpeg.h"
+#include "base/image/openexr.h"
+#include "base/image/pfm.h"
+#include "base/image/png.h"
+#include "base/image/radiance.h"
+#include "data/whole_file.h"
+
+#include <assert.h>
+
+typedef bool reader(struct text bytes, enum image_values values, struct arena *arena,
+                    struct image *image, struct error *error);
+typedef bool writer(const struct image *image, const struct image_way *way, struct arena *arena,
+                    struct text *bytes, struct error *error);
+
+/* Formats of floats have light, whatever is asked for, and some have one way to be written. */
+static bool read_pfm(struct text bytes, enum image_values values, struct arena *arena,
+                     struct image *image, struct error *error)
+{
+    (void)values;
+    return pfm_read(bytes, arena, image, error);
+}
+
+static bool read_radiance(struct text bytes, enum image_values values, struct arena *arena,
+                          struct image *image, struct error *error)
+{
+    (void)values;
+    return radiance_read(bytes, arena, image, error);
+}
+
+static bool read_openexr(struct text bytes, enum image_values values, struct arena *arena,
+                         struct image *image, struct error *error)
+{
+    (void)values;
+    return openexr_read(bytes, arena, image, error);
+}
+
+static bool write_pfm(const struct image *image, const struct image_way *way, struct arena *arena,
+                      struct text *bytes, struct error *error)
+{
+    (void)way;
+    return pfm_write(image, arena, bytes, error);
+}
+
+static bool write_radiance(const struct image *image, const struct image_way *way,
+                           struct arena *arena, struct text *bytes, struct error *error)
+{
+    (void)way;
+    return radiance_write(image, arena, bytes, error);
+}
+
+static const struct format {
+    struct file_type type;
+    bool (*is)(struct text bytes);
+    reader *read;
+    writer *write; /* null: it is only read; these come last */
+} formats[] = {
+    {{{"png", "PNG, 8 or 16 bits"}, ".png"}, png_is, png_read, png_write},
+    {{{"exr", "OpenEXR, floats of 16 or 32 bits"}, ".exr"},
+     openexr_is,
+     read_openexr,
+     openexr_write},
+    {{{"pfm", "PFM, floats of 32 bits"}, ".pfm"}, pfm_is, read_pfm, write_pfm},
+    {{{"hdr", "Radiance, three floats in 32 bits"}, ".hdr"},
+     radiance_is,
+     read_radiance,
+     write_radiance},
+    {{{"jpg", "JPEG"}, ".jpg"}, jpeg_is, jpeg_read, NULL},
+};
+enum { FORMATS = sizeof formats / sizeof *formats };
+
+const struct file_type *image_file_types(size_t i)
+{
+    return i < FORMATS && formats[i].write != NULL ? &formats[i].type : NULL;
+}
+
+bool image_file_parse(const char *path, struct text bytes, enum image_values values,
+                      struct arena *arena, struct image *image, struct error *error)
+{
+    size_t i = 0;
+    while (i < FORMATS && !formats[i].is(bytes)) {
+        i++;
+    }
+    if (i == FORMATS) {
+        fail(error, ERROR_DATA, "neither PNG, JPEG, OpenEXR, PFM nor a Radiance picture");
+        return error_locate(error, path, 0, 0);
+    }
+    return formats[i].read(bytes, values, arena, image, error) || error_locate(error, path, 0, 0);
+}
+
+bool image_file_read(const char *path, enum image_values values, struct arena *arena,
+                     struct image *image, struct error *error)
+{
+    struct text bytes;
+    if (!large_file(path, IMAGE_FILE_MOST, arena, &bytes, error)) {
+        return error->code == ERROR_NONE ? fail(error, ERROR_IO, "there is no file %s", path)
+                                         : false;
+    }
+    return image_file_parse(path, bytes, values, arena, image, error);
+}
+
+bool image_file_bytes(const struct image *image, const struct file_type *type,
+                      const struct image_way *way, struct arena *arena, struct text *bytes,
+                      struct error *error)
+{
+    size_t i = 0;
+    while (i < FORMATS && &formats[i].type != type) {
+        i++;
+    }
+    assert(i < FORMATS && formats[i].write != NULL);
+    return formats[i].write(image, way, arena, bytes, error);
+}
