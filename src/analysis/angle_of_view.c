@@ -240,7 +240,7 @@ static bool unsqueeze(double squeeze, struct end *end, struct error *error)
     }
     if (!(end->cosine[2] < 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "an anamorphic squeeze %.6g wants field angles below 90 degrees", squeeze);
+                    "an anamorphic squeeze %.6g needs field angles below 90 degrees", squeeze);
     }
     end->cosine[0] *= squeeze; /* no unit vector any more: only ratios count */
     end->point[0] *= squeeze;

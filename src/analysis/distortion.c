@@ -322,7 +322,7 @@ bool distortion_calibrate(const struct distortion_map *map, const struct field_p
     }
     if (!(own.edge > 0)) {
         return fail(error, ERROR_DOMAIN,
-                    "a calibrated focal length wants a field off the axis to balance");
+                    "a calibrated focal length needs a field off the axis to balance");
     }
     if (!find_extreme(&own, 1, &largest, error) || !find_extreme(&own, -1, &smallest, error)) {
         return false;

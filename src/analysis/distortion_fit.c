@@ -143,7 +143,7 @@ static bool check_width(const struct distortion_map *map, const struct distortio
     return ideal <= 8 * profile->reached ||
            fail(error, ERROR_DOMAIN,
                 "the picture shows fields of %.4g deg, which the %s projection images %.3g times "
-                "as far out: that is beyond polynomials, another {projection} is wanted",
+                "as far out: that is beyond polynomials, use another {projection}",
                 edge * DEGREES_PER_RADIAN, projections[map->projection].word,
                 ideal / profile->reached);
 }

@@ -29,7 +29,7 @@ static bool check(const struct falloff_question *question, struct error *error)
                     stop->diameter.value.hi);
     }
     if (isnan(wanted) && !(setup->first.stop_radius > 0)) {
-        fail(error, ERROR_DOMAIN, "the stop has no diameter: how much light comes is not known");
+        fail(error, ERROR_DOMAIN, "the stop has no diameter: the amount of light is unknown");
         return error_hint(error, "give an f-number, or a diameter in the file");
     }
     if (isnan(setup->image) || setup->image == 0) {

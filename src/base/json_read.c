@@ -128,7 +128,7 @@ static const char *string_end(const struct json *json)
 bool json_string(struct json *json, struct text *text)
 {
     if (!json_take(json, '"')) {
-        return json_fail(json, "a string in quotes is wanted here");
+        return json_fail(json, "expected a quoted string here");
     }
     const char *end = string_end(json);
     char *content = arena_array(json->arena, (size_t)(end - json->at) + 1, 1), *to = content;
@@ -178,7 +178,7 @@ bool json_scalar(struct json *json, struct json_value *value)
     }
     if (!is_bare_value(value->text)) {
         json->at = from;
-        return json_fail(json, "this is no JSON value: a text wants quotes");
+        return json_fail(json, "this is not a JSON value: text needs quotes");
     }
     return true;
 }
@@ -201,7 +201,7 @@ static bool read_items(struct json *json, int depth, struct json_value *value)
             return false;
         }
         if (object && !json_take(json, ':')) {
-            return json_fail(json, "':' is wanted here");
+            return json_fail(json, "expected ':' here");
         }
         if (!read_value(json, depth + 1, item)) {
             return false;
@@ -212,7 +212,7 @@ static bool read_items(struct json *json, int depth, struct json_value *value)
         value->count++;
     } while (json_take(json, ','));
     return json_take(json, closing) ||
-           json_fail(json, object ? "',' or '}' is wanted here" : "',' or ']' is wanted here");
+           json_fail(json, object ? "expected ',' or '}' here" : "expected ',' or ']' here");
 }
 
 static bool read_value(struct json *json, int depth, struct json_value *value)

@@ -58,7 +58,7 @@ static bool no_number(struct reading *reading)
     }
     struct text rest = text_between(reading->at, reading->end);
     if (text_same(rest, "nan") || text_same(rest, "-nan")) {
-        return wrong(reading, reading->at, "nan is no value");
+        return wrong(reading, reading->at, "nan is not a value");
     }
     return wrong(reading, reading->at, "no number here");
 }
@@ -192,7 +192,7 @@ static bool wrong_unit(struct reading *reading, struct text name)
     const struct dimension *other = dimension_of(name);
     if (other != NULL) {
         return fail_at(reading->error, ERROR_USAGE, reading->text, caret,
-                       "unit '%.*s' measures %s %s, wanted is %s %s", shown, name.start,
+                       "unit '%.*s' measures %s %s, expected %s %s", shown, name.start,
                        article(other->name), other->name, article(wanted), wanted);
     }
     if (reading->dimension->units[0].name[0] == '\0' && reading->dimension->unit_count == 1) {

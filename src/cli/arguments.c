@@ -109,7 +109,7 @@ static bool unknown(const struct arguments *arguments, struct text name, const c
     const struct command *other = arguments->command->other;
     for (size_t i = 1; other != NULL && i < other->option_count; i++) {
         if (is_called(&other->options[i], name)) {
-            return fail(error, ERROR_USAGE, "--%s wants --%s", other->options[i].name,
+            return fail(error, ERROR_USAGE, "--%s needs --%s", other->options[i].name,
                         other->options[0].name);
         }
     }
@@ -153,7 +153,7 @@ static bool take(struct argument *argument, struct text text, struct words *word
     }
     if (!is_flag(argument) && text.start == NULL) {
         if (words->at == words->count) {
-            return fail(error, ERROR_USAGE, "--%s wants a value: %s", name,
+            return fail(error, ERROR_USAGE, "--%s needs a value: %s", name,
                         argument->option->value != NULL ? argument->option->value : "VALUE");
         }
         text = text_of(words->all[words->at++]);
@@ -269,12 +269,12 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
     const struct argument *last = words->last;
     fail(error, ERROR_USAGE, "unexpected argument '%.*s'", text_shown(word), word.start);
     if (last != NULL && last->option->kind->name_of != NULL) {
-        return error_hint(error, "a value with blanks stands in quotes: --%s \"%.*s %.*s\"",
+        return error_hint(error, "put a value with blanks in quotes: --%s \"%.*s %.*s\"",
                           last->option->name, text_shown(last->text), last->text.start,
                           text_shown(word), word.start);
     }
     if (word.length > 0 && strchr("+.0123456789", word.start[0]) != NULL && example != NULL) {
-        return error_hint(error, "numbers stand behind their option, as in 'lenscalc %s'",
+        return error_hint(error, "numbers follow their option, as in 'lenscalc %s'",
                           example->arguments);
     }
     return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);

@@ -66,7 +66,7 @@ static bool choose_type(struct artifact_job *job, struct arena *arena, struct er
     fail(error, ERROR_USAGE, "--%s '%s': the name must end in %s", artifact->option.name, job->path,
          file_type_endings(types, arena));
     return artifact->chooser != NULL &&
-           error_hint(error, "or say what it shall be with --%s", artifact->chooser);
+           error_hint(error, "or choose the format with --%s", artifact->chooser);
 }
 
 static bool check_scope(const struct artifact_job *job, const struct artifact_setting *setting,
@@ -80,17 +80,19 @@ static bool check_scope(const struct artifact_job *job, const struct artifact_se
     }
     if (job->artifact->scope == ARTIFACT_OF_SWEEP) {
         if (setting->is_batch) {
-            return fail(error, ERROR_USAGE, "--%s goes with swept options, not with --batch", name);
+            return fail(error, ERROR_USAGE, "--%s works with swept options, not with --batch",
+                        name);
         }
         return total <= MOST_INPUTS ||
                fail(error, ERROR_USAGE, "--%s would draw %zu questions: at most %d", name, total,
                     MOST_INPUTS);
     }
     if (several) {
-        return fail(error, ERROR_USAGE, "--%s is of one answer: no lists, ranges or --batch", name);
+        return fail(error, ERROR_USAGE, "--%s draws a single answer: no lists, ranges or --batch",
+                    name);
     }
     return job->artifact->scope != ARTIFACT_OF_ROW || !setting->many ||
-           fail(error, ERROR_USAGE, "--%s is of one row, and this answer has several", name);
+           fail(error, ERROR_USAGE, "--%s draws a single row, but this answer has several", name);
 }
 
 /* A file that is there already, and two artifacts in one file. */
@@ -100,7 +102,7 @@ static bool check_place(const struct artifacts *artifacts, const struct artifact
     struct stat found;
     if (job->artifact->is_kept && !setting->common->force && stat(job->path, &found) == 0 &&
         S_ISREG(found.st_mode)) {
-        return fail(error, ERROR_IO, "%s is there already: --force replaces it", job->path);
+        return fail(error, ERROR_IO, "%s already exists: --force overwrites it", job->path);
     }
     const char *rows = setting->common->output, *other = NULL;
     if (setting->command->run != NULL &&

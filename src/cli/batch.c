@@ -246,7 +246,7 @@ static bool set_format(struct batch *batch, enum batch_format format, struct tex
     }
     if (format == BATCH_CSV && memchr(first.start, ',', first.length) == NULL &&
         memchr(first.start, ';', first.length) != NULL) {
-        fail(error, ERROR_DATA, "the columns seem to be separated by ';': ',' or a tab is wanted");
+        fail(error, ERROR_DATA, "the columns seem to be separated by ';': expected ',' or a tab");
         return error_locate(error, batch->source, batch->line, 0);
     }
     batch->format = format;
@@ -259,7 +259,7 @@ static bool read_header(struct batch *batch, struct text line, struct error *err
 {
     struct text rest = line;
     if (memchr(line.start, '\0', line.length) != NULL) {
-        fail(error, ERROR_DATA, "NUL bytes in the header: this is no UTF-8 text (UTF-16?)");
+        fail(error, ERROR_DATA, "NUL bytes in the header: this is not UTF-8 text (UTF-16?)");
         return error_locate(error, batch->source, batch->line, 0);
     }
     while (rest.start != NULL) {
@@ -345,7 +345,7 @@ static bool open_array(struct batch *batch, struct text *line, struct error *err
         if (error->code != ERROR_NONE) {
             return false;
         }
-        fail(error, ERROR_DATA, "the array is empty: objects with values are wanted");
+        fail(error, ERROR_DATA, "the array is empty: expected objects with values");
         return error_locate(error, batch->source, batch->line, 0);
     }
     return true;
@@ -363,7 +363,7 @@ static bool begin(struct batch *batch, enum batch_format format, struct error *e
         if (error->code != ERROR_NONE) {
             return false;
         }
-        fail(error, ERROR_DATA, "the file is empty: a line of column names is wanted");
+        fail(error, ERROR_DATA, "the file is empty: expected a line of column names");
         return error_locate(error, batch->source, 0, 0);
     }
     if (!set_format(batch, format, line, error)) {

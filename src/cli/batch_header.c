@@ -200,7 +200,7 @@ static bool is_unit_of_any(struct text name)
 static bool wrong_unit(const struct batch_column *column, struct error *error)
 {
     struct text name = column->name, typed = column->typed_unit;
-    return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is no unit of --%s (a %s)",
+    return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is not a unit of --%s (a %s)",
                 text_shown(name), name.start, (int)(typed.length < 20 ? typed.length : 20),
                 typed.start, column->doubtful->name, column->doubtful->dimension->name);
 }

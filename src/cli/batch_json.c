@@ -11,7 +11,7 @@ static bool read_value(struct json *json, struct json_value *value)
 {
     json_skip_blanks(json);
     if (json->at < json->end && (*json->at == '{' || *json->at == '[')) {
-        return json_fail(json, "objects and arrays are no values of a row");
+        return json_fail(json, "objects and arrays cannot be values of a row");
     }
     return json_scalar(json, value);
 }
@@ -25,13 +25,13 @@ static bool next_pair(struct json *json, bool first, struct text *key, struct js
         return json->at == json->end ? false : json_fail(json, "text follows the object");
     }
     if (!first && !json_take(json, ',')) {
-        return json_fail(json, "',' or '}' is wanted here");
+        return json_fail(json, "expected ',' or '}' here");
     }
     if (!json_string(json, key)) {
         return false;
     }
     if (!json_take(json, ':')) {
-        return json_fail(json, "':' is wanted here");
+        return json_fail(json, "expected ':' here");
     }
     return read_value(json, value);
 }
@@ -41,9 +41,9 @@ static bool start(struct json *json, const struct batch *batch, struct text line
 {
     *json = json_open(line, batch->reader->arena, error);
     if (memchr(line.start, '\0', line.length) != NULL) {
-        return json_fail(json, "NUL bytes: this is no UTF-8 text");
+        return json_fail(json, "NUL bytes: this is not UTF-8 text");
     }
-    return json_take(json, '{') || json_fail(json, "a JSON object, {...}, is wanted on each line");
+    return json_take(json, '{') || json_fail(json, "expected a JSON object, {...}, on each line");
 }
 
 bool batch_json_header(struct batch *batch, struct text line, struct error *error)
@@ -130,7 +130,7 @@ bool batch_json_row(struct batch *batch, struct text line, void *input, struct e
     for (; next_pair(&json, pairs == 0, &key, &value); pairs++) {
         struct batch_column *column = column_of(batch, key, pairs);
         if (column != NULL && column->row == batch->objects) {
-            fail(error, ERROR_DATA, "the key '%.*s' stands twice", text_shown(key), key.start);
+            fail(error, ERROR_DATA, "the key '%.*s' appears twice", text_shown(key), key.start);
             error->column = (int)value.at;
             return false;
         }

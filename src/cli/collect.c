@@ -136,7 +136,7 @@ bool collection_check_units(const struct shown *shown, size_t count, const char 
     for (size_t k = 0; k < count; k++) {
         if (numbers && shown[k].column->type != COLUMN_NUMBER &&
             shown[k].column->type != COLUMN_INTEGER) {
-            return fail(error, ERROR_USAGE, "%s: column %s is no number", option, shown[k].name);
+            return fail(error, ERROR_USAGE, "%s: column %s is not a number", option, shown[k].name);
         }
         if (shown[k].unit != shown[0].unit) {
             return fail(error, ERROR_USAGE, "%s: columns %s and %s have different units", option,

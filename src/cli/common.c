@@ -51,7 +51,7 @@ const struct option common_options[] = {
      .fallback = "auto", .help = "what the rows of --batch are"},
     {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},
     {COMMON(force), .name = "force",
-     .help = "sweep even over more than a million rows; replace files that would be kept"},
+     .help = "allow sweeps of more than a million rows; overwrite files that exist"},
     {COMMON(output), .name = "output", .letter = 'o', .value = "FILE", .flags = OPTION_FILE,
      .help = "write to FILE, which appears only when it is complete"},
     {COMMON(lensdb), .name = "lensdb", .value = "DIR", .flags = OPTION_FILE,
@@ -59,7 +59,8 @@ const struct option common_options[] = {
     {COMMON(agf), .name = "agf", .value = "FILES", .flags = OPTION_FILE,
      .help = "glass catalogues of your own in the AGF format, searched first"},
     {COMMON(lossy), .name = "lossy",
-     .help = "leave out what a file of another program cannot keep, and list it on standard error"},
+     .help =
+         "drop what cannot be carried over between file formats, and list it on standard error"},
     {COMMON(color), .name = "color", .value = "WHEN", .words = color_words, .fallback = "auto",
      .help = "colour the heads of tables, warnings and errors"},
     {COMMON(help), .name = "help", .letter = 'h', .help = "show examples and options"},

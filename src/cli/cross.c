@@ -41,7 +41,7 @@ static bool read_axis(const struct collection *collection, struct text name,
 {
     *axis = find_axis(collection, name);
     if (*axis == NULL) {
-        return fail(error, ERROR_USAGE, "--table: '%.*s' is no option with several values here",
+        return fail(error, ERROR_USAGE, "--table: '%.*s' is not an option with several values here",
                     (int)(name.length < 40 ? name.length : 40), name.start);
     }
     return true;
@@ -67,7 +67,7 @@ static bool read_specification(const struct collection *collection, const char *
     }
     if (cross->down == cross->across || collection->sweep->axis_count != 2) {
         return fail(error, ERROR_USAGE,
-                    "--table wants exactly two options with several values, here are %zu",
+                    "--table needs exactly two options with several values, there are %zu",
                     collection->sweep->axis_count);
     }
     bool people = !is_machine(report), typed = values.start != NULL;
@@ -277,7 +277,7 @@ bool cross_table_write(const struct collection *collection, const char *specific
     struct cross cross = {0};
     if (collection->is_ambiguous) {
         return fail(error, ERROR_USAGE,
-                    "--table takes one row of each combination, this question has several");
+                    "--table needs one row per combination, but this question has several");
     }
     if (!read_specification(collection, specification, report, &cross, error)) {
         return false;

@@ -87,11 +87,11 @@ static const char *plot_columns(const struct driver *driver)
 static bool check_collects(const struct driver *driver, const char *option, struct error *error)
 {
     if (driver->is_batch) {
-        return fail(error, ERROR_USAGE, "--%s goes with swept options, not with --batch", option);
+        return fail(error, ERROR_USAGE, "--%s works with swept options, not with --batch", option);
     }
     if (driver->command->makes_many != NULL && driver->command->makes_many(driver->input)) {
         return fail(error, ERROR_USAGE,
-                    "--%s takes one row of each combination, this question has several", option);
+                    "--%s needs one row per combination, but this question has several", option);
     }
     return true;
 }
@@ -102,7 +102,7 @@ static bool set_up_collection(struct driver *driver, struct error *error)
     const struct common *common = &driver->common;
     if (common->plot != NULL && driver->sweep.total == 1 && !driver->is_batch) {
         return fail(error, ERROR_USAGE,
-                    "--plot wants an option with several values, such as a "
+                    "--plot needs an option with several values, such as a "
                     "range");
     }
     driver->collects = common->table != NULL || common->plot != NULL;

@@ -131,7 +131,7 @@ static bool check_option(const struct idle *idle, const struct option *option, s
                     other->name);
     }
     if (option->wants != NULL && !has_wanted(idle, option->wants, words, sizeof words)) {
-        return fail(error, ERROR_USAGE, "{--%s} wants %s", option->name, words);
+        return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
     }
     return option->serves == NULL || serves_any(idle, option) ||
            fail(error, ERROR_USAGE, "{--%s} does nothing here: it is for {--coc} %s", option->name,

@@ -64,7 +64,7 @@ static bool no_label(const struct neighbours *around, struct error *error)
                  (int)below->label.length, below->label.start, (int)above->label.length,
                  above->label.start);
     }
-    return fail(error, ERROR_USAGE, "no label of a stop series, as --nominal wants%s", words);
+    return fail(error, ERROR_USAGE, "not a label of a stop series, as --nominal needs%s", words);
 }
 
 bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double label,
@@ -130,8 +130,8 @@ bool nominal_between(struct lensdb *db, const struct nominal_range *range, doubl
             return true;
         }
         if (name != NULL) {
-            return fail(error, ERROR_USAGE, "an end of the range is no label of the %s-stop series",
-                        name);
+            return fail(error, ERROR_USAGE,
+                        "an end of the range is not a label of the %s-stop series", name);
         }
     }
     return true;

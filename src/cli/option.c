@@ -226,7 +226,7 @@ static bool read_count(const struct reader *reader, const struct option *option,
         return option_blame(option, text, error);
     }
     if (!(fabs(value) <= 1e9) || value != floor(value)) {
-        return fail(error, ERROR_USAGE, "%s '%.*s' is no whole number", CALLED(option),
+        return fail(error, ERROR_USAGE, "%s '%.*s' is not a whole number", CALLED(option),
                     text_shown(text), text.start);
     }
     if (!option_check_range(option, value, error)) {

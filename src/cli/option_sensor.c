@@ -63,7 +63,7 @@ static bool read_size(const struct reader *reader, const struct option *option, 
     }
     *size = (struct sensor){sides[0], sides[1], NAN};
     if (!(size->width > 0 && size->height > 0) || isinf(size->width) || isinf(size->height)) {
-        return fail(error, ERROR_DOMAIN, "a sensor is wider and higher than 0 mm");
+        return fail(error, ERROR_DOMAIN, "a sensor must be wider and higher than 0 mm");
     }
     sensor->name = size_name(reader->arena, *size);
     if (!has_unit) {
@@ -180,9 +180,9 @@ static bool refuse(const struct option *option, struct text text, struct error *
         }
     }
     if (read_shape(text, &ratio)) {
-        fail(error, ERROR_USAGE, "%s '%.*s' is a shape without a size", CALLED(option),
+        fail(error, ERROR_USAGE, "%s '%.*s' is an aspect ratio without a size", CALLED(option),
              text_shown(text), text.start);
-        return error_hint(error, "say of which gate: 'super35 %.*s'", text_shown(text), text.start);
+        return error_hint(error, "name the gate: 'super35 %.*s'", text_shown(text), text.start);
     }
     return error_prefix(error, "%s: ", CALLED(option));
 }

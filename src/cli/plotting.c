@@ -32,7 +32,7 @@ static bool choose_x(const struct collection *collection, struct layout *layout,
     }
     if (layout->x == NULL) {
         return fail(error, ERROR_USAGE,
-                    "--plot wants an option with several values, such as a "
+                    "--plot needs an option with several values, such as a "
                     "range");
     }
     layout->groups = sweep->total / layout->x->count;
@@ -215,7 +215,7 @@ bool collection_plot(const struct collection *collection, const char *columns, b
     struct layout layout;
     if (collection->is_ambiguous) {
         return fail(error, ERROR_USAGE,
-                    "--plot takes one row of each combination, this question has several");
+                    "--plot needs one row per combination, but this question has several");
     }
     if (!choose_columns(collection, columns, typed, &layout, error)) {
         return false;

@@ -16,7 +16,7 @@ bool rows_check_sheet(const struct driver *driver, struct error *error)
     return command->choose_sheet == NULL ||
            command->choose_sheet(driver->input, &driver->asking) == driver->report.sheet ||
            fail(error, ERROR_USAGE,
-                "these options ask for rows with other columns than the first: ask one at a time");
+                "these options give rows with different columns: use one at a time");
 }
 
 void rows_begin(struct driver *driver)

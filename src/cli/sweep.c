@@ -30,7 +30,7 @@ static bool is_number(const struct option *option)
 static bool too_many(const struct option *option, struct error *error)
 {
     fail(error, ERROR_USAGE, "--%s sweeps over more than a million values", option->name);
-    return error_hint(error, "say --force if you mean it (up to 100 million)");
+    return error_hint(error, "use --force to allow it (up to 100 million)");
 }
 
 static bool reserve(struct values *values, size_t more, struct error *error)
@@ -182,7 +182,8 @@ static bool read_number(const struct values *values, struct text text, const str
 static bool read_ends(const struct values *values, struct range *range, struct error *error)
 {
     if (range->last.length > 0 && range->last.start[0] == '.') {
-        return range_fail(values, range, "three dots: a range has two, and 0.5 its zero", error);
+        return range_fail(values, range, "three dots: a range has two; write 0.5 with its zero",
+                          error);
     }
     const struct unit *usual = option_unit(values->option), *left, *right;
     if (!read_number(values, range->first, usual, &range->from, &left, error) ||
@@ -267,7 +268,7 @@ static bool add_points(struct values *values, const struct range *range, struct 
         return blame(values, range->text, error);
     }
     if (!(count >= 2) || count != floor(count)) {
-        return range_fail(values, range, "'#' wants a whole number of points, 2 or more", error);
+        return range_fail(values, range, "'#' needs a whole number of points, 2 or more", error);
     }
     if (!(count < MOST)) {
         return too_many(values->option, error);
@@ -335,10 +336,10 @@ static bool add_stops(struct values *values, const struct range *range, struct e
         return range_fail(values, range, "a range of fractions has ends above 0", error);
     }
     if (!(fabs(stops - whole) <= 1e-9)) {
-        range_fail(values, range, "fractions run in stops, and these are no whole stops apart",
+        range_fail(values, range, "fractions step in stops, and these are not whole stops apart",
                    error);
         return error_hint(error,
-                          "say a step behind it: :0.1 adds, *2 multiplies, #5 is their count");
+                          "add a step: :0.1 adds, *2 multiplies, #5 sets the number of points");
     }
     for (double i = 0; i <= fabs(whole); i++) {
         double value = i == fabs(whole) ? range->to : range->from * exp2(copysign(i, whole));
@@ -517,7 +518,7 @@ bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
         sweep->total *= sweep->axes[i].count;
         if (sweep->total > MOST || (sweep->total > MOST_WITHOUT_FORCE && !force)) {
             fail(error, ERROR_USAGE, "the sweep has more than a million rows");
-            return error_hint(error, "say --force if you mean it (up to 100 million)");
+            return error_hint(error, "use --force to allow it (up to 100 million)");
         }
     }
     return true;

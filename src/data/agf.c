@@ -42,7 +42,7 @@ static bool read_pair(const struct reader *reader, struct text word, struct pair
 {
     const char *end = word.start + word.length;
     return (pair_read(word.start, end, NUMBER_UNSCALED, value) == end && isfinite(value->hi)) ||
-           agf_words_fail(&reader->words, word, error, "is no number");
+           agf_words_fail(&reader->words, word, error, "is not a number");
 }
 
 /* The next number; NaN at the end of the line. */
@@ -229,7 +229,7 @@ static bool read_name(struct reader *reader, struct error *error)
     formula = read.hi;
     if (!(formula >= 1 && formula <= AGF_FORMULAS) || formula > floor(formula)) {
         return agf_words_fail(&reader->words, number, error,
-                              "is no formula: they have the numbers 1 to 13");
+                              "is not a formula: they have the numbers 1 to 13");
     }
     reader->formula = (int)formula;
     agf_words_next(&reader->words); /* the glass code */

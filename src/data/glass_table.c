@@ -208,7 +208,7 @@ static bool read_range(const struct glass_table *table, struct glass *glass, str
         return bad(table, TO, "is the end of a range without a beginning, the column from_um",
                    error);
     }
-    return bad(table, FROM, "is no beginning of a range: it must be above 0 and not above to_um",
+    return bad(table, FROM, "is not a beginning of a range: it must be above 0 and not above to_um",
                error);
 }
 
@@ -217,7 +217,7 @@ static bool read_formula(const struct glass_table *table, struct glass *glass, s
 {
     glass->formula = glass_formula_of(cell(table, FORMULA));
     if (glass->formula == GLASS_FORMULAS) {
-        return bad(table, FORMULA, "is no formula", error);
+        return bad(table, FORMULA, "is not a formula", error);
     }
     if (!read_range(table, glass, error)) {
         return false;

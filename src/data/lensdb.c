@@ -161,7 +161,7 @@ static bool read_stop(const struct tsv *tsv, const size_t *columns, const char *
                                  .divisor = divisor_of(series)};
     stop->exact = exact_stop(file, stop->step, stop->divisor);
     if (!label_value(stop->label, &stop->value)) {
-        return tsv_fail(tsv, columns[2], error, "is no label of a stop series");
+        return tsv_fail(tsv, columns[2], error, "is not a label of a stop series");
     }
     return true;
 }

@@ -22,7 +22,7 @@ static bool read_line(const struct tsv *tsv, size_t nm, struct number_scale from
     const char *end = cell.start + cell.length;
     if (number_read(cell.start, end, from_nm, wavelength) != end || !(*wavelength > 0) ||
         isinf(*wavelength)) {
-        return tsv_fail(tsv, nm, error, "is no wavelength");
+        return tsv_fail(tsv, nm, error, "is not a wavelength");
     }
     return true;
 }

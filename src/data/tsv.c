@@ -52,7 +52,7 @@ static bool open_table(struct tsv *tsv, const char *source, struct text content,
     }
     if (content.length > 0 && memchr(content.start, '\0', content.length) != NULL) {
         tsv->line = 1;
-        return fail_line(tsv, error, "NUL bytes: this is no UTF-8 text (UTF-16?)");
+        return fail_line(tsv, error, "NUL bytes: this is not UTF-8 text (UTF-16?)");
     }
     struct text line;
     if (!next_line(tsv, &line)) {
@@ -134,7 +134,7 @@ bool tsv_number(const struct tsv *tsv, size_t column, double *value, struct erro
         return true;
     }
     if (number_read(cell.start, end, NUMBER_UNSCALED, value) != end) {
-        return tsv_fail(tsv, column, error, "is no number");
+        return tsv_fail(tsv, column, error, "is not a number");
     }
     return true;
 }

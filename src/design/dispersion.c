@@ -287,7 +287,7 @@ bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formu
     struct fitting fitting = {data, curve, curve->is_linear ? terms : 2 * terms};
     if (data->count < fitting.count) {
         return fail(error, ERROR_DOMAIN,
-                    "%zu coefficients want as many measured indices at least: there are %zu",
+                    "%zu coefficients need at least as many measured indices: there are %zu",
                     fitting.count, data->count);
     }
     *fit = (struct dispersion_fit){.parameter_count = fitting.count};

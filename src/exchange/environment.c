@@ -117,7 +117,7 @@ bool environment_apply(const struct environment *environment, const struct lens_
         return foreign_loss(
             job, words, word, error,
             "the index at %.6g C and %.6g atmospheres (%s)" LOSS_OF_POWER LOSS_INSTEAD
-            "that of the catalogue stands",
+            "that of the catalogue is kept",
             temperature, pressure, why.message);
     }
     const char *warning = medium->warning;

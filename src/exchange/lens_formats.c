@@ -65,7 +65,7 @@ static const struct closed {
 } closed[] = {
     {".zar", "an archive of OpticStudio holds a lens and what it needs, packed",
      "unpack it, in OpticStudio or with zmxtools, and read the .zmx file in it"},
-    {".zos", "a project of OpticStudio is no text",
+    {".zos", "an OpticStudio project is not a text file",
      "save the lens as .zmx in OpticStudio and read that"},
 };
 
@@ -161,7 +161,7 @@ static bool lose_settings(struct foreign_job *job, const struct foreign_format *
     }
     return all[0] == '\0' || foreign_loss(job, NULL, (struct text){NULL, 0}, error,
                                           "what the positions set anew in a %s file:%s" LOSS_INSTEAD
-                                          "the first position's stands",
+                                          "the first position's is kept",
                                           format->type.ending, all);
 }
 

@@ -14,7 +14,7 @@ static bool read_two(struct json_reading *reading, const struct json_value *valu
         return true;
     }
     if (value->kind != JSON_ARRAY || value->count != 2) {
-        return json_wrong(reading, value, error, "x and y are wanted here");
+        return json_wrong(reading, value, error, "expected x and y here");
     }
     if (!json_read_figures(reading, value, JSON_LENGTH, &figures, error)) {
         return false;

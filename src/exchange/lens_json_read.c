@@ -319,7 +319,7 @@ static bool read_positions(struct json_reading *reading, const struct json_value
         if (item->kind != JSON_STRING || !is_position_name(item->text) ||
             lens_position_find(lens, item->text) != LENS_NONE) {
             return json_wrong(reading, item, error,
-                              "a position's name is a word, not 'all', and stands once");
+                              "a position's name is a word, not 'all', and appears once");
         }
         lens->positions[lens->position_count++] =
             arena_string(reading->job->arena, item->text.start, item->text.length);

@@ -59,7 +59,7 @@ bool json_check_keys(struct json_reading *reading, const struct json_value *obje
             i++;
         }
         if (keys[i] != NULL && seen[i] != NULL) {
-            return json_wrong(reading, item, error, "the key '%s' stands twice", keys[i]);
+            return json_wrong(reading, item, error, "the key '%s' appears twice", keys[i]);
         }
         seen[i] = keys[i] != NULL ? item : NULL;
         const struct lens_words words = json_place(reading, item);
@@ -87,7 +87,7 @@ bool json_read_text(struct json_reading *reading, const struct json_value *value
         return true;
     }
     if (value->kind != JSON_STRING) {
-        return json_wrong(reading, value, error, "a text is wanted here");
+        return json_wrong(reading, value, error, "expected a text here");
     }
     *text = lens_build_string(&reading->build, value->text);
     return true;
@@ -103,7 +103,7 @@ bool json_read_choice(struct json_reading *reading, const struct json_value *val
             return true;
         }
     }
-    return json_wrong(reading, value, error, "one of %s .. %s is wanted here", words[0],
+    return json_wrong(reading, value, error, "expected one of %s .. %s here", words[0],
                       words[count - 1]);
 }
 
@@ -112,7 +112,7 @@ bool json_read_truth(struct json_reading *reading, const struct json_value *valu
 {
     *truth = value->kind == JSON_BARE && text_equal(value->text, "true");
     return *truth || (value->kind == JSON_BARE && text_equal(value->text, "false")) ||
-           json_wrong(reading, value, error, "true or false is wanted here");
+           json_wrong(reading, value, error, "expected true or false here");
 }
 
 static struct figure in_unit(const struct json_reading *reading, struct pair value, int power)
@@ -137,7 +137,7 @@ bool json_read_figure(struct json_reading *reading, const struct json_value *val
     const char *end = text.start + text.length;
     if (value->kind != JSON_BARE || pair_read(text.start, end, NUMBER_UNSCALED, &number) != end ||
         !(fabs(number.hi) < 1e100)) {
-        return json_wrong(reading, value, error, "a number below 1e100 is wanted here");
+        return json_wrong(reading, value, error, "expected a number below 1e100 here");
     }
     if (power != JSON_PLAIN && power != JSON_ANGLE) {
         *figure = in_unit(reading, number, power);
@@ -155,7 +155,7 @@ bool json_read_figures(struct json_reading *reading, const struct json_value *va
                        struct figure **figures, struct error *error)
 {
     if (value->kind != JSON_ARRAY) {
-        return json_wrong(reading, value, error, "an array of numbers is wanted here");
+        return json_wrong(reading, value, error, "expected an array of numbers here");
     }
     *figures = ARENA_ARRAY(reading->job->arena, value->count, struct figure);
     size_t i = 0;
@@ -171,7 +171,7 @@ bool json_check_array(struct json_reading *reading, const struct json_value *val
                       const char *what, struct error *error)
 {
     return json_is_null(value) || value->kind == JSON_ARRAY ||
-           json_wrong(reading, value, error, "an array of %s is wanted here", what);
+           json_wrong(reading, value, error, "expected an array of %s here", what);
 }
 
 bool json_check_truth(struct json_reading *reading, const struct json_value *value, bool truth,

@@ -39,7 +39,7 @@ static bool read_displacement(struct json_reading *reading, const struct json_va
     const struct json_value *shift = json_item(value, keys[0]), *turn = json_item(value, keys[1]);
     if (value->kind != JSON_OBJECT || shift == NULL || shift->count != 2 || turn == NULL ||
         turn->count != 3) {
-        return json_wrong(reading, value, error, "two decentres and three tilts are wanted here");
+        return json_wrong(reading, value, error, "expected two decentres and three tilts here");
     }
     if (!json_check_keys(reading, value, keys, error) ||
         !json_read_figures(reading, shift, JSON_LENGTH, &figures, error)) {
@@ -62,7 +62,7 @@ static bool read_coefficients(struct json_reading *reading, const struct json_va
         return true;
     }
     if (value->kind != JSON_OBJECT) {
-        return json_wrong(reading, value, error, "an object with A1 .. A20 is wanted here");
+        return json_wrong(reading, value, error, "expected an object with A1 .. A20 here");
     }
     const char *keys[LENS_COEFFICIENTS + 1] = {NULL};
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
@@ -116,7 +116,7 @@ static bool read_varies(struct json_reading *reading, const struct json_value *v
         return true;
     }
     if (value->kind != JSON_ARRAY || value->count > PARAMETER_MOST_MARKS) {
-        return json_wrong(reading, value, error, "an array of at most %d is wanted here",
+        return json_wrong(reading, value, error, "expected an array of at most %d here",
                           PARAMETER_MOST_MARKS);
     }
     struct vary *varies = ARENA_ARRAY(reading->job->arena, value->count + 1, struct vary);
@@ -230,7 +230,7 @@ static bool read_thick(struct json_reading *reading, const struct json_value *ob
         return true;
     }
     if (distortion->kind != JSON_ARRAY || distortion->count != 3) {
-        return json_wrong(reading, distortion, error, "three terms of distortion are wanted here");
+        return json_wrong(reading, distortion, error, "expected three terms of distortion here");
     }
     if (!json_read_figures(reading, distortion, JSON_PLAIN, &terms, error)) {
         return false;
@@ -250,7 +250,7 @@ static bool check_number(struct json_reading *reading, const struct json_value *
     }
     return json_read_figure(reading, value, JSON_PLAIN, &number, error) &&
            (number.value.hi == (double)count ||
-            json_wrong(reading, value, error, "another surface, where surface %zu must stand",
+            json_wrong(reading, value, error, "another surface, where surface %zu is expected",
                        count));
 }
 
@@ -281,7 +281,7 @@ static bool check_index(struct json_reading *reading, const struct json_value *v
         return true;
     }
     if (value->kind != JSON_ARRAY || value->count != count) {
-        return json_wrong(reading, value, error, "an array of %zu indices is wanted here", count);
+        return json_wrong(reading, value, error, "expected an array of %zu indices here", count);
     }
     for (const struct json_value *item = value->first; item != NULL; item = item->next, i++) {
         double wavelength = lens->wavelength_count > 0 ? lens->wavelengths[i].wavelength

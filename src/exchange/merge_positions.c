@@ -201,7 +201,8 @@ static bool merge_surface(struct merge *merge, size_t index, struct error *error
         if (!are_same_apertures(first, surface_at(merge, p, index)) &&
             !foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
                           LOSS_VIGNETTES "the apertures of surface %zu differ between the "
-                                         "configurations" LOSS_INSTEAD "those of the first stand",
+                                         "configurations" LOSS_INSTEAD
+                                         "those of the first are kept",
                           index + 1)) {
             return false;
         }
@@ -288,7 +289,7 @@ static bool check_fields(const struct merge *merge, struct error *error)
     }
     return same || foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
                                 "the fields differ between the configurations" LOSS_INSTEAD
-                                "those of the first stand");
+                                "those of the first are kept");
 }
 
 /* What has no values of its own in the positions. */

@@ -81,7 +81,7 @@ static bool lose_shape(struct writer *writer, const struct surface *surface, siz
                          "surface %zu: its decentre or tilt" LOSS_INSTEAD "left out", number)) &&
            (!aspheric ||
             foreign_lose(writer->job, writer->error,
-                         "surface %zu: an asphere" LOSS_INSTEAD "a sphere stands for it",
+                         "surface %zu: an asphere" LOSS_INSTEAD "a sphere is used instead",
                          number)) &&
            (surface->vary_count == 0 ||
             foreign_lose(writer->job, writer->error,
@@ -130,7 +130,7 @@ static bool put_radius(struct writer *writer, const struct surface *surface, siz
     put(writer, LONG_RADIUS);
     return foreign_lose(writer->job, writer->error,
                         "surface %zu: a plane is pbrt's stop" LOSS_INSTEAD
-                        "a radius of %s mm stands for it",
+                        "a radius of %s mm is used instead",
                         number, LONG_RADIUS);
 }
 

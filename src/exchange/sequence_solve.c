@@ -105,14 +105,14 @@ static bool keep(const struct solving *solving, const char *why, struct error *e
     const struct lens_words place = commands_place(sequence->commands, &solving->solve->at);
     error->code = ERROR_NONE;
     if (!sequence->has_positions && is_stored(solving) && why != through_loss) {
-        const char *note =
-            arena_printf(sequence->job->arena,
-                         "line %ld: a solve: %s; the number of the file stands", place.number, why);
+        const char *note = arena_printf(sequence->job->arena,
+                                        "line %ld: a solve: %s; the number in the file is kept",
+                                        place.number, why);
         lens_build_note(sequence->build, text_of(note));
         return false;
     }
     return foreign_loss(sequence->job, &place, solving->solve->at.text, error,
-                        "a solve: %s" LOSS_INSTEAD "the number of the file stands", why) &&
+                        "a solve: %s" LOSS_INSTEAD "the number in the file is kept", why) &&
            (error->code = ERROR_NONE, false);
 }
 

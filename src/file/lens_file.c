@@ -80,7 +80,7 @@ static bool read_unit(struct parser *parser, struct error *error)
     const char *unit = lens_unit_named(word);
     if (parser->lens->surface_count > 0 || parser->given > 1) {
         return lens_words_fail(&parser->words, word, error,
-                               "the unit must stand before all lengths");
+                               "the unit must come before all lengths");
     }
     if (unit == NULL) {
         return lens_words_fail(&parser->words, word, error, "the unit is one of mm, cm, m, in");
@@ -162,7 +162,7 @@ static bool read_medium(struct parser *parser, struct error *error)
 {
     if (parser->lens->surface_count > 0) {
         return lens_words_fail(&parser->words, parser->words.line, error,
-                               "the object's medium must stand before the surfaces");
+                               "the object's medium must come before the surfaces");
     }
     struct medium *medium = &parser->lens->object_medium;
     return lens_words_medium(&parser->words, lens_words_next(&parser->words), medium, error) &&
@@ -347,7 +347,7 @@ static bool read_let(struct parser *parser, struct error *error)
     struct text name = lens_words_next(&parser->words);
     if (lens->position_count == 0) {
         return lens_words_fail(&parser->words, name, error,
-                               "'let' wants a line with 'position' before it");
+                               "'let' needs a line with 'position' before it");
     }
     if (text_equal(name, "object")) {
         return let_objects(parser, name, error);
@@ -560,7 +560,7 @@ static bool finish(struct parser *parser, struct error *error)
         struct text name = lens->variables[i].name;
         if (lens->variables[i].values == NULL) {
             lens_words_fail(&parser->variable_lines[i], name, error,
-                            "'%.*s' is no number, and no line with 'let' gives it any",
+                            "'%.*s' is not a number, and no line with 'let' gives it any",
                             text_shown(name), name.start);
             return error_hint(error, "a zoom has 'position wide tele' and 'let %.*s 2.4 8.3'",
                               text_shown(name), name.start);
@@ -568,7 +568,7 @@ static bool finish(struct parser *parser, struct error *error)
     }
     if (lens->aperture_kind == APERTURE_STOP && lens->stop == LENS_NONE) {
         return lens_words_fail(&parser->aperture_line, parser->aperture_word, error,
-                               "'aperture stop' wants a stop, and the lens has none");
+                               "'aperture stop' needs a stop, and the lens has none");
     }
     for (size_t i = 0; i < parser->setting_count; i++) {
         if (!lens_setting_read(&parser->settings[i], parser->glasses, lens, error)) {

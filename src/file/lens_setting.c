@@ -287,7 +287,7 @@ bool lens_setting_read(struct lens_words *words, const struct glass_source *glas
     struct text name = lens_words_next(words);
     struct lens_setting setting = {.figures = NULL};
     if (lens->position_count == 0) {
-        return lens_words_fail(words, name, error, "'set' wants a line with 'position' before it");
+        return lens_words_fail(words, name, error, "'set' needs a line with 'position' before it");
     }
     if (text_equal(name, "stop")) {
         return read_stops(words, name, lens, error);

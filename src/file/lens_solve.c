@@ -48,7 +48,7 @@ static bool start_of(const struct lens *lens, enum solve_ray ray, struct arena *
         *height = first.chief_y;
         *slope = first.chief_v;
         return (isfinite(*height) && isfinite(*slope)) ||
-               fail(error, ERROR_DOMAIN, "a solve of a chief ray wants a stop and a field");
+               fail(error, ERROR_DOMAIN, "a solve of a chief ray needs a stop and a field");
     }
     *height = first.marginal_y;
     *slope = first.marginal_v;

@@ -322,7 +322,7 @@ static bool read_medium(struct lens_words *words, const struct medium *before,
     if (!surface_has(surface, SURFACE_MAY_MIRROR)) {
         return lens_words_fail(words, word, error,
                                surface_has(surface, SURFACE_HAS_FOCAL)
-                                   ? "a thick lens is no mirror"
+                                   ? "a thick lens is not a mirror"
                                    : "a stop that is a mirror: write it as a surface "
                                      "with the word stop behind its diameter");
     }

@@ -123,8 +123,8 @@ bool lens_words_figure(const struct lens_words *words, struct text text, struct 
     }
     if (behind != end) {
         struct text wrong = {behind != NULL ? behind : text.start, 1};
-        lens_words_fail(words, wrong, error, "the %s '%.*s' is no number", what, text_shown(text),
-                        text.start);
+        lens_words_fail(words, wrong, error, "the %s '%.*s' is not a number", what,
+                        text_shown(text), text.start);
         if (behind != NULL && *behind == ',') {
             error_hint(error, "the decimal point is a point");
         }
@@ -234,7 +234,7 @@ bool lens_words_wavelength(const struct lens_words *words, struct text text, dou
         text.length > 0 ? number_read(text.start, end, NUMBER_UNSCALED, &bare) : NULL;
     if (behind == NULL) {
         return lens_words_fail(words, text, error,
-                               "'%.*s' is no wavelength: a line such as d F C, "
+                               "'%.*s' is not a wavelength: a line such as d F C, "
                                "or a number with nm or um",
                                text_shown(text), text.start);
     }

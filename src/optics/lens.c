@@ -320,11 +320,11 @@ static bool check_stop(const struct lens *lens, struct error *error)
         return true;
     }
     if (stops == 0) {
-        return fail(error, ERROR_DATA, "'aperture stop' wants a stop, and the lens has none");
+        return fail(error, ERROR_DATA, "'aperture stop' needs a stop, and the lens has none");
     }
     if (!lens->surfaces[last].has_diameter) {
         return fail(error, ERROR_DATA,
-                    "'aperture stop' wants the diameter of the stop, surface %zu", last + 1);
+                    "'aperture stop' needs the diameter of the stop, surface %zu", last + 1);
     }
     return true;
 }
@@ -363,7 +363,7 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
                                                            : 0;
         if (lens->is_telecentric && isinf(distance)) {
             return fail(error, ERROR_DATA,
-                        "a telecentric object space wants an object at a distance");
+                        "a telecentric object space needs an object at a distance");
         }
         struct check check = {lens_at_position(lens, i, arena), arena, warnings,
                               lens->position_count > 0 ? lens->positions[i] : NULL, false};

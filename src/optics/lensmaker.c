@@ -99,11 +99,11 @@ static bool check(const struct lensmaker *lens, struct error *error)
         return false;
     }
     if (lens->R1 == 0 || lens->R2 == 0) {
-        return fail(error, ERROR_DOMAIN, "radius 0 mm is no surface: inf is a plane");
+        return fail(error, ERROR_DOMAIN, "radius 0 mm is not a surface: inf is a plane");
     }
     if (lens->f == 0) {
         return fail(error, ERROR_DOMAIN,
-                    "focal length 0 mm is no lens: it must be above or below 0; inf is afocal");
+                    "focal length 0 mm is not a lens: it must be above or below 0; inf is afocal");
     }
     if (!isnan(lens->d) && (!(lens->d >= 0) || isinf(lens->d))) {
         return fail(error, ERROR_DOMAIN,

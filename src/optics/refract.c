@@ -42,7 +42,7 @@ static bool check(const struct refract_surface *s, struct error *error)
         return false;
     }
     if (s->R == 0) {
-        return fail(error, ERROR_DOMAIN, "radius 0 mm is no surface: inf is a plane");
+        return fail(error, ERROR_DOMAIN, "radius 0 mm is not a surface: inf is a plane");
     }
     if ((s->z == 0 || s->z_image == 0) && !isnan(s->z) && !isnan(s->z_image)) {
         return fail(error, ERROR_DOMAIN,
@@ -266,7 +266,7 @@ bool refract_place(const struct refract_surface *s, const struct refract_aim *ai
                     "and angle without an object");
     }
     if (s->z == 0 && isnan(aim->angle) && aim->height == 0) {
-        return fail(error, ERROR_DOMAIN, "a ray from the vertex wants an angle, not a height");
+        return fail(error, ERROR_DOMAIN, "a ray from the vertex needs an angle, not a height");
     }
     ray->z = isinf(s->z) ? -INFINITY : s->z;
     bool on_surface = !isnan(aim->height) && !aim->at_vertex;

@@ -34,7 +34,7 @@ static bool needs_front(const struct measuring *measuring, struct error *error)
 {
     if (measuring->from == FROM_FRONT && isnan(measuring->front)) {
         return fail(error, ERROR_USAGE,
-                    "{distance origin} front wants {lens}: a thin lens has no front");
+                    "{distance origin} front needs {lens}: a thin lens has no front");
     }
     return true;
 }

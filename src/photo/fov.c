@@ -268,7 +268,7 @@ bool fov_ground(const struct fov_setting *setting, const struct fov *fov, double
         return fail(error, ERROR_USAGE, "give one of {altitude} and {ground sample}");
     }
     if (is_given(ground->sample) && !is_given(pitch)) {
-        return fail(error, ERROR_USAGE, "{ground sample} wants {pixel pitch}");
+        return fail(error, ERROR_USAGE, "{ground sample} needs {pixel pitch}");
     }
     if (!given_positive(numbers, 3, error)) {
         return false;

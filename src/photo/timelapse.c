@@ -52,10 +52,10 @@ static bool check_use(const struct timelapse_given *g, struct error *error)
         return fail(error, ERROR_USAGE, "give only one of {event length} and {star angle}");
     }
     if (is_given(g->star_angle) && !is_given(g->time)) {
-        return fail(error, ERROR_USAGE, "{star angle} wants {exposure time}");
+        return fail(error, ERROR_USAGE, "{star angle} needs {exposure time}");
     }
     if (is_given(g->card) && !is_given(g->frame)) {
-        return fail(error, ERROR_USAGE, "{card} wants {frame size}");
+        return fail(error, ERROR_USAGE, "{card} needs {frame size}");
     }
     return !is_given(g->card) || g->card >= g->frame ||
            fail(error, ERROR_DOMAIN, "{frame size} %.10g B is larger than {the card}, %.10g B",

@@ -74,39 +74,39 @@ TABLES = ("cameras", "films", "filters", "formats", "fstops", "iso", "lines", "s
 # Command, options that say nothing there, the words of the refusal, what makes them say something
 # (None: nothing is tried). Without words of a refusal the question is answered.
 IDLE = (
-    ("trace double-gauss", "--rays 5", "--rays wants --pattern", "--pattern gauss"),
-    ("trace double-gauss", "--pattern few --rays 5", "--rays wants --pattern", None),
-    ("trace double-gauss", "--seed 5", "--seed wants --pattern sobol", "--pattern sobol"),
-    ("trace double-gauss", "--pattern gauss --seed 5", "--seed wants --pattern sobol", None),
-    ("trace double-gauss", "--pupil-point 0:0.5 --rays 9", "--rays wants --pattern", None),
+    ("trace double-gauss", "--rays 5", "--rays needs --pattern", "--pattern gauss"),
+    ("trace double-gauss", "--pattern few --rays 5", "--rays needs --pattern", None),
+    ("trace double-gauss", "--seed 5", "--seed needs --pattern sobol", "--pattern sobol"),
+    ("trace double-gauss", "--pattern gauss --seed 5", "--seed needs --pattern sobol", None),
+    ("trace double-gauss", "--pupil-point 0:0.5 --rays 9", "--rays needs --pattern", None),
     ("trace double-gauss", "--point 0:1:0 --aim entrance", "--aim and --point exclude", None),
     ("trace double-gauss --pupil-point 0:0.5", "--aim entrance", None, ""),
-    ("fit double-gauss", "--seed 4", "--seed wants --pattern sobol", "--pattern sobol"),
-    ("fit double-gauss", "--terms 3", "--terms wants --glass", None),
-    ("fit double-gauss", "--formula cauchy", "--formula wants --glass", None),
+    ("fit double-gauss", "--seed 4", "--seed needs --pattern sobol", "--pattern sobol"),
+    ("fit double-gauss", "--terms 3", "--terms needs --glass", None),
+    ("fit double-gauss", "--formula cauchy", "--formula needs --glass", None),
 ) + tuple(("fit double-gauss --prescription efl=101 --vary R1", option,
            f"--prescription and {option.split()[0]} exclude", None)
           for option in ("--distortion 1", "--rays 20", "--field 0,10", "--match rays",
                          "--no-clip", "--chromatic")) + (
-    ("glass N-BK7", "--count 3", "--count wants --like or --nd or --vd", None),
+    ("glass N-BK7", "--count 3", "--count needs --like or --nd or --vd", None),
     ("glass", "--count 3 --nd 1.5", None, ""),
-    ("glass N-BK7", "--air ciddor", "--air wants --temperature or --pressure",
+    ("glass N-BK7", "--air ciddor", "--air needs --temperature or --pressure",
      "--temperature 20"),
-    ("dof -f 50 -s 3 -N 5.6", "-w 500", "--wavelength wants --lens or --coc airy", "--coc airy"),
+    ("dof -f 50 -s 3 -N 5.6", "-w 500", "--wavelength needs --lens or --coc airy", "--coc airy"),
     ("dof -s 3 -N 5.6", "-w 500 --lens double-gauss", None, ""),
     ("dof -f 50 -s 3 -N 5.6", "-w 500 --coc 0.03,airy", None, ""),
-    ("hyperfocal -f 50 -N 5.6", "-w 500", "--wavelength wants", "--coc airy"),
-    ("equivalent -f 50 -N 5.6 --sensor 4/3", "-w 500", "--wavelength wants", "--coc airy"),
-    ("tilt -f 90 -N 5.6 --tilt 5 -s 0.6", "-w 500", "--wavelength wants --coc airy",
+    ("hyperfocal -f 50 -N 5.6", "-w 500", "--wavelength needs", "--coc airy"),
+    ("equivalent -f 50 -N 5.6 --sensor 4/3", "-w 500", "--wavelength needs", "--coc airy"),
+    ("tilt -f 90 -N 5.6 --tilt 5 -s 0.6", "-w 500", "--wavelength needs --coc airy",
      "--coc airy"),
-    ("exposure -N 8 --ev 12", "-w 500", "--wavelength wants --lens", None),
-    ("exposure -N 8 --ev 12", "-P 2", "--pupil wants --magnification", "-m 1"),
-    ("fov -f 50", "-w 500", "--wavelength wants --lens", None),
-    ("focus -f 50 -s 3", "-w 500", "--wavelength wants --lens", None),
-    ("stars -f 24 -N 2.8", "--accuracy 2", "--accuracy wants --pitch", "--pitch 4um"),
+    ("exposure -N 8 --ev 12", "-w 500", "--wavelength needs --lens", None),
+    ("exposure -N 8 --ev 12", "-P 2", "--pupil needs --magnification", "-m 1"),
+    ("fov -f 50", "-w 500", "--wavelength needs --lens", None),
+    ("focus -f 50 -s 3", "-w 500", "--wavelength needs --lens", None),
+    ("stars -f 24 -N 2.8", "--accuracy 2", "--accuracy needs --pitch", "--pitch 4um"),
     ("stars -f 24 -N 2.8", "--trail 10um --coc 0.02", "--trail and --coc exclude", None),
-    ("stars -f 24 -N 2.8", "-w 500", "--wavelength wants", "--trail airy"),
-    ("flash -g 36 -N 8", "--sync 1/200", "--sync wants --time", "-t 1/125 --ev 12"),
+    ("stars -f 24 -N 2.8", "-w 500", "--wavelength needs", "--trail airy"),
+    ("flash -g 36 -N 8", "--sync 1/200", "--sync needs --time", "-t 1/125 --ev 12"),
 )
 
 
@@ -338,7 +338,7 @@ def check_idle(checks, program, commands):
 
 
 def check_fields_apart(checks, program):
-    """Rows of a sweep can be told apart."""
+    """Rows of a sweep can be distinguished."""
     result = program.run(*"surfaces double-gauss --field 7,14 --csv --columns field_deg".split())
     rows = result.stdout.decode().split("\n")[1:-1]
     checks.check(set(rows) == {"7", "14"} and len(rows) > 2, f"surfaces --field: {rows}")

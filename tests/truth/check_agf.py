@@ -147,12 +147,12 @@ def check_facts(checks, program):
 
 
 BAD = [  # content, status, what stderr has
-    ("NM A 14 0 1.5 50\nCD 2.25\n", 4, r"a.agf:1:6: '14' is no formula.*1 to 13"),
-    ("NM A 1.5 0 1.5 50\nCD 2.25\n", 4, r"a.agf:1:6: '1.5' is no formula"),
-    ("NM A 1 0 1.5 50\nCD 2.25 x\n", 4, r"a.agf:2:9: 'x' is no number"),
+    ("NM A 14 0 1.5 50\nCD 2.25\n", 4, r"a.agf:1:6: '14' is not a formula.*1 to 13"),
+    ("NM A 1.5 0 1.5 50\nCD 2.25\n", 4, r"a.agf:1:6: '1.5' is not a formula"),
+    ("NM A 1 0 1.5 50\nCD 2.25 x\n", 4, r"a.agf:2:9: 'x' is not a number"),
     ("NM A 1 0 1.5 50\nLD 0.4 0.7\nNM B 1\nCD 2.25\n", 4, r"a.agf:1: glass 'A' has no line CD"),
     ("NM A 1 0 1.5 50\nCD 2.25\nLD 0.7 0.4\n", 4, r"a.agf:3:1: the range"),
-    ("NM A 1 0 nan 50\nCD 2.25\n", 4, r"a.agf:1:10: 'nan' is no number"),
+    ("NM A 1 0 nan 50\nCD 2.25\n", 4, r"a.agf:1:10: 'nan' is not a number"),
     ("NM A 1\nCD 1 2 3 4 5 6 7 8 9 10 11\n", 4, r"a.agf:2:25: '11' is an eleventh"),
     ("nothing\n", 4, r"a.agf: no glass"),
     ("", 4, r"a.agf: no glass"),

@@ -217,7 +217,7 @@ static const struct loss oslo_losses[] = {
     {"aperture epd 10", near_fnumber, "the f-number of a lens with a near object",
      "OSLO takes it as the working one"},
     {"aperture epd 10", "aperture epd 10\nobject 200",
-     "the aperture of a lens with a finite object: OSLO wants its NA, write 'aperture na'", ""},
+     "the aperture of a lens with a finite object: OSLO needs its NA, write 'aperture na'", ""},
     {"12 stop", "12", "the lens has no stop", "OSLO takes its first surface"},
     {"focus table", "focus best", "the best focus", "the image lies at the last thickness"},
     {"focus table\nsurface 50 4", "position a b\nlet d1 4 5\nfocus table\nsurface 50 d1",
@@ -231,7 +231,7 @@ static const struct loss oslo_losses[] = {
 };
 static const struct loss zemax_losses[] = {
     {"1.5 12", "{500nm 1.52, 587.5618nm 1.51, 600nm 1.5} 12", "a medium given by a table",
-     "its index at 0.587562 um stands for it"},
+     "its index at 0.587562 um is used instead"},
     {"12 stop", "12 stop cyl=y A4=1e-4", "surface 1: a cylinder with aspheric terms",
      "they are left out"},
     {"12 stop", "12 stop cyl=x k=-1", "surface 1: a cylinder with aspheric terms",

@@ -257,7 +257,7 @@ static void test_ground(void)
     CHECK(isnan(ground.sample) && ground.width > 0);
     ground = (struct fov_ground){NAN, 10, NAN, NAN};
     CHECK(!fov_ground(&near, &fov, NAN, &ground, &error));
-    CHECK_TEXT(error.message, "ground sample wants pixel pitch");
+    CHECK_TEXT(error.message, "ground sample needs pixel pitch");
     ground = (struct fov_ground){1000, 10, NAN, NAN};
     CHECK(!fov_ground(&near, &fov, 0.005, &ground, &error));
     CHECK_TEXT(error.message, "give one of altitude and ground sample");

@@ -252,7 +252,7 @@ static void test_errors(struct arena *arena)
     struct error error = {0};
     struct lens lens;
     CHECK(!try_lens("set R1 4 5\nsurface 4 - air -\n", &lens, arena, &error));
-    CHECK_TEXT(error.message, "'set' wants a line with 'position' before it");
+    CHECK_TEXT(error.message, "'set' needs a line with 'position' before it");
 }
 
 int main(void)

@@ -393,7 +393,7 @@ static void test_distance_from(void)
     CHECK_NEAR(s, 100, 0, "the way back");
     from.front = NAN;
     MISUSED(distance_to_principal(50, 0.5, 91, &from, &s, &error),
-            "distance origin front wants lens: a thin lens has no front");
+            "distance origin front needs lens: a thin lens has no front");
     /* all given, two infinite: nothing to solve, whatever the rest of the command says of them */
     from.from = FROM_PRINCIPAL;
     a = (struct dof_setting){.f = INFINITY, .N = INFINITY, .c = INFINITY, .s = INFINITY, .P = 1};

@@ -188,7 +188,7 @@ static void test_aims(void)
         place(50, -INFINITY, NAN, 0.1, false),
         "an object at infinity sends rays of angle 0: give a height instead, or height and angle "
         "without an object");
-    OUTSIDE(place(50, 0, 0, NAN, false), "a ray from the vertex wants an angle, not a height");
+    OUTSIDE(place(50, 0, 0, NAN, false), "a ray from the vertex needs an angle, not a height");
     OUTSIDE(place(50, 0, 3, NAN, true),
             "an object in the vertex sends no ray through height 3 mm of the vertex plane");
     INSIDE(place(50, -0.25, 0, NAN, false));

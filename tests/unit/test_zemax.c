@@ -53,7 +53,7 @@ static void check_errors(void)
         {HEAD OBJECT IMAGE("1"), 0, 0, "no surface between"},
         {HEAD "SURF 0\nSURF 0\n", 4, 1, "SURF 1 is expected"},
         {HEAD "WXYZ 1\n" SINGLET, 3, 1, "unknown word 'WXYZ'"},
-        {HEAD "ENPD x\n" SINGLET, 3, 6, "wants a number"},
+        {HEAD "ENPD x\n" SINGLET, 3, 6, "needs a number"},
         {HEAD "ENPD 0\n" SINGLET, 3, 6, "above 0"},
         {HEAD "WAVM 1 550000 1\n" SINGLET, 3, 8, "0.001 to 100000 um"},
         {HEAD "WAVM 2 0.55 1\n" SINGLET, 0, 0, "wavelength 1 is missing"},

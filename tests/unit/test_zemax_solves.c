@@ -62,24 +62,24 @@ static const struct refusal of_wrong_paraxial[] = {
 /* In one configuration the number of the file is what the program solved. */
 static const struct meaning of_kept[] = {
     {PARAXIAL, SINGLET "  MAZH 0 1\n",
-     "note line 18: a solve that follows a real ray; the file's number stands"},
+     "note line 18: a solve that follows a real ray; the file's number is kept"},
     {PARAXIAL, SINGLET "  MAZH 0 1\n", "surface -50 90 air -"},
     {PARAXIAL, SINGLET "  DIAM 6 2 1 0 1\n",
-     "note line 18: a semi-diameter that follows another number; the file's number stands"},
+     "note line 18: a semi-diameter that follows another number; the file's number is kept"},
     {PARAXIAL, SINGLET "  CONI -1 2 1\n",
-     "note line 18: a conic that follows another number; the file's number stands"},
+     "note line 18: a conic that follows another number; the file's number is kept"},
     {PARAXIAL, SINGLET "  PARM 1 0\n  PPAR 1 5 1 0 0\n",
-     "note line 19: a parameter that follows no earlier surface; the file's number stands"},
+     "note line 19: a parameter that follows no earlier surface; the file's number is kept"},
     {PARAXIAL, SINGLET "  PZUP 1 1 0 4\n",
-     "note line 18: a solve that follows another column; the file's number stands"},
+     "note line 18: a solve that follows another column; the file's number is kept"},
     {PARAXIAL, SINGLET "  PZUP 3 1 0\n",
-     "note line 18: a solve that follows no earlier surface; the file's number stands"},
+     "note line 18: a solve that follows no earlier surface; the file's number is kept"},
 };
 
 /* In several it is that of one of them. */
 static const struct refusal of_lost[] = {
     {PARAXIAL "SURF 3\n  DISZ 0\n", SINGLET "  @MAZH 0 1\nSURF 3\n  DISZ 0\nMNUM 2 1\n",
-     "a solve that follows a real ray", "the file's number stands"},
+     "a solve that follows a real ray", "the file's number is kept"},
 };
 
 static const struct refusal of_circles[] = {
@@ -197,7 +197,7 @@ static const struct meaning of_environment[] = {
 static const struct refusal of_no_data[] = {
     {PARAXIAL, "ENVD 40 1 1\n" GLASS("@PMMA 0 0 1.490595 58.005"),
      "the index at 40 C and 1 atmospheres (the catalogue gives no dn/dT of MISC:PMMA)",
-     "that of the catalogue stands"},
+     "that of the catalogue is kept"},
 };
 
 /*

@@ -82,7 +82,7 @@ extern const struct word analysis_aims[], analysis_weights[];
                  "that of the lens"},                                                              \
         {ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",               \
          .flags = OPTION_NO_INFINITY,                                                              \
-         .help = "so far behind that plane; a list goes through focus"},                           \
+         .help = "defocus behind that plane; a list goes through focus"},                          \
         ANALYSIS_OBJECT_OPTION(S, member)
 
 /* Of commands that ask field by field; and of those that ask for the edge of the field alone. */
@@ -100,7 +100,7 @@ extern const struct word analysis_aims[], analysis_weights[];
         {ANALYSIS_LENGTH(S, member.height), .name = "height", .column = "height",                  \
          .flags = OPTION_NO_INFINITY, .help = "field by the height of its paraxial image"},        \
         {ANALYSIS_LENGTH(S, member.height_x), .name = "height-x", .column = "height_x",            \
-         .flags = OPTION_NO_INFINITY, .help = "so far beside the axis in x"},                      \
+         .flags = OPTION_NO_INFINITY, .help = "offset from the axis in x"},                        \
     {                                                                                              \
         OPTION(S, member.real), .name = "real", .wants = "height|height-x",                        \
                                 .help = "the height is that of the real image: where the chief "   \
@@ -119,13 +119,11 @@ extern const struct word analysis_aims[], analysis_weights[];
 
 /* How the pupil is filled with rays. */
 #define ANALYSIS_PUPIL_OPTIONS(S, member)                                                          \
-    {                                                                                              \
-        OPTION(S, member.aim),  .name = "aim",                                                     \
-        .words = analysis_aims, .fallback = "stop",                                                \
-        .value = "WHERE",       .help = "what the points of the pupil are points of"},             \
+    {OPTION(S, member.aim), .name = "aim",    .words = analysis_aims,                              \
+     .fallback = "stop",    .value = "WHERE", .help = "pupil that the ray points lie in"},         \
         {OPTION(S, member.weight),  .name = "weight",                                              \
          .words = analysis_weights, .fallback = "pupil",                                           \
-         .value = "WHAT",           .help = "what equal weights are equal areas of"},              \
+         .value = "WHAT",           .help = "where equal weights mean equal areas"},               \
         {OPTION(S, member.pattern), .name = "pattern",  .words = patterns,                         \
          .fallback = "gauss",       .value = "PATTERN", .help = "points of the pupil"},            \
         {OPTION(S, member.rays),                                                                   \
@@ -133,7 +131,7 @@ extern const struct word analysis_aims[], analysis_weights[];
          .lowest = 1,                                                                              \
          .highest = 1e7,                                                                           \
          .value = "COUNT",                                                                         \
-         .help = "about so many rays a wavelength; default: as many as --error wants"},            \
+         .help = "approximate number of rays per wavelength; default: as many as --error needs"},  \
         {OPTION(S, member.seed),                                                                   \
          .name = "seed",                                                                           \
          .lowest = 0,                                                                              \
@@ -150,14 +148,14 @@ extern const struct word analysis_aims[], analysis_weights[];
          .fallback = "1e-4",                                                                       \
          .value = "NUMBER",                                                                        \
          .excludes = "rays",                                                                       \
-         .help = "rays are doubled until the answer is right to this share of it"},                \
+         .help = "rays are doubled until the relative error is below this"},                       \
         ANALYSIS_CLIP_OPTIONS(S, member)
 
 #define ANALYSIS_CLIP_OPTIONS(S, member)                                                           \
     {OPTION(S, member.clip), .name = "clip", .help = "clip rays at apertures and stop (default)"}, \
     {                                                                                              \
         OPTION(S, member.no_clip), .name = "no-clip", .excludes = "clip",                          \
-                                   .help = "clear apertures lose no rays"                          \
+                                   .help = "do not clip rays at clear apertures"                   \
     }
 
 /* What rows begin with: position and field. */

@@ -15,13 +15,13 @@ static const struct option options[] = {
     ANALYSIS_EDGE_OPTIONS(struct color_input, question),
     ANALYSIS_SPECTRUM_OPTION(struct color_input, question),
     {OPTION(struct color_input, show), .name = "show", .words = shows, .fallback = "wavelength",
-     .value = "WHAT", .help = "what the rows run over"},
+     .value = "WHAT", .help = "what each row stands for"},
     {OPTION(struct color_input, steps), .name = "steps", .lowest = 1, .highest = 1000,
      .fallback = "10", .value = "COUNT", .wants = "show=zone|show=field",
-     .help = "into so many steps the zones or fields are divided"},
+     .help = "number of steps of zones or fields"},
     {OPTION(struct color_input, question.aim), .name = "aim", .words = analysis_aims,
      .fallback = "stop", .value = "WHERE", .wants = "show=zone",
-     .help = "what the zones are zones of"},
+     .help = "pupil that the zones lie in"},
 };
 
 struct row {

@@ -23,14 +23,15 @@ static const struct option options[] = {
     ANALYSIS_FIELD_OPTIONS(struct distortion_input, question),
     {OPTION(struct distortion_input, projection), .name = "projection",
      .word_at = projection_word_at, .fallback = "auto", .value = "KIND",
-     .help = "the ideal image that distortion is the difference from"},
+     .help = "the ideal image that distortion is measured against"},
     {OPTION(struct distortion_input, calibrated), .name = "calibrated",
      .help = "compare with the focal length that makes the largest and the smallest distortion "
              "over the field of the lens equal and opposite; with --fit, with the one that fits "
              "best"},
     {OPTION(struct distortion_input, fit), .name = "fit", .word_at = fit_word_at,
      .fallback = "none", .value = "MODEL", .excludes = "field field-x height height-x",
-     .help = "the coefficients that programs undistort photographs with, over the diagonal of the "
+     .help = "fit the coefficients with which other programs correct distortion, over the diagonal "
+             "of the "
              "sensor"},
     {OPTION(struct distortion_input, sensor), .name = "sensor", .column = "sensor",
      .fallback = "35mm", .value = "NAME|WxH", .wants = "fit!=none",

@@ -20,14 +20,14 @@ static const struct option options[] = {
     ANALYSIS_FIELD_OPTIONS(struct fan_input, question),
     ANALYSIS_SPECTRUM_OPTION(struct fan_input, question),
     {OPTION(struct fan_input, show), .name = "show", .words = shows, .fallback = "transverse",
-     .value = "WHAT", .help = "what people read and --plot draws"},
+     .value = "WHAT", .help = "what text and --plot show"},
     {OPTION(struct fan_input, reference), .name = "reference", .words = references,
-     .fallback = "chief", .value = "WHAT", .help = "what aberrations are counted from"},
+     .fallback = "chief", .value = "WHAT", .help = "reference point of the aberrations"},
     {OPTION(struct fan_input, points), .name = "points", .lowest = 3, .highest = 100001,
      .fallback = "21", .value = "COUNT",
      .help = "rays in each section, an odd number: one lies in the middle"},
     {OPTION(struct fan_input, question.aim), .name = "aim", .words = analysis_aims,
-     .fallback = "stop", .value = "WHERE", .help = "what the points of the pupil are points of"},
+     .fallback = "stop", .value = "WHERE", .help = "pupil that the ray points lie in"},
     ANALYSIS_CLIP_OPTIONS(struct fan_input, question),
 };
 
@@ -86,7 +86,7 @@ struct row {
          .help = "radius of the reference sphere"},                                                \
         {PLAIN(reference, COLUMN_ASSUMED), .name = "reference",                                    \
          .depends = "reference lens wavelength spectrum", .label = "reference",                    \
-         .help = "what aberrations are counted from"},                                             \
+         .help = "reference point of the aberrations"},                                            \
         ANALYSIS_SPECTRUM_COLUMN(struct row, point), ANALYSIS_TAIL_COLUMNS(struct row, point)
 
 static const struct column transverse_columns[] = {FAN_COLUMNS(COLUMN_BRIEF, COLUMN_HIDDEN)};

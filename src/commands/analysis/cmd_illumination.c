@@ -15,14 +15,14 @@ static const struct option options[] = {
     ANALYSIS_OPTIONS(struct input, question, LENS_PRIMARY_WAVELENGTH),
     {ANALYSIS_LENGTH(struct input, question.height), .name = "height", .column = "height",
      .flags = OPTION_NO_INFINITY,
-     .help = "a point of the image, so far from the axis, a list is swept; default from the axis "
-             "by tenths to the image of the largest field"},
+     .help = "a point in the image at this distance from the axis; a list is swept; default: from "
+             "the axis in tenths to the image of the largest field"},
     {ANALYSIS_LENGTH(struct input, question.height_x), .name = "height-x", .column = "height_x",
-     .flags = OPTION_NO_INFINITY, .help = "so far beside it in x"},
+     .flags = OPTION_NO_INFINITY, .help = "its offset in x"},
     {OPTION(struct input, question.field), .name = "field", .column = "field",
      .dimension = &dimension_angle, .unit = "deg", .lowest = -PI, .highest = PI,
      .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
-     .help = "the point where the chief ray of this field comes to, a list is swept"},
+     .help = "the point that the chief ray of this field reaches; a list is swept"},
     LENS_FIELD_X_OPTION(struct input, question.field_x),
     {ANALYSIS_LENGTH(struct input, stop_diameter), .name = "stop-diameter", .lowest = 0,
      .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
@@ -30,7 +30,7 @@ static const struct option options[] = {
      .help = "diameter of the stop, in place of the lens's own aperture"},
     {OPTION(struct input, question.error), .name = "error", .dimension = &dimension_number,
      .lowest = 1e-13, .highest = 1, .fallback = "1e-4", .value = "NUMBER",
-     .help = "rays are doubled until irradiances are right to this share of them"},
+     .help = "rays are doubled until the relative error of the irradiance is below this"},
     ANALYSIS_CLIP_OPTIONS(struct input, question),
 };
 
@@ -434,8 +434,9 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
         }
     }
     return (painter.count <= MOST_CURVES ||
-            fail(error, ERROR_USAGE, "{--plot} would draw %zu curves: at most %d can be told apart",
-                 painter.count, MOST_CURVES)) &&
+            fail(error, ERROR_USAGE,
+                 "{--plot} would draw %zu curves: at most %d can be distinguished", painter.count,
+                 MOST_CURVES)) &&
            paint(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 

@@ -28,10 +28,10 @@ struct row {
 
 static const struct option options[] = {
     {OPTION(struct input, check), .name = "check",
-     .help = "only say of each file whether it is read, with losses or not; in rows"},
+     .help = "only report whether each file can be read, and with what losses; one row a file"},
     {OPTION(struct input, files), .name = "files", .value = "FILE",
      .flags = OPTION_OPERAND | OPTION_TOGETHER,
-     .help = "with --check: files, and folders with all that is in them"},
+     .help = "with --check: files, and folders with their contents"},
     {OPTION(struct input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
      .value = "N", .fallback = "0", .help = "with --check: threads to work with; 0 = one a core"},
 };

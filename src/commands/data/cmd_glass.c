@@ -41,9 +41,9 @@ static const struct option options[] = {
      .value = "MODEL", .wants = "temperature|pressure",
      .help = "formula for air, with --temperature or --pressure"},
     {OPTION(struct input, nd), .name = "nd", .lowest = 1, .highest = 5, .value = "NUMBER",
-     .help = "search by index at the d line: what is nearest to it, or LOW..HIGH"},
+     .help = "search by index at the d line: the nearest, or LOW..HIGH"},
     {OPTION(struct input, Vd), .name = "vd", .lowest = 1, .highest = 1000, .value = "NUMBER",
-     .help = "search by Abbe number: what is nearest to it, or LOW..HIGH"},
+     .help = "search by Abbe number: the nearest, or LOW..HIGH"},
     {OPTION(struct input, PgF), .name = "pgf", .value = "LOW..HIGH",
      .help = "search by partial dispersion (ng - nF)/(nF - nC)"},
     {OPTION(struct input, catalog), .name = "catalog", .value = "NAME",
@@ -51,12 +51,12 @@ static const struct option options[] = {
     {OPTION(struct input, status), .name = "status", .value = "WORD",
      .help = "search by status: current, obsolete, .."},
     {OPTION(struct input, like), .name = "like", .value = "NAME", .flags = OPTION_CURRENT,
-     .help = "search what is nearest to this glass in g F e d C, nearest first"},
+     .help = "the nearest equivalents of this glass in g F e d C, nearest first"},
     {OPTION(struct input, count), .name = "count", .dimension = &dimension_number, .lowest = 1,
      .highest = 1000, .fallback = "10", .value = "NUMBER", .wants = "like|nd|vd",
-     .help = "how many of the nearest, with --like or a single --nd or --vd"},
+     .help = "number of nearest glasses, with --like or a single --nd or --vd"},
     {OPTION(struct input, label), .name = "label", .value = "NAMES", .wants = "abbe",
-     .help = "glasses that the Abbe diagram shows large, separated by commas"},
+     .help = "glasses to emphasise in the Abbe diagram, separated by commas"},
 };
 
 struct row {

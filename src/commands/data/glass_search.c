@@ -139,7 +139,7 @@ bool glass_search(const struct glass_wishes *wishes, struct lensdb *db, struct a
     }
     for (size_t i = 0; i < ranking.count && found(&ranking.best[i], context); i++) {
     }
-    return count + ranking.count > 0 || fail(error, ERROR_DOMAIN, "no glass is of this kind");
+    return count + ranking.count > 0 || fail(error, ERROR_DOMAIN, "no glass matches");
 }
 
 /* The diagram while glasses are collected for it. */

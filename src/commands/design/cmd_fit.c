@@ -41,24 +41,25 @@ static const struct option options[] = {
     {OPTION(struct fit_input, distortion), .name = "distortion", .dimension = &dimension_number,
      .lowest = 0, .highest = 3, .value = "TERMS",
      .help = "terms of distortion to fit; usually half as many as there are fields off the axis, "
-             "at most 3; with 0 the focal length has to make up for it"},
+             "at most 3; with 0 the focal length absorbs it"},
     {OPTION(struct fit_input, chromatic), .name = "chromatic",
      .help = "f, H and H' of each wavelength instead of one lens for all"},
     {OPTION(struct fit_input, match), .name = "match", .words = matches, .fallback = "image",
-     .value = "WHAT", .help = "what is made smallest"},
+     .value = "WHAT", .help = "what is minimised"},
     {OPTION(struct fit_input, pattern), .name = "pattern", .words = patterns, .fallback = "gauss",
      .value = "PATTERN", .help = "rays of each field"},
     {OPTION(struct fit_input, rays), .name = "rays", .lowest = 1, .highest = 1e5, .fallback = "72",
      .value = "COUNT",
-     .help = "about how many rays a field has: the pattern takes the next number it can"},
+     .help = "approximate number of rays per field: the pattern takes the next possible number"},
     {OPTION(struct fit_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
      .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},
     {OPTION(struct fit_input, clip), .name = "clip", .excludes = "no-clip",
      .help = "clip rays at apertures and stop (default)"},
-    {OPTION(struct fit_input, no_clip), .name = "no-clip", .help = "clear apertures lose no rays"},
+    {OPTION(struct fit_input, no_clip), .name = "no-clip",
+     .help = "do not clip rays at clear apertures"},
     {OPTION(struct fit_input, goals), .name = "prescription", .value = "GOALS",
      .excludes = "glass " OF_RAYS,
-     .help = "change the lens until it has what was measured: efl=50.2,bfl@F=38.1:0.02, ffl, "
+     .help = "adjust the lens until it has the measured values: efl=50.2,bfl@F=38.1:0.02, ffl, "
              "length, height@10deg=8.8; the standard deviation stands behind a colon, otherwise "
              "0.01 mm"},
     {OPTION(struct fit_input, vary), .name = "vary", .value = "PARTS", .wants = "prescription",
@@ -213,7 +214,7 @@ static bool check_saved(const struct artifact_job *job, struct error *error)
     if (input->goals != NULL || input->distortion <= 0) {
         return true;
     }
-    fail(error, ERROR_USAGE, "a .lens holds no distortion: {--output} wants {--distortion} 0");
+    fail(error, ERROR_USAGE, "a .lens holds no distortion: {--output} needs {--distortion} 0");
     return error_hint(error, "f then makes up for the distortion as well as it can");
 }
 
@@ -239,7 +240,7 @@ static const struct artifact artifacts[] = {
                 .flags = OPTION_FILE,
                 .types = drawing_types,
                 .excludes = "prescription glass",
-                .help = "draw where in field and pupil the thick lens fails"},
+                .help = "map the error of the thick lens over field and pupil"},
      .is_kept = true,
      .check = check_lens,
      .make = fit_draw_map},

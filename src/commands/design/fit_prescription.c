@@ -140,7 +140,7 @@ static bool read_goal(struct text item, struct run *run, double wavelength,
     }
     return (goal->kind == GOAL_HEIGHT) == isfinite(goal->field) ||
            fail(error, ERROR_USAGE,
-                "the goal height in {--prescription} wants its field: "
+                "the goal height in {--prescription} needs its field: "
                 "height@10deg=8.8");
 }
 

@@ -26,10 +26,10 @@ static const struct option options[] = {
     LENS_SECTION_OPTION(struct input, question),
     {OPTION(struct input, tolerance), .name = "tolerance", .column = "tolerance",
      .dimension = &dimension_ratio, .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "1%", .value = "RATIO", .help = "what the verdict calls trusted"},
+     .fallback = "1%", .value = "RATIO", .help = "tolerance for the verdict 'trusted'"},
     {OPTION(struct input, steps), .name = "steps", .lowest = 1, .highest = 100, .fallback = "3",
      .value = "COUNT",
-     .help = "how many apertures, each a stop smaller, and fields, evenly spaced"},
+     .help = "number of apertures, each a stop smaller, and of fields, evenly spaced"},
 };
 
 struct row {

@@ -42,7 +42,7 @@ static const struct option options[] = {
      .help = "index of the lens"},
     {PLACE(d), .name = "thickness", .letter = 'd', .column = "thickness", .lowest = 0,
      .highest = INFINITY, .flags = OPTION_NO_INFINITY | OPTION_SETTING,
-     .help = "thickness at the vertices, of a ball its diameter; 0 (thin) if it is not asked for"},
+     .help = "thickness at the vertices, of a ball its diameter; 0 (thin) unless solved for"},
     {OPTION(struct input, lens.q), .name = "shape", .letter = 'q', .column = "shape",
      .dimension = &dimension_number, .value = "NUMBER", .flags = OPTION_GOAL,
      .help = "shape factor (R2 + R1)/(R2 - R1): 0 equiconvex, 1 and -1 with a plane, beyond a "
@@ -53,7 +53,7 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium after"},
     {OPTION(struct input, ball), .name = "ball", .help = "a ball lens of diameter --thickness"},
     {OPTION(struct input, solution), .name = "solution", .column = "solution", .words = solutions,
-     .fallback = "first", .value = "WHICH", .help = "which lens, where two answer the question"},
+     .fallback = "first", .value = "WHICH", .help = "which solution, where there are two"},
 };
 
 struct row {

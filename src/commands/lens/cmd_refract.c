@@ -32,19 +32,19 @@ static const struct word planes[] = {
 static const struct option options[] = {
     {INDEX(n), .name = "before", .column = "index_before",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING,
-     .help = "index n before the surface; 1 if it is not asked for"},
+     .help = "index n before the surface; 1 unless solved for"},
     {INDEX(n_after), .name = "after", .column = "index_after",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING,
      .help = "index n' after the surface"},
     {PLACE(radius), .name = "radius", .letter = 'R', .column = "radius", .flags = OPTION_SETTING,
      .help = "radius, + with the centre to the right; inf for a plane"},
     {PLACE(object), .name = "object", .letter = 'z', .column = "object", .flags = OPTION_SETTING,
-     .help = "object point on the axis from the vertex, + to the right: -200mm lies before it; inf "
-             "if nothing is said"},
+     .help = "object point on the axis from the vertex, + to the right: -200mm lies before it; "
+             "default inf"},
     {PLACE(image), .name = "image", .column = "image", .flags = OPTION_GOAL,
      .help = "wanted Gaussian image, + to the right: solves for what is not given"},
     {PLACE(aim.height), .name = "height", .letter = 'y', .column = "height",
-     .flags = OPTION_NO_INFINITY, .help = "height of the ray: brings the exact results"},
+     .flags = OPTION_NO_INFINITY, .help = "height of the ray: adds the exact results"},
     {OPTION(struct input, aim.angle), .name = "angle", .letter = 'u', .dimension = &dimension_angle,
      .unit = "deg", .lowest = -PI / 2, .highest = PI / 2, .value = "ANGLE",
      .help = "slope angle U of the ray, + rising to the right; instead of --height or --object"},
@@ -227,7 +227,7 @@ static bool run(const void *data, struct run *run, struct error *error)
         return fail(error, ERROR_USAGE, "{--mirror} has no {--after}: the light stays before it");
     }
     if (isnan(aim.height) && !isnan(aim.angle) && isnan(s->z) && isnan(s->z_image)) {
-        return fail(error, ERROR_USAGE, "{--angle} wants {--height} or {--object} beside it");
+        return fail(error, ERROR_USAGE, "{--angle} needs {--height} or {--object} beside it");
     }
     assume(input, s);
     if (!solve(input, &aim, &row, error)) {

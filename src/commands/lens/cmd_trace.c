@@ -49,7 +49,7 @@ static const struct option options[] = {
     LENS_FIELD_X_OPTION(struct trace_input, field_x),
     {OPTION(struct trace_input, height_x), .name = "height-x", .column = "height_x",
      .dimension = &dimension_length, .unit = "mm", .flags = OPTION_NO_INFINITY, .value = "LENGTH",
-     .help = "so far beside the axis in x"},
+     .help = "offset from the axis in x"},
     {OPTION(struct trace_input, real), .name = "real", .wants = "height|height-x",
      .help = "the height is that of the real image: where the chief ray meets the image plane"},
     {OPTION(struct trace_input, pupil), .name = "pupil-point", .dimension = &dimension_number,
@@ -64,12 +64,12 @@ static const struct option options[] = {
      .fallback = "few", .value = "PATTERN", .help = "rays of each field"},
     {OPTION(struct trace_input, rays), .name = "rays", .lowest = 1, .highest = 1e7,
      .fallback = "72", .value = "COUNT", .wants = "pattern!=few",
-     .help = "about how many rays a pattern has: it takes the next number it can"},
+     .help = "approximate number of rays of a pattern: it takes the next possible number"},
     {OPTION(struct trace_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
      .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},
     {OPTION(struct trace_input, aim), .name = "aim", .words = aims, .fallback = "stop",
      .value = "WHERE", .excludes = "point direction x y z cos-x cos-y cos-z",
-     .help = "what the points of the pupil are points of"},
+     .help = "pupil that the ray points lie in"},
     {OPTION(struct trace_input, point), .name = "point", .dimension = &dimension_length,
      .unit = "mm", .value = "X:Y:Z",
      .help = "one ray that starts here, z from the first vertex; in place of a field"},
@@ -92,7 +92,7 @@ static const struct option options[] = {
     {OPTION(struct trace_input, paraxial), .name = "paraxial",
      .help = "heights and slopes of the paraxial ray beside it"},
     {OPTION(struct trace_input, verify), .name = "verify",
-     .help = "trace again in 80-bit numbers and print by how much the ray is off"},
+     .help = "trace again in 80-bit numbers and print the error of the ray"},
 };
 
 #define LENGTH(member_name, more)                                                                  \

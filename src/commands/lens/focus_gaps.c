@@ -64,7 +64,7 @@ static bool unknown(const struct lens *lens, struct text name, struct error *err
         nearest_offer(&nearest, lens->variables[i].name);
     }
     fail(error, ERROR_USAGE,
-         "{--gap} '%.*s' is no gap: it must be a variable of the lens, the number (1 to %zu) or "
+         "{--gap} '%.*s' is not a gap: it must be a variable of the lens, the number (1 to %zu) or "
          "name "
          "of the surface before it, or 'last'",
          (int)(name.length < 40 ? name.length : 40), name.start, lens->surface_count);

@@ -97,7 +97,7 @@ extern const struct word section_words[];
 #define LENS_FIELDS_OPTION(S, member)                                                              \
     {                                                                                              \
         OPTION(S, member.fields), .name = "field", .value = "ANGLES",                              \
-                                  .help = "one set of fields, each with a weight if you like: "    \
+                                  .help = "one set of fields, each optionally weighted: "          \
                                           "0,10:2,14deg; for an object nearby heights in mm; "     \
                                           "otherwise those of the lens"                            \
     }

@@ -35,7 +35,8 @@ struct ray_case {
 #define RAY_CLIP_OPTIONS(S, member)                                                                \
     {OPTION(S, member.clip), .name = "clip", .help = "clip rays at apertures and stop (default)"}, \
     {                                                                                              \
-        OPTION(S, member.no_clip), .name = "no-clip", .help = "clear apertures lose no rays"       \
+        OPTION(S, member.no_clip), .name = "no-clip",                                              \
+                                   .help = "do not clip rays at clear apertures"                   \
     }
 
 /* What of the lens. */

@@ -540,7 +540,7 @@ static bool check(const struct trace_input *input, struct error *error)
         return false;
     }
     if (input->verify && input->question.to.kind == TARGET_SURFACE) {
-        return fail(error, ERROR_USAGE, "{--verify} goes with rays that pass the whole lens");
+        return fail(error, ERROR_USAGE, "{--verify} works with rays that pass the whole lens");
     }
     return true;
 }

@@ -61,7 +61,7 @@ bool trace_start(const struct trace_input *input, struct ray *ray, struct error 
         return fail(error, ERROR_USAGE, "the ray has a direction and no point to start from");
     }
     if (trace_has_field(input)) {
-        return fail(error, ERROR_USAGE, "a ray and a field are given: one of them is wanted");
+        return fail(error, ERROR_USAGE, "give a ray or a field, not both");
     }
     if (!has_direction) {
         ray->cosine[0] = ray->cosine[1] = 0;

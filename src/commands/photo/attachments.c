@@ -26,14 +26,14 @@ static bool check_question(const struct attachments *a, const struct photo_lens 
 {
     if (isnan(lens->f)) {
         return fail(error, ERROR_USAGE,
-                    "{--%s} wants {--focal-length} or {--lens}: it is added to a known lens",
+                    "{--%s} needs {--focal-length} or {--lens}: it is added to a known lens",
                     !isnan(a->close_up) ? "close-up"
                     : !isnan(a->tube)   ? "tube"
                                         : "converter");
     }
     return isnan(a->converter) || lens->measuring.from != FROM_SENSOR ||
            fail(error, ERROR_USAGE,
-                "{--from} sensor goes without {--converter}: how far it moves the sensor from the "
+                "{--from} sensor works without {--converter}: how far it moves the sensor from the "
                 "lens is not known");
 }
 

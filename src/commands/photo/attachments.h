@@ -22,7 +22,7 @@ struct attachments {
                            .usual = {0, 0.025},                                                    \
                            .unusual = "close-up lenses have 0.25 to 25 diopters; Canon's 250D "    \
                                       "has 4, its 500D 2",                                         \
-                           .help = "close-up lens before the lens; of several give the sum"        \
+                           .help = "close-up lens before the lens; for several, the sum"           \
     }
 
 #define OPTION_TUBE(S, member)                                                                     \
@@ -30,7 +30,7 @@ struct attachments {
         OPTION(S, member), .name = "tube", .column = "tube", .dimension = &dimension_length,       \
                            .unit = "mm", .lowest = 0, .highest = INFINITY,                         \
                            .flags = OPTION_NO_INFINITY, .value = "LENGTH",                         \
-                           .help = "extension tube or bellows; of several give the sum"            \
+                           .help = "extension tube or bellows; for several, the sum"               \
     }
 
 #define OPTION_CONVERTER(S, member)                                                                \
@@ -38,7 +38,7 @@ struct attachments {
         OPTION(S, member), .name = "converter", .quantity = "converter factor",                    \
                            .column = "converter", .dimension = &dimension_ratio, OPTION_POSITIVE,  \
                            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "FACTOR",   \
-                           .help = "teleconverter: 1.4x; of several give the product"              \
+                           .help = "teleconverter: 1.4x; for several, the product"                 \
     }
 
 #define ATTACHMENT_NAMES "close-up tube converter"

@@ -34,7 +34,7 @@ static const struct option options[] = {
      .column = "shots", .dimension = &dimension_number, .lowest = 1, .highest = BRACKET_SHOTS,
      .value = "N", .help = "number of shots"},
     {STOPS_OPTION(range), .name = "range", .quantity = "range of a shot", .column = "range",
-     .help = "contrast that one shot records: tells what the bracket covers"},
+     .help = "contrast that one shot records: shows what the bracket covers"},
     {STOPS_OPTION(scene_range), .name = "scene-range", .column = "scene_range",
      .help = "contrast of the scene: with --range gives the number of shots"},
     OPTION_SERIES(struct input, series),
@@ -110,7 +110,7 @@ static bool make_plan(const struct input *input, struct bracket *plan, struct er
     }
     if (is_given(given.from) || is_given(given.to) || !is_given(given.shots)) {
         return fail(error, ERROR_USAGE,
-                    "{--time} is the middle of a bracket: it goes with {--shots}, "
+                    "{--time} is the middle of a bracket: it works with {--shots}, "
                     "without {--from} and {--to}");
     }
     return bracket_around(input->time, given.step, given.shots, plan, error);

@@ -35,21 +35,21 @@ static const struct option options[] = {
      .value = "NUMBER", .help = "how many pixels wide the Airy disc may be"},
     {NUMBER(film), .name = "film", .column = "film", .dimension = &dimension_frequency,
      .unit = "per_mm", FINITE, .value = "FREQUENCY",
-     .help = "what the film resolves: the f-number that resolves no more"},
+     .help = "resolution of the film: gives the f-number at which diffraction equals it"},
     {NUMBER(defocus), .name = "defocus", .quantity = "blur by defocus", .column = "defocus",
      .dimension = &dimension_length, .unit = "um", .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .fallback = "0", .value = "LENGTH",
      .help = "diameter of the blur disc that defocus makes on the sensor"},
     {NUMBER(focus_spread), .name = "focus-spread", .column = "focus_spread",
      .dimension = &dimension_length, .unit = "mm", FINITE, .value = "LENGTH",
-     .help = "between the images of nearest and farthest point: the best f-number for it"},
+     .help = "between the images of the nearest and farthest points: gives the best f-number"},
     OPTION_FOCAL_LENGTH(struct input, lens.focal, 0),
     {NUMBER(near), .name = "near", .quantity = "nearest point", .column = "near",
      .dimension = &dimension_length, .unit = "m", FINITE, .value = "LENGTH",
-     .help = "nearest point that shall be sharp, with -f or --lens: the best f-number"},
+     .help = "nearest point that must be sharp, with -f or --lens: the best f-number"},
     {NUMBER(far), .name = "far", .quantity = "farthest point", .column = "far",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "inf", .value = "LENGTH", .help = "farthest point that shall be sharp"},
+     .fallback = "inf", .value = "LENGTH", .help = "farthest point that must be sharp"},
 };
 
 struct row {
@@ -114,7 +114,7 @@ struct row {
          .help = "sharpest ends of the focus spread"},                                             \
     {                                                                                              \
         LENGTH(optimum.blur, "um"), .name = "optimum_blur", .flags = (more), .symbol = "bo",       \
-                                    .label = "blur there",                                         \
+                                    .label = "blur at the best f-number",                          \
                                     .help = "defocus and Airy disc at the ends, combined"          \
     }
 
@@ -198,7 +198,7 @@ static const struct column best_columns[] = {
     PHOTO_LENS_COLUMNS(struct row, real),
     COLUMN_FOCAL(struct row, focal, COLUMN_EXTRA),
     {LENGTH(near, "m"), .name = "near", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "near",
-     .symbol = "n", .label = "near point", .help = "nearest point that shall be sharp"},
+     .symbol = "n", .label = "near point", .help = "nearest point that must be sharp"},
     {LENGTH(far, "m"), .name = "far", .flags = COLUMN_ECHO | COLUMN_EXTRA | COLUMN_INFINITE,
      .with = "near", .symbol = "r", .label = "far point", .help = "farthest point"},
     COLUMNS_SPREAD(COLUMN_BRIEF),
@@ -268,7 +268,7 @@ static bool compute_optimum(const struct input *input, struct row *row, struct e
         if (!isnan(input->focus_spread) || isnan(row->focal)) {
             return fail(
                 error, ERROR_USAGE,
-                "{--near} wants {--focal-length} or {--lens}, and no {--focus-spread} of its own");
+                "{--near} needs {--focal-length} or {--lens}, and no {--focus-spread} of its own");
         }
         if (!diffraction_focus_spread(row->focal, input->near, input->far, &row->spread, error)) {
             return false;
@@ -325,7 +325,7 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     row.sensor = sharp->sensor.name;
     row.criterion = sharp->coc.criterion;
     if (isnan(lens->N) && !isnan(input->frequency)) {
-        return fail(error, ERROR_USAGE, "{--frequency} wants {--aperture}");
+        return fail(error, ERROR_USAGE, "{--frequency} needs {--aperture}");
     }
     if (!sharpness_resolve_in(sharp, lens->wavelength,
                               diffracting_fnumber(lens->N, input->magnification, lens->P), &row.coc,
@@ -370,7 +370,7 @@ static const struct explanation explanations[] = {
      "[BornWolf99] 8.5.2: Rayleigh distance = one line pair", NULL},
     {"optimum_fnumber", "No = sqrt({dv}/(4 x 1.21967 {w}))/(1 + {m}/{P})",
      "[Hansma96]; defocus disc dv/(2 N) = Airy disc",
-     "the root of the sum of squares stands for both blurs together"},
+     "the root of the sum of squares is used for both blurs together"},
     {"rayleigh", "th = 1.21967 {w} {N}/f", "[BornWolf99] 8.5.2", "without air and aberrations"},
     {NULL, NULL, NULL, NULL},
 };

@@ -25,7 +25,7 @@ static const struct option options[] = {
     OPTION_FROM(struct dof_question, lens.from, distances_from),
     {OPTION(struct dof_question, model), .name = "model", .column = "model", .words = dof_models,
      .fallback = "exact", .value = "MODEL",
-     .help = "exact formulas, or a short cut that other programs use"},
+     .help = "exact formulas, or a shortcut that other programs use"},
     {GOAL_LENGTH(near), .name = "near", .quantity = "near limit", .column = "near",
      .help = "wanted near limit: solves for what is not given"},
     {GOAL_LENGTH(far), .name = "far", .quantity = "far limit", .column = "far",
@@ -50,7 +50,7 @@ static const struct option options[] = {
     OPTION_SQUEEZE(struct dof_question, squeeze, NULL,
                    "anamorphic squeeze: adds what it does across the picture"),
     OPTION_T_NUMBER(struct dof_question, t_stop,
-                    "T-stop of the lens: how it exposes, while -N says what is sharp"),
+                    "T-stop of the lens, for exposure; -N gives the depth of field"),
 };
 
 struct row {
@@ -77,9 +77,9 @@ struct row {
 
 static const struct column columns[] = {
     {COLUMN_LENGTH(setting.f, "mm"), .name = "combined_focal", ON_THE_LENS, .symbol = "f",
-     .label = "focal length together", .help = "focal length of lens and attachments"},
+     .label = "combined focal length", .help = "focal length of lens and attachments"},
     {COLUMN(struct row, setting.N), .name = "combined_fnumber", ON_THE_LENS, .symbol = "N",
-     .label = "f-number together", .help = "f-number of lens and attachments"},
+     .label = "combined f-number", .help = "f-number of lens and attachments"},
     PHOTO_LENS_COLUMNS(struct row, real),
     {COLUMN(struct row, shot), .name = "shot", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "stack",
      .label = "shot", .help = "number of the shot in a focus stack, nearest first"},
@@ -169,10 +169,10 @@ static const struct column columns[] = {
      .with = "equal-on", .label = "equivalent focal length",
      .help = "focal length with the same framing on the other format"},
     {COLUMN(struct row, other_fnumber), .name = "equal_fnumber",
-     .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "equal-on", .label = "f-number there",
+     .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "equal-on", .label = "equivalent f-number",
      .help = "f-number with the same depth of field on the other format"},
     {COLUMN_LENGTH(other_coc, "mm"), .name = "equal_coc", .flags = COLUMN_EXTRA, .with = "equal-on",
-     .label = "circle of confusion there",
+     .label = "equivalent circle of confusion",
      .help = "circle of confusion in proportion to the other format"},
     COLUMN_PUPIL(struct row, setting.P),
     {COLUMN(struct row, model), .name = "model", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
@@ -267,15 +267,15 @@ static bool stack_limits(const struct dof_question *input, const struct photo_le
     const struct dof_targets *t = &input->targets;
     if (isnan(t->near) || isnan(t->far) || !isnan(input->distance)) {
         return fail(error, ERROR_USAGE,
-                    "{--stack} wants {--near} and {--far}, and no {--distance} of its own");
+                    "{--stack} needs {--near} and {--far}, and no {--distance} of its own");
     }
     if (sharpness_is_airy(&input->sharp)) {
         return fail(error, ERROR_USAGE,
-                    "{--stack} wants one circle of confusion for all shots: not {--coc} airy");
+                    "{--stack} needs one circle of confusion for all shots: not {--coc} airy");
     }
     if (input->lens.from == FROM_SENSOR || input->model != DOF_EXACT) {
         return fail(error, ERROR_USAGE,
-                    "{--stack} goes with exact formulas and distances from the "
+                    "{--stack} works with exact formulas and distances from the "
                     "principal plane");
     }
     return distance_to_principal(lens->f, lens->P, t->near, &lens->measuring, near, error) &&

@@ -40,11 +40,11 @@ static const struct option options[] = {
      .column = "transmittance", .dimension = &dimension_ratio, .lowest = 0, .highest = 1,
      .flags = OPTION_ABOVE_LOWEST, .value = "RATIO", .help = "of the lens: 0.8 or 80%"},
     OPTION_T_NUMBER(struct exposure_input, t_stop,
-                    "T-stop of the lens; without -N it stands for the f-number too"),
+                    "T-stop of the lens; without -N it serves as f-number too"),
     {OPTION(struct exposure_input, magnification), .name = "magnification", .letter = 'm',
      .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
      .flags = OPTION_NO_INFINITY, .value = "RATIO",
-     .help = "of a close-up, whose extension takes light: 1:2 or 0.5"},
+     .help = "of a close-up, whose extension costs light: 1:2 or 0.5"},
     OPTION_PUPIL_OF_LENS(struct exposure_input, lens.pupil, "magnification"),
     {OPTION(struct exposure_input, shutter_angle), .name = "shutter-angle",
      .column = "shutter_angle", .dimension = &dimension_angle, .unit = "deg", .lowest = 0,
@@ -65,7 +65,7 @@ static const struct option options[] = {
     {OPTION(struct exposure_input, vignetting), .name = "vignetting", .column = "vignetting",
      .dimension = &dimension_ratio, .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST,
      .fallback = "0.98", .value = "RATIO", .wants = "focal-plane",
-     .help = "light that passes off the axis, for "
+     .help = "share of light that passes off axis, for "
              "--focal-plane"},
     {OPTION(struct exposure_input, off_axis), .name = "off-axis", .quantity = "field angle",
      .column = "off_axis", .dimension = &dimension_angle, .unit = "deg", .lowest = 0,

@@ -96,16 +96,17 @@ static const struct column columns[] = {
      .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "zoom", .symbol = "z",
      .label = "reflector position", .help = "focal length the reflector is set for"},
     {LENGTH(second), .name = "second", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "second",
-     .symbol = "GN2", .label = "of the second flash", .help = "at ISO 100, full power"},
+     .symbol = "GN2", .label = "guide number of the second flash",
+     .help = "at ISO 100, full power"},
     {LENGTH(setting.GN), .name = "joint_guide_number", BRIEF_WITH("second"), .symbol = "GN",
-     .label = "of both together", .help = "what is reckoned with: that of all flashes joined"},
+     .label = "combined guide number", .help = "what is reckoned with: that of all flashes joined"},
     {NUMBER(setting.N), .name = "fnumber", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "N",
      .label = "f-number", .help = "f-number"},
     COLUMN_NOMINAL_FNUMBER(struct row, nominal_fnumber),
     {LENGTH(distance), .name = "distance", .flags = COLUMN_BRIEF, .symbol = "s",
      .label = "distance", .help = "from the flash to the subject"},
     {LENGTH(path), .name = "path", BRIEF_WITH("ceiling"), .symbol = "d",
-     .label = "path over the ceiling", .help = "length of the bounced light's path"},
+     .label = "path via the ceiling", .help = "length of the bounced light's path"},
     {NUMBER(setting.S), .name = "iso", .flags = COLUMN_ECHO | COLUMN_BRIEF, .symbol = "S",
      .label = "ISO speed", .help = "film or sensor speed"},
     {NUMBER(setting.power), .name = "power", .flags = COLUMN_BRIEF | COLUMN_PART, .symbol = "power",
@@ -125,16 +126,16 @@ static const struct column columns[] = {
     {NUMBER(time), .dimension = &dimension_time, .unit = "s", .name = "time",
      .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "time", .symbol = "t", .label = "time",
      .help = "exposure time"},
-    {STOPS(balance.flash), .name = "flash", WITH("ev"), .symbol = "F",
-     .label = "flash alone exposes by", .help = "stops above (+) or below (-) correct"},
+    {STOPS(balance.flash), .name = "flash", WITH("ev"), .symbol = "F", .label = "flash alone",
+     .help = "stops above (+) or below (-) correct"},
     {STOPS(balance.ambient), .name = "ambient", BRIEF_WITH("ev"), .symbol = "A",
-     .label = "other light alone by", .help = "stops above (+) or below (-) correct"},
+     .label = "ambient light alone", .help = "stops above (+) or below (-) correct"},
     {STOPS(balance.total), .name = "total", BRIEF_WITH("ev"), .symbol = "B",
      .label = "both together by", .help = "stops above (+) or below (-) correct"},
     {STOPS(balance.flash_to_ambient), .name = "flash_to_ambient", WITH("ev"), .symbol = "D",
-     .label = "flash above other light", .help = "+ the flash leads, - it fills"},
+     .label = "flash over ambient light", .help = "+ the flash leads, - it fills"},
     {NUMBER(balance.ratio), .name = "balance_ratio", WITH("ev"), .symbol = "R",
-     .label = "lit to unlit", .help = "lit by both over lit by the other light alone"},
+     .label = "lit to unlit side", .help = "lit by both over lit by the other light alone"},
     {STOPS(key_to_fill), .name = "key_to_fill", .symbol = "k", .label = "key above fill",
      .flags = COLUMN_EXTRA | COLUMN_ECHO | COLUMN_BRIEF, .with = "ratio",
      .help = "key light alone over fill light alone"},
@@ -153,10 +154,10 @@ static bool find_path(const struct input *input, double *path, struct error *err
     *path = input->distance;
     if (!is_given(input->ceiling)) {
         return !is_given(input->ceiling_subject) ||
-               fail(error, ERROR_USAGE, "{--ceiling-subject} wants {--ceiling}");
+               fail(error, ERROR_USAGE, "{--ceiling-subject} needs {--ceiling}");
     }
     if (!is_given(input->distance)) {
-        return fail(error, ERROR_USAGE, "{--ceiling} wants {--distance}");
+        return fail(error, ERROR_USAGE, "{--ceiling} needs {--distance}");
     }
     return flash_bounce(input->distance, input->ceiling, subject_gap, path, error);
 }

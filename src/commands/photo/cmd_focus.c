@@ -49,7 +49,7 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .value = "LENGTH",
      .help = "distance from subject to sensor, as lens scales have it"},
     {OPTION(struct input, enlarged), .name = "enlarged",
-     .help = "of the two focusings with one --sensor-distance that with m above 1"},
+     .help = "of the two solutions for --sensor-distance, the one with m above 1"},
     OPTION_APERTURE(struct input, lens.fnumber, 0),
     OPTION_PUPIL_OF_LENS(struct input, lens.pupil, NULL),
     OPTION_FROM(struct input, lens.from, distances_from),
@@ -68,7 +68,7 @@ static const struct option options[] = {
      .quantity = "f-number of the stacked lens", .dimension = &dimension_fnumber, POSITIVE,
      .value = "NUMBER", .help = "f-number of the stacked lens, where it limits the beam"},
     {MILLIMETRES(gap), .name = "gap", NOT_NEGATIVE, .fallback = "0",
-     .help = "from the lens's front to what is put before it"},
+     .help = "from the front of the lens to what is attached there"},
     OPTION_TUBE(struct input, attached.tube),
     OPTION_CONVERTER(struct input, attached.converter),
     {MILLIMETRES(converter_length), .name = "converter-length",
@@ -98,7 +98,7 @@ enum { ATTACHED_COLUMNS = 2 };
 static const struct column columns[] = {
     {COLUMN(struct row, lens_focus), .name = "lens_focus", .flags = COLUMN_BRIEF,
      .label = "lens itself focused", .help = "at infinity, or as given"},
-    {LENGTH(c.f, "mm"), .name = "combined_focal", .symbol = "f", .label = "focal length together",
+    {LENGTH(c.f, "mm"), .name = "combined_focal", .symbol = "f", .label = "combined focal length",
      .help = "focal length of lens and attachments"},
     PHOTO_LENS_COLUMNS(struct row, real),
     PHOTO_LENS_WAVELENGTH_COLUMN(struct row, real),
@@ -184,7 +184,7 @@ static bool place_subject(const struct input *input, const struct photo_lens *le
     }
     if (isnan(lens->f) && input->lens.from == FROM_ENTRANCE) {
         return fail(error, ERROR_USAGE,
-                    "{--from} entrance wants {--focal-length}: the pupil's place "
+                    "{--from} entrance needs {--focal-length}: the pupil's place "
                     "follows from it");
     }
     return distance_to_principal(lens->f, lens->P, input->distance, &lens->measuring, &given->s,
@@ -319,7 +319,7 @@ static bool run_attached(const struct input *input, const struct photo_lens *rea
     double front = isnan(real->measuring.front) ? 0 : real->measuring.front;
     if (!isnan(input->stacked_aperture) && isnan(real->N)) {
         return fail(error, ERROR_USAGE,
-                    "{--stacked-aperture} wants {--aperture}: the narrower counts");
+                    "{--stacked-aperture} needs {--aperture}: the narrower counts");
     }
     if (!solve(input, real, true, &bare, error)) {
         return false;

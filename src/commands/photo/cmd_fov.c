@@ -76,7 +76,7 @@ static const struct option options[] = {
     {OPTION(struct input, altitude), .name = "altitude", .column = "altitude",
      .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
-     .help = "of a drone that looks straight down: adds what a pixel and the picture cover"},
+     .help = "of a drone looking straight down: adds the ground coverage of pixel and picture"},
     {OPTION(struct input, gsd), .name = "gsd", .quantity = "ground sample", .column = "gsd",
      .dimension = &dimension_length, .unit = "cm", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
@@ -194,7 +194,7 @@ static bool check_rays(const struct input *input, const struct photo_lens *lens,
                        struct error *error)
 {
     if (lens->lens == NULL) {
-        return fail(error, ERROR_USAGE, "{--projection} chief-rays wants {--lens}");
+        return fail(error, ERROR_USAGE, "{--projection} chief-rays needs {--lens}");
     }
     return isnan(input->lens.pupil) ||
            fail(error, ERROR_USAGE,
@@ -271,7 +271,7 @@ static bool find_subject(const struct input *input, const struct photo_lens *len
     bool elsewhere = input->lens.from != FROM_PRINCIPAL && !isinf(input->distance);
     *s = input->distance;
     if ((near || elsewhere) && isnan(lens->f)) {
-        return fail(error, ERROR_USAGE, "{--%s} wants {--focal-length} or {--lens}",
+        return fail(error, ERROR_USAGE, "{--%s} needs {--focal-length} or {--lens}",
                     near ? "magnification" : "from");
     }
     if (near) {
@@ -302,7 +302,7 @@ static bool fill_ground(const struct input *input, struct row *row, struct run *
     row->pitch = sharpness_pitch(&pixels);
     sharpness_doubt_pitch(&pixels, run->doubts);
     if (isnan(row->pitch) && isnan(input->gsd)) {
-        doubts_add(run->doubts, "the ground sample wants the pixel pitch (--pitch, or --sensor "
+        doubts_add(run->doubts, "the ground sample needs the pixel pitch (--pitch, or --sensor "
                                 "with a camera): it is left out");
     }
     return fov_ground(&row->setting, &row->fov, row->pitch, &row->ground, error);

@@ -55,7 +55,7 @@ static const struct column columns[] = {
      .symbol = "H", .label = "hyperfocal distance",
      .help = "nearest focus that keeps infinity sharp, from the front principal plane"},
     {LENGTH(near, "m"), .name = "near", .flags = COLUMN_INFINITE | COLUMN_BRIEF, .symbol = "n",
-     .label = "near limit there", .help = "near limit when focused at the hyperfocal distance"},
+     .label = "near limit", .help = "near limit when focused at the hyperfocal distance"},
     {LENGTH(sensor_hyperfocal, "m"), .name = "hyperfocal_sensor",
      .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens", .symbol = "Hs",
      .label = "hyperfocal distance from the sensor",
@@ -192,7 +192,7 @@ PHOTO_LENS_MAKES_MANY(struct input, lens)
 const struct command command_hyperfocal = {
     .name = "hyperfocal",
     .group = "photography",
-    .summary = "hyperfocal distance and the near limit beside it",
+    .summary = "hyperfocal distance and its near limit",
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,

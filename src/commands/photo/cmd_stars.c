@@ -76,7 +76,7 @@ static const struct column columns[] = {
     COLUMN_FNUMBER(struct row, fnumber, 0),
     {ANGLE(declination), .name = "declination", .flags = COLUMN_ECHO, .with = "declination",
      .symbol = "dec", .label = "declination", .help = "of the frame's centre"},
-    {LENGTH(allowed, "um"), .name = "allowed_trail", .symbol = "a", .label = "trail allowed",
+    {LENGTH(allowed, "um"), .name = "allowed_trail", .symbol = "a", .label = "allowed trail",
      .help = "on the sensor"},
     {TIME(time.exact), .name = "exact", .flags = COLUMN_BRIEF | COLUMN_INFINITE, .symbol = "t",
      .label = "longest time", .help = "that keeps the trail within the allowed length, exact"},

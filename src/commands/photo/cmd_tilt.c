@@ -48,18 +48,19 @@ static const struct option options[] = {
      .flags = OPTION_NO_INFINITY | OPTION_GOAL, .value = "ANGLE",
      .help = "of the plane of sharp focus against the sensor: 90deg for level ground"},
     {OPTION(struct input, through), .name = "through", .value = "POINT,POINT",
-     .help = "two points that shall be sharp, as distance:height: 2m:-1.5m,30m:0m, inf:5deg"},
+     .help = "two points that must be sharp, as distance:height: 2m:-1.5m,30m:0m, inf:5deg"},
     SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500", coc_is_pixels),
     {ANGLE_OPTION(sight), .fallback = "0",
-     .help = "near, sharp and far along a line of sight so much above the sensor's normal"},
+     .help = "near, sharp and far points along a line of sight at this angle above the sensor's "
+             "normal"},
     {LENGTH_OPTION(rise, "mm"), .name = "rise", .flags = OPTION_NO_INFINITY, .fallback = "0",
-     .help = "the lens raised against the sensor's middle"},
+     .help = "rise of the lens above the centre of the sensor"},
     {LENGTH_OPTION(shift, "mm"), .name = "shift", .flags = OPTION_NO_INFINITY, .fallback = "0",
-     .help = "the lens moved sideways"},
+     .help = "sideways shift of the lens"},
     {LENGTH_OPTION(circle, "mm"), .name = "circle", .quantity = "image circle", POSITIVE,
      .help = "image circle of the lens at infinity: is it large enough?"},
     {LENGTH_OPTION(depth, "m"), .name = "depth", POSITIVE, .wants = "wedge",
-     .help = "how far the drawing reaches, otherwise chosen"},
+     .help = "how far the drawing reaches; default: chosen to fit"},
 };
 
 struct row {
@@ -125,9 +126,9 @@ static const struct column columns[] = {
     {COLUMN(struct row, covers), .name = "covers", .flags = COLUMN_EXTRA, .with = "circle",
      .label = "the circle covers the frame", .help = "is --circle large enough"},
     {LENGTH(rise_limit, "mm"), .name = "rise_limit", .flags = COLUMN_EXTRA, .with = "circle",
-     .label = "most rise or fall", .help = "how far the untilted lens may be raised or lowered"},
+     .label = "largest rise or fall", .help = "how far the untilted lens may be raised or lowered"},
     {LENGTH(shift_limit, "mm"), .name = "shift_limit", .flags = COLUMN_EXTRA, .with = "circle",
-     .label = "most shift", .help = "how far the untilted lens may be moved sideways"},
+     .label = "largest shift", .help = "how far the untilted lens may be moved sideways"},
     COLUMN_SENSOR(struct row, sensor),
     COLUMN_COC(struct row, camera.c, 0, ""),
     COLUMN_CRITERION(struct row, criterion),
@@ -175,7 +176,7 @@ static bool solve_through(const struct input *input, struct tilt_given *given, s
                     "{--distance} or {--angle} with it");
     }
     if (second.start == NULL) {
-        return fail(error, ERROR_USAGE, "{--through} wants two points: 2m:-1.5m,30m:0m");
+        return fail(error, ERROR_USAGE, "{--through} needs two points: 2m:-1.5m,30m:0m");
     }
     return read_point(first, &a, error) && read_point(second, &b, error) &&
            tilt_through(given->f, &a, &b, &given->tilt, &given->image, error);
@@ -325,7 +326,7 @@ static const struct artifact artifacts[] = {
 static const struct example examples[] = {
     {"tilt -f 150 -N 22 --hinge 1.6m --angle 90deg --sensor 4x5", "a meadow, camera 1.6 m up"},
     {"tilt -f 90 -N 8 --tilt 5deg -s 0.6m", "a product on a table"},
-    {"tilt -f 90 -N 16 --through 2m:-1.5m,30m:0m", "two points that shall be sharp"},
+    {"tilt -f 90 -N 16 --through 2m:-1.5m,30m:0m", "two points that must be sharp"},
     {"tilt -f 24 -N 8 --tilt 1..8 --angle 90deg", "what each degree does"},
     {"tilt -f 90 -N 11 --tilt 8 -s 1.2m --sight -20..20:5", "line of sight by line of sight"},
     {"tilt -f 150 -N 22 --tilt 5 --angle 90 --sensor 4x5 --wedge wedge.svg", "a drawing"},

@@ -23,9 +23,9 @@ struct input {
 
 static const struct option options[] = {
     {TIME_OPTION(given.event), .name = "event", .quantity = "event length", .column = "event",
-     .help = "how long what is recorded lasts: 2h, 45min"},
+     .help = "length of the event that is recorded: 2h, 45min"},
     {TIME_OPTION(given.interval), .name = "interval", .column = "interval",
-     .help = "from the beginning of a shot to that of the next"},
+     .help = "from the start of one shot to the start of the next"},
     {OPTION(struct input, given.shots), .name = "shots", .quantity = "number of shots",
      .column = "shots", .dimension = &dimension_number, .lowest = 1, .highest = TIMELAPSE_SHOTS,
      .value = "N", .help = "number of shots"},
@@ -40,13 +40,13 @@ static const struct option options[] = {
      .value = "TIME", .wants = "time",
      .help = "that the camera needs between two exposures, to write and for a delay of its own"},
     {DATA_OPTION(given.frame), .name = "frame-size", .column = "frame_size", .unit = "MB",
-     .help = "storage that a shot takes: 25MB"},
+     .help = "storage per shot: 25MB"},
     {DATA_OPTION(given.card), .name = "card", .column = "card", .unit = "GB",
-     .help = "storage of a card: 64GB; alone with --frame-size it gives the shots"},
+     .help = "card capacity: 64GB; with --frame-size alone it gives the number of shots"},
     {OPTION(struct input, given.star_angle), .name = "star-angle", .column = "star_angle",
      .dimension = &dimension_angle, .unit = "deg", .lowest = 0, .highest = 2 * PI,
      .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE", .wants = "time",
-     .help = "that star trails shall span about the pole, in place of --event"},
+     .help = "angle about the pole that star trails are to span, in place of --event"},
     {OPTION(struct input, focal), .name = "focal-length", .letter = 'f', .column = "focal",
      .dimension = &dimension_length, .unit = "mm", POSITIVE, .value = "LENGTH", .wants = "time",
      .help = "focal length: adds the trails of stars"},
@@ -57,7 +57,7 @@ static const struct option options[] = {
     {OPTION(struct input, pitch), .name = "pitch", .quantity = "pixel pitch",
      .dimension = &dimension_length, .unit = "um", POSITIVE, .value = "LENGTH",
      .usual = {0.3e-3, 30e-3}, .unusual = "pixels are 0.3 to 30 um wide: is the unit right?",
-     .wants = "focal-length", .help = "pixel pitch: tells the gaps of star trails in pixels"},
+     .wants = "focal-length", .help = "pixel pitch: gives the gaps of star trails in pixels"},
 };
 
 struct row {
@@ -81,7 +81,7 @@ static const struct column columns[] = {
     {NUMBER(plan.shots), .name = "shots", .flags = COLUMN_BRIEF, .symbol = "n", .label = "shots",
      .help = "number of shots"},
     {TIME(plan.interval), .name = "interval", .flags = COLUMN_BRIEF, .symbol = "i",
-     .label = "interval", .help = "from the beginning of a shot to that of the next"},
+     .label = "interval", .help = "from the start of one shot to the start of the next"},
     {TIME(plan.event), .name = "event", .flags = COLUMN_BRIEF, .symbol = "D",
      .label = "event length", .help = "that all shots cover, each with its interval"},
     {TIME(plan.clip), .name = "clip", .flags = COLUMN_BRIEF, .symbol = "C", .label = "clip length",
@@ -108,7 +108,7 @@ static const struct column columns[] = {
      .label = "shots on a card", .help = "that a card holds"},
     {NUMBER(cards), .name = "cards", BRIEF_WITH("card"), .label = "cards",
      .help = "that all shots need"},
-    {TIME(plan.card_time), .name = "card_time", WITH("card"), .label = "a card lasts",
+    {TIME(plan.card_time), .name = "card_time", WITH("card"), .label = "recording time of a card",
      .help = "until it is full"},
     {TIME(plan.span), .name = "span", WITH("star-angle focal-length"), .symbol = "T",
      .label = "first exposure to last",
@@ -146,7 +146,7 @@ static bool fill_trails(const struct input *input, struct row *row, struct error
     }
     if (isnan(row->plan.interval)) {
         return fail(error, ERROR_USAGE,
-                    "{--focal-length} wants what the interval follows from: {--interval}, or "
+                    "{--focal-length} needs what the interval follows from: {--interval}, or "
                     "{--event}");
     }
     if (!star_trail(input->focal, input->declination, row->plan.span, &all, error) ||

@@ -71,7 +71,7 @@ static bool take_time(const struct exposure_input *input, struct exposure_given 
     if (!isnan(input->corrected_time)) {
         if (input->film.model == NULL || !isnan(g->t)) {
             return fail(error, ERROR_USAGE,
-                        "{--corrected-time} wants {--film}, and stands in place of {--time}");
+                        "{--corrected-time} needs {--film}, and stands in place of {--time}");
         }
         return reciprocity_metered(input->film.model, input->corrected_time, &g->t, error) ||
                error_prefix(error, "%s: ", input->film.name);

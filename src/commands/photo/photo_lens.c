@@ -156,7 +156,7 @@ static bool take_lens(const struct photo_lens_question *question, size_t positio
 static bool check_question(const struct photo_lens_question *question, struct error *error)
 {
     if (question->lens.lens == NULL) {
-        return fail(error, ERROR_USAGE, "{--%s} wants {--lens}",
+        return fail(error, ERROR_USAGE, "{--%s} needs {--lens}",
                     question->position != NULL ? "position" : "section");
     }
     if (question->focal > 0) {

@@ -51,7 +51,7 @@ bool coc_is_print(const struct coc_value *coc);
                            .fallback = (fallback_text), .value = "LENGTH",                         \
                            .help = "circle of confusion: a diameter, d/1500 (part of the "         \
                                    "sensor's diagonal), 2px (pixels), airy (the disc of "          \
-                                   "diffraction), print (seen on a print)"                         \
+                                   "diffraction), print (just visible on a print)"                 \
     }
 
 #define OPTION_SENSOR(S, member)                                                                   \
@@ -90,7 +90,7 @@ bool coc_is_print(const struct coc_value *coc);
                            .serves = (use), .served = "in px", .usual = {0.3e-3, 30e-3},           \
                            .unusual = "pixels are 0.3 to 30 um wide: is the unit right?",          \
                            .help = "pixel pitch (otherwise that of the camera); where nothing "    \
-                                   "else wants it, it implies --coc 2px"                           \
+                                   "else needs it, it implies --coc 2px"                           \
     }
 
 /* What a print is looked at like, for --coc print. */

@@ -25,7 +25,7 @@ static bool read_space(struct codev *codev, int what, struct error *error)
     const struct command_word word = commands_word(&codev->commands, 1);
     const bool yes = text_same(word.text, "Y") || text_same(word.text, "YES");
     if (!yes && !text_same(word.text, "N") && !text_same(word.text, "NO")) {
-        return commands_fail(&codev->commands, &word, error, "Y or N is wanted here");
+        return commands_fail(&codev->commands, &word, error, "expected Y or N here");
     }
     *(what == 'T' ? &codev->build.lens->is_telecentric : &codev->sequence.is_afocal) = yes;
     return commands_end(&codev->commands, 2, error);
@@ -176,7 +176,7 @@ static bool run_command(struct codev *codev, struct error *error)
         return codev_private_glass(codev, error);
     }
     if (word->is_quoted || word->text.length == 0) {
-        return commands_fail(&codev->commands, word, error, "a text where a command must stand");
+        return commands_fail(&codev->commands, word, error, "text where a command is expected");
     }
     if (is_surface_line(word->text)) {
         return codev_surface(codev, 0, error);

@@ -75,7 +75,7 @@ static bool check_place(struct codev *codev, struct error *error)
                           &(struct command_count){digits, "number of the surface", 1}, &number,
                           error) &&
            (number == next ||
-            commands_fail(commands, word, error, "surface %zu, where surface %zu must stand",
+            commands_fail(commands, word, error, "surface %zu, where surface %zu is expected",
                           number, next));
 }
 

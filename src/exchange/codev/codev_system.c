@@ -364,7 +364,7 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
     if (name == NULL) {
         return commands_lose(&codev->commands, error,
                              "a pick-up that is not known" LOSS_INSTEAD
-                             "the number of the file stands");
+                             "the number in the file is kept");
     }
     if (!codev_qualifiers(codev, 2, &to, error) ||
         !codev_qualifiers(codev, to.next + 1, &from, error)) {

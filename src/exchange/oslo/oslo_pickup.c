@@ -48,7 +48,7 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error)
     if (found == sizeof pickups / sizeof pickups[0]) {
         return commands_lose(&oslo->commands, error,
                              "a pick-up that is not known" LOSS_INSTEAD
-                             "the number of the file stands");
+                             "the number in the file is kept");
     }
     if (!oslo_reference(oslo, 2, &pickup.source, error)) {
         return false;

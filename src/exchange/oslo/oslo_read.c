@@ -193,7 +193,7 @@ static bool read_general(struct oslo *oslo, int what, struct error *error)
     const struct command_word word = commands_word(&oslo->commands, 1);
     oslo->asphere_step = text_same(word.text, "ASR") ? 2 : text_same(word.text, "ARA") ? 1 : 0;
     return oslo->asphere_step > 0 || text_same(word.text, "ADO") ||
-           commands_lose(&oslo->commands, error, "an asphere that is no polynomial of r");
+           commands_lose(&oslo->commands, error, "an asphere that is not a polynomial of r");
 }
 
 /* AS1 is the coefficient of r^2, AS2 of r^4 .. of ASP ASR; of r, r^2 .. of ASP ARA. */

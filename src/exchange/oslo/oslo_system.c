@@ -307,7 +307,7 @@ bool oslo_telecentric(struct oslo *oslo, int what, struct error *error)
     (void)what;
     oslo->build.lens->is_telecentric = on;
     return on || text_same(word.text, "OFF") || text_equal(word.text, "0") ||
-           commands_fail(&oslo->commands, &word, error, "ON or OFF is wanted here");
+           commands_fail(&oslo->commands, &word, error, "expected ON or OFF here");
 }
 
 /* The mode of aberrations: AFO of an afocal image, by angles; FOC of one in a plane. */

@@ -17,7 +17,7 @@ const struct word_group oslo_words[] = {
     {WORD_KEPT, "surface", "decentres, tilts, their order, bend and return",
      "DCX DCY DCZ TLA TLB TLC DT BEN RCO", 0},
     {WORD_KEPT, "surface", "solves and pick-ups", "PY PYC PU PUC PK", 0},
-    {WORD_KEPT, "surface", "other solves, whose numbers in the file stand", "PI PIC EC APA", 0},
+    {WORD_KEPT, "surface", "other solves, whose numbers in the file are kept", "PI PIC EC APA", 0},
     {WORD_KEPT, "system", "temperature and pressure", "TEM PRE", 0},
     {WORD_KEPT, "behind", "configurations, in a block behind END", "CFG", 0},
     {WORD_LOST, "surface", "a perfect lens", "PFL PFM", WORD_COUNTS_AT_0 | WORD_HAS_POWER},

@@ -71,7 +71,7 @@ static bool put_aperture(struct output *output, struct error *error)
     }
     if (!lens->object_is_infinite) {
         return foreign_lose(output->job, error,
-                            "the aperture of a lens with a finite object: OSLO wants its "
+                            "the aperture of a lens with a finite object: OSLO needs its "
                             "NA, write 'aperture na'");
     }
     if (lens->aperture_kind == APERTURE_STOP) {

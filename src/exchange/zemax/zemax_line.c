@@ -25,10 +25,10 @@ bool zemax_stands(struct zemax_file *file, const struct zemax_line *line, struct
                   const char *what)
 {
     if (file->configurations < 2) {
-        zemax_remark(file, "line %ld: %s; the file's number stands", line->words.number, what);
+        zemax_remark(file, "line %ld: %s; the file's number is kept", line->words.number, what);
         return true;
     }
-    return zemax_loss(file, line, error, "%s" LOSS_IS_MUTE LOSS_INSTEAD "the file's number stands",
+    return zemax_loss(file, line, error, "%s" LOSS_IS_MUTE LOSS_INSTEAD "the file's number is kept",
                       what);
 }
 
@@ -68,6 +68,6 @@ bool zemax_has_number(const struct zemax_line *line, struct error *error)
         return true;
     }
     struct text word = line->first.start != NULL ? line->first : line->keyword;
-    return lens_words_fail(&line->words, word, error, "%.*s wants a number", 4,
+    return lens_words_fail(&line->words, word, error, "%.*s needs a number", 4,
                            line->keyword.start);
 }

@@ -195,7 +195,7 @@ static const struct zemax_line **place_of(struct zemax_file *file, const struct 
 {
     double number = zemax_number(line, 0);
     if (line->count < 2 || !(number >= 0 && number < 1e6)) {
-        lens_words_fail(&file->words, line->keyword, error, "%.4s wants a number and a value",
+        lens_words_fail(&file->words, line->keyword, error, "%.4s needs a number and a value",
                         line->keyword.start);
         return NULL;
     }
@@ -460,7 +460,7 @@ static bool pick_up_glasses(struct zemax_file *file, struct error *error)
         if (!(from >= 0 && from < (double)i)) {
             if (!zemax_loss(file, line, error,
                             "a glass that follows no earlier surface" LOSS_IS_MUTE LOSS_INSTEAD
-                            "the file's glass stands")) {
+                            "the file's glass is kept")) {
                 return false;
             }
             continue;

@@ -115,7 +115,7 @@ static bool place_numbered(const struct placing *placing, struct zemax_surface *
     const size_t most = extra ? ZEMAX_EXTRAS : ZEMAX_PARAMETERS;
     if (own->count < 5 || !(number >= 0 && number < 1e6 && number == floor(number))) {
         return lens_words_fail(&own->words, own->keyword, placing->error,
-                               "%.4s wants a surface, a configuration, its value and behind a "
+                               "%.4s needs a surface, a configuration, its value and behind a "
                                "status the number of the parameter",
                                own->keyword.start);
     }
@@ -341,7 +341,7 @@ static bool check_constant(struct zemax_file *file, const struct zemax_setting *
     return !same_operand || text_identical(left, right) ||
            zemax_loss(file, one->line, error,
                       "%.4s %ld changes between the configurations" LOSS_INSTEAD
-                      "what the surfaces and the system of the file say stands",
+                      "what the surfaces and the system of the file say is kept",
                       one->line->keyword.start, one->surface);
 }
 
@@ -354,7 +354,7 @@ static bool place_settings(struct zemax_file *file, size_t configuration, struct
         if (one->configuration == (long)configuration + 1 && !place_setting(&placing)) {
             return error->code == ERROR_NONE &&
                    lens_words_fail(&one->line->words, one->line->keyword, error,
-                                   "%.4s wants a surface, a configuration and its value",
+                                   "%.4s needs a surface, a configuration and its value",
                                    one->line->keyword.start);
         }
         bool checks = configuration == 0 && !is_placed(one->line->keyword);

@@ -70,7 +70,7 @@ static bool keep(struct solving *solving, size_t at, const struct zemax_line *li
     return number != NULL && number->count > 0 && why != through_loss
                ? zemax_stands(solving->file, line, error, what)
                : zemax_loss(solving->file, line, error,
-                            "%s" LOSS_IS_MUTE LOSS_INSTEAD "the file's number stands", what);
+                            "%s" LOSS_IS_MUTE LOSS_INSTEAD "the file's number is kept", what);
 }
 
 /* The ray at a surface; false where the solve is kept, with an error if that is refused. */

@@ -122,7 +122,7 @@ static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
     return zemax_loss(file, line, error,
                       "the glass '%.*s' of nd %g and Vd %g is in %s" LOSS_OF_POWER LOSS_INSTEAD
-                      "nd and Vd stand for it",
+                      "nd and Vd are used instead",
                       length, line->keyword.start, zemax_number(line, 2), zemax_number(line, 3),
                       catalog_list(file));
 }
@@ -280,7 +280,7 @@ static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
     bool both = radius.value.hi != 0 && (!to->is_plane || to->has_curvature);
     if ((both || other) && !zemax_loss(file, file->surfaces[at].type, error,
                                        "a toroid" LOSS_OF_POWER LOSS_INSTEAD
-                                       "its y-z section stands for it, as a cylinder")) {
+                                       "its y-z section is used instead, as a cylinder")) {
         return false;
     }
     to->curved = CURVED_Y;
@@ -323,7 +323,7 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
     struct text type = from->type->first;
     return foreign_loss(file->job, &from->type->words, type, error,
                         "a surface of the type %.*s" LOSS_OF_POWER LOSS_INSTEAD
-                        "its standard form with curvature and conic stands for it",
+                        "its standard form with curvature and conic is used instead",
                         (int)(type.length < 20 ? type.length : 20), type.start);
 }
 

@@ -120,7 +120,7 @@ static bool read_wave(struct zemax_file *file, struct text keyword, struct error
     double number = zemax_number(line, 0), wavelength = zemax_number(line, 1);
     if (!(number >= 1 && number < ZEMAX_WAVES) || line->count < 2) {
         return lens_words_fail(&line->words, line->keyword, error,
-                               "WAVM wants the number, the wavelength and its weight");
+                               "WAVM needs the number, the wavelength and its weight");
     }
     if (!(wavelength >= WAVELENGTH_SHORTEST && wavelength <= WAVELENGTH_LONGEST)) {
         return lens_words_fail(&line->words, line->numbers[1].typed, error,
@@ -163,7 +163,7 @@ static bool read_primary(struct zemax_file *file, struct text keyword, struct er
     file->primary_line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     double number = zemax_number(file->primary_line, 0);
     if (!(number >= 1 && number < ZEMAX_WAVES)) {
-        return lens_words_fail(&file->words, keyword, error, "PWAV wants a wavelength's number");
+        return lens_words_fail(&file->words, keyword, error, "PWAV needs a wavelength's number");
     }
     file->primary = (size_t)number - 1;
     return true;
@@ -186,7 +186,7 @@ static bool read_environment(struct zemax_file *file, struct text keyword, struc
     return zemax_number(line, 2) == 0 ||
            (zemax_number(line, 0) > -273.15 && zemax_number(line, 1) >= 0) ||
            lens_words_fail(&line->words, keyword, error,
-                           "ENVD wants a temperature above -273.15 C and a pressure of 0 or more "
+                           "ENVD needs a temperature above -273.15 C and a pressure of 0 or more "
                            "atmospheres");
 }
 

@@ -8,7 +8,7 @@ static bool read_configurations(struct zemax_file *file, struct text keyword, st
     double count = zemax_number(line, 0);
     if (!(count >= 1 && count <= ZEMAX_CONFIGURATIONS)) {
         return lens_words_fail(&file->words, keyword, error,
-                               "MNUM wants the number of configurations, 1 to %d",
+                               "MNUM needs the number of configurations, 1 to %d",
                                ZEMAX_CONFIGURATIONS);
     }
     file->configurations = (size_t)count;
@@ -34,7 +34,7 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct err
     if (line->count < 2 || !(surface >= 0 && surface <= ZEMAX_SURFACES) ||
         !(configuration >= 1 && configuration <= (double)file->configurations)) {
         return lens_words_fail(&file->words, keyword, error,
-                               "%.4s wants a surface, a configuration and its value",
+                               "%.4s needs a surface, a configuration and its value",
                                keyword.start);
     }
     struct zemax_line *own = zemax_line_of(file, keyword, unit);

@@ -55,7 +55,7 @@ static void end_polygon(struct shapes *shapes)
 static void add_corner(struct shapes *shapes, const struct figure *numbers, size_t count)
 {
     if (count < 2) {
-        shapes->wrong = "a corner wants x and y";
+        shapes->wrong = "a corner needs x and y";
         return;
     }
     shapes->corners = arena_grow(shapes->arena, shapes->corners, shapes->corner_count,
@@ -67,7 +67,7 @@ static void add_corner(struct shapes *shapes, const struct figure *numbers, size
 static void add_circle(struct shapes *shapes, const struct figure *numbers, size_t count)
 {
     if (count < 3) {
-        shapes->wrong = "a circle wants x, y and a radius";
+        shapes->wrong = "a circle needs x, y and a radius";
         return;
     }
     end_polygon(shapes);

@@ -45,7 +45,7 @@ static bool lose_setting(struct zemax_writer *writer, struct parameter parameter
                          struct error *error)
 {
     return foreign_lose(writer->job, error,
-                        "what the positions set %s to" LOSS_INSTEAD "the first position's stands",
+                        "what the positions set %s to" LOSS_INSTEAD "the first position's is kept",
                         parameter_write(parameter, writer->job->arena));
 }
 
@@ -108,7 +108,7 @@ static bool put_waves_of_positions(struct zemax_writer *writer, struct error *er
         if (lens->lights[p].count != lens->wavelength_count) {
             return foreign_lose(writer->job, error,
                                 "positions with more or fewer wavelengths" LOSS_INSTEAD
-                                "those of the first stand");
+                                "those of the first are kept");
         }
     }
     for (size_t i = 0; i < lens->wavelength_count; i++) {

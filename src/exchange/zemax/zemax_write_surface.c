@@ -181,7 +181,7 @@ static bool put_table(struct zemax_writer *writer, const struct medium *medium, 
     put_model(writer, (struct text){text, (size_t)(end - text)}, text_of("0"));
     return foreign_lose(
         writer->job, error,
-        "a medium given by a table" LOSS_INSTEAD "its index at %.6g um stands for it", primary);
+        "a medium given by a table" LOSS_INSTEAD "its index at %.6g um is used instead", primary);
 }
 
 bool zemax_put_medium(struct zemax_writer *writer, const struct medium *medium, struct error *error)
