@@ -3,7 +3,7 @@
 #include "analysis/angle_of_view.h"
 
 #include "trace/aim.h"
-#include "trace/clear.h"
+#include "trace/clear_guess.h"
 #include "trace/dispatch.h"
 
 #include <math.h>

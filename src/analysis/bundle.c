@@ -3,7 +3,7 @@
 #include "analysis/bundle.h"
 
 #include "analysis/quadrature.h"
-#include "trace/clear.h"
+#include "trace/clear_guess.h"
 #include "trace/dispatch.h"
 
 #include <math.h>

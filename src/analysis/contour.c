@@ -23,12 +23,14 @@ static void slope_on_circle(const double (*points)[2], size_t count, size_t i, d
 
 /* Barycentric weights of Gauss's points, and the points on 0..1. */
 struct nodes {
-    double x[CLEAR_ARC], gauss[CLEAR_ARC], weight[CLEAR_ARC];
+    const double *x, *gauss;
+    double weight[CLEAR_ARC];
 };
 
-static void set_nodes(struct nodes *nodes)
+static void set_nodes(const struct clear_pupil *clear, struct nodes *nodes)
 {
-    gauss_rule(CLEAR_ARC, nodes->x, nodes->gauss);
+    nodes->x = clear->nodes;
+    nodes->gauss = clear->gauss;
     for (size_t i = 0; i < CLEAR_ARC; i++) {
         double x = nodes->x[i];
         nodes->weight[i] = (i % 2 == 0 ? 1 : -1) * sqrt(x * (1 - x) * nodes->gauss[i]);
@@ -97,7 +99,7 @@ static void add_circle(const double (*points)[2], size_t count, struct sums *sum
 static void add_arcs(const struct clear_pupil *clear, const double (*points)[2], struct sums *sums)
 {
     struct nodes nodes;
-    set_nodes(&nodes);
+    set_nodes(clear, &nodes);
     for (size_t arc = 0; arc < clear->arcs; arc++) {
         const double(*here)[2] = points + arc * CLEAR_ARC;
         const double(*next)[2] = points + (arc + 1) % clear->arcs * CLEAR_ARC;

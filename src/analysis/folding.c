@@ -12,12 +12,12 @@ static const double STEP = 1e-6;
 const double (*folding_places(const struct clear_pupil *clear, struct arena *arena,
                               size_t *count))[2]
 {
-    const size_t arms = clear->edge_count < ARMS ? clear->edge_count : ARMS;
+    const size_t arms = clear->arm_count < ARMS ? clear->arm_count : ARMS;
     const double size = fmax(clear->high[0] - clear->low[0], clear->high[1] - clear->low[1]);
     *count = 3 * arms * RINGS;
     double(*at)[2] = arena_array(arena, *count, sizeof *at), (*next)[2] = at;
     for (size_t i = 0; i < arms; i++) {
-        const double *edge = clear->edges[i * clear->edge_count / arms].at, *c = clear->centre;
+        const double *edge = clear->arms[i * clear->arm_count / arms].edge.at, *c = clear->centre;
         for (size_t ring = 0; ring < RINGS; ring++, next += 3) {
             /* the last one at the edge, where folds begin */
             double share = (double)(ring + 1) / RINGS;

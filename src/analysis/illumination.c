@@ -5,7 +5,7 @@
 #include "analysis/quadrature.h"
 #include "base/constants.h"
 #include "optics/aperture.h"
-#include "trace/clear.h"
+#include "trace/clear_guess.h"
 #include "trace/tangent.h"
 
 #include <math.h>

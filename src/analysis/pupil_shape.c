@@ -5,7 +5,6 @@
 #include "analysis/contour.h"
 #include "analysis/folding.h"
 #include "analysis/pupil_cut.h"
-#include "analysis/quadrature.h"
 #include "trace/aim.h"
 #include "trace/clear.h"
 #include "trace/dispatch.h"
@@ -99,10 +98,15 @@ static bool find_chief(const struct pupil_question *question, const struct clear
 
 /* -------- the rays that are looked at -------- */
 
-/* The edges, the extreme ones and the corners, the arms of integrals, last the chief ray. */
+/* The edges, the corners, the arms, last the chief ray. */
+static size_t tips_from(const struct clear_pupil *clear)
+{
+    return clear->edge_count;
+}
+
 static size_t arms_from(const struct clear_pupil *clear)
 {
-    return clear->edge_count + PUPIL_ENDS + 2 * clear->arcs;
+    return tips_from(clear) + clear->corner_count;
 }
 
 /* Without the chief ray. */
@@ -113,11 +117,9 @@ static size_t ray_count(const struct clear_pupil *clear)
 
 static const double *place_of(const struct clear_pupil *clear, const double chief[2], size_t i)
 {
-    const size_t ends = clear->edge_count, arms = arms_from(clear), tips = ends + PUPIL_ENDS;
-    return i < ends               ? clear->edges[i].at
-           : i < tips             ? clear->ends[i - ends].at
-           : i < arms             ? clear->corners[i - tips].at
-           : i < ray_count(clear) ? clear->arms[i - arms].edge.at
+    const size_t tips = tips_from(clear);
+    return i < tips               ? clear->edges[i].at
+           : i < ray_count(clear) ? clear_edge_at(clear, i - tips)->at
                                   : chief;
 }
 
@@ -133,41 +135,17 @@ static void cross(const struct ray *ray, double z, double light_direction, doubl
     }
 }
 
-/*
- * The largest of sign * coordinate: a parabola through the extreme point and its neighbours where
- * one surface ends all three, or one of the extreme edges and corners behind them.
- */
-static double extreme(const struct clear_pupil *clear, const double (*points)[2], int axis,
-                      double sign, size_t *which)
-{
-    const size_t count = clear->edge_count;
-    size_t best = 0;
-    for (size_t i = 1; i < count; i++) {
-        best = sign * points[i][axis] > sign * points[best][axis] ? i : best;
-    }
-    const size_t last = (best + count - 1) % count, next = (best + 1) % count;
-    double before = points[last][axis], here = points[best][axis];
-    double after = points[next][axis], bend = before - 2 * here + after;
-    double slope = (after - before) / 2, more = -slope * slope / (2 * bend);
-    *which = best;
-    /* at a corner the neighbours say nothing of the peak */
-    bool smooth = isfinite(more) && fabs(slope) <= 0.5000001 * fabs(bend) && sign * more > 0 &&
-                  clear->edges[last].surface == clear->edges[best].surface &&
-                  clear->edges[next].surface == clear->edges[best].surface;
-    here = smooth ? here + more : here;
-    for (size_t i = count; i < arms_from(clear); i++) {
-        here = sign * points[i][axis] > sign * here ? points[i][axis] : here;
-    }
-    return here;
-}
+/* What ends an outline that is not there. */
+static const size_t nothing = (size_t)-1;
 
-/* Bounds of an outline. */
+/* Bounds of an outline; limits: what clear_edge_at takes. */
 static void bound(const struct clear_pupil *clear, const double (*points)[2],
                   struct pupil_extent *extent, size_t limit[PUPIL_ENDS])
 {
+    const double(*curve)[2] = points + tips_from(clear);
     for (int k = 0; k < 2; k++) {
-        extent->high[k] = extreme(clear, points, k, 1, &limit[k]);
-        extent->low[k] = extreme(clear, points, k, -1, &limit[k + 2]);
+        extent->high[k] = clear_extreme(clear, curve, k, 1, &limit[k]);
+        extent->low[k] = clear_extreme(clear, curve, k, -1, &limit[k + 2]);
         /* what symmetry makes 0 */
         double small = 1e-12 * (extent->high[k] - extent->low[k]);
         extent->centre[k] = fabs(extent->centre[k]) < small ? 0 : extent->centre[k];
@@ -175,12 +153,12 @@ static void bound(const struct clear_pupil *clear, const double (*points)[2],
     extent->outline = points;
 }
 
-/* The outline of rays in a plane, with its limits as numbers of edges. */
+/* The outline of rays in a plane, with its limits. */
 static void look_at(const struct clear_pupil *clear, const struct ray *rays, double z,
                     double light_direction, struct arena *arena, struct pupil_extent *extent,
                     size_t limit[PUPIL_ENDS])
 {
-    const size_t edges = clear->edge_count, count = ray_count(clear);
+    const size_t count = ray_count(clear);
     double(*points)[2] = arena_array(arena, count, sizeof *points);
     bool met = isfinite(z);
     *extent = (struct pupil_extent){.z = z};
@@ -189,7 +167,7 @@ static void look_at(const struct clear_pupil *clear, const struct ray *rays, dou
         met = met && isfinite(points[i][0]) && isfinite(points[i][1]);
     }
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
-        limit[i] = edges;
+        limit[i] = nothing;
     }
     if (met) {
         extent->area =
@@ -254,9 +232,9 @@ static struct ray *trace_places(const struct pupil_question *question, const dou
     struct rays rays = rays_new(arena, count);
     struct ray *out = ARENA_ARRAY(arena, count, struct ray);
     double n = to == 0 ? question->beam->n : system_index_after(system, to - 1);
-    for (size_t i = 0; i < count; i++) {
-        struct ray ray = beam_ray(question->beam, at[i][0], at[i][1]);
-        rays_set(&rays, i, question->beam->n, &ray);
+    for (size_t done = 0; done < count; done += RAYS_BLOCK) {
+        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        beam_fill(question->beam, at + done, here, &rays.blocks[done / RAYS_BLOCK]);
     }
     if (to > 0) {
         rays_trace_part(system, 0, to, &rays, NULL);
@@ -327,12 +305,12 @@ static void fill_side(const struct clear_pupil *clear, const struct ray *rays, b
                       struct pupil_side *side)
 {
     const struct ray *chief = &rays[ray_count(clear)];
-    size_t count = clear->edge_count, ends[PUPIL_ENDS], vertex[PUPIL_ENDS];
+    size_t ends[PUPIL_ENDS], vertex[PUPIL_ENDS];
     look_at(clear, rays, z, light_direction, arena, &side->pupil, ends);
     look_at(clear, rays, 0, light_direction, arena, &side->vertex, vertex);
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
-        size_t edge = ends[i] < count ? ends[i] : vertex[i];
-        side->limit[i] = edge < count ? clear->edges[edge].surface : 0;
+        size_t end = ends[i] != nothing ? ends[i] : vertex[i];
+        side->limit[i] = end != nothing ? clear_edge_at(clear, end)->surface : 0;
     }
     side->chief = *chief;
     if (!has_chief || side->chief.status == RAY_MISS) {
@@ -368,10 +346,9 @@ static void cut_side(const struct pupil_question *question, const struct clear_p
 /* The limits of a side that the beam does not cross: by the beam's own directions. */
 static void limit_by_beam(const struct clear_pupil *clear, struct pupil_side *side)
 {
-    static const size_t quarter[PUPIL_ENDS] = {1, 2, 3, 0}; /* edges begin below */
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
         if (side->limit[i] == 0) {
-            side->limit[i] = clear->edges[quarter[i] * clear->edge_count / 4].surface;
+            side->limit[i] = clear_edge_at(clear, clear->ends[i])->surface;
         }
     }
 }
@@ -380,7 +357,7 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
                       const double chief[2], struct arena *arena, struct pupil_shape *shape)
 {
     const struct system *system = question->open;
-    size_t count = arms_from(clear), which, to = system_place(system, system->stop) + 1;
+    size_t count = ray_count(clear), which, to = system_place(system, system->stop) + 1;
     const struct ray *rays = trace_edges(question, clear, chief, to, arena);
     double(*points)[2] = arena_array(arena, count, sizeof *points);
     double(*across)[2] = arena_array(arena, count, sizeof *across);
@@ -395,8 +372,9 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
     shape->stop = (const double(*)[2])points;
     shape->across = (const double(*)[2])across;
     for (int k = 0; k < 2; k++) {
-        double high = extreme(clear, shape->stop, k, 1, &which);
-        double low = extreme(clear, shape->stop, k, -1, &which);
+        const double(*curve)[2] = shape->stop + tips_from(clear);
+        double high = clear_extreme(clear, curve, k, 1, &which);
+        double low = clear_extreme(clear, curve, k, -1, &which);
         shape->vignetting[k] = fabs(1 - high) < 1e-6 ? 0 : 1 - high;
         shape->vignetting[k + 2] = fabs(1 + low) < 1e-6 ? 0 : 1 + low;
     }
@@ -440,7 +418,7 @@ static void fill_areas(const struct pupil_question *question, const struct clear
     }
 }
 
-bool pupil_shape(const struct pupil_question *question, struct arena *arena,
+static bool look(const struct pupil_question *question, struct arena *arena,
                  struct pupil_shape *shape, struct error *error)
 {
     const struct system *open = question->open;
@@ -466,9 +444,9 @@ bool pupil_shape(const struct pupil_question *question, struct arena *arena,
     if (clear.is_empty) {
         return true;
     }
-    shape->islands = quadrature_islands_about(question->clipped, beam, &guess, arena);
-    /* the centre, the edges, the arms and four bounds, by bisection in about 60 steps */
-    shape->rays = 60 * (question->directions + clear.arm_count * (clear.arcs > 0) + 5 * RAYS_BLOCK);
+    shape->islands = clear.islands;
+    /* the centre and the corners, then about eight rays an edge */
+    shape->rays = 1000 + 8 * (question->directions + clear.arm_count);
     const double *middle = shape->has_chief ? chief : clear.centre;
     const struct ray *in = trace_edges(question, &clear, middle, 0, arena);
     const struct ray *out = trace_edges(question, &clear, middle, open->places, arena);
@@ -484,4 +462,20 @@ bool pupil_shape(const struct pupil_question *question, struct arena *arena,
     fill_stop(question, &clear, middle, arena, shape);
     fill_areas(question, &clear, light_direction, arena, shape);
     return true;
+}
+
+bool pupil_shape(const struct pupil_question *question, struct arena *arena,
+                 struct pupil_shape *shape, struct error *error)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    const bool found = look(question, arena, shape, error);
+    if (question->directions == 0) {
+        struct pupil_side *const sides[] = {&shape->entrance, &shape->exit};
+        for (size_t i = 0; i < 2 && found; i++) {
+            sides[i]->pupil.outline = sides[i]->vertex.outline = NULL;
+        }
+        shape->stop = shape->across = NULL;
+        arena_reset(arena, mark);
+    }
+    return found;
 }

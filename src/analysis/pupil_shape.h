@@ -56,7 +56,7 @@ struct pupil_question {
     const struct system *clipped, *open; /* compiled with clip, and without */
     const struct beam *beam;             /* of a field point; of the film for reversed systems */
     const struct first_order *first;
-    size_t directions; /* edges: a multiple of 4, 16 to 4096 */
+    size_t directions; /* edges of outlines: a multiple of 4; 0: none is wanted */
 };
 
 /*
@@ -73,10 +73,9 @@ struct pupil_question {
  *           cos d/rho^3. Vignetting is measured in the stop, as pupil coordinates are
  * Source    [Welford86] ch. 5 (pupils); derived here: dw = d/rho^3 dA
  * Errors    ERROR_DOMAIN: no stop, or no radius of it. A point from which nothing arrives is data
- *           about 1e5 rays with 512 edges: 5 ms for a lens of 12 surfaces
  * Limits    1e-7 of the areas (discs, ellipses and wide arcs 1e-9); a shape with more than
- *           CLEAR_CORNERS corners: 1e-4 with 512 edges; a plane that rays meet at more than
- *           89.9 deg counts as not met. What apertures block within the edges is taken out of
+ *           STAR_CORNERS corners: 1e-5; one that is no star: as clear.h says; a plane that rays
+ *           meet at more than 89.9 deg counts as not met. What apertures block within the edges is taken out of
  *           areas and centroids (1e-7 too, clear.h says when less), not of outlines, bounds and
  *           vignetting, which are those of the edges
  */

@@ -3,7 +3,8 @@
 #ifndef LENSCALC_TRACE_CLEAR_CROSS_H
 #define LENSCALC_TRACE_CLEAR_CROSS_H
 
-#include "trace/clear.h"
+#include "base/arena.h"
+#include "trace/clear_guess.h"
 
 /* Five rays of what passes: its middle, and its edges across. */
 struct clear_cross {

@@ -4,7 +4,7 @@
 #define LENSCALC_TRACE_PROBE_H
 
 #include "trace/beam.h"
-#include "trace/clear.h"
+#include "trace/clear_guess.h"
 #include "trace/rays.h"
 #include "trace/system.h"
 

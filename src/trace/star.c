@@ -9,13 +9,14 @@
 
 enum { DIRECTIONS = 32, MORE_DIRECTIONS = 256, EXTRA = 32, ROUNDS = 10, PARTS = 5 };
 
-/* Excesses that count as none. */
-static const double roughly = 1e-7, at_corner = 1e-11;
+/* Excesses that count as none; of a sliver a share of how deep its middle is. */
+static const double roughly = 1e-7, of_depth = 1e-2, at_corner = 1e-11;
 
 struct search {
     const struct margins *margins;
     const struct probe *probe;
     struct star *star;
+    double tolerance; /* of edges that are only compared */
 };
 
 /* -------- what ends an edge -------- */
@@ -83,7 +84,7 @@ static void find_limits(const struct search *search, const double *angles, const
 {
     const struct margins *margins = search->margins;
     const struct edge_directions directions = {search->star->frame, angles, near, count};
-    edges_find(margins, &directions, margins->is_listed ? 1e-12 : roughly, edges);
+    edges_find(margins, &directions, search->tolerance, edges);
     for (size_t done = 0; done < count && margins->is_listed; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
         tell_parts(search, angles + done, here, edges + done);
@@ -176,10 +177,10 @@ static bool fit_frame(const struct search *search)
 
 /* -------- directions -------- */
 
-static void scan(const struct search *search)
+static void scan(const struct search *search, size_t directions)
 {
     struct star *star = search->star;
-    star->count = search->margins->is_listed ? MORE_DIRECTIONS : DIRECTIONS;
+    star->count = directions;
     for (size_t i = 0; i < star->count; i++) {
         star->angles[i] = 2 * PI * ((double)i + 0.5) / (double)star->count;
     }
@@ -422,20 +423,52 @@ static void find_corners(const struct search *search)
     star->corner_count = count;
 }
 
+/* The last of ascending angles, a turn of which follow each other, that is not above one. */
+static size_t last_below(const double *angles, size_t count, double angle)
+{
+    size_t low = 0, high = count;
+    while (high - low > 1) {
+        size_t middle = (low + high) / 2;
+        *(angles[middle] <= angle ? &low : &high) = middle;
+    }
+    return angles[low] <= angle ? low : count - 1;
+}
+
+/* What is known of the edge on both sides of an angle. */
+struct between {
+    double low, high, before, after; /* rad from the angle; radii */
+};
+
+/* By points of the edge, of edges or corners; those that are nearer count. */
+static void draw_near(const double *angles, const struct edge *edges, const double *radii,
+                      size_t count, double angle, struct between *between)
+{
+    if (count == 0) {
+        return;
+    }
+    const double turned = angles[0] + fmod(angle - angles[0], 2 * PI);
+    const size_t last = last_below(angles, count, turned < angles[0] ? turned + 2 * PI : turned);
+    const size_t next = (last + 1) % count;
+    double below = fmod(angles[last] - angle, 2 * PI), above = fmod(angles[next] - angle, 2 * PI);
+    below -= below > 0 ? 2 * PI : 0;
+    above += above <= 0 ? 2 * PI : 0;
+    if (below > between->low) {
+        between->low = below;
+        between->before = edges != NULL ? edges[last].radius : radii[last];
+    }
+    if (above < between->high) {
+        between->high = above;
+        between->after = edges != NULL ? edges[next].radius : radii[next];
+    }
+}
+
 double star_near(const struct star *star, double angle)
 {
-    double low = -INFINITY, high = INFINITY, before = 0, after = 0;
-    for (size_t i = 0; i < star->count + star->corner_count; i++) {
-        bool is_corner = i >= star->count;
-        double at = is_corner ? star->corners[i - star->count] : star->angles[i];
-        double radius = is_corner ? star->radii[i - star->count] : star->edges[i].radius;
-        double below = at - 2 * PI * ceil((at - angle) / (2 * PI)), above = below + 2 * PI;
-        before = below > low ? radius : before;
-        low = below > low ? below : low;
-        after = above < high ? radius : after;
-        high = above < high ? above : high;
-    }
-    return before + (after - before) * (high > low ? (angle - low) / (high - low) : 0);
+    struct between between = {.low = -INFINITY, .high = INFINITY};
+    draw_near(star->angles, star->edges, NULL, star->count, angle, &between);
+    draw_near(star->corners, NULL, star->radii, star->corner_count, angle, &between);
+    const double share = -between.low / (between.high - between.low);
+    return between.before + (between.after - between.before) * share;
 }
 
 /* Is one thing all of the edge, and as far on one side of the centre as on the other? */
@@ -465,11 +498,40 @@ static bool is_whole(const struct margins *margins, const struct star *star)
                      margins->all[first].surface == margins->system->stop);
 }
 
+/* Is it much wider in one direction than in the other, as its frame sees it? */
+static bool is_long(const struct star *star)
+{
+    double shortest = INFINITY, longest = 0;
+    for (size_t i = 0; i < star->count; i++) {
+        shortest = fmin(shortest, star->edges[i].radius);
+        longest = fmax(longest, star->edges[i].radius);
+    }
+    return longest > 2 * shortest;
+}
+
+/* Do rays end some of the edge that miss a surface or are reflected? No margin says where. */
+static bool loses(const struct star *star)
+{
+    bool some = false;
+    for (size_t i = 0; i < star->count; i++) {
+        some = some || margins_lost(star->edges[i].limit);
+    }
+    return some;
+}
+
+/* An excess that says enough of where an edge is to compare it with others. */
+static double choose_tolerance(const struct margins *margins, const double centre[2])
+{
+    const double point[1][2] = {{centre[0], centre[1]}};
+    margins_look(margins, point, 1);
+    return margins->is_listed ? 1e-12 : fmin(roughly, of_depth * -margins->excess[0]);
+}
+
 bool star_find(const struct margins *margins, const struct probe *probe, struct arena *arena,
                struct star *star)
 {
-    enum { FITS = 3 };
-    const struct search search = {margins, probe, star};
+    enum { FITS = 12 };
+    struct search search = {margins, probe, star, 0};
     star->frame = (struct edge_frame){.stretch = {1, 1}};
     star->corner_count = 0;
     margins_widen(margins);
@@ -477,13 +539,16 @@ bool star_find(const struct margins *margins, const struct probe *probe, struct 
         return false;
     }
     for (int fit = 0;; fit++) {
-        scan(&search);
-        if (is_whole(margins, star) || is_even(margins, star) || margins->is_listed ||
-            fit == FITS || fit_frame(&search)) {
+        search.tolerance = choose_tolerance(margins, star->frame.centre);
+        scan(&search, margins->is_listed ? MORE_DIRECTIONS : DIRECTIONS);
+        bool fits = (is_whole(margins, star) || is_even(margins, star)) && !is_long(star);
+        if (fits || margins->is_listed || fit == FITS || fit_frame(&search)) {
             break;
         }
     }
-    if (!margins->is_listed) {
+    if (loses(star) && !margins->is_listed) {
+        scan(&search, MORE_DIRECTIONS);
+    } else if (!margins->is_listed) {
         look_between(&search);
     }
     star->is_whole = is_whole(margins, star) || is_even(margins, star);

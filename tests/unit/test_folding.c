@@ -14,16 +14,16 @@ static const double pi = PI;
 static bool folds(double centre, double radius, double bend, double mirror)
 {
     struct arena arena = {0};
-    struct clear_edge edges[EDGES] = {0};
+    struct clear_arm arms[EDGES] = {0};
     struct clear_pupil clear = {.centre = {0, centre},
                                 .low = {-radius, centre - radius},
                                 .high = {radius, centre + radius},
-                                .edges = edges,
-                                .edge_count = EDGES};
+                                .arms = arms,
+                                .arm_count = EDGES};
     for (size_t i = 0; i < EDGES; i++) {
         double angle = 2 * pi * (double)i / EDGES - pi / 2;
-        edges[i].at[0] = radius * cos(angle);
-        edges[i].at[1] = centre + radius * sin(angle);
+        arms[i].edge.at[0] = radius * cos(angle);
+        arms[i].edge.at[1] = centre + radius * sin(angle);
     }
     size_t count;
     const double(*at)[2] = folding_places(&clear, &arena, &count);

@@ -37,7 +37,7 @@ static const struct option options[] = {
     LENS_POSITION_OPTION(struct pupil_input, question),
     {OPTION(struct pupil_input, side), .name = "side", .words = sides, .fallback = "both",
      .value = "SIDE", .help = "which pupil"},
-    {OPTION(struct pupil_input, outline), .name = "outline", .lowest = 3, .highest = 512,
+    {OPTION(struct pupil_input, outline), .name = "outline", .lowest = 3, .highest = PUPIL_EDGES,
      .value = "COUNT", .help = "print this many points of the edge instead"},
 };
 
@@ -400,7 +400,9 @@ static bool run(const void *data, struct run *run, struct error *error)
     if (stays && run->state == NULL) {
         run->state = pupil_memo_new(run->kept);
     }
-    return pupil_each(data, run->arena, stays ? run->state : NULL, emit_rows, &asked, error);
+    const struct pupil_visitor visitor = {emit_rows, &asked,
+                                          asked.input->outline > 0 ? PUPIL_EDGES : 0};
+    return pupil_each(data, run->arena, stays ? run->state : NULL, &visitor, error);
 }
 
 static bool brings(const void *data, const char *option)
@@ -458,11 +460,12 @@ static bool draw(const struct artifact_job *job, struct output *sink, struct err
 {
     struct svg svg = {.arena = job->run->arena};
     struct painter painter = {.arena = svg.arena};
+    const struct pupil_visitor visitor = {add_shape, &painter, PUPIL_EDGES};
     for (size_t i = 0; i < job->count; i++) {
         const struct pupil_input *input = job->inputs[i];
         painter.several =
             lens_positions_several(input->question.lens.lens, input->question.position);
-        if (!pupil_each(input, svg.arena, NULL, add_shape, &painter, error)) {
+        if (!pupil_each(input, svg.arena, NULL, &visitor, error)) {
             return false;
         }
     }
@@ -489,7 +492,8 @@ static const struct artifact artifacts[] = {
 
 static const struct explanation explanations[] = {
     {"fraction", "{fraction} = area/area on the axis, in the plane of the paraxial pupil",
-     "edges by bisection of exact rays", "a central obstruction is not modelled"},
+     "exact rays at the corners of the edge and at Gauss's points between them",
+     "what blocks light within the edge is taken out of areas, not of bounds"},
     {"irradiance_per_radiance", "E/L = integral of cos(theta) dw over the clear exit pupil",
      "[Welford86]", "a uniform scene; no loss in glass"},
     {NULL, NULL, NULL, NULL},

@@ -7,16 +7,12 @@
 
 #include <string.h>
 
-/* Enough for 1e-5 of an area with corners. */
-enum { DIRECTIONS = 512 };
-
 /* What is asked, and who gets the answers. */
 struct asked {
     const struct pupil_input *input;
     struct arena *arena;
     struct pupil_memo *memo; /* null = none */
-    pupil_visit *visit;
-    void *context;
+    const struct pupil_visitor *visitor;
 };
 
 /* What one lens at one wavelength needs for all its points. */
@@ -25,6 +21,7 @@ struct pupil_job {
     const struct lens_case *one;
     const struct system *clipped, *open;
     double film; /* from the last vertex, mm; NaN for fields */
+    struct beam axis_beam;
     struct pupil_shape axis;
 };
 
@@ -55,7 +52,7 @@ static bool shape_of(const struct pupil_job *job, const struct beam *beam, struc
                                             .open = job->open,
                                             .beam = beam,
                                             .first = &job->one->light.first,
-                                            .directions = DIRECTIONS};
+                                            .directions = job->asked->visitor->edges};
     return pupil_shape(&question, arena, shape, error);
 }
 
@@ -68,14 +65,18 @@ static struct beam film_beam(const struct pupil_job *job, double x, double y)
 static bool show(const struct pupil_job *job, const struct beam *beam, struct pupil_case *point,
                  struct error *error)
 {
-    struct pupil_shape shape;
-    if (!shape_of(job, beam, job->asked->arena, &shape, error)) {
+    const struct pupil_visitor *visitor = job->asked->visitor;
+    /* the point on the axis itself: compared byte by byte, as a beam has no gaps */
+    const bool is_axis = memcmp(beam, &job->axis_beam, sizeof *beam) == 0;
+    struct pupil_shape shape = job->axis;
+    if (!(is_axis && shape.count == visitor->edges) &&
+        !shape_of(job, beam, job->asked->arena, &shape, error)) {
         return false;
     }
     point->shape = &shape;
     point->axis = &job->axis;
     point->one = job->one;
-    return job->asked->visit(point, job->asked->context, error);
+    return visitor->visit(point, visitor->context, error);
 }
 
 static bool show_field(const struct pupil_job *job, const struct field_point *field,
@@ -162,6 +163,7 @@ static bool find_axis(struct pupil_job *job, const struct beam *beam, struct err
         struct pupil_shape *kept = &memo->shapes[at];
         memo->keys[at] = key;
         *kept = job->axis;
+        kept->count = 0;
         kept->stop = kept->across = NULL;
         kept->entrance.pupil.outline = kept->entrance.vertex.outline = NULL;
         kept->exit.pupil.outline = kept->exit.vertex.outline = NULL;
@@ -192,6 +194,7 @@ static bool visit_lens(const struct lens_case *one, void *context, struct error 
     } else if (!beam_of_field(&centre, &setup->object, &setup->first, &beam, error)) {
         return false;
     }
+    job.axis_beam = beam;
     if (!find_axis(&job, &beam, error)) {
         return false;
     }
@@ -211,9 +214,9 @@ static bool visit_lens(const struct lens_case *one, void *context, struct error 
 }
 
 bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pupil_memo *memo,
-                pupil_visit *visit, void *context, struct error *error)
+                const struct pupil_visitor *visitor, struct error *error)
 {
-    struct asked asked = {input, arena, memo, visit, context};
+    struct asked asked = {input, arena, memo, visitor};
     const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                        .fields = FIELDS_ALL,
                                        .focus = pupil_is_from_film(input) ? &input->focus : NULL};

@@ -41,6 +41,16 @@ struct pupil_memo *pupil_memo_new(struct arena *arena);
 /* Gets a point, which lasts as long as the arena; returns false to fail. */
 typedef bool pupil_visit(const struct pupil_case *point, void *context, struct error *error);
 
+/* Who gets the points, and with how many edges of each: none, or a multiple of 4. */
+struct pupil_visitor {
+    pupil_visit *visit;
+    void *context;
+    size_t edges;
+};
+
+/* Edges that an outline is drawn or chosen from. */
+enum { PUPIL_EDGES = 512 };
+
 /*
  * Visit all points of an input: positions, wavelengths, fields.
  *
@@ -48,7 +58,7 @@ typedef bool pupil_visit(const struct pupil_case *point, void *context, struct e
  * Errors    ERROR_DOMAIN: no stop, no image plane, a point on the lens; as lens_each
  */
 bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pupil_memo *memo,
-                pupil_visit *visit, void *context, struct error *error);
+                const struct pupil_visitor *visitor, struct error *error);
 
 /* In words: "14 deg", "object -5 mm", "film 3, 10 mm" of x and y. */
 const char *pupil_point_words(const struct pupil_case *point, struct arena *arena);
