@@ -75,9 +75,9 @@ struct pupil_question {
  * Errors    ERROR_DOMAIN: no stop, or no radius of it. A point from which nothing arrives is data
  * Limits    1e-7 of the areas (discs, ellipses and wide arcs 1e-9); a shape with more than
  *           STAR_CORNERS corners: 1e-5; one that is no star: as clear.h says; a plane that rays
- *           meet at more than 89.9 deg counts as not met. What apertures block within the edges is taken out of
- *           areas and centroids (1e-7 too, clear.h says when less), not of outlines, bounds and
- *           vignetting, which are those of the edges
+ *           meet at more than 89.9 deg counts as not met. What apertures block within the edges is
+ *           taken out of areas and centroids (1e-7 too, clear.h says when less), not of outlines,
+ *           bounds and vignetting, which are those of the edges
  */
 bool pupil_shape(const struct pupil_question *question, struct arena *arena,
                  struct pupil_shape *shape, struct error *error);

@@ -226,7 +226,7 @@ static double value_at(const struct piece *piece, double x)
     return above / below;
 }
 
-/* Its largest value between two places with one hill between them: parabolas, narrower each time. */
+/* Its largest value between two places with one hill between them: narrower and narrower. */
 static double peak_of(const struct piece *piece, double low, double high)
 {
     enum { ROUNDS = 6 };

@@ -1,4 +1,4 @@
-/* trace/clear_guess.h - where what is clear of a beam is looked for, and how an edge of it is told. */
+/* trace/clear_guess.h - where what is clear of a beam is looked for, and a ray at its edge. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_TRACE_CLEAR_GUESS_H
 #define LENSCALC_TRACE_CLEAR_GUESS_H

@@ -15,16 +15,11 @@ struct probe probe_open(const struct system *clipped, const struct beam *beam, s
                           .work = rays_new(arena, RAYS_BLOCK)};
 }
 
-void probe_try(const struct probe *probe, const double (*at)[2], size_t count)
-{
-    const struct rays rays = {probe->work.blocks, count};
-    beam_fill(probe->beam, at, count, rays.blocks);
-    rays_trace(probe->system, &rays, NULL);
-}
-
 bool probe_passes_one(const struct probe *probe, const double at[2])
 {
-    probe_try(probe, (const double(*)[2])at, 1);
+    const struct rays rays = {probe->work.blocks, 1};
+    beam_fill(probe->beam, (const double(*)[2])at, 1, rays.blocks);
+    rays_trace(probe->system, &rays, NULL);
     return probe_passes(probe, 0);
 }
 

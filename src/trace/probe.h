@@ -24,9 +24,6 @@ struct probe {
  */
 struct probe probe_open(const struct system *clipped, const struct beam *beam, struct arena *arena);
 
-/* Trace up to RAYS_BLOCK rays of the beam; their fate stays in the block. */
-void probe_try(const struct probe *probe, const double (*at)[2], size_t count);
-
 static inline bool probe_passes(const struct probe *probe, size_t lane)
 {
     return ray_block_status(probe->work.blocks, lane) == RAY_OK;
