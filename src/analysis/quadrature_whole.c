@@ -40,6 +40,11 @@ static bool aim_points(const struct margins *margins, struct pupil_point *points
             at[i][1] = block.b[i] + block.step_b[i];
         }
         margins_go(margins, (const double(*)[2])at, count, system_place(system, system->stop) + 1);
+        for (size_t i = 0; i < count; i++) {
+            /* on its way to a point of the stop a ray may cross it beyond its edge */
+            bool is_clipped = ray_block_status(margins->work.blocks, i) == RAY_CLIPPED;
+            margins->work.blocks->lost[i] = is_clipped ? 0 : margins->work.blocks->lost[i];
+        }
         for (size_t i = 0; i < count && system->lens->surfaces[system->stop].decentre != NULL;
              i++) {
             double point[3];
