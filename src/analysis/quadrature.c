@@ -342,6 +342,44 @@ struct islands quadrature_islands_about(const struct system *clipped, const stru
     return islands;
 }
 
+const struct star *quadrature_star(struct quadrature_region *region, struct arena *arena)
+{
+    look(region, arena);
+    return region->is_empty ? NULL : region->star;
+}
+
+struct quadrature_rim quadrature_edge(const struct quadrature_region *region, const double *angles,
+                                      size_t count, struct arena *arena)
+{
+    const struct star *star = region->star;
+    double *near = ARENA_ARRAY(arena, count, double);
+    struct edge *edges = ARENA_ARRAY(arena, count, struct edge);
+    double(*points)[2] = arena_array(arena, count, sizeof *points);
+    for (size_t i = 0; i < count; i++) {
+        near[i] = star_near(star, angles[i]);
+    }
+    const struct edge_directions directions = {star->frame, angles, near, count};
+    edges_find(&region->margins, &directions, finely, edges);
+    for (size_t i = 0; i < count; i++) {
+        edge_point(&star->frame, angles[i], edges[i].radius, points[i]);
+    }
+    return (struct quadrature_rim){(const double(*)[2])points, count};
+}
+
+void quadrature_rays_within(const struct quadrature_region *region,
+                            const struct quadrature_rim *rim, double share, struct arena *arena,
+                            const struct rays *rays)
+{
+    const double *centre = region->star->frame.centre;
+    double(*points)[2] = arena_array(arena, rim->count, sizeof *points);
+    for (size_t i = 0; i < rim->count; i++) {
+        for (int k = 0; k < 2; k++) {
+            points[i][k] = centre[k] + share * (rim->points[i][k] - centre[k]);
+        }
+    }
+    margins_start(&region->margins, (const double(*)[2])points, rays);
+}
+
 struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
                                   struct arena *arena)
 {

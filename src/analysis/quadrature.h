@@ -69,6 +69,22 @@ struct islands quadrature_islands(struct quadrature_region *region, struct arena
 struct islands quadrature_islands_about(const struct system *clipped, const struct beam *beam,
                                         const struct clear_guess *guess, struct arena *arena);
 
+/* What is clear, as a star; null: nothing is. */
+const struct star *quadrature_star(struct quadrature_region *region, struct arena *arena);
+
+/* Points on its edge, in directions of the star's frame: u and v. */
+struct quadrature_rim {
+    const double (*points)[2];
+    size_t count;
+};
+struct quadrature_rim quadrature_edge(const struct quadrature_region *region, const double *angles,
+                                      size_t count, struct arena *arena);
+
+/* Rays at a share of the way to such points from the centre of the star, where they start. */
+void quadrature_rays_within(const struct quadrature_region *region,
+                            const struct quadrature_rim *rim, double share, struct arena *arena,
+                            const struct rays *rays);
+
 /* The same as quadrature_fill for one time. */
 struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena);
 

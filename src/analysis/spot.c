@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/spot.h"
 
+#include "analysis/spot_radius.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -16,10 +18,8 @@ struct seeking {
     const struct spot_question *question;
     struct bundle_source *sources; /* one a wavelength */
     struct bundle_question *questions;
-    size_t to;
-    bool is_angular, has_chief;
-    double origin[2];    /* that points are counted from, mm */
-    double across[2][3]; /* of angles */
+    struct spot_plane plane;
+    bool has_chief;
 };
 
 /* A ray of the spot, about the origin. */
@@ -75,20 +75,21 @@ static bool set_origin(struct seeking *seeking, struct arena *arena, struct erro
     struct ray ray = {.status = RAY_MISS};
     struct bundle bundle;
     if (first->has_chief) {
-        ray = bundle_chief(first, seeking->to, arena);
+        ray = bundle_chief(first, seeking->plane.to, arena);
     }
     seeking->has_chief = ray.status == RAY_OK;
     if (!seeking->has_chief) {
-        if (!bundle_trace(first, FIRST_RAYS, seeking->to, arena, &bundle, error)) {
+        if (!bundle_trace(first, FIRST_RAYS, seeking->plane.to, arena, &bundle, error)) {
             return false;
         }
         for (size_t i = 0; i < bundle.count && ray.status != RAY_OK; i++) {
-            ray = rays_get(&bundle.rays, i, system_index_after(first->system, seeking->to - 1));
+            ray =
+                rays_get(&bundle.rays, i, system_index_after(first->system, seeking->plane.to - 1));
         }
     }
-    seeking->origin[0] = ray.point[0];
-    seeking->origin[1] = ray.point[1];
-    spot_axes(ray.cosine, seeking->across);
+    seeking->plane.origin[0] = ray.point[0];
+    seeking->plane.origin[1] = ray.point[1];
+    spot_axes(ray.cosine, seeking->plane.across);
     return true;
 }
 
@@ -100,25 +101,9 @@ static bool open_seeking(const struct spot_question *question, struct arena *are
     if (!open_sources(seeking, arena, error)) {
         return false;
     }
-    seeking->is_angular = question->to == 0 && isnan(setup->image);
-    seeking->to = question->to > 0 ? question->to : seeking->sources[0].system->places;
+    seeking->plane.is_angular = question->to == 0 && isnan(setup->image);
+    seeking->plane.to = question->to > 0 ? question->to : seeking->sources[0].system->places;
     return set_origin(seeking, arena, error);
-}
-
-/* Where a ray is, about the origin. */
-static void place(const struct seeking *seeking, const struct ray_block *block, size_t lane,
-                  double n, double at[2])
-{
-    if (!seeking->is_angular) {
-        at[0] = block->x[lane] - seeking->origin[0];
-        at[1] = block->y[lane] - seeking->origin[1];
-        return;
-    }
-    for (int i = 0; i < 2; i++) {
-        const double *axis = seeking->across[i];
-        at[i] =
-            (block->p[lane] * axis[0] + block->q[lane] * axis[1] + block->r[lane] * axis[2]) / n;
-    }
 }
 
 /* The marks of one wavelength, their weights times `weight`. */
@@ -127,10 +112,10 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
 {
     const struct bundle_source *source = &seeking->sources[wavelength];
     struct bundle bundle;
-    if (!bundle_trace(source, rays, seeking->to, arena, &bundle, error)) {
+    if (!bundle_trace(source, rays, seeking->plane.to, arena, &bundle, error)) {
         return false;
     }
-    double n = system_index_after(source->system, seeking->to - 1);
+    double n = system_index_after(source->system, seeking->plane.to - 1);
     struct mark *list = ARENA_ARRAY(arena, marks->count + bundle.count, struct mark);
     for (size_t i = 0; i < marks->count; i++) {
         list[i] = marks->list[i];
@@ -140,7 +125,7 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
         const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
         if (ray_block_status(block, i % RAYS_BLOCK) == RAY_OK) {
             struct mark *mark = &marks->list[marks->count++];
-            place(seeking, block, i % RAYS_BLOCK, n, mark->at);
+            spot_place(&seeking->plane, block, i % RAYS_BLOCK, n, mark->at);
             mark->weight = weight * bundle.points[i].weight;
         }
     }
@@ -247,10 +232,12 @@ static double quantile(struct marks *marks, double share)
 /* What coordinates may be off by rounding alone. */
 static double rounding(const struct seeking *seeking)
 {
-    const struct first_order *first = &seeking->question->bundle.setup->first;
-    double length = seeking->is_angular ? 1
-                                        : hypot(seeking->origin[0], seeking->origin[1]) +
-                                              fabs(first->length) + fabs(first->stop_radius);
+    const struct setup *setup = seeking->question->bundle.setup;
+    const struct first_order *first = &setup->first;
+    const double *origin = seeking->plane.origin;
+    double length = seeking->plane.is_angular ? 1
+                                              : hypot(origin[0], origin[1]) + fabs(first->length) +
+                                                    fabs(first->stop_radius) + fabs(setup->image);
     return 8 * DBL_EPSILON * (isfinite(length) ? length : 1);
 }
 
@@ -271,19 +258,46 @@ static bool measure(const struct seeking *seeking, size_t rays, struct arena *ar
 }
 
 /*
- * By how much the root mean square is off, by what twice the rays change. That of x and of y, and
- * the clear share, are taken by themselves: their changes may cancel by chance, as may that from
- * the sample before, of which a part counts too.
+ * By how much the root mean squares are off, by what twice the rays change. The largest of their
+ * changes: one may vanish by chance, and so may all, wherefore the clear share and what the sample
+ * before differed by count a little.
  */
 static double rms_error(const struct spot *before, const struct spot *here,
                         const struct spot *finer)
 {
-    double x = here->rms_x * fabs(finer->rms_x - here->rms_x);
-    double y = here->rms_y * fabs(finer->rms_y - here->rms_y);
-    double clear = 0.1 * here->rms * fabs(finer->clear - here->clear) / finer->clear;
-    double last = 0.02 * fabs(here->rms - before->rms);
-    double change = here->rms > 0 ? (x + y) / here->rms : 0;
-    return 2 * fmax(fmax(change, clear), last);
+    const double changes[] = {finer->rms - here->rms,
+                              finer->rms_x - here->rms_x,
+                              finer->rms_y - here->rms_y,
+                              finer->rms_chief - here->rms_chief,
+                              0.1 * here->rms * (finer->clear - here->clear) / finer->clear,
+                              0.002 * (here->rms - before->rms)};
+    double most = 0;
+    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
+        most = fmax(most, fabs(changes[i]));
+    }
+    return 2 * most;
+}
+
+/* The farthest ray of the pupil; of other patterns the farthest of their rays. */
+static void find_radius(const struct seeking *seeking, const struct spot *finer,
+                        struct arena *arena, struct spot *spot)
+{
+    static const double nowhere[2] = {0, 0};
+    const struct spot_question *asked = seeking->question;
+    const double *about = asked->about_chief ? nowhere : spot->centroid;
+    const struct spot_radius_question question = {
+        .sources = seeking->sources,
+        .count = asked->bundle.setup->wavelength_count,
+        .plane = &seeking->plane,
+        .about = {about[0], about[1]},
+    };
+    double change = fabs(finer->radius - spot->radius);
+    if (asked->bundle.pattern == PATTERN_GAUSS) {
+        spot->radius = spot_radius_find(&question, arena, &change);
+    }
+    double moved =
+        hypot(finer->centroid[0] - spot->centroid[0], finer->centroid[1] - spot->centroid[1]);
+    spot->radius_error = 2 * change + (asked->about_chief ? 0 : 2 * moved) + rounding(seeking);
 }
 
 /* Samples, each of twice the rays of the one before, until two agree or no more are wanted. */
@@ -305,12 +319,14 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
         *spot = here;
         spot->error = fmax(rms_error(&before, &here, &finer), least);
         spot->energy_error = 2 * fabs(finer.energy_radius - here.energy_radius) + least;
-        spot->radius = finer.radius > here.radius ? finer.radius : here.radius;
         spot->has_converged =
             (spot->error <= question->error * here.rms || !(spot->error > least)) &&
             !(spot->energy_error > question->error * here.energy_radius &&
               spot->energy_error > least);
         done = question->rays > 0 || spot->has_converged || 2 * rays >= MOST_RAYS;
+        if (done) {
+            find_radius(seeking, &finer, arena, spot);
+        }
         before = here;
         here = finer;
     }
@@ -331,10 +347,10 @@ static bool look(const struct spot_question *question, struct arena *arena, stru
     if (!converge(&seeking, arena, spot, error)) {
         return false;
     }
-    spot->is_angular = seeking.is_angular;
+    spot->is_angular = seeking.plane.is_angular;
     spot->islands = bundle_islands(&seeking.sources[0], arena);
     for (int i = 0; i < 2; i++) {
-        double origin = seeking.is_angular ? 0 : seeking.origin[i];
+        double origin = seeking.plane.is_angular ? 0 : seeking.plane.origin[i];
         spot->chief[i] = seeking.has_chief ? origin : (double)NAN;
         spot->centroid[i] += origin;
     }

@@ -24,7 +24,7 @@ struct spot {
     bool is_angular;
     double rms, rms_x, rms_y;     /* about the centroid */
     double rms_chief;             /* about the chief ray; NaN: it is lost */
-    double radius;                /* the largest distance from the centroid */
+    double radius, radius_error;  /* the largest distance from the centroid */
     double energy_radius;         /* about the centroid; NaN: not asked for */
     double error, energy_error;   /* of rms and energy_radius */
     double centroid[2], chief[2]; /* on the plane, or angular from the chief ray */
@@ -40,7 +40,9 @@ struct spot {
  * Formula   weights of a wavelength times those of the rays. One chief ray for all: that of the
  *           first wavelength. Means about the chief ray first, so that no digits are lost far off
  *           the axis. `error`: twice the difference from a sample with twice the rays, at least
- *           rounding; the same for the energy radius, the weighted quantile of distances
+ *           rounding; the same for the energy radius, the weighted quantile of distances.
+ *           Largest distance: spot_radius_find; of other patterns than PATTERN_GAUSS that of their
+ *           rays. Its error: of the search, and what twice the rays move the centroid
  *           Angular: components of the direction along two axes across that of the chief ray, the
  *           first in the plane of x
  * Source    weights [Forbes88]; tested against an independent 50-digit program

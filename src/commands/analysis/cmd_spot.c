@@ -27,9 +27,9 @@ static const struct option options[] = {
 
 struct row {
     struct analysis_point point;
-    double rms, rms_x, rms_y, rms_chief, radius, error; /* mm */
+    double rms, rms_x, rms_y, rms_chief, radius, radius_error, error; /* mm */
     double energy, energy_radius, energy_error;
-    double rms_angle, rms_x_angle, rms_y_angle, rms_chief_angle, radius_angle,
+    double rms_angle, rms_x_angle, rms_y_angle, rms_chief_angle, radius_angle, radius_error_angle,
         error_angle; /* rad */
     double energy_angle, energy_error_angle;
     double x, y, chief_x, chief_y, clear;
@@ -59,7 +59,10 @@ static const struct column columns[] = {
      .help = "root mean square distance from the chief ray, of the primary wavelength where there "
              "are several; absent where that is lost"},
     {SMALL(radius, COLUMN_BRIEF | COLUMN_SPARSE), .name = "radius", .label = "largest radius",
-     .help = "the largest distance from the centroid, or from what --reference says"},
+     .help = "the largest distance of rays of the clear pupil, its edge included, from the "
+             "centroid or what --reference says"},
+    {SMALL(radius_error, COLUMN_HIDDEN), .name = "radius_error", .label = "error of that",
+     .help = "what the largest radius may be off"},
     {COLUMN(struct row, energy), .name = "energy", .dimension = &dimension_ratio, .unit = "%",
      .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "energy", .label = "share",
      .help = "share of the light"},
@@ -68,7 +71,7 @@ static const struct column columns[] = {
     {SMALL(energy_error, COLUMN_EXTRA), .with = "energy", .name = "energy_error",
      .label = "error of the energy radius", .help = "what the energy radius may be off"},
     {SMALL(error, COLUMN_BRIEF | COLUMN_SPARSE), .name = "error", .label = "error",
-     .help = "what the RMS radius may be off: twice what twice the rays change of it"},
+     .help = "what the RMS figures may be off: twice what twice the rays change of them"},
     {ANGLE(rms_angle, COLUMN_BRIEF), .name = "rms", .label = "RMS radius",
      .help = "the same of an image at infinity: sines of angles from the chief ray"},
     {ANGLE(rms_x_angle, COLUMN_BRIEF), .name = "rms_x", .label = "RMS in x", .help = "in x alone"},
@@ -77,6 +80,8 @@ static const struct column columns[] = {
      .help = "about the chief ray"},
     {ANGLE(radius_angle, COLUMN_BRIEF), .name = "radius", .label = "largest radius",
      .help = "the largest"},
+    {ANGLE(radius_error_angle, COLUMN_HIDDEN), .name = "radius_error", .label = "error of that",
+     .help = "what the largest may be off"},
     {ANGLE(energy_angle, COLUMN_EXTRA), .with = "energy", .name = "energy_radius",
      .label = "energy radius", .help = "the angle that holds the share"},
     {ANGLE(energy_error_angle, COLUMN_EXTRA), .with = "energy", .name = "energy_error",
@@ -107,6 +112,7 @@ static struct row row_of(const struct analysis_point *point)
                          &row.rms_y,
                          &row.rms_chief,
                          &row.radius,
+                         &row.radius_error,
                          &row.error,
                          &row.energy,
                          &row.energy_radius,
@@ -116,6 +122,7 @@ static struct row row_of(const struct analysis_point *point)
                          &row.rms_y_angle,
                          &row.rms_chief_angle,
                          &row.radius_angle,
+                         &row.radius_error_angle,
                          &row.error_angle,
                          &row.energy_angle,
                          &row.energy_error_angle,
@@ -142,13 +149,15 @@ static const char *weight_words(const struct analysis_question *question)
 
 static void fill(const struct spot *spot, struct row *row)
 {
-    const double values[] = {spot->rms,    spot->rms_x, spot->rms_y,         spot->rms_chief,
-                             spot->radius, spot->error, spot->energy_radius, spot->energy_error};
-    double *lengths[] = {&row->rms,    &row->rms_x, &row->rms_y,         &row->rms_chief,
-                         &row->radius, &row->error, &row->energy_radius, &row->energy_error};
-    double *angles[] = {&row->rms_angle,       &row->rms_x_angle,       &row->rms_y_angle,
-                        &row->rms_chief_angle, &row->radius_angle,      &row->error_angle,
-                        &row->energy_angle,    &row->energy_error_angle};
+    const double values[] = {spot->rms,           spot->rms_x,        spot->rms_y,
+                             spot->rms_chief,     spot->radius,       spot->error,
+                             spot->energy_radius, spot->energy_error, spot->radius_error};
+    double *lengths[] = {&row->rms,           &row->rms_x,        &row->rms_y,
+                         &row->rms_chief,     &row->radius,       &row->error,
+                         &row->energy_radius, &row->energy_error, &row->radius_error};
+    double *angles[] = {&row->rms_angle,       &row->rms_x_angle,        &row->rms_y_angle,
+                        &row->rms_chief_angle, &row->radius_angle,       &row->error_angle,
+                        &row->energy_angle,    &row->energy_error_angle, &row->radius_error_angle};
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
         *(spot->is_angular ? angles[i] : lengths[i]) = values[i];
     }
