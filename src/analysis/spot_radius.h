@@ -35,7 +35,7 @@ struct spot_radius_question {
  * Formula   48 directions and all corners times eight rings, the outermost the edge itself; the
  *           peaks that parabolas say are as high as the highest are looked at closer until they
  *           stand
- * Limits    rays at the edge of what blocks light in the middle are met to 1e-9 of the pupil at best
+ * Limits    the edge of what blocks light in the middle is met to 1e-9 of the pupil at best
  */
 double spot_radius_find(const struct spot_radius_question *question, struct arena *arena,
                         double *error);
