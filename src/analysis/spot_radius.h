@@ -1,4 +1,4 @@
-/* analysis/spot_radius.h - how far from a point of the image plane rays of a pupil arrive at most. */
+/* analysis/spot_radius.h - how far from a point of the image plane rays arrive at most. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_ANALYSIS_SPOT_RADIUS_H
 #define LENSCALC_ANALYSIS_SPOT_RADIUS_H
