@@ -269,7 +269,7 @@ def check_own_positions(checks, tool):
 def check_own_refusals(checks, tool):
     good = HEAD + "S 50 5 517642\nSTO\nS -50 40\nSI 0 0\n"
     cases = (("S 50 5 517642", "S 50 5 NOGLASS", "refused.seq:5:8:", "in no catalogue"),
-             ("S 50 5 517642", "S 5x 5 517642", "refused.seq:5:4:", "no number"),
+             ("S 50 5 517642", "S 5x 5 517642", "refused.seq:5:4:", "not a number"),
              ("S 50 5 517642", "S 50", "refused.seq:5:5:", "thickness is missing"),
              ("STO", "STO S9", "refused.seq:6:5:", "there is no surface"),
              ("STO", "XYZ 1", "refused.seq:6:1:", "unknown command"),
@@ -290,10 +290,10 @@ def check_own_refusals(checks, tool):
     good = 'LEN NEW "x" 1 3\nEBR 1\nTH 1e20\nNXT\nGLA 1.5\nRD 5\nNXT\nTH 1\nNXT\nEND 3\n'
     cases = (("GLA 1.5", "GLA 1.5 1.6", "refused.len:5:5:", "2 indices for 3"),
              ("GLA 1.5", "GLA NOGLASS", "refused.len:5:5:", "in no catalogue"),
-             ("RD 5", "RD five", "refused.len:6:4:", "no number"),
+             ("RD 5", "RD five", "refused.len:6:4:", "not a number"),
              ("RD 5", "PK CV 1", "refused.len:6:7:", "not before surface 1"),
              ("RD 5", "PFL 5", "refused.len:6:1:", "perfect lens"),
-             ("RD 5", "ASP ZER 4", "refused.len:6:1:", "no polynomial of r"),
+             ("RD 5", "ASP ZER 4", "refused.len:6:1:", "not a polynomial of r"),
              ("EBR 1", "UNI 7", "refused.len:2:5:", "one of 1, 10"),
              ("RD 5", "WV9 0.5", "refused.len:6:1:", "number 9 behind 0"))
     for old, new, place, reason in cases:

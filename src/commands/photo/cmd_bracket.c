@@ -105,6 +105,11 @@ static bool make_plan(const struct input *input, struct bracket *plan, struct er
     if (!is_given(given.step) && !(ends && is_given(given.shots))) {
         given.step = 1;
     }
+    if (!is_given(input->time) && !is_given(given.from) && !is_given(given.to)) {
+        return fail(error, ERROR_USAGE,
+                    "a bracket needs an exposure to start from: give {--time}, its middle, or "
+                    "{--from} or {--to}, its ends");
+    }
     if (!is_given(input->time)) {
         return bracket_plan(&given, plan, error);
     }
