@@ -265,13 +265,18 @@ def try_help(asked):
     return b"Examples:" in asked.run("--help").stdout
 
 
+def try_color(asked):
+    """What is wrong is said in colours, where they are asked for."""
+    return asked.run("--no-such-option", "--color", "always").stderr.startswith(b"\033[")
+
+
 TRIES = {
     "--format": try_format, "--columns": try_columns, "--digits": try_digits,
     "--units": try_units, "--table": try_table, "--plot": try_plot,
     "--explain": try_short("explain"), "--nominal": try_short("nominal"), "--batch": try_batch,
     "--batch-format": try_batch_format, "--fail-fast": try_fail_fast, "--force": try_force,
     "--output": try_output, "--lensdb": try_lensdb, "--agf": try_agf, "--lossy": try_lossy,
-    "--help": try_help,
+    "--color": try_color, "--help": try_help,
 }
 TRIES.update({f"--{name}": try_short(name) for name in ("csv", "tsv", "json", "jsonl")})
 

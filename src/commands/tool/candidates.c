@@ -1,0 +1,409 @@
+/* commands/tool/candidates.c - what may stand at the end of a command line that is being typed. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/tool/candidates.h"
+
+#include "cli/columns.h"
+#include "cli/help.h"
+#include "exchange/lens_open.h"
+#include "report/row.h"
+
+#include <string.h>
+
+/* The words, and where the candidates go. */
+struct typing {
+    struct text *words;
+    size_t count; /* at least 1 */
+    const struct command *command;
+    const char *before; /* of the last word, stands before every candidate: "--model=" */
+    struct text typed;  /* what follows that */
+    struct run *run;
+    struct output *output;
+    const struct sheet *sheet; /* of a list; its first column has the names */
+};
+
+static char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+/* Does the candidate begin with what is typed? Case does not count. */
+static bool begins(const struct typing *typing, const char *candidate)
+{
+    size_t i = 0;
+    while (i < typing->typed.length && lower(typing->typed.start[i]) == lower(candidate[i])) {
+        i++;
+    }
+    return i == typing->typed.length;
+}
+
+static void offer(const struct typing *typing, const char *candidate, const char *help)
+{
+    if (begins(typing, candidate) && strpbrk(candidate, "\n\t") == NULL) {
+        output_string(typing->output, typing->before);
+        output_string(typing->output, candidate);
+        output_string(typing->output, help != NULL ? "\t" : "");
+        output_string(typing->output, help != NULL ? help : "");
+        output_character(typing->output, '\n');
+    }
+}
+
+static void offer_words(const struct typing *typing, const struct option *option)
+{
+    for (size_t i = 0; option_word(option, i) != NULL; i++) {
+        offer(typing, option_word(option, i)->word, option_word(option, i)->help);
+    }
+}
+
+/* -------- names that lists hold -------- */
+
+static bool offer_row(struct run *run, const void *row)
+{
+    const struct typing *typing = run->driver;
+    const char *name = row_text(row, &typing->sheet->columns[0]);
+    if (name != NULL) {
+        offer(typing, name, NULL);
+    }
+    /* other names are many: only who begins one sees it */
+    for (size_t i = 0; i < typing->sheet->column_count && typing->typed.length > 0; i++) {
+        const struct column *column = &typing->sheet->columns[i];
+        bool is_other = strcmp(column->name, "aliases") == 0 && row_text(row, column) != NULL;
+        struct text rest = text_of(is_other ? row_text(row, column) : "");
+        while (rest.start != NULL && rest.length > 0) {
+            struct text other = text_trim(text_cut(&rest, ','));
+            offer(typing, arena_string(run->arena, other.start, other.length), name);
+        }
+    }
+    return true;
+}
+
+/* The names of "lenscalc list TOPIC". */
+static void offer_list(struct typing *typing, const char *topic)
+{
+    const struct command *list = command_find(text_of("list"));
+    const struct option *option = &list->options[0];
+    void *input = arena_array(typing->run->arena, 1, list->input_size);
+    struct error ignored;
+    int i = 0;
+    while (strcmp(option_word(option, (size_t)i)->word, topic) != 0) {
+        i++;
+    }
+    *(int *)((char *)input + option->offset) = i;
+    struct run run = *typing->run;
+    run.emit = offer_row;
+    run.driver = typing;
+    typing->sheet = list->choose_sheet(input, NULL);
+    list->run(input, &run, &ignored); /* nothing to list is nothing to offer */
+}
+
+/* Where the names of a kind of value come from. */
+static const struct {
+    const struct option_kind *kind;
+    const char *lists[2];
+    bool or_file;
+} sources[] = {
+    {&kind_sensor, {"formats", "cameras"}, false}, {&kind_lens, {"lenses", NULL}, true},
+    {&kind_glass, {"glasses", NULL}, false},       {&kind_film, {"films", NULL}, false},
+    {&kind_scene, {"scenes", NULL}, false},        {&kind_loss, {"filters", NULL}, false},
+};
+
+static const struct word criteria[] = {
+    {"d/1500", "a part of the sensor's diagonal"},
+    {"2px", "pixels"},
+    {"airy", "the disc of diffraction"},
+    {"print", "seen on a print"},
+    {NULL, NULL},
+};
+
+static const struct word planes[] = {
+    {"paraxial", "the paraxial image plane"},
+    {"table", "the one of the lens's table"},
+    {"best", "the smallest spot"},
+    {NULL, NULL},
+};
+
+static const struct word *words_of_kind(const struct option_kind *kind)
+{
+    return kind == &kind_coc ? criteria : kind == &kind_plane ? planes : NULL;
+}
+
+/* -------- what depends on the words before -------- */
+
+static const struct option *find_letter(const struct command *command, char letter)
+{
+    const struct option *common = NULL;
+    for (size_t i = 0; command_option(command, i) != NULL; i++) {
+        if (command_option(command, i)->letter == letter) {
+            return command_option(command, i);
+        }
+    }
+    while ((common = command_next_common(command, common)) != NULL && common->letter != letter) {
+    }
+    return common;
+}
+
+static const struct option *find_name(const struct command *command, struct text name)
+{
+    const struct option *common = NULL;
+    for (size_t i = 0; command_option(command, i) != NULL; i++) {
+        if (text_same_name(name, text_of(command_option(command, i)->name))) {
+            return command_option(command, i);
+        }
+    }
+    while ((common = command_next_common(command, common)) != NULL &&
+           !text_same_name(name, text_of(common->name))) {
+    }
+    return common;
+}
+
+/* The option that a word names; `value` receives what stands behind its '=', if there is one. */
+static const struct option *option_of(const struct command *command, struct text word,
+                                      struct text *value)
+{
+    *value = (struct text){NULL, 0};
+    if (word.length == 2 && word.start[0] == '-' && word.start[1] != '-') {
+        return find_letter(command, word.start[1]);
+    }
+    struct text name = text_behind(word, "--");
+    if (name.start == NULL) {
+        return NULL;
+    }
+    *value = name;
+    name = text_cut(value, '=');
+    return find_name(command, name);
+}
+
+static bool takes_value(const struct option *option)
+{
+    return option != NULL && option->kind != &kind_flag;
+}
+
+static bool is_operand(const struct option *option)
+{
+    return (option->flags & OPTION_OPERAND) != 0;
+}
+
+/* The value that an option has among the words, also as an operand; null start: none. */
+static struct text value_of(const struct typing *typing, const struct option *wanted)
+{
+    struct text value;
+    for (size_t i = 1; i + 1 < typing->count && wanted != NULL; i++) {
+        const struct option *option = option_of(typing->command, typing->words[i], &value);
+        bool attached = value.start != NULL;
+        if (takes_value(option) && !attached) {
+            value = typing->words[++i];
+        }
+        bool bare = option == NULL && is_operand(wanted);
+        if (option == wanted || bare) {
+            return bare ? typing->words[i] : value;
+        }
+    }
+    return (struct text){NULL, 0};
+}
+
+/* The first option of a kind that the command has. */
+static const struct option *of_kind(const struct command *command, const struct option_kind *kind)
+{
+    size_t i = 0;
+    while (command_option(command, i) != NULL && command_option(command, i)->kind != kind) {
+        i++;
+    }
+    return command_option(command, i);
+}
+
+/* The positions of the lens that is named. */
+static void offer_positions(const struct typing *typing)
+{
+    const struct option *option = of_kind(typing->command, &kind_lens);
+    option = option != NULL ? option : of_kind(typing->command, &kind_lens_text);
+    struct text name = option != NULL ? value_of(typing, option) : (struct text){NULL, 0};
+    struct error ignored;
+    struct lens lens;
+    /* standard input belongs to the shell */
+    if (name.start == NULL || text_equal(name, "-") ||
+        !lens_open(typing->run->db, name, typing->run->arena, &lens, &ignored)) {
+        return;
+    }
+    for (size_t i = 0; i < lens.position_count; i++) {
+        offer(typing, lens.positions[i], NULL);
+    }
+    offer(typing, "all", "every position");
+}
+
+static bool offer_column(void *context, const struct column_row *row)
+{
+    offer(context, row->column, row->label);
+    return true;
+}
+
+/* -------- what is being typed -------- */
+
+/* In a list only what follows the last comma. */
+static void step_into_list(struct typing *typing)
+{
+    struct text typed = typing->typed;
+    size_t at = typed.length;
+    while (at > 0 && typed.start[at - 1] != ',') {
+        at--;
+    }
+    typing->before =
+        arena_printf(typing->run->arena, "%s%.*s", typing->before, (int)at, typed.start);
+    typing->typed = (struct text){typed.start + at, typed.length - at};
+}
+
+static void offer_value(struct typing *typing, const struct option *option)
+{
+    bool is_columns = strcmp(option->name, "columns") == 0;
+    bool is_position = strcmp(option->name, "position") == 0;
+    bool is_file = (option->flags & OPTION_FILE) != 0;
+    if (option->kind->is_list || is_columns || is_position) {
+        step_into_list(typing);
+    }
+    offer_words(typing, option);
+    const struct word *word = words_of_kind(option->kind);
+    for (; word != NULL && word->word != NULL; word++) {
+        offer(typing, word->word, word->help);
+    }
+    for (size_t i = 0; i < sizeof sources / sizeof sources[0]; i++) {
+        bool is_this = sources[i].kind == option->kind;
+        for (size_t k = 0; k < 2 && is_this && sources[i].lists[k] != NULL; k++) {
+            offer_list(typing, sources[i].lists[k]);
+        }
+        is_file = is_file || (is_this && sources[i].or_file);
+    }
+    if (is_columns) {
+        columns_describe(typing->command, offer_column, typing, typing->run->arena);
+    } else if (is_position) {
+        offer_positions(typing);
+    }
+    if (is_file) {
+        output_string(typing->output, CANDIDATES_FILES "\n");
+    }
+}
+
+static void offer_option(const struct typing *typing, const struct option *option)
+{
+    offer(typing, arena_printf(typing->run->arena, "--%s", option->name), option->help);
+}
+
+static void offer_options(const struct typing *typing)
+{
+    const struct option *common = NULL;
+    for (size_t i = 0; command_option(typing->command, i) != NULL; i++) {
+        offer_option(typing, command_option(typing->command, i));
+    }
+    while ((common = command_next_common(typing->command, common)) != NULL) {
+        offer_option(typing, common);
+    }
+}
+
+static void offer_commands(const struct typing *typing)
+{
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        offer(typing, commands[i]->name, commands[i]->summary);
+    }
+}
+
+/* How many of the words before the last one are operands? */
+static size_t count_operands(const struct typing *typing)
+{
+    size_t count = 0;
+    for (size_t i = 1; i + 1 < typing->count; i++) {
+        struct text value;
+        const struct option *option = option_of(typing->command, typing->words[i], &value);
+        bool dashed = typing->words[i].length > 1 && typing->words[i].start[0] == '-';
+        i += takes_value(option) && value.start == NULL;
+        count += !dashed;
+    }
+    return count;
+}
+
+/* The operand that the last word is; null: none. */
+static const struct option *operand_of(const struct typing *typing)
+{
+    size_t before = count_operands(typing);
+    for (size_t i = 0; command_option(typing->command, i) != NULL; i++) {
+        const struct option *option = command_option(typing->command, i);
+        bool many = (option->flags & (OPTION_MANY | OPTION_TOGETHER | OPTION_REST)) != 0;
+        if (is_operand(option) && (before-- == 0 || many)) {
+            return option;
+        }
+    }
+    return NULL;
+}
+
+static void offer_operand(struct typing *typing)
+{
+    const struct option *operand = operand_of(typing);
+    const struct text first = typing->count > 2 ? typing->words[1] : text_of("");
+    if (typing->command == command_find(text_of("help")) && typing->count == 2) {
+        offer_commands(typing);
+        for (const struct topic_text *topic = help_topics; topic->name != NULL; topic++) {
+            offer(typing, topic->name, topic->summary);
+        }
+    } else if (text_equal(first, "columns") || text_equal(first, "options")) {
+        offer_commands(typing); /* of list: whose they are */
+    } else if (operand != NULL && (operand->flags & OPTION_TOGETHER) != 0) {
+        output_string(typing->output, CANDIDATES_FILES "\n");
+    } else if (operand != NULL) {
+        offer_value(typing, operand);
+    }
+}
+
+/* The words and the command they ask. False if that is not known. */
+static bool split(struct typing *typing, const char *words)
+{
+    struct text rest = text_of(words);
+    struct arena *arena = typing->run->arena;
+    typing->words = ARENA_ARRAY(arena, rest.length + 1, struct text);
+    char **strings = ARENA_ARRAY(arena, rest.length + 1, char *);
+    while (rest.start != NULL) {
+        struct text word = text_cut(&rest, OPTION_MANY_SEPARATOR);
+        strings[typing->count] = arena_string(arena, word.start, word.length);
+        typing->words[typing->count++] = word;
+    }
+    typing->typed = typing->words[typing->count - 1];
+    typing->command = command_find(typing->words[0]);
+    if (typing->command != NULL) {
+        typing->command = command_asked(typing->command, (int)typing->count - 1, strings + 1);
+    }
+    return typing->command != NULL;
+}
+
+void candidates_write(const char *words, struct run *run, struct output *output)
+{
+    struct typing typing = {.before = "", .run = run, .output = output};
+    struct text value;
+    bool is_known = split(&typing, words);
+    if (typing.count == 1) {
+        offer_commands(&typing);
+        return;
+    }
+    if (!is_known) {
+        return;
+    }
+    struct lensdb own = *run->db;
+    struct text folder = value_of(&typing, find_name(typing.command, text_of("lensdb")));
+    if (folder.start != NULL) {
+        own = (struct lensdb){.arena = own.arena,
+                              .directory = arena_string(run->arena, folder.start, folder.length)};
+    }
+    struct run within = *run;
+    within.db = &own;
+    typing.run = &within;
+    const struct text last = typing.typed;
+    const struct option *option = option_of(typing.command, typing.words[typing.count - 2], &value);
+    if (typing.count > 2 && takes_value(option) && value.start == NULL) {
+        offer_value(&typing, option);
+        return;
+    }
+    option = option_of(typing.command, last, &value);
+    if (takes_value(option) && value.start != NULL) {
+        typing.before = arena_string(run->arena, last.start, (size_t)(value.start - last.start));
+        typing.typed = value;
+        offer_value(&typing, option);
+    } else if (last.length > 0 && last.start[0] == '-') {
+        offer_options(&typing);
+    } else {
+        offer_operand(&typing);
+    }
+}
