@@ -10,7 +10,8 @@ lenscalc completion words
 echo "status $?"
 lenscalc completion bash dof
 echo "status $?"
-candidates() { echo "[$*]"; lenscalc completion words -- "$@" | head -n 4; }
+candidates() { echo "[$*]"; lenscalc completion words -- "$@" | cut -f 1 | head -n 4; }
+echo "with meanings: $(lenscalc completion words -- d | grep -c "$(printf 'd[a-z]*\t[a-z]')")"
 candidates hyp
 candidates dof --mod
 candidates dof --model e
