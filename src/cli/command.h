@@ -84,6 +84,11 @@ struct command {
     void (*run_block)(const struct block *block, struct run *run);
     /* Does every input of this batch make one row? `input` as the options set it. */
     bool (*takes_blocks)(const void *input, const struct asking *asking);
+    /*
+     * How many threads may answer combinations of a sweep at once; `run` then is called by all of
+     * them. Null: one.
+     */
+    int (*threads)(const void *input);
     const struct explanation *explanations; /* ends with a null column */
     /* Everything else that it makes, each with its option; --plot among them is its own. */
     const struct artifact *artifacts;

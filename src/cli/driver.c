@@ -382,6 +382,7 @@ int command_execute(const struct command *command, int argc, char **argv, const 
     if (driver.is_batch) {
         batch_close(&driver.batch);
     }
+    team_close(driver.team);
     arena_free(&driver.row_arena);
     arena_free(&driver.kept);
     arena_free(&driver.doubts.arena);

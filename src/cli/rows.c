@@ -125,14 +125,8 @@ struct progress_state rows_state(const void *context)
     return (struct progress_state){.rows = rows > answered ? rows : answered, .share = share};
 }
 
-static bool run_one(struct driver *driver, struct error *error)
+static void count_answer(struct driver *driver, bool done, struct error *shortfall)
 {
-    if (!rows_check_sheet(driver, error)) {
-        return false;
-    }
-    struct error *shortfall = &driver->run.shortfall;
-    shortfall->code = ERROR_NONE;
-    bool done = driver->command->run(driver->input, &driver->run, error);
     bool is_short = done && shortfall->code != ERROR_NONE;
     if (is_short) {
         say(driver, shortfall);
@@ -140,6 +134,16 @@ static bool run_one(struct driver *driver, struct error *error)
     driver->failed += is_short;
     driver->good += done && !is_short;
     driver->answered = driver->answered || done;
+}
+
+static bool run_one(struct driver *driver, struct error *error)
+{
+    if (!rows_check_sheet(driver, error)) {
+        return false;
+    }
+    driver->run.shortfall.code = ERROR_NONE;
+    bool done = driver->command->run(driver->input, &driver->run, error);
+    count_answer(driver, done, &driver->run.shortfall);
     return done;
 }
 
@@ -154,30 +158,7 @@ static bool stop_early(struct driver *driver, struct error *error)
     return false;
 }
 
-/* Every combination of a sweep; one combination is an ordinary answer. */
-bool rows_of_sweep(struct driver *driver, struct error *error)
-{
-    for (size_t i = 0; i < driver->sweep.total && is_going(driver); i++) {
-        struct arena_mark mark = arena_mark(&driver->row_arena);
-        driver->index = i;
-        sweep_set(&driver->sweep, i, driver->input);
-        if (!run_one(driver, error)) {
-            if (driver->sweep.total == 1 || error->code == ERROR_USAGE) {
-                return false;
-            }
-            if (driver->common.fail_fast) {
-                return stop_early(driver, error);
-            }
-            emit_failure(driver, error);
-        }
-        if (!driver->collects && driver->artifacts.count == 0) {
-            arena_reset(&driver->row_arena, mark);
-        }
-    }
-    return !interrupt_came() || interrupt_fail(error);
-}
-
-/* A row that cannot be answered. False if that ends the batch. */
+/* One combination of several failed. False if that ends the sweep. */
 static bool take_failure(struct driver *driver, struct error *error)
 {
     if (driver->common.fail_fast) {
@@ -185,6 +166,75 @@ static bool take_failure(struct driver *driver, struct error *error)
     }
     emit_failure(driver, error);
     return true;
+}
+
+/* What a thread has answered. False if that ends the sweep. */
+static bool take_answer(struct driver *driver, struct team_answer *answer, struct error *error)
+{
+    const size_t size = driver->report.sheet->row_size;
+    for (size_t i = 0; i < answer->count && is_going(driver); i++) {
+        rows_emit(&driver->run, answer->rows + i * size);
+    }
+    count_answer(driver, answer->done, &answer->shortfall);
+    if (answer->done) {
+        return true;
+    }
+    *error = answer->error;
+    return error->code != ERROR_USAGE && take_failure(driver, error);
+}
+
+/* Every combination of a sweep, by a team. */
+static bool rows_by_team(struct driver *driver, int threads, struct error *error)
+{
+    const size_t size = driver->command->input_size, total = driver->sweep.total;
+    const bool keeps = driver->collects || driver->artifacts.count > 0;
+    driver->team = team_open(driver->command, &driver->run, driver->report.sheet->row_size, threads,
+                             keeps, &driver->arena);
+    const size_t most = team_size(driver->team);
+    struct team_answer *answers = ARENA_ARRAY(&driver->arena, most, struct team_answer);
+    for (size_t k = 0; k < most; k++) {
+        answers[k].input = arena_array(&driver->arena, 1, size);
+    }
+    for (size_t done = 0; done < total && is_going(driver); done += most) {
+        const size_t here = total - done < most ? total - done : most;
+        for (size_t k = 0; k < here; k++) {
+            sweep_set(&driver->sweep, done + k, driver->input);
+            memcpy(answers[k].input, driver->input, size);
+        }
+        team_answer(driver->team, answers, here);
+        for (size_t k = 0; k < here && is_going(driver); k++) {
+            driver->index = done + k;
+            if (!take_answer(driver, &answers[k], error)) {
+                return false;
+            }
+        }
+    }
+    return !interrupt_came() || interrupt_fail(error);
+}
+
+/* Every combination of a sweep; one combination is an ordinary answer. */
+bool rows_of_sweep(struct driver *driver, struct error *error)
+{
+    const bool divides = driver->command->threads != NULL && driver->sweep.total > 1;
+    const int threads = divides ? driver->command->threads(driver->input) : 1;
+    if (threads > 1) {
+        return rows_by_team(driver, threads, error);
+    }
+    for (size_t i = 0; i < driver->sweep.total && is_going(driver); i++) {
+        struct arena_mark mark = arena_mark(&driver->row_arena);
+        driver->index = i;
+        sweep_set(&driver->sweep, i, driver->input);
+        if (!run_one(driver, error)) {
+            if (driver->sweep.total == 1 || error->code == ERROR_USAGE ||
+                !take_failure(driver, error)) {
+                return false;
+            }
+        }
+        if (!driver->collects && driver->artifacts.count == 0) {
+            arena_reset(&driver->row_arena, mark);
+        }
+    }
+    return !interrupt_came() || interrupt_fail(error);
 }
 
 /* Compute the rows that wait, and print them in their order. */

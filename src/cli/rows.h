@@ -7,6 +7,7 @@
 #include "cli/collect.h"
 #include "cli/progress.h"
 #include "cli/queue.h"
+#include "cli/rows_team.h"
 
 /* One command at work. */
 struct driver {
@@ -29,6 +30,7 @@ struct driver {
     struct asking asking; /* the columns of a batch count as given */
     struct arena kept;    /* of the command, until the end */
     struct doubts doubts;
+    struct team *team;         /* who answers the sweep; null: the driver itself */
     struct queue queue;        /* rows of the batch that wait to be computed together */
     const struct text *passed; /* columns handed through, of the row being printed */
     void *input;

@@ -246,6 +246,11 @@ bool analysis_each_field(const struct analysis_question *question,
            error->code == ERROR_NONE;
 }
 
+int analysis_threads(const void *input)
+{
+    return parallel_threads(((const struct analysis_question *)input)->threads);
+}
+
 bool analysis_makes_many(const struct analysis_question *question,
                          const struct analysis_policy *policy)
 {

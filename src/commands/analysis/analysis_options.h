@@ -3,6 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_OPTIONS_H
 #define LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_OPTIONS_H
 
+#include "base/parallel.h"
 #include "commands/lens/lens_options.h"
 
 /* What the options say. */
@@ -12,6 +13,7 @@ struct analysis_question {
     struct wavelength_value wavelength;
     struct spectrum_value spectrum;
     double fnumber;          /* NaN = that of the lens */
+    long threads;            /* 0 = one a core */
     double field, field_x;   /* rad; NaN = not given */
     double height, height_x; /* mm at the image; NaN = not given */
     bool real;               /* the heights are those of the real image */
@@ -83,7 +85,12 @@ extern const struct word analysis_aims[], analysis_weights[];
         {ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",               \
          .flags = OPTION_NO_INFINITY,                                                              \
          .help = "defocus behind that plane; a list goes through focus"},                          \
-        ANALYSIS_OBJECT_OPTION(S, member)
+        ANALYSIS_OBJECT_OPTION(S, member),                                                         \
+    {                                                                                              \
+        OPTION(S, member.threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,       \
+                                   .value = "N", .fallback = "1",                                  \
+                                   .help = "threads that answer a sweep; 0 = one a core"           \
+    }
 
 /* Of commands that ask field by field; and of those that ask for the edge of the field alone. */
 #define ANALYSIS_FIELD_OPTIONS(S, member)                                                          \
@@ -265,6 +272,9 @@ bool analysis_each_field(const struct analysis_question *question,
                          const struct analysis_policy *policy, struct run *run,
                          const struct analysis_answers *answers, void *context,
                          struct error *error);
+
+/* For struct command: the threads of an input that begins with its struct analysis_question. */
+int analysis_threads(const void *input);
 
 /* For struct command: does the question have several rows, and what brings columns? */
 bool analysis_makes_many(const struct analysis_question *question,

@@ -367,5 +367,6 @@ const struct command command_color = {
     .makes_many = command_always_many,
     .varies = varies,
     .brings = brings,
+    .threads = analysis_threads,
     COMMAND_MAKES(artifacts),
 };

@@ -280,6 +280,7 @@ const struct command command_distortion = {
     COMMAND_MAKES(artifacts),
     .makes_many = makes_many,
     .brings = brings,
+    .threads = analysis_threads,
     .varies = varies,
     .cell = "distortion_percent",
 };

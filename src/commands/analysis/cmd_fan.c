@@ -250,6 +250,7 @@ const struct command command_fan = {
     .run = run,
     .makes_many = command_always_many,
     .brings = brings,
+    .threads = analysis_threads,
     .varies = varies,
     COMMAND_MAKES(artifacts),
 };

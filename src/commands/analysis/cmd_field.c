@@ -369,6 +369,7 @@ const struct command command_field = {
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
     .brings = brings,
+    .threads = analysis_threads,
     .varies = varies,
     .cell = "tangential",
     COMMAND_MAKES(artifacts),

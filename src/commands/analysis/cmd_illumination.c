@@ -479,6 +479,7 @@ const struct command command_illumination = {
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
     .brings = brings,
+    .threads = analysis_threads,
     .varies = varies,
     .cell = "relative_point",
     COMMAND_MAKES(artifacts),

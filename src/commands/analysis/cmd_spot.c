@@ -262,6 +262,7 @@ const struct command command_spot = {
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
     .brings = brings,
+    .threads = analysis_threads,
     .varies = varies,
     .cell = "rms",
     COMMAND_MAKES(artifacts),
