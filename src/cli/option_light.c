@@ -252,7 +252,7 @@ static bool load_labels(const struct reader *reader, const char *file, const cha
     for (size_t i = 0; i < count; i++) {
         int step = stops[i].step;
         if (step >= STOP_FIRST && step < STOP_FIRST + STOP_COUNT) {
-            labels->labels[step - STOP_FIRST] = string(reader, stops[i].label);
+            labels->labels[step - STOP_FIRST] = stops[i].label.start;
         }
     }
     *loaded = labels;
@@ -274,14 +274,31 @@ static bool read_series(const struct reader *reader, const struct option *option
                     text_shown(text), text.start);
     }
     const char *name = names[series.per_stop - 1];
-    series.isos_per_stop = series.per_stop == 1 ? 1 : 3;
+    series.db = reader->db;
     if (!load_labels(reader, "fstops.tsv", name, &series.fnumbers, error) ||
-        !load_labels(reader, "shutters.tsv", name, &series.times, error) ||
-        !load_labels(reader, "iso.tsv", names[series.isos_per_stop - 1], &series.isos, error)) {
+        !load_labels(reader, "shutters.tsv", name, &series.times, error)) {
         return false;
     }
     *(struct series_value *)member = series;
     return true;
+}
+
+const char *series_speed(const struct series_value *series, double S, double *exact)
+{
+    struct lensdb_stop *stops;
+    size_t count;
+    struct error ignored;
+    const char *name = series->per_stop == 1 ? "full" : "third";
+    if (!lensdb_stops(series->db, "iso.tsv", name, &stops, &count, &ignored)) {
+        return NULL;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (fabs(log2(S / stops[i].exact)) <= 0.5 / stops[i].divisor) {
+            *exact = stops[i].exact;
+            return stops[i].label.start;
+        }
+    }
+    return NULL;
 }
 
 static const char *loss_name(const struct option *option, const void *member)

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_CLI_OPTION_LIGHT_H
 #define LENSCALC_CLI_OPTION_LIGHT_H
 
+#include "data/lensdb.h"
 #include "photo/reciprocity.h"
 
 #include <stdbool.h>
@@ -34,13 +35,20 @@ struct stop_labels {
     const char *labels[STOP_COUNT]; /* of step STOP_FIRST + i; null where a step has none */
 };
 
-/* A stop series for apertures and times, and the speeds that cameras with it have. */
+/* A stop series for apertures and times. */
 struct series_value {
     int per_stop; /* 1, 2 or 3 steps a stop */
     const struct stop_labels *fnumbers, *times;
-    int isos_per_stop; /* 1 or 3: no camera has half stops of speed */
-    const struct stop_labels *isos;
+    struct lensdb *db; /* where its speeds are, which few questions need */
 };
+
+/*
+ * The nearest ISO speed that cameras of a series have; thirds of a stop for those with half stops.
+ *
+ * Result    label  as it is printed; null: none within half a step of S
+ *           exact  the speed behind it
+ */
+const char *series_speed(const struct series_value *series, double S, double *exact);
 
 /* The label of a step, a whole number (or NaN): "1/125"; null where it has none. */
 static inline const char *stop_label(const struct stop_labels *labels, double step)

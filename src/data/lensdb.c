@@ -183,10 +183,15 @@ static bool add_stops(struct lensdb *db, enum lensdb_place place, const char *fi
         }
     }
     while (*count < most && tsv_next(&tsv, error)) {
-        if (text_equal(tsv.cells[columns[0]], series) &&
-            !read_stop(&tsv, columns, file, series, &stops[(*count)++], error)) {
+        struct lensdb_stop *stop = &stops[*count];
+        if (!text_equal(tsv.cells[columns[0]], series)) {
+            continue;
+        }
+        if (!read_stop(&tsv, columns, file, series, stop, error)) {
             return false;
         }
+        stop->label.start = arena_string(db->arena, stop->label.start, stop->label.length);
+        ++*count;
     }
     return error->code == ERROR_NONE;
 }

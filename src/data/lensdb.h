@@ -90,7 +90,8 @@ bool lensdb_find_sensor(struct lensdb *db, struct text name, struct lensdb_senso
 
 /* One label of a stop series and its exact value. */
 struct lensdb_stop {
-    struct text label, note;
+    struct text label; /* ends with NUL */
+    struct text note;
     double value;      /* the label as a number, in the program's own unit */
     double exact;      /* 2^(step/2d), 2^(-step/d) s or 3.125 x 2^(step/d) */
     int step, divisor; /* d: 1 full, 2 half, 3 third stops */

@@ -47,7 +47,7 @@ try flash -g 36 -s 4 -N 5.6 --columns power
 # other trades
 try panorama -f 24 --portrait --rows 3 --columns shots,rows
 try timelapse --event 2h --clip 20s --columns shots,interval
-try fov -f 8.8mm --sensor FC6310 --altitude 60m --columns ground_sample --csv --digits 4
+try fov -f 8.8mm --sensor FC6310 --altitude 60m --columns gsd --csv --digits 4
 try stars -f 20mm -N 2.8 --sensor 'NIKON D850' --columns rule_of_thumb,npf
 # lists and help
 try list columns flash guide --columns column,label

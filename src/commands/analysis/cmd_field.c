@@ -67,7 +67,7 @@ static const struct column columns[] = {
      .help = "of the tangential section out of the plane of chief ray and axis: 0 in round lenses"},
     {PLAIN(status, COLUMN_HIDDEN), .name = "status", .label = "status",
      .help = "of the chief ray, which is traced on in any case: ok, or clipped by an aperture"},
-    {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "clipped at",
+    {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "clipped at surface",
      .help = "surface that clips the chief ray"},
     ANALYSIS_TAIL_COLUMNS(struct row, point),
 };

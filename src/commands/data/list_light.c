@@ -184,7 +184,8 @@ static const struct column filter_columns[] = {
      .label = "factor", .help = "published factor of the exposure time"},
     {STOPS(struct filter_row, stops), .name = "published", .flags = COLUMN_ECHO,
      .label = "published stops", .help = "published stops to open up"},
-    {STOPS(struct filter_row, used), .name = "loss", .flags = COLUMN_BRIEF, .label = "light lost",
+    {STOPS(struct filter_row, used), .name = "loss", .flags = COLUMN_BRIEF,
+     .label = "loss of light",
      .help = "what --filter takes: log2 of the factor where there is one"},
     ORIGIN(struct filter_row),
 };

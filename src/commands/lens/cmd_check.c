@@ -93,7 +93,7 @@ static const struct column columns[] = {
     {PLAIN(status, COLUMN_HIDDEN), .name = "status", .label = "status",
      .help = "of the exact ray: ok miss total_reflection not_converged; clear apertures are not "
              "looked at"},
-    {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "lost at",
+    {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "lost at surface",
      .help = "where the exact ray is lost"},
     {PLAIN(verdict, COLUMN_NOTE), .name = "verdict", .label = "verdict",
      .help = "how far the paraxial value may be trusted, in words"},

@@ -164,7 +164,7 @@ static const struct column columns[] = {
     {PLAIN(status, COLUMN_BRIEF), .name = "status", .label = "status",
      .help = "ok; chief_lost: rays arrive, not the chief ray; clipped, miss, total_reflection: "
              "nothing arrives"},
-    {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "lost at",
+    {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "lost at surface",
      .help = "where the chief ray or all rays are lost"},
     {LENGTH(film, COLUMN_HIDDEN | COLUMN_ECHO), .name = "film", .label = "film",
      .help = "where the film stands, from the last vertex; absent for fields"},

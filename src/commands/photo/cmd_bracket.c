@@ -65,7 +65,7 @@ static const struct column columns[] = {
      .help = "stops between two shots"},
     {STOPS(span), .name = "span", .symbol = "span", .label = "span",
      .help = "stops from first to last shot"},
-    {STOPS(residual), .name = "residual", .symbol = "r", .label = "last shot is off by",
+    {STOPS(residual), .name = "residual", .symbol = "r", .label = "residual of the last shot",
      .help = "stops by which the last shot exposes more (+) or less (-) than the end asked for"},
     {TIME(total), .name = "total", .symbol = "total", .label = "total time",
      .help = "sum of all times"},

@@ -164,7 +164,7 @@ static const struct column columns[] = {
      .name = "far", .flags = COLUMN_HIDDEN, .label = "far limit, reciprocal",
      .help = "1 / far limit; 0 at infinity"},
     {COLUMN(struct row, other_sensor), .name = "equal_sensor", .flags = COLUMN_EXTRA,
-     .with = "equal-on", .label = "other format", .help = "the format of the equal picture"},
+     .with = "equal-on", .label = "equivalent sensor", .help = "the format of the equal picture"},
     {COLUMN_LENGTH(other_focal, "mm"), .name = "equal_focal", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
      .with = "equal-on", .label = "equivalent focal length",
      .help = "focal length with the same framing on the other format"},

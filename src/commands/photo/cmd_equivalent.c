@@ -75,7 +75,7 @@ static const struct column columns[] = {
     {NUMBER(setting.m), .name = "magnification", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
      .symbol = "m", .depends = "magnification distance focal-length lens position section",
      .label = "magnification", .help = "size on the sensor over size of the subject"},
-    {NUMBER(other), .name = "equal_sensor", .flags = COLUMN_BRIEF, .label = "other format",
+    {NUMBER(other), .name = "equal_sensor", .flags = COLUMN_BRIEF, .label = "equivalent sensor",
      .help = "the format of the equal picture"},
     {NUMBER(equal.k), .name = "ratio", .flags = COLUMN_BRIEF, .symbol = "k",
      .label = "ratio of formats", .help = "size of the other format over this one"},

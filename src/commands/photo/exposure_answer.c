@@ -286,11 +286,11 @@ static void fill_nominal(const struct exposure_input *input, struct exposure_row
     double Tv = asks ? -log2(time) : row->x.Tv;
     double N = rint(Av * series->per_stop);
     double t = rint(Tv * series->per_stop);
-    double S = rint(row->x.Sv * series->isos_per_stop);
+    double S = row->x.S;
     bool solved_speed = row->x.unknown == EXPOSURE_S;
     row->nominal_fnumber = time_alone ? NULL : stop_label(series->fnumbers, N);
     row->nominal_time = stop_label(series->times, t);
-    row->nominal_iso = solved_speed ? stop_label(series->isos, S) : NULL;
+    row->nominal_iso = solved_speed ? series_speed(series, row->x.S, &S) : NULL;
     /* settings that are on the dial are set, whatever their labels are rounded from */
     bool is_set = (time_alone || is_label(row->nominal_fnumber, &dimension_fnumber, row->x.N)) &&
                   is_label(row->nominal_time, &dimension_time, time);
@@ -298,7 +298,7 @@ static void fill_nominal(const struct exposure_input *input, struct exposure_row
     if (asks && row->nominal_time == NULL) {
         row->residual = NAN; /* for a timer, not for a shutter */
     }
-    row->residual += solved_speed ? S / series->isos_per_stop - row->x.Sv : 0;
+    row->residual += solved_speed ? log2(S / row->x.S) : 0;
 }
 
 bool exposure_answer(const struct exposure_input *input, struct exposure_row *row,
