@@ -99,7 +99,7 @@ static const struct column columns[] = {
      .help = "of one wavelength"},
     ANALYSIS_SPECTRUM_COLUMN(struct row, point),
     {COLUMN(struct row, weight), .name = "weights", .flags = COLUMN_ASSUMED,
-     .depends = "weight aim pattern clip no-clip", .label = "weights of the rays",
+     .depends = "weight aim pattern clip no-clip", .label = "rays weighted by",
      .help = "where equal weights mean equal areas"},
     ANALYSIS_TAIL_COLUMNS(struct row, point),
 };
