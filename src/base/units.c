@@ -110,7 +110,8 @@ static const struct unit frequency_units[] = {
 };
 
 static const struct unit rate_units[] = {
-    {"fps", "fps", {1, 0}, 1, "Hz hz", "frame per second"},
+    {"fps", "fps", {1, 0}, 1, NULL, "frame per second"},
+    {"Hz", "Hz", {1, 0}, 1, "hz", "per second"},
 };
 
 static const struct unit temperature_units[] = {
@@ -123,6 +124,10 @@ static const struct unit pressure_units[] = {
     {"kPa", "kPa", {1, 3}, 1, NULL, "kilopascal"},
     {"bar", "bar", {1, 5}, 1, NULL, "bar, 100 kPa"},
     {"atm", "atm", {101325, 0}, 1, NULL, "standard atmosphere, 101.325 kPa"},
+};
+
+static const struct unit colour_units[] = {
+    {"K", "K", {1, 0}, 1, "kelvin", "kelvin"},
 };
 
 static const struct unit storage_units[] = {
@@ -166,17 +171,22 @@ const struct dimension dimension_rate = {.name = "frame rate", UNITS(rate_units)
 const struct dimension dimension_temperature = {.name = "temperature", UNITS(temperature_units)};
 const struct dimension dimension_pressure = {.name = "pressure", UNITS(pressure_units)};
 const struct dimension dimension_storage = {.name = "amount of data", UNITS(storage_units)};
+const struct dimension dimension_colour = {.name = "colour temperature", UNITS(colour_units)};
 const struct dimension dimension_wavelength = {.name = "wavelength", UNITS(length_units)};
 const struct dimension dimension_wavelength_um = {.name = "wavelength", UNITS(wavelength_units)};
 
 const struct dimension *const dimensions[] = {
-    &dimension_length,    &dimension_angle,     &dimension_time,
-    &dimension_fnumber,   &dimension_ratio,     &dimension_vergence,
-    &dimension_number,    &dimension_iso,       &dimension_ev,
-    &dimension_stops,     &dimension_luminance, &dimension_illuminance,
-    &dimension_exposure,  &dimension_speed,     &dimension_rotation,
-    &dimension_frequency, &dimension_rate,      &dimension_temperature,
-    &dimension_pressure,  &dimension_storage,   NULL,
+    &dimension_length,    &dimension_angle,
+    &dimension_time,      &dimension_fnumber,
+    &dimension_ratio,     &dimension_vergence,
+    &dimension_number,    &dimension_iso,
+    &dimension_ev,        &dimension_stops,
+    &dimension_luminance, &dimension_illuminance,
+    &dimension_exposure,  &dimension_speed,
+    &dimension_rotation,  &dimension_frequency,
+    &dimension_rate,      &dimension_temperature,
+    &dimension_pressure,  &dimension_storage,
+    &dimension_colour,    NULL,
 };
 
 /* Is `name` one of the blank-separated words? Case counts: mm is not MM, D is not d. */

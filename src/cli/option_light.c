@@ -103,43 +103,44 @@ static bool read_stops(const struct option *option, struct text piece, double *s
 }
 
 static bool read_named(const struct reader *reader, const struct option *option, struct text piece,
-                       double *stops, struct error *error)
+                       struct loss_value *one, struct error *error)
 {
     struct lensdb_filter filter;
     if (!lensdb_find_filter(reader->db, piece, &filter, error)) {
         return blame(option, error);
     }
-    *stops = lensdb_filter_stops(&filter);
+    *one = (struct loss_value){lensdb_filter_stops(&filter), filter.mired, NULL};
     return true;
 }
 
 static bool read_one_filter(const struct reader *reader, const struct option *option,
-                            struct text piece, double *stops, struct error *error)
+                            struct text piece, struct loss_value *one, struct error *error)
 {
+    *one = (struct loss_value){0};
     if (piece.length == 0) {
         return fail(error, ERROR_USAGE, "%s has an empty item", CALLED(option));
     }
     bool neutral = piece.length > 2 && text_same((struct text){piece.start, 2}, "nd");
     if (neutral && (is_digit(piece.start[2]) || piece.start[2] == ' ')) {
-        return read_neutral(option, piece, stops, error);
+        return read_neutral(option, piece, &one->stops, error);
     }
     if (!is_digit(piece.start[0]) && piece.start[0] != '-') {
-        return read_named(reader, option, piece, stops, error);
+        return read_named(reader, option, piece, one, error);
     }
     size_t last = piece.length - 1;
     if (piece.start[last] == 'x' || piece.start[last] == 'X') {
-        return read_factor(option, piece, (struct text){piece.start, last}, stops, error);
+        return read_factor(option, piece, (struct text){piece.start, last}, &one->stops, error);
     }
     struct lensdb_filter filter;
     struct error ignored;
     /* 85B is no number of stops */
-    if (read_stops(option, piece, stops, error)) {
+    if (read_stops(option, piece, &one->stops, error)) {
         return true;
     }
     if (!lensdb_find_filter(reader->db, piece, &filter, &ignored)) {
         return false;
     }
-    *stops = lensdb_filter_stops(&filter);
+    *one = (struct loss_value){lensdb_filter_stops(&filter), filter.mired, NULL};
     return true;
 }
 
@@ -162,7 +163,7 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
 {
     enum { MOST_FILTERS = 16 };
     struct text rest = text_trim(text);
-    double sum = 0;
+    struct loss_value sum = {0};
     bool more = true;
     size_t joined = 0;
     for (size_t i = 0; i < rest.length; i++) {
@@ -174,18 +175,19 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
     }
     while (more) {
         struct text piece = first_filter(reader, rest);
-        double stops;
-        if (!read_one_filter(reader, option, text_trim(piece), &stops, error)) {
+        struct loss_value one;
+        if (!read_one_filter(reader, option, text_trim(piece), &one, error)) {
             return false;
         }
-        sum += stops;
+        sum.stops += one.stops;
+        sum.mired += one.mired;
         more = piece.length < rest.length;
         rest = more ? (struct text){piece.start + piece.length + 1, rest.length - piece.length - 1}
                     : rest;
     }
-    *(struct loss_value *)member = (struct loss_value){
-        sum, arena_printf(reader->arena, "%.*s (%.4g stops)", text_shown(text_trim(text)),
-                          text_trim(text).start, sum)};
+    sum.name = arena_printf(reader->arena, "%.*s (%.4g stops)", text_shown(text_trim(text)),
+                            text_trim(text).start, sum.stops);
+    *(struct loss_value *)member = sum;
     return true;
 }
 

@@ -12,6 +12,7 @@
 /* Light lost on the way, as filters are sold: "ND8+wratten-25". */
 struct loss_value {
     double stops;     /* 0 where nothing is given */
+    double mired;     /* shift of the colour temperature; NaN = a colour that is none of light */
     const char *name; /* as typed, with the stops; null = not given */
 };
 

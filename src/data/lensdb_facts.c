@@ -46,10 +46,14 @@ enum {
     FILTER_KIND,
     FILTER_CONFIDENCE,
     FILTER_SOURCE,
-    FILTER_ALIASES
+    FILTER_ALIASES,
+    FILTER_MIRED
 };
 static const struct layout filters = {
-    "filters.tsv", 1, 7, {"name", "factor", "stops", "kind", "confidence", "source", "aliases"}};
+    "filters.tsv",
+    1,
+    8,
+    {"name", "factor", "stops", "kind", "confidence", "source", "aliases", "mired"}};
 
 static bool open_table(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
                        const struct layout *layout, struct error *error)
@@ -169,7 +173,8 @@ bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filte
                                      .source = cell_of(facts, FILTER_SOURCE),
                                      .place = facts->place};
     if (!number_of(facts, FILTER_FACTOR, 1, 1e30, &filter->factor, error) ||
-        !number_of(facts, FILTER_STOPS, 0, 100, &filter->stops, error)) {
+        !number_of(facts, FILTER_STOPS, 0, 100, &filter->stops, error) ||
+        !number_of(facts, FILTER_MIRED, -1000, 1000, &filter->mired, error)) {
         return false;
     }
     return !isnan(filter->factor) || !isnan(filter->stops) ||
@@ -180,6 +185,29 @@ bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filte
 double lensdb_filter_stops(const struct lensdb_filter *filter)
 {
     return isnan(filter->factor) ? filter->stops : stops_from_factor(filter->factor);
+}
+
+bool lensdb_nearest_conversion(struct lensdb *db, double mired, struct arena *arena,
+                               const char **name, double *shift, struct error *error)
+{
+    *name = NULL;
+    *shift = NAN;
+    for (int place = 0; place < LENSDB_PLACES; place++) {
+        struct lensdb_facts facts;
+        struct lensdb_filter filter;
+        bool open = lensdb_filters_open(&facts, db, (enum lensdb_place)place, error);
+        while (open && lensdb_filters_next(&facts, &filter, error)) {
+            /* one that shifts nothing is no conversion; NaN is never nearer */
+            if (fabs(filter.mired) > 0 && !(fabs(filter.mired - mired) >= fabs(*shift - mired))) {
+                *shift = filter.mired;
+                *name = arena_string(arena, filter.name.start, filter.name.length);
+            }
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* Is `typed` the name or one of the aliases? */

@@ -39,6 +39,7 @@ struct lensdb_scene {
 struct lensdb_filter {
     struct text name, aliases, kind, confidence, source;
     double factor, stops; /* as published; NaN where not, but not both */
+    double mired;         /* shift of the colour temperature; NaN = a colour none of light */
     enum lensdb_place place;
 };
 
@@ -88,6 +89,16 @@ bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene 
                        struct error *error);
 bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filter *filter,
                         struct error *error);
+
+/*
+ * The conversion filter with the shift nearest to a wanted one, the user's own first.
+ *
+ * Given     mired  wanted;  arena  for the name
+ * Result    name and shift of it; null and NaN where the tables have none
+ * Errors    as lensdb_filters_next
+ */
+bool lensdb_nearest_conversion(struct lensdb *db, double mired, struct arena *arena,
+                               const char **name, double *shift, struct error *error);
 
 /* Stops of light that a filter takes: by its factor where one is published. */
 double lensdb_filter_stops(const struct lensdb_filter *filter);

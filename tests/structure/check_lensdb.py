@@ -31,10 +31,10 @@ RANGES = {
     "iso.tsv": {"step": (0, 60), "din": (1, 60)},
     "scenes.tsv": {"ev100": (-12, 24)},
     "films.tsv": {"onset_s": (0, 1000), "valid_to_s": (0, 100000)},
-    "filters.tsv": {"factor": (1, 10000), "stops": (0, 15)},
+    "filters.tsv": {"factor": (1, 10000), "stops": (0, 15), "mired": (-140, 140)},
     "lines.tsv": {"nm": (100, 20000)},
 }
-OPTIONAL = {"px_w", "px_h", "pitch_um", "factor", "stops", "valid_to_s"}
+OPTIONAL = {"px_w", "px_h", "pitch_um", "factor", "stops", "mired", "valid_to_s"}
 WHOLE = {"px_w", "px_h", "step", "din"}
 
 COLUMNS = {
@@ -45,7 +45,7 @@ COLUMNS = {
     "iso.tsv": "series step label din note",
     "scenes.tsv": "name aliases ev100 scene confidence source",
     "films.tsv": "maker film aliases iso model parameters onset_s valid_to_s status source note",
-    "filters.tsv": "name aliases kind factor stops confidence source",
+    "filters.tsv": "name aliases kind factor stops mired confidence source",
     "lines.tsv": "name nm element note",
     "glass_aliases.tsv": "alias material",
 }

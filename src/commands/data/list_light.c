@@ -170,7 +170,7 @@ static bool list_scenes(struct list *list, struct error *error)
 
 struct filter_row {
     const char *filter, *aliases, *kind, *confidence, *source, *place;
-    double factor, stops, used;
+    double factor, stops, mired, used;
 };
 
 static const struct column filter_columns[] = {
@@ -184,6 +184,9 @@ static const struct column filter_columns[] = {
      .label = "factor", .help = "published factor of the exposure time"},
     {STOPS(struct filter_row, stops), .name = "published", .flags = COLUMN_ECHO,
      .label = "published stops", .help = "published stops to open up"},
+    {COLUMN(struct filter_row, mired), .name = "mired", .flags = COLUMN_ECHO,
+     .label = "mired shift",
+     .help = "of the colour temperature: + amber, - blue; absent for other colours"},
     {STOPS(struct filter_row, used), .name = "loss", .flags = COLUMN_BRIEF,
      .label = "loss of light",
      .help = "what --filter takes: log2 of the factor where there is one"},
@@ -205,6 +208,7 @@ static bool list_filters(struct list *list, struct error *error)
                 .source = list_string(list, filter.source),
                 .place = list_place(filter.place),
                 .factor = filter.factor,
+                .mired = filter.mired,
                 .stops = filter.stops,
                 .used = lensdb_filter_stops(&filter),
             };

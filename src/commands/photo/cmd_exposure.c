@@ -77,6 +77,7 @@ static const struct option options[] = {
     {OPTION(struct exposure_input, given.C), .name = "meter-c", .quantity = "meter constant C",
      .column = "meter_c", .dimension = &dimension_number, POSITIVE, .fallback = "250", .value = "C",
      .help = "constant of the incident-light meter: 250 flat, 340 with a dome"},
+    LAMP_OPTIONS(struct exposure_input, lamps),
     OPTION_SERIES(struct exposure_input, series),
     {OPTION(struct exposure_input, equivalent), .name = "equivalent",
      .help = "all equal exposures of the series, one row an f-number"},
@@ -97,10 +98,10 @@ static const struct column columns[] = {
     {NUMBER(x.N), .name = "fnumber", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE,
      .symbol = "N", .label = "f-number", .help = "f-number"},
     COLUMN_NOMINAL_FNUMBER(struct exposure_row, nominal_fnumber),
-    {TIME(x.t), .name = "time", .flags = COLUMN_BRIEF, .symbol = "t", .label = "time",
-     .help = "exposure time, metered"},
+    {TIME(x.t), .name = "time", .flags = COLUMN_BRIEF | COLUMN_SPARSE, .symbol = "t",
+     .label = "time", .help = "exposure time, metered"},
     COLUMN_NOMINAL_TIME(struct exposure_row, nominal_time),
-    {STOPS(residual), .name = "residual", .flags = COLUMN_BRIEF, .symbol = "r",
+    {STOPS(residual), .name = "residual", .flags = COLUMN_BRIEF | COLUMN_SPARSE, .symbol = "r",
      .label = "nearest camera settings: over (+) or under (-)",
      .help = "stops by which the nearest steps of the series expose over (+) or under (-)"},
     {STOPS(label_residual), .name = "label_residual", BRIEF_WITH("equivalent"),
@@ -144,8 +145,9 @@ static const struct column columns[] = {
      .flags = COLUMN_EXTRA, .with = "frame-rate", .symbol = "a", .label = "shutter angle",
      .help = "of a film camera at that time"},
     {NUMBER(frame_rate), .dimension = &dimension_rate, .unit = "fps", .name = "frame_rate",
-     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "shutter-angle", .symbol = "rate",
+     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "shutter-angle mains", .symbol = "rate",
      .label = "frame rate", .help = "frames per second"},
+    LAMP_COLUMNS(struct exposure_row, lamps),
     {NUMBER(focal_plane), .dimension = &dimension_exposure, .unit = "lx_s", .name = "exposure",
      BRIEF_WITH("focal-plane"), .symbol = "H", .label = "exposure of the film",
      .help = "luminous exposure of film or sensor"},
@@ -195,7 +197,13 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     struct exposure_row row;
     own.given.N = lens->N;
     own.lens.pupil = lens->P;
-    if (!exposure_answer(input, &row, error)) {
+    if (lamps_asked(&input->lamps) && !exposure_is_asked(input)) {
+        exposure_blank(input, &row);
+    } else if (!exposure_answer(input, &row, error)) {
+        return false;
+    }
+    const struct lamp_camera camera = {input->filter.mired, row.x.t, input->frame_rate};
+    if (!lamps_answer(&input->lamps, &camera, run, &row.lamps, error)) {
         return false;
     }
     row.real = *lens->real;
@@ -267,6 +275,11 @@ static const struct explanation explanations[] = {
     {"shutter_angle", "a = 360 {rate} {t}", "definition of the rotating shutter", NULL},
     {"t_stop", "T = {N}/sqrt(tau)", "[IsoAperture08]", NULL},
     {"transmittance", "tau = ({N}/{T})^2", "[IsoAperture08]", NULL},
+    {"filtered", "K3 = 10^6/(10^6/{K1} + {M})", "[Priest33]; M in mired",
+     "light near that of a black body"},
+    {"mired_wanted", "Mw = 10^6/{K2} - 10^6/{K1} - {M}", "[Priest33]", NULL},
+    {"flicker_free_time", "tf = n/(2 {mains})", "n whole pulses of the lamps",
+     "lamps that follow the mains"},
     {"lens_q", "q = pi/4 {tau} {v} cos^4({theta})",
      "[IsoSpeed06]; transmittance 0.9 where none is given", "cos^4 is that of a thin lens"},
     {"exposure", "H = {q} {L} {t}/{N}^2 2^-{loss}", "[IsoSpeed06]",
@@ -288,6 +301,8 @@ static const struct example examples[] = {
     {"exposure --ev 9 -N 1.4..8 --iso 100..3200 --table N,iso:nominal_time", "times to print"},
     {"exposure -t 180deg@24fps --frame-rate 24 --ev 10 --iso 800",
      "the f-number for a film camera"},
+    {"exposure --kelvin 3200 --balance 5500", "the conversion filter for tungsten light"},
+    {"exposure --mains 50 --frame-rate 24", "shutter angles without flicker"},
     {NULL, NULL},
 };
 

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "cli/option_light.h"
+#include "commands/photo/lamps.h"
 #include "commands/photo/photo_lens.h"
 #include "photo/exposure.h"
 
@@ -25,6 +26,7 @@ struct exposure_input {
     struct series_value series;
     bool equivalent;
     struct photo_lens_question lens;
+    struct lamps lamps;
 };
 
 /* Everything about one exposure; NaN and null = absent. */
@@ -42,7 +44,14 @@ struct exposure_row {
     struct photo_real real;
     double pupil; /* of a real lens */
     const char *speed, *filter, *film, *film_source, *scene, *scene_source;
+    struct lamp_row lamps; /* filled in by the command */
 };
+
+/* Is an exposure asked for at all, or only what lamps do? */
+bool exposure_is_asked(const struct exposure_input *input);
+
+/* A row without an exposure. */
+void exposure_blank(const struct exposure_input *input, struct exposure_row *row);
 
 /*
  * Solve for what is not given, and all that follows from it.
