@@ -155,6 +155,7 @@ static bool lose_settings(struct foreign_job *job, const struct foreign_format *
     struct arena *arena = job->arena;
     const char *all = lens->stops != NULL ? " stop" : "";
     all = lens->lights != NULL ? arena_printf(arena, "%s wavelength", all) : all;
+    all = lens->points != NULL ? arena_printf(arena, "%s field", all) : all;
     for (size_t i = 0; i < lens->setting_count; i++) {
         all =
             arena_printf(arena, "%s %s", all, parameter_write(lens->settings[i].parameter, arena));

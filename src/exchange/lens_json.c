@@ -440,6 +440,26 @@ static void put_setting_values(struct writer *writer, const struct lens_setting 
     }
 }
 
+/* "0;2,5:0.5", in degrees or mm, behind the quote that begins it. */
+static void put_points(struct writer *writer, const struct lens_points *points, const char *begin)
+{
+    const double unit = writer->lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : 1;
+    for (size_t i = 0; i < points->count; i++) {
+        const struct lens_field *field = &points->fields[i];
+        put(writer, i == 0 ? begin : ";");
+        if (field->at[0].value.hi != 0) {
+            put_value(writer, &field->at[0], unit);
+            put(writer, ",");
+        }
+        put_value(writer, &field->at[1], unit);
+        if (field->weight != 1) {
+            put(writer, ":");
+            put_number(writer, field->weight);
+        }
+    }
+    put(writer, "\"");
+}
+
 static void put_settings(struct writer *writer, struct arena *arena)
 {
     const struct lens *lens = writer->lens;
@@ -467,6 +487,14 @@ static void put_settings(struct writer *writer, struct arena *arena)
         for (size_t p = 0; p < writer->positions; p++) {
             put(writer, p > 0 ? "," : "");
             put_string(writer, lens_light_write(&lens->lights[p], arena));
+        }
+        put(writer, "]}");
+        between = ",";
+    }
+    if (lens->points != NULL) {
+        growing_format(&writer->out.text, "%s{\"name\":\"field\",\"values\":[", between);
+        for (size_t p = 0; p < writer->positions; p++) {
+            put_points(writer, &lens->points[p], p > 0 ? ",\"" : "\"");
         }
         put(writer, "]}");
     }
@@ -503,7 +531,8 @@ static bool write_json(struct foreign_job *job, const struct lens *lens, struct 
     struct writer writer = {.lens = lens, .positions = lens->position_count};
     writing_begin(&writer.out, lens, true, job->arena);
     put_header(&writer);
-    if (lens->setting_count > 0 || lens->stops != NULL || lens->lights != NULL) {
+    if (lens->setting_count > 0 || lens->stops != NULL || lens->lights != NULL ||
+        lens->points != NULL) {
         put_settings(&writer, job->arena);
     }
     put(&writer, "\n,\"surfaces\":[");

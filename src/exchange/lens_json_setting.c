@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/lens_json_reading.h"
 #include "file/lens_setting.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
 
@@ -95,6 +96,27 @@ static bool read_lights(struct json_reading *reading, const struct json_value *v
     return report(reading, values, lens_setting_lights(lens, lights), error);
 }
 
+static bool read_points(struct json_reading *reading, const struct json_value *values,
+                        struct error *error)
+{
+    struct lens *lens = reading->build.lens;
+    struct lens_points *points =
+        ARENA_ARRAY(reading->job->arena, lens->position_count, struct lens_points);
+    size_t i = 0;
+    for (const struct json_value *item = values->first; item != NULL; item = item->next, i++) {
+        if (item->kind != JSON_STRING) {
+            return json_wrong(reading, item, error, "fields of a position are a text: 0;5;7");
+        }
+        struct lens_words words = json_place(reading, item);
+        words.line = item->text;
+        words.scale = lens_unit_scale("mm");
+        if (!lens_words_points(&words, item->text, lens->field_kind, &points[i], error)) {
+            return false;
+        }
+    }
+    return report(reading, values, lens_setting_points(lens, points), error);
+}
+
 static bool read_setting(struct json_reading *reading, const struct json_value *object,
                          struct error *error)
 {
@@ -115,6 +137,9 @@ static bool read_setting(struct json_reading *reading, const struct json_value *
     }
     if (text_equal(name->text, "wavelength")) {
         return read_lights(reading, values, error);
+    }
+    if (text_equal(name->text, "field")) {
+        return read_points(reading, values, error);
     }
     if (!parameter_read(name->text, lens_setting_takes, &setting.parameter, error) ||
         !lens_setting_takes(setting.parameter.kind)) {

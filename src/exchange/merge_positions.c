@@ -183,20 +183,33 @@ static void merge_number(struct merge *merge, size_t index, struct parameter eac
     }
 }
 
-static bool differ(const struct merge *merge, const char *in, struct error *error)
+/* What no position can set: the first alone is kept. */
+static void keep_first(const struct merge *merge, const char *in, struct error *error)
 {
-    fail(error, ERROR_DATA, "the configurations differ in %s, which the positions of a lens cannot",
-         in);
-    return error_locate(error, merge->job->source, 0, 0);
+    struct lens *to = merge->build->lens;
+    *to = merge->lenses[0];
+    to->positions = NULL;
+    to->position_count = 0;
+    merge->build->note_room = to->note_count;
+    merge->build->wavelength_room = to->wavelength_count;
+    merge->build->field_room = to->field_count;
+    merge->build->surface_room = to->surface_count;
+    merge->build->variable_room = 0;
+    (void)foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
+                       "the configurations differ in %s, which the positions of a lens "
+                       "cannot" LOSS_INSTEAD "only the first is kept",
+                       in);
 }
 
+/* False where only the first is kept. */
 static bool merge_surface(struct merge *merge, size_t index, struct error *error)
 {
     const struct surface *first = surface_at(merge, 0, index);
     for (size_t p = 1; p < merge->count; p++) {
         if (!is_alike(first, surface_at(merge, p, index))) {
-            return differ(merge, arena_printf(merge->arena, "the kind of surface %zu", index + 1),
-                          error);
+            keep_first(merge, arena_printf(merge->arena, "the kind of surface %zu", index + 1),
+                       error);
+            return false;
         }
         if (!are_same_apertures(first, surface_at(merge, p, index)) &&
             !foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
@@ -271,25 +284,30 @@ static void merge_light_and_stop(struct merge *merge)
 
 static bool are_same_fields(const struct lens *a, const struct lens *b)
 {
-    bool same = a->field_kind == b->field_kind && a->field_count == b->field_count;
+    bool same = a->field_count == b->field_count;
     for (size_t i = 0; same && i < a->field_count; i++) {
-        const struct lens_field *one = &a->fields[i], *other = &b->fields[i];
-        same = is_same_value(&one->at[0], &other->at[0]) &&
-               is_same_value(&one->at[1], &other->at[1]) && one->weight == other->weight;
+        same = lens_field_is_same(&a->fields[i], &b->fields[i]);
     }
     return same;
 }
 
-/* A lens has one list of fields. */
-static bool check_fields(const struct merge *merge, struct error *error)
+/* The fields, of one kind in all positions. */
+static bool merge_fields(struct merge *merge, struct error *error)
 {
-    bool same = true;
-    for (size_t p = 1; p < merge->count; p++) {
-        same = same && are_same_fields(&merge->lenses[0], &merge->lenses[p]);
+    struct lens *lens = merge->build->lens;
+    struct lens_points *points = ARENA_ARRAY(merge->arena, merge->count, struct lens_points);
+    bool same_kind = true, same = true;
+    for (size_t p = 0; p < merge->count; p++) {
+        const struct lens *one = &merge->lenses[p];
+        points[p] = (struct lens_points){one->fields, one->field_count};
+        same_kind = same_kind && one->field_kind == lens->field_kind &&
+                    (one->field_count > 0) == (lens->field_count > 0);
+        same = same && are_same_fields(&merge->lenses[0], one);
     }
-    return same || foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
-                                "the fields differ between the configurations" LOSS_INSTEAD
-                                "those of the first are kept");
+    lens->points = same_kind && !same ? points : NULL;
+    return same_kind || foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
+                                     "the kind of the fields differs between the "
+                                     "configurations" LOSS_INSTEAD "those of the first are kept");
 }
 
 /* What has no values of its own in the positions. */
@@ -320,7 +338,8 @@ bool merge_positions(struct lens_build *build, const struct lens *lenses, struct
     for (size_t p = 1; p < merge.count; p++) {
         const char *why = against(first, &lenses[p]);
         if (why != NULL) {
-            return differ(&merge, why, error);
+            keep_first(&merge, why, error);
+            return true;
         }
     }
     *to = *first;
@@ -334,14 +353,14 @@ bool merge_positions(struct lens_build *build, const struct lens *lenses, struct
     memcpy(to->surfaces, first->surfaces, first->surface_count * sizeof to->surfaces[0]);
     for (size_t i = 0; i < first->surface_count; i++) {
         if (!merge_surface(&merge, i, error)) {
-            return false;
+            return true;
         }
     }
     to->settings = merge.settings;
     to->setting_count = merge.setting_count;
     merge_system(&merge);
     merge_light_and_stop(&merge);
-    return check_fields(&merge, error);
+    return merge_fields(&merge, error);
 }
 
 bool merge_read(struct lens_build *build, struct foreign_job *job, const struct merge_file *file,

@@ -12,9 +12,10 @@
  *
  * Given     build   its lens has the names of the positions; it receives all else of the first lens
  *           lenses  one a position
- * Errors    ERROR_DATA: what differs between the positions and may not: the number or kind of
- *           surfaces, the kind of aperture. Fields and apertures of surfaces that differ, and a
- *           clear aperture that a surface has in some positions only, are losses
+ * Errors    losses: what differs between the positions and may not, as the number or kind of
+ *           surfaces and the kind of aperture, where only the first position is kept; the kind of
+ *           fields and apertures of surfaces that differ; a clear aperture that a surface has in
+ *           some positions only
  */
 bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,
                      struct error *error);

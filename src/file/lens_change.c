@@ -97,15 +97,30 @@ static void change_settings(const struct change *change, struct lens *lens)
     lens->settings = copy;
 }
 
-static struct lens_field *change_fields(const struct change *change, const struct lens *lens)
+static struct lens_field *change_fields(const struct change *change,
+                                        const struct lens_field *fields, size_t count)
 {
-    struct lens_field *copy = ARENA_ARRAY(change->arena, lens->field_count, struct lens_field);
-    for (size_t i = 0; i < lens->field_count; i++) {
-        copy[i] = lens->fields[i];
+    struct lens_field *copy = ARENA_ARRAY(change->arena, count, struct lens_field);
+    for (size_t i = 0; i < count; i++) {
+        copy[i] = fields[i];
         change_figure(change, 1, &copy[i].at[0]);
         change_figure(change, 1, &copy[i].at[1]);
     }
     return copy;
+}
+
+/* The fields that are lengths, of all positions. */
+static void change_points(const struct change *change, struct lens *lens)
+{
+    struct lens_points *points =
+        ARENA_ARRAY(change->arena, lens->position_count, struct lens_points);
+    lens->fields = change_fields(change, lens->fields, lens->field_count);
+    for (size_t p = 0; p < lens->position_count && lens->points != NULL; p++) {
+        const struct lens_points *from = &lens->points[p];
+        points[p] =
+            (struct lens_points){change_fields(change, from->fields, from->count), from->count};
+    }
+    lens->points = lens->points != NULL ? points : NULL;
 }
 
 static const struct vary *change_varies(const struct change *change, const struct surface *surface)
@@ -174,7 +189,7 @@ static void change_system(const struct change *change, struct lens *lens)
     change_figure(change, 1, &lens->object);
     lens->objects = change_all(change, lens->objects, positions);
     if (lens->field_kind != FIELD_NONE && lens->field_kind != FIELD_ANGLE) {
-        lens->fields = change_fields(change, lens);
+        change_points(change, lens);
     }
     if (lens->aperture_kind == APERTURE_EPD) {
         change_figure(change, 1, &lens->aperture);
@@ -234,6 +249,7 @@ const struct lens *lens_one_position(const struct lens *lens, size_t position, s
     copy->setting_count = 0;
     copy->stops = NULL;
     copy->lights = NULL;
+    copy->points = NULL;
     copy->objects = NULL;
     copy->apertures = NULL;
     for (int i = 0; i < STATED_COUNT; i++) {

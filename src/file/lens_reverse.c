@@ -220,6 +220,18 @@ static void add_surface(struct turn *turn, size_t index)
     }
 }
 
+/* x changes its sign. */
+static struct lens_field *flip_fields(const struct turn *turn, const struct lens_field *fields,
+                                      size_t count)
+{
+    struct lens_field *copy = ARENA_ARRAY(turn->arena, count, struct lens_field);
+    for (size_t i = 0; i < count; i++) {
+        copy[i] = fields[i];
+        copy[i].at[0] = figure_negate(copy[i].at[0], turn->arena);
+    }
+    return copy;
+}
+
 /* Where both are at a finite distance, object and image change places. */
 static void turn_conjugates(struct turn *turn)
 {
@@ -248,9 +260,16 @@ static void turn_conjugates(struct turn *turn)
                                             [FIELD_IMAGE] = FIELD_HEIGHT,
                                             [FIELD_REAL] = FIELD_HEIGHT};
     lens->field_kind = kinds[from->field_kind];
-    for (size_t i = 0; i < lens->field_count && lens->field_kind != FIELD_ANGLE; i++) {
-        struct figure *x = &lens->fields[i].at[0];
-        *x = turn->flips && x->value.hi != 0 ? figure_negate(*x, turn->arena) : *x;
+    if (lens->field_kind != FIELD_ANGLE && turn->flips) {
+        struct lens_points *points =
+            ARENA_ARRAY(turn->arena, lens->position_count, struct lens_points);
+        lens->fields = flip_fields(turn, lens->fields, lens->field_count);
+        for (size_t p = 0; p < lens->position_count && lens->points != NULL; p++) {
+            const struct lens_points *one = &from->points[p];
+            points[p] =
+                (struct lens_points){flip_fields(turn, one->fields, one->count), one->count};
+        }
+        lens->points = lens->points != NULL ? points : NULL;
     }
 }
 

@@ -104,6 +104,21 @@ const char *lens_setting_stops(struct lens *lens, const size_t *stops, struct ar
     return NULL;
 }
 
+const char *lens_setting_points(struct lens *lens, const struct lens_points *points)
+{
+    const struct lens_points *first = &points[0];
+    bool same = first->count == lens->field_count;
+    for (size_t i = 0; same && i < first->count; i++) {
+        same = lens_field_is_same(&first->fields[i], &lens->fields[i]);
+    }
+    if (lens->points != NULL || !same) {
+        return lens->points != NULL ? "field is set twice"
+                                    : "field: the first position has not that of the lens";
+    }
+    lens->points = points;
+    return NULL;
+}
+
 const char *lens_setting_lights(struct lens *lens, const struct lens_light *lights)
 {
     const struct lens_light *first = &lights[0];
@@ -276,6 +291,24 @@ static bool read_lights(struct lens_words *words, struct text name, struct lens 
     return report(words, name, lens_setting_lights(lens, lights), error);
 }
 
+static bool read_points(struct lens_words *words, struct text name, struct lens *lens,
+                        struct error *error)
+{
+    struct lens_points *points =
+        ARENA_ARRAY(words->arena, lens->position_count, struct lens_points);
+    struct text word;
+    for (size_t i = 0; i <= lens->position_count; i++) {
+        if (!next_value(words, lens, i, &word, error)) {
+            return false;
+        }
+        if (i < lens->position_count &&
+            !lens_words_points(words, word, lens->field_kind, &points[i], error)) {
+            return false;
+        }
+    }
+    return report(words, name, lens_setting_points(lens, points), error);
+}
+
 bool lens_setting_takes(enum parameter_kind kind)
 {
     return kind != PARAMETER_INDEX && kind != PARAMETER_ABBE;
@@ -294,6 +327,9 @@ bool lens_setting_read(struct lens_words *words, const struct glass_source *glas
     }
     if (text_equal(name, "wavelength")) {
         return read_lights(words, name, lens, error);
+    }
+    if (text_equal(name, "field")) {
+        return read_points(words, name, lens, error);
     }
     if (!parameter_read(name, lens_setting_takes, &setting.parameter, error)) {
         const struct error found = *error;

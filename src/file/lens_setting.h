@@ -7,7 +7,8 @@
 #include "file/lens_words.h"
 
 /*
- * Read what follows the word `set`: R3 50 52, glass2 N-BK7 N-SF5, stop 3 4, wavelength d,F,C e.
+ * Read what follows the word `set`: R3 50 52, glass2 N-BK7 N-SF5, stop 3 4, wavelength d,F,C e,
+ * field 0;5 0;7.
  *
  * Given     words  the line; the lens has all its surfaces and positions
  * Errors    ERROR_DATA with line and column: no such surface or number, one value too few or many,
@@ -27,8 +28,9 @@ bool lens_setting_takes(enum parameter_kind kind);
  */
 const char *lens_setting_add(struct lens *lens, struct lens_setting setting, struct arena *arena);
 
-/* The same of the surfaces that are the stop, from 0, and of wavelengths. */
+/* The same of the surfaces that are the stop, from 0, of points of the field and of wavelengths. */
 const char *lens_setting_stops(struct lens *lens, const size_t *stops, struct arena *arena);
+const char *lens_setting_points(struct lens *lens, const struct lens_points *points);
 const char *lens_setting_lights(struct lens *lens, const struct lens_light *lights);
 
 /* The wavelengths of a position as one word, "d,F:0.5,656.3nm", and back. */

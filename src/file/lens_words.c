@@ -221,6 +221,22 @@ bool lens_words_fields(struct lens_words *words, enum field_kind kind, struct le
     return true;
 }
 
+bool lens_words_points(const struct lens_words *words, struct text list, enum field_kind kind,
+                       struct lens_points *points, struct error *error)
+{
+    size_t room = 0;
+    *points = (struct lens_points){NULL, 0};
+    while (list.start != NULL) {
+        const struct text word = text_cut(&list, ';');
+        points->fields = arena_grow(words->arena, points->fields, points->count, &room,
+                                    sizeof points->fields[0]);
+        if (!read_field(words, word, kind, &points->fields[points->count++], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 bool lens_words_wavelength(const struct lens_words *words, struct text text, double *wavelength,
                            struct error *error)
 {

@@ -86,6 +86,10 @@ bool lens_words_figures(struct lens_words *words, struct number_scale scale, con
 bool lens_words_fields(struct lens_words *words, enum field_kind kind, struct lens_field **fields,
                        size_t *count, struct error *error);
 
+/* Such points in one word, with ';' between them. */
+bool lens_words_points(const struct lens_words *words, struct text list, enum field_kind kind,
+                       struct lens_points *points, struct error *error);
+
 /* A wavelength with its unit, or the name of a line, in um. */
 bool lens_words_wavelength(const struct lens_words *words, struct text text, double *wavelength,
                            struct error *error);

@@ -198,6 +198,15 @@ static void put_weight(struct writer *writer, struct text weight)
     }
 }
 
+/* A point of the field, behind what stands between it and the one before. */
+static void put_field(struct writer *writer, const char *between, const struct lens_field *field)
+{
+    double unit = writer->lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : writer->unit;
+    bool beside = field->at[0].value.hi != 0;
+    put_vector(writer, between, beside ? field->at : &field->at[1], beside ? 2 : 1, unit);
+    put_weight(writer, field->weight_typed);
+}
+
 static void put_fields(struct writer *writer)
 {
     static const char *const kinds[] = {[FIELD_ANGLE] = "angle",
@@ -205,14 +214,10 @@ static void put_fields(struct writer *writer)
                                         [FIELD_IMAGE] = "image",
                                         [FIELD_REAL] = "real"};
     const struct lens *lens = writer->lens;
-    double unit = lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : writer->unit;
     put_string(writer, "field       ");
     put_string(writer, kinds[lens->field_kind]);
     for (size_t i = 0; i < lens->field_count; i++) {
-        const struct lens_field *field = &lens->fields[i];
-        bool beside = field->at[0].value.hi != 0;
-        put_vector(writer, " ", beside ? field->at : &field->at[1], beside ? 2 : 1, unit);
-        put_weight(writer, field->weight_typed);
+        put_field(writer, " ", &lens->fields[i]);
     }
     put(writer, "\n", 1);
 }
@@ -282,6 +287,30 @@ static void put_header(struct writer *writer)
     put_line(writer, "focus", focuses[lens->focus]);
 }
 
+/* The stop, wavelengths and points of the field. */
+static void put_system_settings(struct writer *writer)
+{
+    const struct lens *lens = writer->lens;
+    struct arena *arena = writer->arena;
+    for (size_t p = 0; p < lens->position_count && lens->stops != NULL; p++) {
+        put_string(writer,
+                   arena_printf(arena, "%s %zu%s", p == 0 ? "set stop" : "", lens->stops[p] + 1,
+                                p + 1 == lens->position_count ? "\n" : ""));
+    }
+    for (size_t p = 0; p < lens->position_count && lens->lights != NULL; p++) {
+        put_string(writer, arena_printf(arena, "%s %s%s", p == 0 ? "set wavelength" : "",
+                                        lens_light_write(&lens->lights[p], arena),
+                                        p + 1 == lens->position_count ? "\n" : ""));
+    }
+    for (size_t p = 0; p < lens->position_count && lens->points != NULL; p++) {
+        put_string(writer, p == 0 ? "set field" : "");
+        for (size_t i = 0; i < lens->points[p].count; i++) {
+            put_field(writer, i == 0 ? " " : ";", &lens->points[p].fields[i]);
+        }
+        put_string(writer, p + 1 == lens->position_count ? "\n" : "");
+    }
+}
+
 /* What the positions set anew. */
 static void put_settings(struct writer *writer)
 {
@@ -306,16 +335,7 @@ static void put_settings(struct writer *writer)
         }
         put(writer, "\n", 1);
     }
-    for (size_t p = 0; p < lens->position_count && lens->stops != NULL; p++) {
-        put_string(writer,
-                   arena_printf(arena, "%s %zu%s", p == 0 ? "set stop" : "", lens->stops[p] + 1,
-                                p + 1 == lens->position_count ? "\n" : ""));
-    }
-    for (size_t p = 0; p < lens->position_count && lens->lights != NULL; p++) {
-        put_string(writer, arena_printf(arena, "%s %s%s", p == 0 ? "set wavelength" : "",
-                                        lens_light_write(&lens->lights[p], arena),
-                                        p + 1 == lens->position_count ? "\n" : ""));
-    }
+    put_system_settings(writer);
 }
 
 static void put_positions(struct writer *writer)

@@ -31,6 +31,16 @@ double field_extent(enum field_kind kind, const double at[2])
     return kind == FIELD_ANGLE ? atan(hypot(tan(at[0]), tan(at[1]))) : hypot(at[0], at[1]);
 }
 
+bool lens_field_is_same(const struct lens_field *a, const struct lens_field *b)
+{
+    bool same = a->weight == b->weight;
+    for (int i = 0; i < 2; i++) {
+        same = same && a->at[i].value.hi == b->at[i].value.hi &&
+               a->at[i].value.lo == b->at[i].value.lo;
+    }
+    return same;
+}
+
 bool lens_has_fields_beside(const struct lens *lens)
 {
     for (size_t i = 0; i < lens->field_count; i++) {
@@ -120,6 +130,10 @@ const struct lens *lens_at_position(const struct lens *lens, size_t position, st
     if (lens->lights != NULL) {
         copy->wavelengths = lens->lights[position].wavelengths;
         copy->wavelength_count = lens->lights[position].count;
+    }
+    if (lens->points != NULL) {
+        copy->fields = lens->points[position].fields;
+        copy->field_count = lens->points[position].count;
     }
     if (lens->objects != NULL) {
         copy->object = lens->objects[position];

@@ -59,6 +59,9 @@ double lens_field_extent(const struct lens *lens);
 /* Angles that were read in degrees become radians. Result as lens_field_wrong */
 const char *lens_field_from_degrees(struct lens_field *field);
 
+/* The same point with the same weight? */
+bool lens_field_is_same(const struct lens_field *a, const struct lens_field *b);
+
 /* A word that stands for one number in every position. */
 struct lens_variable {
     struct text name;
@@ -78,6 +81,12 @@ struct lens_setting {
 /* The wavelengths of one position, the primary first. */
 struct lens_light {
     struct lens_wavelength *wavelengths;
+    size_t count;
+};
+
+/* The points of the field of one position. */
+struct lens_points {
+    struct lens_field *fields;
     size_t count;
 };
 
@@ -110,10 +119,11 @@ struct lens {
     size_t variable_count;
     struct lens_setting *settings; /* each parameter once */
     size_t setting_count;
-    const size_t *stops;             /* the stop, one a position; or null: it is one surface */
-    const struct lens_light *lights; /* the wavelengths, one a position; or null */
-    const struct figure *objects;    /* let object: one a position, inf is infinite; or null */
-    const struct figure *apertures;  /* let aperture: of the kind aperture_kind; or null */
+    const size_t *stops;              /* the stop, one a position; or null: it is one surface */
+    const struct lens_light *lights;  /* the wavelengths, one a position; or null */
+    const struct lens_points *points; /* of the field, one a position; or null */
+    const struct figure *objects;     /* let object: one a position, inf is infinite; or null */
+    const struct figure *apertures;   /* let aperture: of the kind aperture_kind; or null */
     const struct figure *stated[STATED_COUNT]; /* null = not stated */
     size_t stated_count[STATED_COUNT];         /* 1 or one a position */
     const char *lost_power; /* what bends light in a file that it was read from; null = all kept */

@@ -54,10 +54,13 @@ done
 lenscalc convert all2.zmx -o all.lens && grep '^set\|^let' all.lens
 lenscalc convert all.lens -o again.zmx && lenscalc convert again.zmx -o again.lens &&
     cmp all.lens again.lens && echo same
-# what no position can hold
+# fields
 { cat 1.zmx; echo 'MNUM 2 1'; operand YFIE 1 0 5; operand STPS 0 1 1; } > a.zmx
-lenscalc lens a.zmx
+lenscalc convert a.zmx | grep '^set\|^field'
+# of a wavelength that is not there
+{ cat 1.zmx; echo 'MNUM 2 1'; operand WAVE 4 0.5 0.6; } > a.zmx && lenscalc convert a.zmx | grep '^wave'
+# what no position can hold
+{ cat 1.zmx; echo 'MNUM 2 1'; operand FLTP 0 0 1; } > a.zmx && lenscalc lens a.zmx
 { cat 1.zmx; echo 'MNUM 2 1'; operand STPS 0 1 7; } > a.zmx && lenscalc lens a.zmx
 { cat 1.zmx; echo 'MNUM 2 1'; operand GLSS 1 N-BK7 NOSUCH; } > a.zmx && lenscalc lens a.zmx
-{ cat 1.zmx; echo 'MNUM 2 1'; operand WAVE 4 0.5 0.6; } > a.zmx && lenscalc lens a.zmx
 { cat 1.zmx; echo 'MNUM 2 1'; echo 'CRVT 1 2'; } > a.zmx && lenscalc lens a.zmx

@@ -110,6 +110,43 @@ static void test_json(struct arena *arena)
     }
 }
 
+/* Points of the field: scaled, in another unit, in JSON, and of one position. */
+static void test_points(struct arena *arena)
+{
+    const struct lens *lens =
+        read_lens("unit mm\nwavelength d\nobject 100\nfield height 0 2,1:0.5\naperture na 0.1\n"
+                  "focus table\nposition a b\nset field 0;2,1:0.5 0;25.4;-5:2\n"
+                  "surface 40 6 1.5 - stop\nsurface -30 80 air -\n",
+                  arena);
+    static const struct {
+        const char *line;
+        double scale;
+        const char *unit;
+    } cases[] = {{"set field 0;2,1:0.5 0;25.4;-5:2\n", 1, "mm"},
+                 {"set field 0;4,2:0.5 0;50.8;-10:2\n", 2, "mm"},
+                 {"set field 0;0.2,0.1:0.5 0;2.54;-0.5:2\n", 1, "cm"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const struct pair factor = {cases[i].scale, 0};
+        const struct lens *other =
+            lens_in_unit(cases[i].scale == 1 ? lens : lens_scaled(lens, factor, false, arena),
+                         cases[i].unit, arena);
+        const char *text = written(other, arena);
+        CHECK(strstr(text, cases[i].line) != NULL);
+        struct foreign_job out = {.source = "a.json", .arena = arena},
+                           back = {.source = "a.json", .arena = arena};
+        struct text json = {NULL, 0};
+        struct error error = {0};
+        struct lens again;
+        CHECK(foreign_write(&out, &lens_json_format, other, &json, &error));
+        CHECK(foreign_read(&back, json, &again, &error));
+        CHECK(again.points[1].count == 3 &&
+              again.points[1].fields[1].at[1].value.hi == 25.4 * cases[i].scale);
+    }
+    CHECK(strstr(written(lens_one_position(lens, 1, arena), arena),
+                 "field       height 0 25.4 -5:2\n") != NULL);
+    CHECK(lens_at_position(lens, 1, arena)->fields[2].weight == 2);
+}
+
 /* CODE V files hold it too: every kind of number, glasses, the stop, wavelengths. */
 static void test_sequence(struct arena *arena)
 {
@@ -120,7 +157,7 @@ static void test_sequence(struct arena *arena)
         "set A4_1 1e-6 0 2e-6\nset c2 -0.02 0.01 0\nset A3_2 1e-5 2e-5 0\nset k2 -1 0 1\n"
         "set decenter_y3 0.1 0 -0.2\nset tilt_x3 1 2 -3\nset tilt_y3 0 0 4\n"
         "set bend_tilt_x3 10 -20 0\nset bend_decenter_x3 0 1 2\nset stop 1 2 1\n"
-        "set wavelength 550nm,480nm:0.5 550nm 600nm,480nm:2\n"
+        "set wavelength 550nm,480nm:0.5 550nm 600nm,480nm:2\nset field 0;5 0;3,7.5;-2:0.5 4\n"
         "surface 50 4 1.600/40.0 20 k=0.5 A4=1e-6 stop\n"
         "surface - 10 air 20 c=-0.02 k=-1 A3=1e-5\n"
         "bend decenter=0,0 tilt=10,0,0\n"
@@ -162,7 +199,8 @@ static void test_sequence(struct arena *arena)
                                         "set bend_tilt_x3 10 -20 0\n",
                                         "set bend_decenter_x3 0 1 2\n",
                                         "set stop 1 2 1\n",
-                                        "set wavelength 550nm,480nm:0.5 550nm 600nm,480nm:2\n"};
+                                        "set wavelength 550nm,480nm:0.5 550nm 600nm,480nm:2\n",
+                                        "set field 0;5 0;3,7.5;-2:0.5 4\n"};
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
         bool found = strstr(all, lines[i]) != NULL;
         if (!found) {
@@ -216,6 +254,8 @@ static void test_errors(struct arena *arena)
         int column;
     } cases[] = {
         {"set R1 40", "one value for each of the 2 positions", 10},
+        {"set field 0 1", "field: the first position has not that of the lens", 5},
+        {"set field 5 x", "the field 'x' is not a number", 13},
         {"set R1 40 50 60", "one value for each of the 2 positions", 14},
         {"set R1 41 50", "R1: the first position has not the number of its surface", 5},
         {"set R3 40 50", "R3: the lens has 2 surfaces", 5},
@@ -262,6 +302,7 @@ int main(void)
     test_change(&arena);
     test_json(&arena);
     test_sequence(&arena);
+    test_points(&arena);
     test_focal_length(&arena);
     test_parameter_check(&arena);
     test_errors(&arena);

@@ -197,8 +197,6 @@ static const struct refusal losses[] = {
      "TH: a setting of a configuration, of a surface that follows another", ""},
     {"RD -50\nTH 90\nNXT\nEND 2", "RD -50\n@PY 0\nNXT\nEND 2\nCFG NEW\nTH 1 2 5\nEND",
      "a solve in a file with configurations", "each is solved by itself"},
-    {"END 2", "END 2\nCFG NEW\nANG 2 5\nEND", "the fields differ between the configurations",
-     "those of the first are kept"},
     {"AST", "AST\nDT -1;DCX 1;TLA 5;@BEN",
      "a bend or return of a surface that is turned before it is shifted",
      "without the bend or return"},
@@ -290,7 +288,7 @@ static const struct refusal errors[] = {
      "0.6\nEND\n",
      "the configurations differ in whether there are wavelengths, which the positions of a lens "
      "cannot",
-     NULL},
+     "only the first is kept"},
     {"END 2", "END 2\nCFG NEW\nTH @7 2 5\nEND", "surface 7 of 3", NULL},
     {"END 2", "END 2\nCFG NEW\nTH 2 @101 5\nEND", "more than 100 configurations", NULL},
     {"END 2", "END 2\nCFG NEW\nTH 2 @x 5\nEND",

@@ -78,6 +78,8 @@ static const struct meaning of_lens[] = {
      "WAVM 1 0.4861327 1\nWAVM 2 0.55 1\nWAVM 3 0.55 1\nPWAV 1", "wavelength F 0.55um"},
     {"DISZ INFINITY", "DISZ 200\n  GLAS ___BLANK 1 0 1.333 55.5", "object 200\nmedium 1.333/55.5"},
     {"DISZ INFINITY", "DISZ 1e10", "object inf"},
+    /* a cone of 30 degrees in air and in 1.5 */
+    {"ENPD 10", "OBNA 30 1", "aperture na 0.49999999999999994"},
     /* an object in or behind planes that are nothing: 0 + 25, and -30 + 10 + 45.5 */
     {"DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\nSURF 2\n  "
      "CURV "
@@ -191,6 +193,10 @@ static const struct meaning of_surfaces[] = {
      "SURF 4",
      "surface 50 4 1.5 - stop\nsurface -50 90 air -"},
     {"CURV -0.02", "CURV -0.02\n  SCBD 1 0 0 0 0 0 0 0", "surface -50 90 air -"},
+    /* what has no effect of its own */
+    {"CURV -0.02", "CURV -0.02\n  TYPE DGRATING\n  PARM 1 0.6\n  PARM 2 0", "surface -50 90 air -"},
+    {"CURV -0.02", "CURV -0.02\n  TYPE FZERNSAG\n  PARM 1 0\n  XDAT 1 2\n  XDAT 2 10\n  XDAT 3 0",
+     "surface -50 90 air -"},
     {"CURV -0.02", "CURV -0.02\n  SCBD 1 0 0 1 2 3 4 5",
      "bend decenter=1,2 tilt=3,4,5\nsurface -50 90 air -"},
     {"CURV -0.02", "CURV -0.02\n  SCBD 1 0 0 1 0 3 0 0\n  SCBD 2 0 1 0 0 0 0 0",
@@ -253,6 +259,10 @@ static const struct meaning of_positions[] = {
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nAPER 0 1 10\nAPER 0 2 5\n",
      "let aperture epd 10 epd 5"},
     {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nSDIA 1 1 6\nSDIA 1 2 5\n", "let D1 12 10"},
+    {"TYPE STANDARD\n  DISZ 0\n",
+     "DISZ 0\nMNUM 2 1\nYFIE 2 1 10\nYFIE 2 2 7.5\nXFIE 2 2 1\nFLWT 1 2 0.5\n",
+     "set field 0;10 0:0.5;1,7.5"},
+    {"TYPE STANDARD\n  DISZ 0\n", "DISZ 0\nMNUM 2 1\nWAVE 7 1 0.5\nWAVE 7 2 0.6\n", "position 1 2"},
     /* behind the value its status, then the number of the parameter */
     {"CURV -0.02\n  DISZ 90\nSURF 3\n  TYPE STANDARD\n  DISZ 0\n",
      "TYPE EVENASPH\n  CURV -0.02\n  PARM 2 1e-6\n  DISZ 90\nSURF 3\n  DISZ 0\nMNUM 2 1\n"
@@ -321,7 +331,6 @@ static const struct refusal losses[] = {
     {"NAME", "VDYN 0 @0.1\nNAME", "VDYN: vignetting factors of the fields", ""},
     {"FTYP 0 0 2 1", "@FTYP 0 1 2 1", "a telecentric object space of an object at infinity",
      "an ordinary one"},
-    {"ENPD 10", "@OBNA 10 1", "the aperture as the angle of a cone: the lens gets none", ""},
     {"ENPD 10", "@FLOA", "the aperture is that of the stop, which has no diameter",
      "the lens gets none"},
     {"TYPE STANDARD\n  DISZ INFINITY", "TYPE STANDARD\n  @CURV 0.1", "a curved object",
@@ -334,7 +343,8 @@ static const struct refusal losses[] = {
     {"CURV -0.02", "@SPID 1 2.5 0", "SPID: an aperture that is none", "left out"},
     {"CURV -0.02", "@OBDC 1 0", "a decentre of an aperture that is not stated", "left out"},
     {"CURV -0.02", "@PARM 13 1", "a parameter that no surface of lenscalc has", ""},
-    {"CURV -0.02", "TYPE @DGRATING\n  CURV -0.02", "a surface of the type DGRATING",
+    {"CURV -0.02", "TYPE @DGRATING\n  PARM 1 0.6\n  PARM 2 1\n  CURV -0.02",
+     "a surface of the type DGRATING",
      "its standard form with curvature and conic is used instead"},
     {"SURF 2\n  CURV -0.02", "SURF 2\n  @TYPE TOROIDAL\n  CURV 0.02\n  PARM 1 40", "a toroid",
      "its y-z section is used instead, as a cylinder"},
@@ -365,10 +375,8 @@ static const struct refusal losses[] = {
      "nd and Vd are used instead"},
     {"CURV -0.02", "CURV -0.02\n  GLAS @___BLANK 2 5 1.5 0",
      "a glass that follows no earlier surface", "the file's glass is kept"},
-    {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2 1\nYFIE 1 1 0.02\nYFIE 1 2 0.03\n",
-     "the fields differ between the configurations", "those of the first are kept"},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2 1\nFLTP 0 1 0\nFLTP 0 2 2\n",
-     "the fields differ between the configurations", "those of the first are kept"},
+     "the kind of the fields differs between the configurations", "those of the first are kept"},
     {"CURV -0.02\n  DISZ 90\nSURF 3\n  TYPE STANDARD\n  DISZ 0\n",
      "CURV -0.02\n  SQAP 5 6 0\n  DISZ 90\nSURF 3\n  DISZ 0\nMNUM 2 1\nAPMN 2 1 5\nAPMN 2 2 4\n",
      "the apertures of surface 2 differ between the configurations", "those of the first are kept"},
@@ -418,6 +426,7 @@ static const struct refusal errors[] = {
      "a non-sequential group: lenscalc has lenses whose surfaces follow each other", NULL},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS@", "the glass is missing", NULL},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS @___BLANK 1 0 0 0", "a model glass without an index", NULL},
+    {"ENPD 10", "OBNA @90 1", "the angle of the cone must be below 90 degrees", NULL},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS ___BLANK 1 0 1.5 @-5", "the Abbe number is below 0", NULL},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS @NOGLASS 0 0 1.5 40",
      "the glass 'NOGLASS' is in no catalogue, and the file has no index of it", NULL},

@@ -151,28 +151,18 @@ static void put_coordinates(struct codev_output *output, int axis)
     const struct lens *lens = output->lens;
     size_t column = 3;
     for (size_t i = 0; i < lens->field_count; i++) {
-        const struct figure *field = &lens->fields[i].at[axis];
-        const bool nothing = field->value.hi == 0 && field->typed.start == NULL;
-        codev_put_number(output, &column,
-                         nothing ? text_of("0.0")
-                         : lens->field_kind == FIELD_ANGLE
-                             ? writing_degrees(&output->writing, field)
-                             : writing_length(&output->writing, field, 1));
+        codev_put_number(output, &column, codev_coordinate(output, &lens->fields[i].at[axis]));
     }
     put_string(output, "\n");
 }
 
 static void put_fields(struct codev_output *output)
 {
-    static const char *const words[][2] = {[FIELD_ANGLE] = {"XAN", "YAN"},
-                                           [FIELD_HEIGHT] = {"XOB", "YOB"},
-                                           [FIELD_IMAGE] = {"XIM", "YIM"},
-                                           [FIELD_REAL] = {"XRI", "YRI"}};
     const struct lens *lens = output->lens;
     bool weighted = false;
     size_t column = 3;
     for (int axis = 0; axis < 2 && lens->field_kind != FIELD_NONE; axis++) {
-        put_string(output, words[lens->field_kind][axis]);
+        put_string(output, codev_field_words[lens->field_kind][axis]);
         put_coordinates(output, axis);
     }
     for (size_t i = 0; i < lens->field_count; i++) {

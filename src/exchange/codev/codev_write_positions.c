@@ -116,7 +116,7 @@ static bool put_setting(struct codev_output *output, const struct lens_setting *
     if (word == NULL) {
         return foreign_lose(output->job, error,
                             "what the positions set %s to" LOSS_INSTEAD
-                            "the first position's stands",
+                            "the first position's is kept",
                             parameter_write(parameter, arena));
     }
     const char *command = arena_printf(arena, "ZOO %s S%zu%s", word, number, rest);
@@ -143,6 +143,26 @@ static bool put_settings(struct codev_output *output, struct error *error)
         }
     }
     return true;
+}
+
+/* XAN Z2 .., YAN Z2 .., WTF Z2 .. */
+static void put_points(struct codev_output *output, const struct lens_points *points,
+                       size_t position)
+{
+    for (int what = 0; what < 3; what++) {
+        const char *word = what < 2 ? codev_field_words[output->lens->field_kind][what] : "WTF";
+        const char *command = arena_printf(output->job->arena, "%s Z%zu", word, position + 1);
+        size_t column = strlen(command);
+        put_string(output, command);
+        for (size_t i = 0; i < points->count; i++) {
+            const struct lens_field *field = &points->fields[i];
+            const struct text weight =
+                field->weight_typed.start != NULL ? field->weight_typed : text_of("1");
+            codev_put_number(output, &column,
+                             what < 2 ? codev_coordinate(output, &field->at[what]) : weight);
+        }
+        put_string(output, "\n");
+    }
 }
 
 /* WL Z2 .. and WTW Z2 .. */
@@ -175,6 +195,9 @@ static void put_stops_and_waves(struct codev_output *output)
         }
         if (lens->lights != NULL) {
             put_light(output, &lens->lights[p], p);
+        }
+        if (lens->points != NULL) {
+            put_points(output, &lens->points[p], p);
         }
     }
 }

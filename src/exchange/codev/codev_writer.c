@@ -11,6 +11,11 @@ enum { LINE = 72 };
 const char *const codev_aperture_words[] = {
     [APERTURE_FNUMBER] = "FNO", [APERTURE_EPD] = "EPD", [APERTURE_NA] = "NAO"};
 
+const char *const codev_field_words[][2] = {[FIELD_ANGLE] = {"XAN", "YAN"},
+                                            [FIELD_HEIGHT] = {"XOB", "YOB"},
+                                            [FIELD_IMAGE] = {"XIM", "YIM"},
+                                            [FIELD_REAL] = {"XRI", "YRI"}};
+
 static void put(struct codev_output *output, struct text text)
 {
     growing_text(&output->writing.text, text);
@@ -30,6 +35,14 @@ void codev_put_number(struct codev_output *output, size_t *column, struct text n
     put_string(output, " ");
     put(output, number);
     *column += number.length + 1;
+}
+
+struct text codev_coordinate(const struct codev_output *output, const struct figure *field)
+{
+    const bool nothing = field->value.hi == 0 && field->typed.start == NULL;
+    return nothing                                   ? text_of("0.0")
+           : output->lens->field_kind == FIELD_ANGLE ? writing_degrees(&output->writing, field)
+                                                     : writing_length(&output->writing, field, 1);
 }
 
 bool codev_put_text(struct codev_output *output, const char *name, const char *string,

@@ -18,6 +18,12 @@ struct codev_output {
 /* The command of an aperture, by its kind. */
 extern const char *const codev_aperture_words[];
 
+/* The commands of the field's points, by their kind: x and y. */
+extern const char *const codev_field_words[][2];
+
+/* The digits of a coordinate of such a point. */
+struct text codev_coordinate(const struct codev_output *output, const struct figure *field);
+
 /* Numbers of one command; long commands go on in the next line. */
 void codev_put_number(struct codev_output *output, size_t *column, struct text number);
 

@@ -195,8 +195,7 @@ static bool place_wave(const struct placing *placing)
     const struct zemax_line *line = placing->setting->line;
     long number = placing->setting->surface;
     if (!(number >= 1 && (size_t)number <= file->wave_count)) {
-        return lens_words_fail(&line->words, line->first, placing->error,
-                               "wavelengths have the numbers 1 to %zu", file->wave_count);
+        return true; /* of a wavelength that is gone */
     }
     struct figure *all = text_same(line->keyword, "WAVE") ? file->waves : file->weights;
     all[number - 1] = line->numbers[2];

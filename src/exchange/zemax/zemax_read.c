@@ -8,7 +8,9 @@
 #include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_surface.h"
 
+#include "base/constants.h"
 #include "file/lens_unit.h"
+#include "optics/wavelength.h"
 
 #include <math.h>
 #include <string.h>
@@ -18,6 +20,28 @@ static struct figure in_unit(struct figure figure, struct number_scale scale)
 {
     pair_read(figure.typed.start, figure.typed.start + figure.typed.length, scale, &figure.value);
     return figure;
+}
+
+/* OBNA degrees 1: the marginal ray's angle at the object, n sin u. */
+static bool set_cone(struct zemax_file *file, const struct zemax_line *line, struct error *error)
+{
+    struct lens *lens = file->build.lens;
+    struct pair index = {1, 0};
+    const double angle = zemax_number(line, 0);
+    const double primary = file->wave_count > 0 ? file->waves[file->primary].value.hi : 0;
+    if (!(angle < 90)) {
+        return lens_words_fail(&line->words, line->numbers[0].typed, error,
+                               "the angle of the cone must be below 90 degrees");
+    }
+    if (!medium_index(&lens->object_medium, primary > 0 ? primary : WAVELENGTH_D, &index, error)) {
+        error->code = ERROR_NONE;
+        lens->aperture_kind = APERTURE_NONE;
+        return zemax_loss(file, line, error,
+                          "the angle of a cone in a medium of unknown index" LOSS_INSTEAD
+                          "the lens gets no aperture");
+    }
+    lens->aperture = figure_of(index.hi * sin(angle * RADIANS_PER_DEGREE), file->job->arena);
+    return true;
 }
 
 static bool set_aperture(struct zemax_file *file, struct error *error)
@@ -42,9 +66,7 @@ static bool set_aperture(struct zemax_file *file, struct error *error)
                                                              : APERTURE_NA;
     bool special = zemax_number(line, 1) != 0;
     if (lens->aperture_kind == APERTURE_NA && special) {
-        lens->aperture_kind = APERTURE_NONE;
-        return zemax_loss(file, line, error,
-                          "the aperture as the angle of a cone: the lens gets none");
+        return set_cone(file, line, error);
     }
     if (lens->aperture_kind == APERTURE_FNUMBER && special && !lens->object_is_infinite) {
         lens->aperture_kind = APERTURE_NONE; /* until its surfaces are known */

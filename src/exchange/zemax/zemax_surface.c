@@ -312,6 +312,41 @@ static const struct {
              {"ODDASPHE", set_odd},      {"XOSPHERE", set_extended_odd}, {"TILTSURF", set_tilted},
              {"TOROIDAL", set_toroidal}, {"PARAXIAL", set_paraxial},     {"COORDBRK", set_nothing}};
 
+/* Are all numbers of the type 0, that stand behind the first two of XDAT: a count and a length? */
+static bool is_of_zeros(struct zemax_file *file, size_t at)
+{
+    const struct zemax_surface *from = &file->surfaces[at];
+    bool none = true, stated = from->extras[1] != NULL;
+    for (size_t i = 1; i < ZEMAX_PARAMETERS; i++) {
+        none = none && zemax_parameter(file, at, i).value.hi == 0;
+        stated = stated || from->parameters[i] != NULL;
+    }
+    for (size_t i = 3; i < ZEMAX_EXTRAS; i++) {
+        none = none && zemax_number(from->extras[i], 1) == 0;
+    }
+    return none && stated;
+}
+
+/*
+ * Types that are what STANDARD is where their own numbers are 0; a grating without lines, or of the
+ * order 0; a Jones matrix, which only acts on polarised light.
+ */
+static bool is_standard_there(struct zemax_file *file, size_t at)
+{
+    static const char *const shapes[] = {"IRREGULA", "BINARY_1", "BINARY_2",
+                                         "XPOLYNOM", "SZERNSAG", "FZERNSAG"};
+    const struct zemax_surface *from = &file->surfaces[at];
+    for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
+        if (is_type(from, shapes[i])) {
+            return is_of_zeros(file, at);
+        }
+    }
+    bool bends =
+        from->parameters[1] == NULL || from->parameters[2] == NULL ||
+        (zemax_parameter(file, at, 1).value.hi != 0 && zemax_parameter(file, at, 2).value.hi != 0);
+    return is_type(from, "JONESMAT") || (is_type(from, "DGRATING") && !bends);
+}
+
 static bool set_type(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
 {
     const struct zemax_surface *from = &file->surfaces[at];
@@ -321,6 +356,11 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
         }
     }
     struct text type = from->type->first;
+    if (is_standard_there(file, at)) {
+        zemax_remark(file, "line %ld: %.*s acts as STANDARD here", from->type->words.number,
+                     text_shown(type), type.start);
+        return true;
+    }
     return foreign_loss(file->job, &from->type->words, type, error,
                         "a surface of the type %.*s" LOSS_OF_POWER LOSS_INSTEAD
                         "its standard form with curvature and conic is used instead",

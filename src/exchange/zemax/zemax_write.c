@@ -51,21 +51,6 @@ static void put_aperture(struct zemax_writer *writer)
     growing_string(&writer->out, "\r\n");
 }
 
-static void put_field(struct zemax_writer *writer, const struct figure *coordinate)
-{
-    const bool angle = writer->lens->field_kind == FIELD_ANGLE;
-    struct figure figure = *coordinate;
-    if (figure.typed.start == NULL && angle) {
-        figure.value = pair_divide(figure.value, pair_of(RADIANS_PER_DEGREE));
-    }
-    growing_string(&writer->out, " ");
-    if (figure.typed.start == NULL && figure.value.hi == 0) {
-        growing_string(&writer->out, "0");
-        return;
-    }
-    growing_figure(&writer->out, &figure, angle ? NUMBER_UNSCALED : writer->unit);
-}
-
 /* Where some is not 1. */
 static void put_field_weights(struct zemax_writer *writer, size_t count)
 {
@@ -102,7 +87,7 @@ static bool put_fields(struct zemax_writer *writer, struct error *error)
     for (int axis = 0; axis < 2; axis++) {
         growing_string(&writer->out, axis == 0 ? "XFLN" : "YFLN");
         for (size_t i = 0; i < count; i++) {
-            put_field(writer, &lens->fields[i].at[axis]);
+            zemax_put_field(writer, &lens->fields[i].at[axis]);
         }
         growing_string(&writer->out, "\r\n");
     }

@@ -1,5 +1,6 @@
 /* exchange/zemax/zemax_write_positions.c - the operands of the configurations of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "exchange/zemax/zemax_aperture.h"
 #include "exchange/zemax/zemax_writer.h"
 #include "file/lens_unit.h"
@@ -124,6 +125,49 @@ static bool put_waves_of_positions(struct zemax_writer *writer, struct error *er
     return true;
 }
 
+void zemax_put_field(struct zemax_writer *writer, const struct figure *coordinate)
+{
+    const bool angle = writer->lens->field_kind == FIELD_ANGLE;
+    struct figure figure = *coordinate;
+    if (figure.typed.start == NULL && angle) {
+        figure.value = pair_divide(figure.value, pair_of(RADIANS_PER_DEGREE));
+    }
+    growing_string(&writer->out, " ");
+    if (figure.typed.start == NULL && figure.value.hi == 0) {
+        growing_string(&writer->out, "0");
+        return;
+    }
+    growing_figure(&writer->out, &figure, angle ? NUMBER_UNSCALED : writer->unit);
+}
+
+/* XFIE, YFIE, FLWT */
+static bool put_fields_of_positions(struct zemax_writer *writer, struct error *error)
+{
+    static const char *const words[] = {"XFIE", "YFIE", "FLWT"};
+    const struct lens *lens = writer->lens;
+    for (size_t p = 0; p < lens->position_count; p++) {
+        if (lens->points[p].count != lens->field_count) {
+            return foreign_lose(writer->job, error,
+                                "positions with more or fewer points of the field" LOSS_INSTEAD
+                                "those of the first are kept");
+        }
+    }
+    for (size_t i = 0; i < 3 * lens->field_count; i++) {
+        for (size_t p = 0; p < lens->position_count; p++) {
+            const struct lens_field *field = &lens->points[p].fields[i / 3];
+            growing_format(&writer->out, "%s %zu %zu", words[i % 3], i / 3 + 1, p + 1);
+            if (i % 3 == 2) {
+                growing_string(&writer->out, " ");
+                growing_number(&writer->out, field->weight);
+            } else {
+                zemax_put_field(writer, &field->at[i % 3]);
+            }
+            end_operand(writer);
+        }
+    }
+    return true;
+}
+
 static bool put_stops_and_waves(struct zemax_writer *writer, struct error *error)
 {
     const struct lens *lens = writer->lens;
@@ -131,7 +175,8 @@ static bool put_stops_and_waves(struct zemax_writer *writer, struct error *error
         growing_format(&writer->out, "STPS 0 %zu %zu", p + 1, writer->own_places[lens->stops[p]]);
         end_operand(writer);
     }
-    return lens->lights == NULL || put_waves_of_positions(writer, error);
+    return (lens->lights == NULL || put_waves_of_positions(writer, error)) &&
+           (lens->points == NULL || put_fields_of_positions(writer, error));
 }
 
 /* The object's distance, distances, diameters and apertures of each position. */

@@ -44,6 +44,9 @@ const char *zemax_operand_of(const struct surface *surface, struct parameter par
 void zemax_put_number(struct zemax_writer *writer, struct parameter parameter,
                       const struct figure *figure);
 
+/* A coordinate of a point of the field, behind a blank. */
+void zemax_put_field(struct zemax_writer *writer, const struct figure *figure);
+
 /* The configurations, as many as the lens has positions. The surfaces were put. */
 bool zemax_put_positions(struct zemax_writer *writer, struct error *error);
 
