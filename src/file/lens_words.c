@@ -126,7 +126,7 @@ bool lens_words_figure(const struct lens_words *words, struct text text, struct 
         lens_words_fail(words, wrong, error, "the %s '%.*s' is not a number", what,
                         text_shown(text), text.start);
         if (behind != NULL && *behind == ',') {
-            error_hint(error, "the decimal point is a point");
+            error_hint(error, "the decimal separator must be a point");
         }
         return false;
     }

@@ -77,11 +77,16 @@ static bool no_such_unit(const struct column *column, struct text name, struct e
                 name.start + length);
 }
 
-/* Is it the column's name, label or symbol as people type them: "Near Limit", "near-limit"? */
-static bool is_spelt(struct text name, const struct column *column)
+/* What people may call a column: its name in any spelling, before its label or symbol. */
+enum calling { BY_NAME, BY_LABEL, CALLINGS };
+
+/* Is it called so: "Near_M", "near-limit", "H"? */
+static bool is_called(struct text name, const struct column *column, enum calling by)
 {
-    return text_same_name(name, text_of(column->name)) ||
-           (column->label != NULL && text_same_name(name, text_of(column->label))) ||
+    if (by == BY_NAME) {
+        return text_same_name(name, text_of(column->name));
+    }
+    return (column->label != NULL && text_same_name(name, text_of(column->label))) ||
            (column->symbol != NULL && text_equal(name, column->symbol));
 }
 
@@ -101,9 +106,9 @@ static const struct unit *cut_unit(struct text *name, const struct column *colum
     return unit;
 }
 
-/* A name in another spelling, which must stand for one column only. */
-static bool find_spelt(const struct sheet *sheet, struct text name, struct arena *arena,
-                       struct shown *shown)
+/* A name that stands for one column only. */
+static bool find_called(const struct sheet *sheet, struct text name, enum calling by,
+                        struct arena *arena, struct shown *shown)
 {
     int found = 0;
     for (size_t i = 0; i < sheet->column_count; i++) {
@@ -111,10 +116,11 @@ static bool find_spelt(const struct sheet *sheet, struct text name, struct arena
         struct text bare = name;
         const struct unit *unit = cut_unit(&bare, column);
         const struct shown usual = show_usual(column, arena);
-        if (is_spelt(name, column) || text_same_name(name, text_of(usual.name))) {
+        bool whole = by == BY_NAME && text_same_name(name, text_of(usual.name));
+        if (whole || is_called(name, column, by)) {
             *shown = usual;
             found++;
-        } else if (unit != NULL && is_spelt(bare, column)) {
+        } else if (unit != NULL && is_called(bare, column, by)) {
             *shown = show(column, unit, arena);
             found++;
         }
@@ -171,8 +177,10 @@ bool report_find_column(const struct sheet *sheet, struct text name, struct aren
         nearest_offer(&nearest, text_of(show_usual(column, arena).name));
         nearest_offer(&nearest, text_of(column->name));
     }
-    if (find_spelt(sheet, name, arena, shown)) {
-        return true;
+    for (enum calling by = BY_NAME; by < CALLINGS; by++) {
+        if (find_called(sheet, name, by, arena, shown)) {
+            return true;
+        }
     }
     if (other_unit != NULL) {
         return no_such_unit(other_unit, name, error);

@@ -6,6 +6,8 @@ dof --columns N,s,near
 dof --columns aperture,focal-length,distance
 dof --columns 'Near Limit,far-limit,Depth_of_Field,H'
 dof --columns near_limit_ft,FAR_M
+lenscalc flash -g 36 -s 3 --columns 'guide number,f-number' --csv
+lenscalc exposure --ev 12 -N 8 --columns 't,EV at ISO 100,time-ms' --csv
 dof --columns limit
 dof --columns blur
 dof --columns sharpness

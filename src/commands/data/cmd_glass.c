@@ -348,8 +348,8 @@ static bool run(const void *data, struct run *run, struct error *error)
     struct question question = {.input = input, .run = run, .wavelength = NAN};
     const char *option = search_option(input);
     if (input->glass.record != NULL && option != NULL) {
-        return fail(error, ERROR_USAGE, "{--%s} searches all glasses: it does not go with a name",
-                    option);
+        return fail(error, ERROR_USAGE,
+                    "{--%s} searches all glasses: it cannot be combined with a name", option);
     }
     if (input->glass.record != NULL) {
         return show_named(&question, error);
@@ -357,7 +357,7 @@ static bool run(const void *data, struct run *run, struct error *error)
     if (input->like.record != NULL && (!isnan(input->nd.near) || !isnan(input->Vd.near))) {
         fail(error, ERROR_USAGE, "{--like} and a single {--%s} both say what is nearest",
              !isnan(input->nd.near) ? "nd" : "vd");
-        return error_hint(error, "with {--like} say LOW..HIGH");
+        return error_hint(error, "with {--like} give LOW..HIGH");
     }
     const struct glass_wishes wishes = wishes_of(input);
     return glass_search(&wishes, run->db, run->arena, show_found, &question, error);
@@ -370,7 +370,7 @@ static bool check_diagram(const struct artifact_job *job, struct error *error)
     if (input->glass.record == NULL) {
         return true;
     }
-    fail(error, ERROR_USAGE, "{--abbe} searches all glasses: it does not go with a name");
+    fail(error, ERROR_USAGE, "{--abbe} searches all glasses: it cannot be combined with a name");
     return error_hint(error, "{--label} %s shows it", input->glass.name);
 }
 

@@ -79,7 +79,7 @@ static const struct example examples[] = {
     {"list columns dof", "what dof prints: columns, units, meanings"},
     {"list formats --kind cine-film --csv", "one class, for a spreadsheet"},
     {"list films hp5", "what is published on a film, and by whom"},
-    {"list scenes moon", "light by moon, and of the moon"},
+    {"list scenes moon", "moonlight, and the moon itself"},
     {"list stops --kind third", "the third-stop series with exact values"},
     {NULL, NULL},
 };

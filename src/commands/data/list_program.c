@@ -56,7 +56,7 @@ static bool list_stops(struct list *list, struct error *error)
         const char *file, *quantity;
         double stops_per_octave; /* a larger f-number passes less light */
     } quantities[] = {
-        {"fstops.tsv", "f-number", -2}, {"shutters.tsv", "time", 1}, {"iso.tsv", "iso", 1}};
+        {"fstops.tsv", "f-number", -2}, {"shutters.tsv", "time (s)", 1}, {"iso.tsv", "iso", 1}};
     static const char *const series[] = {"full", "half", "third"};
     for (size_t i = 0; i < 3; i++) {
         for (size_t j = 0; j < 3; j++) {
