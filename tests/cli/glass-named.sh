@@ -4,10 +4,12 @@ lens() {
     printf '  CURV 0.02\n  DISZ 4\n  GLAS %s\nSURF 2\n  CURV -0.02\n  DISZ 90\nSURF 3\n' "$2"
 }
 lens CDGM 'BAF6 0 0 1.60801 46.21' > baf6.zmx
-lenscalc lens baf6.zmx
-echo "status $?"
 # the model glass of nd 1.60801: 1/f = (n - 1) (2/R - (n - 1) d/(n R^2)), f = 41.7492 mm
-lenscalc lens baf6.zmx --lossy --csv --columns efl --digits 6
+lenscalc lens baf6.zmx --csv --columns efl,warning --digits 6
+# in the infrared nd and Vd do not describe a glass
+sed 's/^GCAT/WAVM 1 4 1\nGCAT/' baf6.zmx > infrared.zmx
+lenscalc lens infrared.zmx
+echo "status $?"
 lens 'SCHOTT CDGM' 'F2 0 0 1.61293 36.96' > f2.zmx
 lenscalc convert f2.zmx | tail -n 2
 lens MISC 'WATER 0 0 1.5 40' > water.zmx

@@ -112,6 +112,18 @@ static const struct meaning of_glasses[] = {
     {NO_GLASS, WITH("SCHOTT", "N-BK7 0 0 1.51685 64.11"), "surface 50 4 SCHOTT:N-BK7 - stop"},
     /* as the maker prints it, Vd to 0.1 */
     {NO_GLASS, WITH("SUMITA", "F1 0 0 1.62588 35.6"), "surface 50 4 SUMITA:F1 - stop"},
+    /* HOYA has a BAF6, of nd 1.589003 and Vd 48.54: not what is meant */
+    {NO_GLASS, WITH("CDGM", "BAF6 0 0 1.60801 46.21"), "surface 50 4 1.60801/46.21 - stop"},
+    {NO_GLASS, WITH("CDGM", "BAF6 0 0 1.60801 46.21"),
+     "note the glass 'BAF6' of nd 1.60801 and Vd 46.21 is in none of the file's catalogues (CDGM): "
+     "nd and Vd are used instead"},
+    {NO_GLASS, WITH("HOYA OHARA", "BAF6 0 0 1.60801 46.21"),
+     "note the glass 'BAF6' of nd 1.60801 and Vd 46.21 is in none of the file's catalogues (HOYA, "
+     "OHARA): nd and Vd are used instead"},
+    {"GLAS ___BLANK 1 0 1.5 0", "GLAS NOGLASS 0 0 1.6 50", "surface 50 4 1.6/50 - stop"},
+    /* N-BK7 beyond 6e-5 and 0.1 % */
+    {NO_GLASS, WITH("SCHOTT", "N-BK7 0 0 1.51688 64.167"), "surface 50 4 1.51688/64.167 - stop"},
+    {NO_GLASS, WITH("SCHOTT", "N-BK7 0 0 1.5168 64.25"), "surface 50 4 1.5168/64.25 - stop"},
     /* editions and former names of catalogues */
     {NO_GLASS, WITH("CDGM-ZEMAX201409", "F2"), "surface 50 4 CDGM:F2 - stop"},
     {NO_GLASS, WITH("OLD_SCHOTT", "F2"), "surface 50 4 SCHOTT:F2 - stop"},
@@ -354,25 +366,8 @@ static const struct refusal losses[] = {
      "the coefficient A22: lenscalc goes up to A20", ""},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS @___BLANK 1 0 1.5 60 0.01",
      "the deviation 0.01 of the partial dispersion PgF", ""},
-    {"GLAS ___BLANK 1 0 1.5 0", "GLAS @NOGLASS 0 0 1.6 50",
-     "the glass 'NOGLASS' of nd 1.6 and Vd 50 is in no catalogue", "nd and Vd are used instead"},
     {"GLAS ___BLANK 1 0 1.5 0", "GLAS @N-BK7 4 0 1.5168 64.17 0 0 0 0 0.001",
      "a glass with an offset of its index or dispersion", ""},
-    /* HOYA has a BAF6, of nd 1.589003 and Vd 48.54: not what is meant */
-    {NO_GLASS, WITH("CDGM", "@BAF6 0 0 1.60801 46.21"),
-     "the glass 'BAF6' of nd 1.60801 and Vd 46.21 is in none of the file's catalogues (CDGM)",
-     "nd and Vd are used instead"},
-    {NO_GLASS, WITH("HOYA OHARA", "@BAF6 0 0 1.60801 46.21"),
-     "the glass 'BAF6' of nd 1.60801 and Vd 46.21 is in none of the file's catalogues (HOYA, "
-     "OHARA)",
-     "nd and Vd are used instead"},
-    /* N-BK7 beyond 6e-5 and 0.1 % */
-    {NO_GLASS, WITH("SCHOTT", "@N-BK7 0 0 1.51688 64.167"),
-     "the glass 'N-BK7' of nd 1.51688 and Vd 64.167 is in none of the file's catalogues (SCHOTT)",
-     "nd and Vd are used instead"},
-    {NO_GLASS, WITH("SCHOTT", "@N-BK7 0 0 1.5168 64.25"),
-     "the glass 'N-BK7' of nd 1.5168 and Vd 64.25 is in none of the file's catalogues (SCHOTT)",
-     "nd and Vd are used instead"},
     {"CURV -0.02", "CURV -0.02\n  GLAS @___BLANK 2 5 1.5 0",
      "a glass that follows no earlier surface", "the file's glass is kept"},
     {"  TYPE STANDARD\n  DISZ 0\n", "  DISZ 0\nMNUM 2 1\nFLTP 0 1 0\nFLTP 0 2 2\n",

@@ -106,6 +106,17 @@ static bool has_index(const struct zemax_line *line)
     return nd > 1 && nd < 100 && Vd > 0 && !(nd == 1.5 && Vd == 40);
 }
 
+/* nd and Vd describe a glass where all of the file's light is visible. */
+static bool is_visible(const struct zemax_file *file)
+{
+    const double shortest = 0.4, longest = 0.8; /* um */
+    bool is = true;
+    for (size_t i = 0; i < file->wave_count; i++) {
+        is = is && file->waves[i].value.hi >= shortest && file->waves[i].value.hi <= longest;
+    }
+    return is;
+}
+
 /* No catalogue has it so: the indices beside its name. */
 static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line,
                           struct medium *medium, struct error *error)
@@ -118,13 +129,18 @@ static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line
                          "the glass '%.*s' is in %s, and the file has no index of it", length,
                          line->keyword.start, catalog_list(file)));
     }
-    file->job->lacks_glass = true;
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
+    const char *what = arena_printf(
+        file->job->arena, "the glass '%.*s' of nd %g and Vd %g is in %s", length,
+        line->keyword.start, zemax_number(line, 2), zemax_number(line, 3), catalog_list(file));
+    if (is_visible(file)) {
+        medium->warning = arena_printf(file->job->arena, "%s: nd and Vd are used instead", what);
+        lens_build_note(&file->build, text_of(medium->warning));
+        return true;
+    }
+    file->job->lacks_glass = true;
     return zemax_loss(file, line, error,
-                      "the glass '%.*s' of nd %g and Vd %g is in %s" LOSS_OF_POWER LOSS_INSTEAD
-                      "nd and Vd are used instead",
-                      length, line->keyword.start, zemax_number(line, 2), zemax_number(line, 3),
-                      catalog_list(file));
+                      "%s" LOSS_OF_POWER LOSS_INSTEAD "nd and Vd are used instead", what);
 }
 
 /* In the file's catalogues, else as the file describes it. */
