@@ -71,6 +71,22 @@ static const struct {
     {"camera body filmformat", "sensor"},
     {"focal", "focal-length"},
     {"circleofconfusion", "coc"},
+    {"extension extensiontube bellows", "tube"},
+    {"teleconverter extender tc", "converter"},
+    {"diopter diopters dioptre dioptres closeuplens", "close-up"},
+    {"anamorphic desqueeze", "squeeze"},
+    {"gn", "guide-number"},
+    {"fps rate", "frame-rate"},
+    {"duration eventlength", "event"},
+    {"frames photos pictures exposures", "shots"},
+    {"wb whitebalance", "balance"},
+    {"cct colortemperature colourtemperature", "kelvin"},
+    {"hz mainsfrequency", "mains"},
+    {"paper printsize", "print"},
+    {"agl flightheight", "altitude"},
+    {"groundsampledistance groundsample", "gsd"},
+    {"memory storage cardsize", "card"},
+    {"filesize", "frame-size"},
 };
 
 /* The option of this command that such a word means, or whose column has this name; or null. */

@@ -95,6 +95,15 @@ static bool count_shots(const struct input *input, struct bracket_given *given, 
     return true;
 }
 
+/* From one end alone there is no telling how far. */
+static bool check_ends(const struct bracket_given *given, struct error *error)
+{
+    bool from = is_given(given->from), to = is_given(given->to);
+    return from == to || is_given(given->shots) ||
+           fail(error, ERROR_USAGE, "{--%s} needs {--%s} too, or {--shots}", from ? "from" : "to",
+                from ? "to" : "from");
+}
+
 static bool make_plan(const struct input *input, struct bracket *plan, struct error *error)
 {
     struct bracket_given given = input->given;
@@ -111,7 +120,7 @@ static bool make_plan(const struct input *input, struct bracket *plan, struct er
                     "{--from} or {--to}, its ends");
     }
     if (!is_given(input->time)) {
-        return bracket_plan(&given, plan, error);
+        return check_ends(&given, error) && bracket_plan(&given, plan, error);
     }
     if (is_given(given.from) || is_given(given.to) || !is_given(given.shots)) {
         return fail(error, ERROR_USAGE,

@@ -197,9 +197,8 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     struct exposure_row row;
     own.given.N = lens->N;
     own.lens.pupil = lens->P;
-    if (lamps_asked(&input->lamps) && !exposure_is_asked(input)) {
-        exposure_blank(input, &row);
-    } else if (!exposure_answer(input, &row, error)) {
+    bool blank = lamps_asked(&input->lamps) && !exposure_is_asked(input);
+    if (!(blank ? exposure_blank : exposure_answer)(input, &row, error)) {
         return false;
     }
     const struct lamp_camera camera = {input->filter.mired, row.x.t, input->frame_rate};

@@ -301,7 +301,11 @@ static bool fill_ground(const struct input *input, struct row *row, struct run *
     }
     row->pitch = sharpness_pitch(&pixels);
     sharpness_doubt_pitch(&pixels, run->doubts);
-    if (isnan(row->pitch) && isnan(input->gsd)) {
+    if (isnan(row->pitch) && !isnan(input->gsd)) {
+        return fail(error, ERROR_USAGE,
+                    "{--gsd} needs the pixel pitch: give {--pitch}, or a camera as {--sensor}");
+    }
+    if (isnan(row->pitch)) {
         doubts_add(run->doubts, "the ground sample needs the pixel pitch (--pitch, or --sensor "
                                 "with a camera): it is left out");
     }

@@ -175,24 +175,6 @@ static bool solve_metered(const struct exposure_input *input, struct exposure_gi
     return true;
 }
 
-bool exposure_is_asked(const struct exposure_input *input)
-{
-    const struct exposure_given *g = &input->given;
-    return count_lights(g) > 0 || !isnan(g->N) || !isnan(g->t) || !isnan(g->S) ||
-           !isnan(input->metered) || !isnan(input->corrected_time) ||
-           !isnan(input->shutter_angle) || !isnan(input->t_stop) || input->scene.name != NULL ||
-           input->film.name != NULL || input->focal_plane || input->equivalent;
-}
-
-void exposure_blank(const struct exposure_input *input, struct exposure_row *row)
-{
-    begin_row(input, row);
-    take_time_only(&input->given, row);
-    row->residual = row->compensation = NAN;
-    row->transmittance = input->transmittance;
-    row->frame_rate = input->frame_rate;
-}
-
 /* With a film whose speed is known: in place of the usual speed, where one is assumed. */
 static bool take_box_speed(const struct exposure_input *input, struct exposure_given *g,
                            struct exposure_row *row, struct error *error)
@@ -317,6 +299,29 @@ static void fill_nominal(const struct exposure_input *input, struct exposure_row
         row->residual = NAN; /* for a timer, not for a shutter */
     }
     row->residual += solved_speed ? log2(S / row->x.S) : 0;
+}
+
+bool exposure_is_asked(const struct exposure_input *input)
+{
+    const struct exposure_given *g = &input->given;
+    return count_lights(g) > 0 || !isnan(g->N) || !isnan(g->S) || !isnan(input->metered) ||
+           !isnan(input->corrected_time) || !isnan(input->t_stop) || input->scene.name != NULL ||
+           input->film.name != NULL || input->focal_plane || input->equivalent;
+}
+
+bool exposure_blank(const struct exposure_input *input, struct exposure_row *row,
+                    struct error *error)
+{
+    struct exposure_given given = input->given;
+    begin_row(input, row);
+    if (!take_time(input, &given, row, error)) {
+        return false;
+    }
+    take_time_only(&given, row);
+    row->residual = row->compensation = NAN;
+    row->transmittance = input->transmittance;
+    row->frame_rate = input->frame_rate;
+    return isnan(row->x.t) || fill_shutter(input, row, error);
 }
 
 bool exposure_answer(const struct exposure_input *input, struct exposure_row *row,

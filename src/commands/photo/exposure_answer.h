@@ -47,11 +47,12 @@ struct exposure_row {
     struct lamp_row lamps; /* filled in by the command */
 };
 
-/* Is an exposure asked for at all, or only what lamps do? */
+/* Is an exposure asked for at all, or only what lamps do, perhaps in a given time? */
 bool exposure_is_asked(const struct exposure_input *input);
 
-/* A row without an exposure. */
-void exposure_blank(const struct exposure_input *input, struct exposure_row *row);
+/* A row without an exposure but its time. Errors as shutter_solve. */
+bool exposure_blank(const struct exposure_input *input, struct exposure_row *row,
+                    struct error *error);
 
 /*
  * Solve for what is not given, and all that follows from it.
