@@ -25,3 +25,5 @@ lenscalc list columns --jsonl | grep -c '"meaning":null'
 lenscalc dof -f 50 --fnumber 8 -s 3
 lenscalc exposure --metered 1/125 --nd 10
 lenscalc exposure --shutter-speed 1/125
+# labels that two columns of a command share, so that neither answers to it
+lenscalc list columns --tsv --columns command,label | sort | uniq -d

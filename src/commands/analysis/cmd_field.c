@@ -53,11 +53,11 @@ static const struct column columns[] = {
     {LENGTH(petzval, COLUMN_BRIEF | COLUMN_SPARSE), .name = "petzval", .symbol = "P",
      .label = "Petzval", .help = "Petzval surface at that image height, from the image plane"},
     {PLAIN(tangential_power, COLUMN_BRIEF | COLUMN_SPARSE), .name = "tangential_per_m",
-     .label = "tangential",
+     .label = "tangential, vergence",
      .help = "where the image is at infinity: index over the distance of "
              "the tangential focus from the exit pupil, 1/m"},
     {PLAIN(sagittal_power, COLUMN_BRIEF | COLUMN_SPARSE), .name = "sagittal_per_m",
-     .label = "sagittal", .help = "the same of the sagittal focus, 1/m"},
+     .label = "sagittal, vergence", .help = "the same of the sagittal focus, 1/m"},
     {LENGTH(tangential_z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "tangential_z",
      .label = "tangential z", .help = "tangential focus from the last vertex"},
     {LENGTH(sagittal_z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sagittal_z",

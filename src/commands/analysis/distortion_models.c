@@ -61,7 +61,7 @@ static const struct column columns[] = {
     {COLUMN(struct row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED, .depends = "sensor",
      .label = "sensor", .help = "format or camera"},
     {LENGTH(pitch, "um", COLUMN_ASSUMED), .name = "pitch", .depends = "pitch sensor",
-     .label = "pixel pitch", .help = "distance of two pixels"},
+     .label = "pixel pitch", .help = "spacing of the pixels"},
     {COLUMN(struct row, resolution), .name = "resolution", .flags = COLUMN_ASSUMED,
      .depends = "pitch sensor", .label = "pixels", .help = "of the picture"},
     ANALYSIS_TAIL_COLUMNS(struct row, point),

@@ -59,7 +59,7 @@ static const struct column camera_columns[] = {
     {SENSOR(pixels_high), .name = "pixels_high", .flags = COLUMN_BRIEF | COLUMN_ECHO,
      .label = "pixels high", .help = "pixel count along the height"},
     {SENSOR_LENGTH(pitch, "um"), .name = "pitch", .flags = COLUMN_BRIEF, .label = "pixel pitch",
-     .help = "distance of two pixels"},
+     .help = "spacing of the pixels"},
     {SENSOR(pitch_from), .name = "pitch_from", .flags = COLUMN_BRIEF, .label = "pitch from",
      .help = "published, counts (width over pixels), or estimate (from an estimated count)"},
     SENSOR_ORIGIN,

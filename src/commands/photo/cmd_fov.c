@@ -160,7 +160,7 @@ static const struct column columns[] = {
      .depends = "projection lens pupil", .label = "projection", .help = "how the lens maps angles"},
     {LENGTH(pitch, "um"), .name = "pitch", .with = "altitude gsd", .symbol = "p",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED, .depends = "pitch sensor",
-     .label = "pixel pitch", .help = "distance of two pixels"},
+     .label = "pixel pitch", .help = "spacing of the pixels"},
     COLUMN_FROM(struct row, from),
     COLUMN_PUPIL(struct row, setting.P),
     {COLUMN(struct row, setting.squeeze), .name = "squeeze", .symbol = "q",

@@ -117,10 +117,10 @@ static const struct column columns[] = {
     {NUMBER(npf_assumed), .name = "npf_assumed", ASSUMED, .depends = "pitch sensor aperture",
      .label = "NPF rule for", .help = "what was taken where f-number or pixel pitch is not known"},
     {LENGTH(pitch, "um"), .name = "pitch", ASSUMED, .depends = "pitch sensor",
-     .label = "pixel pitch", .help = "distance of two pixels"},
+     .label = "pixel pitch", .help = "spacing of the pixels"},
     COLUMN_SENSOR(struct row, sensor),
     {NUMBER(criterion), .name = "trail_criterion", ASSUMED, .depends = "coc trail",
-     .label = "trail", .help = "where the allowed trail comes from"},
+     .label = "trail criterion", .help = "where the allowed trail comes from"},
 };
 
 /* How long a trail may be: as asked, else the circle of confusion. */

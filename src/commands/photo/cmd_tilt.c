@@ -107,7 +107,7 @@ static const struct column columns[] = {
     {ANGLE(sight), .name = "sight", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "sight",
      .symbol = "b", .label = "line of sight", .help = "above the sensor's normal"},
     {LENGTH(height, "mm"), .name = "image_height", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
-     .with = "sight", .label = "its image above the middle",
+     .with = "sight", .label = "image height above the middle",
      .help = "where that line of sight meets the sensor, above the lens axis"},
     {LENGTH(reach.near, "m"), .name = "near", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "n", .label = "near limit", .help = "nearest sharp distance on the line of sight"},
