@@ -11,8 +11,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const char signature[] = "\x89PNG\r\n\x1a\n";
-enum { SIGNATURE = 8, FRAME = 12, HEADER = 13, LINEAR = 100000, SRGB_GAMMA = 45455 };
+/* what gAMA says beside sRGB */
+enum { SRGB_GAMMA = 45455 };
 
 static void put_chunk(struct bytes *to, const char *type, const void *data, size_t count)
 {
@@ -26,19 +26,19 @@ static void put_chunk(struct bytes *to, const char *type, const void *data, size
 static void put_header(struct bytes *to, const struct image *image, int bits)
 {
     static const unsigned char colors[] = {0, 0, 4, 2, 6};
-    unsigned char header[HEADER] = {0};
+    unsigned char header[PNG_HEADER] = {0};
     for (int i = 0; i < 4; i++) {
         header[i] = (unsigned char)(image->width >> (24 - 8 * i));
         header[4 + i] = (unsigned char)(image->height >> (24 - 8 * i));
     }
     header[8] = (unsigned char)bits;
     header[9] = colors[image->channels];
-    put_chunk(to, "IHDR", header, HEADER);
+    put_chunk(to, "IHDR", header, PNG_HEADER);
 }
 
 static void put_encoding(struct bytes *to, enum image_values values)
 {
-    const uint32_t gamma = values == IMAGE_LIGHT ? SRGB_GAMMA : LINEAR;
+    const uint32_t gamma = values == IMAGE_LIGHT ? SRGB_GAMMA : PNG_GAMMA_LINEAR;
     const unsigned char big[] = {(unsigned char)(gamma >> 24), (unsigned char)(gamma >> 16),
                                  (unsigned char)(gamma >> 8), (unsigned char)gamma};
     if (values == IMAGE_LIGHT) {
@@ -160,7 +160,7 @@ bool png_write(const struct image *image, const struct image_way *way, struct ar
     if (!image_check(image, IMAGE_NUMBERS, error)) {
         return false;
     }
-    bytes_put(&to, signature, SIGNATURE);
+    bytes_put(&to, PNG_SIGNATURE, PNG_START);
     put_header(&to, image, way->bits);
     put_encoding(&to, way->values);
     for (size_t i = 0; i < image->note_count; i++) {

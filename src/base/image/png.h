@@ -32,4 +32,13 @@ bool png_read(struct text file, enum image_values values, struct arena *arena, s
 bool png_write(const struct image *image, const struct image_way *way, struct arena *arena,
                struct text *file, struct error *error);
 
+/* The format's own numbers. */
+#define PNG_SIGNATURE "\x89PNG\r\n\x1a\n"
+enum {
+    PNG_START = sizeof PNG_SIGNATURE - 1,
+    PNG_HEADER = 13,          /* bytes of IHDR */
+    PNG_FRAME = 12,           /* bytes of a chunk beside its data */
+    PNG_GAMMA_LINEAR = 100000 /* of gAMA */
+};
+
 #endif

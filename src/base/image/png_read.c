@@ -9,8 +9,7 @@
 #include <assert.h>
 #include <math.h>
 
-static const char signature[] = "\x89PNG\r\n\x1a\n";
-enum { SIGNATURE = 8, FRAME = 12, HEADER = 13, LINEAR = 100000, PALETTE_MOST = 256 };
+enum { PALETTE_MOST = 256 };
 /* samples of a pixel, by colour type */
 static const unsigned char samples[] = {1, 0, 3, 1, 2, 0, 4};
 enum { GREY = 0, COLORS = 2, PALETTE = 3, GREY_ALPHA = 4, COLORS_ALPHA = 6 };
@@ -37,7 +36,7 @@ struct chunk {
 
 bool png_is(struct text file)
 {
-    return file.length >= SIGNATURE && memcmp(file.start, signature, SIGNATURE) == 0;
+    return file.length >= PNG_START && memcmp(file.start, PNG_SIGNATURE, PNG_START) == 0;
 }
 
 static bool chunk_wrong(const struct chunk *chunk, const char *what, struct error *error)
@@ -48,7 +47,7 @@ static bool chunk_wrong(const struct chunk *chunk, const char *what, struct erro
 static bool read_chunk(struct text file, size_t at, struct chunk *chunk, struct error *error)
 {
     const unsigned char *start = (const unsigned char *)file.start + at;
-    if (file.length - at < FRAME) {
+    if (file.length - at < PNG_FRAME) {
         return fail(error, ERROR_DATA, "PNG: ends at byte %zu, before its end mark", file.length);
     }
     *chunk = (struct chunk){.at = at, .data = start + 8, .count = bytes_big(start, 4)};
@@ -59,7 +58,7 @@ static bool read_chunk(struct text file, size_t at, struct chunk *chunk, struct 
             return fail(error, ERROR_DATA, "PNG: no chunk begins at byte %zu", at);
         }
     }
-    if (chunk->count > file.length - at - FRAME) {
+    if (chunk->count > file.length - at - PNG_FRAME) {
         return fail(error, ERROR_DATA,
                     "PNG: chunk '%s' at byte %zu has %zu bytes, and the file ends at byte %zu",
                     chunk->type, at, chunk->count, file.length);
@@ -71,13 +70,13 @@ static bool read_chunk(struct text file, size_t at, struct chunk *chunk, struct 
 /* Hand a chunk on to stb; a palette's numbers go as shades of grey, so that each can be checked. */
 static bool pass(struct png *png, const struct chunk *chunk, struct error *error)
 {
-    unsigned char *copy = bytes_room(&png->plain, FRAME + chunk->count);
+    unsigned char *copy = bytes_room(&png->plain, PNG_FRAME + chunk->count);
     (void)error;
-    memcpy(copy, chunk->data - 8, FRAME + chunk->count);
-    if (chunk->at == SIGNATURE && png->color == PALETTE) {
+    memcpy(copy, chunk->data - 8, PNG_FRAME + chunk->count);
+    if (chunk->at == PNG_START && png->color == PALETTE) {
         copy[8 + 9] = GREY;
     }
-    png->plain.used += FRAME + chunk->count;
+    png->plain.used += PNG_FRAME + chunk->count;
     return true;
 }
 
@@ -96,7 +95,7 @@ static bool is_kind(int color, int bits)
 
 static bool take_header(struct png *png, const struct chunk *chunk, struct error *error)
 {
-    if (chunk->count != HEADER) {
+    if (chunk->count != PNG_HEADER) {
         return chunk_wrong(chunk, "must have 13 bytes", error);
     }
     png->width = bytes_big(chunk->data, 4);
@@ -153,7 +152,7 @@ static bool take_srgb(struct png *png, const struct chunk *chunk, struct error *
 
 static bool take_gamma(struct png *png, const struct chunk *chunk, struct error *error)
 {
-    png->gamma = chunk->count == 4 ? (double)bytes_big(chunk->data, 4) / LINEAR : 0;
+    png->gamma = chunk->count == 4 ? (double)bytes_big(chunk->data, 4) / PNG_GAMMA_LINEAR : 0;
     return png->gamma > 0 || chunk_wrong(chunk, "must be a number above 0", error);
 }
 
@@ -209,7 +208,7 @@ static bool take_chunk(struct png *png, const struct chunk *chunk, struct error 
         {"IDAT", take_data},   {"IEND", pass},         {"sRGB", take_srgb},
         {"gAMA", take_gamma},  {"tEXt", take_latin},   {"iTXt", take_unicode},
     };
-    if ((chunk->at == SIGNATURE) != (strcmp(chunk->type, "IHDR") == 0)) {
+    if ((chunk->at == PNG_START) != (strcmp(chunk->type, "IHDR") == 0)) {
         return chunk_wrong(chunk, "is not where it belongs", error);
     }
     for (size_t i = 0; i < sizeof takers / sizeof *takers; i++) {
@@ -284,11 +283,11 @@ bool png_read(struct text file, enum image_values values, struct arena *arena, s
               struct error *error)
 {
     struct png png = {.plain = {.arena = arena}, .image = image};
-    struct chunk chunk = {.at = SIGNATURE};
+    struct chunk chunk = {.at = PNG_START};
     struct stb_picture picture;
     *image = (struct image){0};
-    bytes_put(&png.plain, signature, SIGNATURE);
-    for (size_t at = SIGNATURE; strcmp(chunk.type, "IEND") != 0; at += FRAME + chunk.count) {
+    bytes_put(&png.plain, PNG_SIGNATURE, PNG_START);
+    for (size_t at = PNG_START; strcmp(chunk.type, "IEND") != 0; at += PNG_FRAME + chunk.count) {
         if (!read_chunk(file, at, &chunk, error) || !take_chunk(&png, &chunk, error)) {
             return false;
         }
