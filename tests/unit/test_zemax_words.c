@@ -222,6 +222,9 @@ static const struct meaning of_surfaces[] = {
     {"NAME Singlet", "NAME Singlet\nGFAC 0 2", "aperture epd 10"},
     {"NAME Singlet", "NAME Singlet\nGFAC 1 0", "aperture epd 10"},
     {"NAME Singlet", "NAME Singlet\nVCYN 0 0\nZVDY 0", "aperture epd 10"},
+    {"DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\nSURF 2\n",
+     "DISZ 4\n  GLAS ___BLANK 1 0 1.5 0\n  DIAM 6\nSURF 2\n  DIAM 5\nVCYN 0 0.1\n",
+     "note vignetting factors of the fields: the clear diameters limit the beams"},
     {"CURV -0.02", "CURV -0.02\n  WXYZ 0 0",
      "note line 20: WXYZ is unknown; its numbers are 0, it was passed over"},
     /* numbers of surfaces with gaps, and what is said of them by number */

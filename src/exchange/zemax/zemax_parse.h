@@ -76,6 +76,7 @@ struct zemax_file {
     const struct zemax_line *aperture, *fields;     /* ENPD .., FTYP */
     const struct zemax_line *x, *y, *field_weights; /* XFLN, YFLN, FWGN */
     const struct zemax_line *environment;           /* ENVD */
+    const struct zemax_line *vignetting;            /* the first factor that is not 0 */
     struct figure waves[ZEMAX_WAVES], weights[ZEMAX_WAVES];
     size_t wave_count, primary;
     const struct zemax_line *primary_line;

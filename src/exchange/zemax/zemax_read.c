@@ -410,6 +410,35 @@ static bool set_working_aperture(struct zemax_file *file, struct error *error)
                       "the lens gets no aperture");
 }
 
+/*
+ * Vignetting factors narrow the beams of the fields as the rims of the surfaces do. Here the clear
+ * diameters do it, if all surfaces that bend light have one; else the factors are lost.
+ */
+static bool check_vignetting(struct zemax_file *file, struct error *error)
+{
+    bool all = true;
+    if (file->vignetting == NULL) {
+        return true;
+    }
+    for (size_t i = 1; i + 1 < file->surface_count; i++) {
+        const struct zemax_surface *one = &file->surfaces[i];
+        bool bends = one->glass != NULL || zemax_number(one->curvature, 0) != 0;
+        all = all && (!bends || zemax_number(one->diameter, 0) > 0 || one->clear != NULL);
+    }
+    if (all) {
+        zemax_remark(file, "vignetting factors of the fields: the clear diameters limit the beams");
+        return true;
+    }
+    const struct zemax_line *line = file->vignetting;
+    size_t first = 0;
+    while (line->numbers[first].value.hi == 0) {
+        first++;
+    }
+    return foreign_loss(file->job, &line->words, line->numbers[first].typed, error,
+                        "%.4s: vignetting factors of the fields" LOSS_VIGNETTES,
+                        line->keyword.start);
+}
+
 /* The lens of a file, or of one of its configurations. */
 static bool build_lens(struct zemax_file *file, struct error *error)
 {
@@ -428,7 +457,7 @@ static bool read(struct foreign_job *job, struct text content, struct lens *lens
 {
     struct zemax_file file = {.job = job};
     lens_build_begin(&file.build, lens, job->arena);
-    if (!zemax_parse(&file, content, error) ||
+    if (!zemax_parse(&file, content, error) || !check_vignetting(&file, error) ||
         (!file.has_gaps && !zemax_check_circles(&file, error))) {
         return false;
     }

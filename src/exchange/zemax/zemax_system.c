@@ -169,6 +169,17 @@ static bool read_primary(struct zemax_file *file, struct text keyword, struct er
     return true;
 }
 
+/* VDYN 0 0.1 0.2: how the pupil of each field is shifted, scaled and turned. */
+static bool read_vignetting(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    (void)error;
+    for (size_t i = 0; i < line->count && file->vignetting == NULL; i++) {
+        file->vignetting = line->numbers[i].value.hi != 0 ? line : NULL;
+    }
+    return true;
+}
+
 /* GFAC type factor: 0 is an even pupil, as is a Gaussian, 1, of the factor 0. */
 static bool read_apodisation(struct zemax_file *file, struct text keyword, struct error *error)
 {
@@ -198,5 +209,15 @@ const struct zemax_keyword zemax_system_keywords[] = {
     {"YFLN", read_y},           {"YFLD", read_y},           {"WAVM", read_wave},
     {"WAVL", read_waves},       {"WAVN", read_waves},       {"WWGT", read_waves},
     {"WWGN", read_waves},       {"PWAV", read_primary},     {"FWGN", read_field_weights},
-    {"GFAC", read_apodisation}, {"ENVD", read_environment}, {NULL, NULL},
+    {"GFAC", read_apodisation}, {"ENVD", read_environment}, {"VDXN", read_vignetting},
+    {"VDYN", read_vignetting},  {"VCXN", read_vignetting},  {"VCYN", read_vignetting},
+    {"VANN", read_vignetting},  {"VDSX", read_vignetting},  {"VDSY", read_vignetting},
+    {"VCSX", read_vignetting},  {"VCSY", read_vignetting},  {"VANS", read_vignetting},
+    {"ZVDX", read_vignetting},  {"ZVDY", read_vignetting},  {"ZVCX", read_vignetting},
+    {"ZVCY", read_vignetting},  {"ZVAN", read_vignetting},  {"VDXN", read_vignetting},
+    {"VDYN", read_vignetting},  {"VCXN", read_vignetting},  {"VCYN", read_vignetting},
+    {"VANN", read_vignetting},  {"VDSX", read_vignetting},  {"VDSY", read_vignetting},
+    {"VCSX", read_vignetting},  {"VCSY", read_vignetting},  {"VANS", read_vignetting},
+    {"ZVDX", read_vignetting},  {"ZVDY", read_vignetting},  {"ZVCX", read_vignetting},
+    {"ZVCY", read_vignetting},  {"ZVAN", read_vignetting},  {NULL, NULL},
 };

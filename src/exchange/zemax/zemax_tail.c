@@ -27,6 +27,11 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct err
     if (text_same(keyword, "IGNR") && zemax_number(line, 2) != 0) {
         return zemax_loss(file, line, error, "IGNR: a surface that is left out" LOSS_OF_POWER);
     }
+    if (text_behind(keyword, "FV").start != NULL) { /* a vignetting factor */
+        bool is_some = zemax_number(line, 2) != 0 && file->vignetting == NULL;
+        file->vignetting = is_some ? line : file->vignetting;
+        return true;
+    }
     if (file->configurations < 2) {
         return true; /* the only configuration has these values already */
     }
