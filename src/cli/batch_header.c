@@ -208,7 +208,6 @@ static bool wrong_unit(const struct batch_column *column, struct error *error)
 static void set_scale(struct batch_column *column, const struct reader *reader)
 {
     const struct unit *unit = option_unit(&column->as_read);
-    const struct dimension *dimension = column->option->dimension;
     column->scale = unit != NULL ? unit->scale : NUMBER_UNSCALED;
     column->factor = unit != NULL ? unit->factor : 1;
     bool limited = column->option->lowest != 0 || column->option->highest != 0;
@@ -221,7 +220,7 @@ static void set_scale(struct batch_column *column, const struct reader *reader)
     }
     column->offset = column->option->offset;
     column->is_coc = column->option->kind == &kind_coc;
-    bool labels = reader->nominal && dimension != NULL && dimension->series != NULL;
+    bool labels = reader->nominal && option_has_series(column->option);
     column->is_plain = (column->option->kind == &kind_quantity && !labels) || column->is_coc;
 }
 

@@ -165,8 +165,7 @@ static bool has_series(const struct command *command)
 {
     bool found = false;
     for (size_t i = 0; i < command->option_count && !found; i++) {
-        const struct dimension *dimension = command->options[i].dimension;
-        found = dimension != NULL && dimension->series != NULL;
+        found = option_has_series(&command->options[i]);
     }
     return found;
 }

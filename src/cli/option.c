@@ -146,7 +146,7 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
                    ? field_refuse_weight(option->name, text, error)
                    : option_blame(option, text, error);
     }
-    if (reader->nominal && option->dimension->series != NULL &&
+    if (reader->nominal && option_has_series(option) &&
         !nominal_exact(reader->db, option->dimension, value, &value, error)) {
         return option_blame(option, text, error);
     }

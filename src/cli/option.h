@@ -137,7 +137,8 @@ enum option_flag {
     OPTION_FIELD = 1024,  /* of a lens, answered one by one: no weights */
     OPTION_BELOW_HIGHEST = 2048, /* the highest value itself is not allowed */
     OPTION_T_STOP = 4096,        /* an f-number that is a T-stop: T2.2 says nothing odd */
-    OPTION_TOGETHER = 8192       /* an operand that is all words that are left, as one value */
+    OPTION_TOGETHER = 8192,      /* an operand that is all words that are left, as one value */
+    OPTION_NO_SERIES = 16384     /* no setting of a camera: it has no labels of a stop series */
 };
 
 struct option {
@@ -167,6 +168,13 @@ struct option {
     const char *value; /* how help names the value: "LENGTH"; null = nothing to name */
     const char *help;  /* one line */
 };
+
+/* Are its values the labels of a stop series? */
+static inline bool option_has_series(const struct option *option)
+{
+    return option->dimension != NULL && option->dimension->series != NULL &&
+           (option->flags & OPTION_NO_SERIES) == 0;
+}
 
 /* How it was given, in the words of a message: "--focal-length", "column 's_m'". */
 struct called {

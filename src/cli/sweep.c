@@ -297,7 +297,7 @@ static bool add_series(struct values *values, const struct range *range, bool *a
     if (range->kind == '/') {
         name = arena_string(values->reader->arena, range->tail.start, range->tail.length);
     }
-    if (dimension->series == NULL) {
+    if (!option_has_series(values->option)) {
         return name == NULL || range_fail(values, range, "it has no stop series", error);
     }
     const struct nominal_range labels = {.dimension = dimension,

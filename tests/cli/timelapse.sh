@@ -7,6 +7,8 @@ lenscalc timelapse --clip 5min --frame-rate 24 --frame-size 12MB --card 512GB --
 lenscalc timelapse --event 30min,1h,2h,4h --clip 10s,20s,30s --table event,clip:interval
 lenscalc timelapse --card 64GiB --frame-size 40MiB --csv
 lenscalc timelapse --event 3h -t 30s,60s --gap 0,2s
+# intervals and clips are no settings of a camera: no labels, with --nominal or between ends
+lenscalc timelapse --event 1h --interval 5..8 -t 1/60 --nominal --columns interval,shots,time
 printf 'event_min,interval\n60,5\n60,\n' | lenscalc timelapse --batch - --csv --columns shots,error
 echo "status $?"
 for wrong in "" "--event 1h" "--event 1h --interval 5 --shots 100" "--interval 5 -t 5 --shots 10" \

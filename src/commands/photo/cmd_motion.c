@@ -50,8 +50,8 @@ static const struct option options[] = {
      .dimension = &dimension_stops, .lowest = 0, .highest = 20, .fallback = "0", .value = "STOPS",
      .help = "stops gained by stabilisation, for the hand-held rule"},
     {OPTION(struct input, readout), .name = "readout", .quantity = "readout time",
-     .column = "readout", .dimension = &dimension_time, .unit = "s", POSITIVE, .value = "TIME",
-     .help = "rolling shutter: time from first to last row"},
+     .column = "readout", .dimension = &dimension_time, .unit = "s", POSITIVE | OPTION_NO_SERIES,
+     .value = "TIME", .help = "rolling shutter: time from first to last row"},
     SHARPNESS_OPTIONS(struct input, sharp, 0, "d/1500", NULL),
 };
 

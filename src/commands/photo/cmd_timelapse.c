@@ -16,8 +16,8 @@ struct input {
 
 #define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
 #define TIME_OPTION(member_name)                                                                   \
-    OPTION(struct input, member_name), .dimension = &dimension_time, .unit = "s", POSITIVE,        \
-                                       .value = "TIME"
+    OPTION(struct input, member_name), .dimension = &dimension_time, .unit = "s",                  \
+                                       POSITIVE | OPTION_NO_SERIES, .value = "TIME"
 #define DATA_OPTION(member_name)                                                                   \
     OPTION(struct input, member_name), .dimension = &dimension_storage, POSITIVE, .value = "SIZE"
 
@@ -36,8 +36,8 @@ static const struct option options[] = {
      .help = "frames per second of the clip (24 unless it follows from the rest)"},
     OPTION_TIME(struct input, given.time, 0),
     {OPTION(struct input, given.gap), .name = "gap", .column = "gap", .dimension = &dimension_time,
-     .unit = "s", .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY, .fallback = "1",
-     .value = "TIME", .wants = "time",
+     .unit = "s", .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY | OPTION_NO_SERIES,
+     .fallback = "1", .value = "TIME", .wants = "time",
      .help = "that the camera needs between two exposures, to write and for a delay of its own"},
     {DATA_OPTION(given.frame), .name = "frame-size", .column = "frame_size", .unit = "MB",
      .help = "storage per shot: 25MB"},
