@@ -53,7 +53,7 @@ static struct arena_block *take_spare(struct arena *arena, size_t size)
  * code, and nothing can be said with formats, which want memory. Files are still beside their
  * places, most without a name, so none is left in half.
  */
-static _Noreturn void end_without_memory(void)
+_Noreturn void arena_end(void)
 {
     static const char message[] = "lenscalc: out of memory\n";
     ssize_t written = write(STDERR_FILENO, message, sizeof message - 1);
@@ -65,11 +65,11 @@ static struct arena_block *new_block(size_t size)
 {
     size_t room = size > BLOCK_SIZE ? size : BLOCK_SIZE;
     if (room > SIZE_MAX - sizeof(struct arena_block)) {
-        end_without_memory();
+        arena_end();
     }
     struct arena_block *block = malloc(sizeof *block + room);
     if (block == NULL) {
-        end_without_memory();
+        arena_end();
     }
     block->size = room;
     return block;
@@ -93,7 +93,7 @@ static void *take(struct arena *arena, size_t bytes)
 void *arena_array(struct arena *arena, size_t count, size_t size)
 {
     if (size > 0 && count > (SIZE_MAX - ALIGNMENT) / size) {
-        end_without_memory();
+        arena_end();
     }
     size_t bytes = (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
     return memset(take(arena, bytes), 0, bytes);

@@ -19,6 +19,9 @@ struct arena_mark {
     size_t used;
 };
 
+/* End the program, which cannot go on without memory: "out of memory", status ERROR_IO. */
+void arena_end(void);
+
 /*
  * Memory for `count` objects of `size` bytes, zeroed, aligned for any type.
  *

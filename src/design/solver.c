@@ -273,6 +273,9 @@ static void run_round(struct solving *solving, double *parameters, struct solver
                                .watch_context = solving};
     run->options.iterations = solving->options.iterations - summary->iterations;
     engine_minimize(run);
+    if (run->end == ENGINE_NO_MEMORY) {
+        arena_end();
+    }
     summary->iterations += run->iterations;
     summary->evaluations += run->evaluations;
     summary->derivatives += run->derivatives;

@@ -11,6 +11,7 @@ extern "C" {
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <new>
 #include <vector>
 
 namespace
@@ -312,6 +313,8 @@ extern "C" void engine_minimize(engine_run *run)
     FLAGS_minloglevel = google::GLOG_FATAL;
     try {
         minimize(run);
+    } catch (const std::bad_alloc &) {
+        run->end = ENGINE_NO_MEMORY;
     } catch (const std::exception &trouble) {
         run->end = ENGINE_FAILED;
         snprintf(run->message, sizeof run->message, "%s", trouble.what());

@@ -5,7 +5,7 @@
 
 #include "design/solver.h"
 
-enum engine_end { ENGINE_CONVERGED, ENGINE_LIMIT, ENGINE_WATCHED, ENGINE_FAILED };
+enum engine_end { ENGINE_CONVERGED, ENGINE_LIMIT, ENGINE_WATCHED, ENGINE_FAILED, ENGINE_NO_MEMORY };
 
 /* Given, and what comes back. All has been checked: the run cannot abort on it. */
 struct engine_run {

@@ -48,5 +48,7 @@ void terminal_prepare(struct output *output, enum color_when when)
 {
     bool is_file = output->path != NULL;
     output->width = is_file ? 0 : terminal_width(output->descriptor);
-    output->has_color = !is_file && terminal_has_color(output->descriptor, when);
+    /* most are no terminals, and are not asked twice */
+    output->has_color = !is_file && (output->width > 0 || when == COLOR_ALWAYS) &&
+                        terminal_has_color(output->descriptor, when);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""tests/documents/accept.py - rewrite the outputs of all examples in README and man pages, and the
-tables of keywords.
+"""tests/documents/accept.py - rewrite the outputs of all examples in README and man pages, the
+tables of keywords, and long lines of the pages' text.
 
 The conventions are those of check_documents.py. The difference is to be reviewed like any other:
 this pins how things look, never what is true. Usage: tests/documents/accept.py BUILD [FILE...]
@@ -28,6 +28,36 @@ def escape(line):
     return "\\&" + line if line.startswith((".", "\\(aq")) else line
 
 
+WIDTH = 80  # of a line of roff source, which mandoc minds
+KEPT = {".EX": ".EE", ".nf": ".fi", ".TS": ".TE"}  # whose lines are what they are
+
+
+def break_line(line):
+    """A line of text in lines of at most WIDTH; none of them begins like a request."""
+    lines = []
+    while len(line.encode()) > WIDTH:
+        places = [i for i, c in enumerate(line[:WIDTH + 1]) if c == " " and 0 < i < len(line) - 1 and
+                  line[i - 1] not in "\\." and line[i + 1] not in ".'"]
+        if not places:
+            break
+        lines.append(line[:places[-1]])
+        line = line[places[-1] + 1:]
+    return lines + [line]
+
+
+def wrap(lines):
+    """The lines of a page, long ones of running text broken."""
+    wrapped, end = [], None
+    for line in lines:
+        begins = KEPT.get(line[:3])
+        if end is None and begins is None and not line.startswith((".", "'")):
+            wrapped += break_line(line)
+        else:
+            wrapped.append(line)
+        end = begins if end is None else None if line.startswith(end) else end
+    return wrapped
+
+
 def rewrite(program, path):
     page = path.startswith("man/")
     with open(path, encoding="utf-8") as file:
@@ -48,7 +78,7 @@ def rewrite(program, path):
     for first, last, output in reversed(edits):
         lines[first:last] = output
     with open(path, "w", encoding="utf-8") as file:
-        file.write("\n".join(lines))
+        file.write("\n".join(wrap(lines) if page else lines))
 
 
 def main():

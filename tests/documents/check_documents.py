@@ -27,6 +27,8 @@ import difflib
 import glob
 import os
 import re
+import shutil
+import subprocess
 import sys
 import tempfile
 
@@ -256,6 +258,29 @@ def check_keys(checks):
                                                     f"{bibliography}")
 
 
+def check_pages(checks):
+    """mandoc has nothing to say of style; pages name each other, lenscalc(1) all of them."""
+    pages = sorted(glob.glob("man/*.[157]"))
+    if shutil.which("mandoc"):
+        for page in pages:
+            result = subprocess.run(["mandoc", "-T", "lint", "-W", "style", page],
+                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            checks.check(result.returncode == 0 and result.stdout == b"",
+                         f"{page}: {result.stdout.decode()[:300]}(make accept breaks long lines)")
+    else:
+        print("mandoc is not here: skipped")
+    there = {os.path.basename(page) for page in pages}
+    for page in pages:
+        with open(page, encoding="utf-8") as file:
+            see_also = "\n".join(section_of(file.read(), "SEE ALSO"))
+        named = {f"{unescape(name)}.{number}" for name, number in
+                 re.findall(r"^\.BR (lenscalc\S*) \((\d)\)", see_also, re.M)}
+        own = os.path.basename(page)
+        wanted = there - {own} if own == "lenscalc.1" else {"lenscalc.1"}
+        checks.check(wanted <= named, f"{page}: SEE ALSO lacks {sorted(wanted - named)}")
+        checks.check(named <= there - {own}, f"{page}: SEE ALSO names {sorted(named - there)}")
+
+
 def check_keywords(checks, program):
     with open(keyword_tables.PAGE, encoding="utf-8") as file:
         text = file.read()
@@ -285,6 +310,7 @@ def main():
     check_help(checks, program, commands)
     check_keys(checks)
     check_keywords(checks, program)
+    check_pages(checks)
     checks.finish()
 
 

@@ -15,6 +15,10 @@ BEGIN = re.compile(r'^\.\\" keywords of (\w+)$')
 END = '.\\" end of keywords'
 
 
+def wrap(text):
+    return textwrap.wrap(text, 80, break_on_hyphens=False, break_long_words=False)
+
+
 def table_of(program, kind):
     """The lines of roff of one format: an entry for each group of keywords."""
     result = program.run("list", "keywords", "--kind", kind, "--csv")
@@ -24,7 +28,7 @@ def table_of(program, kind):
             rows, lambda row: (row["fate"], row["place"], row["meaning"])):
         fate, place, meaning = (text.replace("-", "\\-") for text in group)
         words = " ".join(row["keyword"] for row in members)
-        lines += [".TP 10", f".B {fate}", f"{place}: {meaning}:"] + textwrap.wrap(words, 96)
+        lines += [".TP 10", f".B {fate}", *wrap(f"{place}: {meaning}:"), *wrap(words)]
     return lines
 
 

@@ -168,6 +168,10 @@ def check_memory(checks, program):
             result = program.shell(f"ulimit -v 65536; lenscalc {words}", folder)
             check_failed(checks, f"{words} in 64 MB", result, "out of memory")
             checks.check(result.stdout == b"", f"{words} in 64 MB: prints {result.stdout[:80]!r}")
+        if program.has_solver():  # which takes its memory itself
+            result = program.shell("ulimit -v 250000; lenscalc fit double-gauss --rays 20000",
+                                   folder)
+            check_failed(checks, "fit in 250 MB", result, "out of memory")
 
 
 def check_full_disk(checks, program):
