@@ -41,6 +41,15 @@ void grid_make_printable(const struct grid *grid)
     }
 }
 
+const char *grid_printable(struct arena *arena, const char *text)
+{
+    char *copy = text != NULL ? arena_string(arena, text, strlen(text)) : NULL;
+    if (copy != NULL) {
+        text_make_printable(copy, "\n");
+    }
+    return copy;
+}
+
 const char *grid_cell(const struct grid *grid, size_t row, size_t column)
 {
     const char *string = grid->cells[row * grid->columns + column];
@@ -89,7 +98,8 @@ static void write_markdown_head(const struct grid *grid, struct output *output)
 {
     if (grid->title != NULL) {
         output_string(output, "**");
-        output_string(output, grid_markdown_text(grid->arena, grid->title));
+        output_string(output,
+                      grid_markdown_text(grid->arena, grid_printable(grid->arena, grid->title)));
         output_string(output, "**\n\n");
     }
     write_markdown_row(grid, output, 0);
@@ -111,7 +121,8 @@ void grid_write_markdown(const struct grid *grid, struct output *output, bool wi
     }
     if (grid->note != NULL) {
         output_character(output, '\n');
-        output_string(output, grid_markdown_text(grid->arena, grid->note));
+        output_string(output,
+                      grid_markdown_text(grid->arena, grid_printable(grid->arena, grid->note)));
         output_character(output, '\n');
     }
 }
@@ -185,7 +196,7 @@ void grid_write_html(const struct grid *grid, struct output *output, bool with_h
     }
     if (with_head && grid->title != NULL) {
         output_string(output, "<caption>");
-        write_html(output, grid->title);
+        write_html(output, grid_printable(grid->arena, grid->title));
         output_string(output, "</caption>\n");
     }
     bool has_head = with_head && grid->head_rows > 0;
@@ -203,7 +214,7 @@ void grid_html_close(const struct grid *grid, struct output *output)
 {
     output_string(output, "</tbody>\n</table>\n");
     if (grid != NULL && grid->note != NULL) {
-        grid_html_paragraph(output, grid->note);
+        grid_html_paragraph(output, grid_printable(grid->arena, grid->note));
     }
 }
 

@@ -34,6 +34,9 @@ const char *grid_cell(const struct grid *grid, size_t row, size_t column);
 /* Put '?' in the place of what must not reach a terminal, in all cells. */
 void grid_make_printable(const struct grid *grid);
 
+/* A copy of a text with '?' there; line feeds stay; null stays null. */
+const char *grid_printable(struct arena *arena, const char *text);
+
 /* Widths as printed (in characters, not bytes), one a column, at least least_width. */
 void grid_measure(const struct grid *grid, size_t *widths);
 

@@ -288,7 +288,7 @@ void grid_write_text(const struct grid *grid, struct output *output, bool with_h
         grid_measure(grid, widths);
     }
     if (grid->title != NULL && with_head) {
-        output_styled(output, STYLE_HEAD, grid->title);
+        output_styled(output, STYLE_HEAD, grid_printable(grid->arena, grid->title));
         output_string(output, "\n\n");
     }
     if (grid->in_blocks && output->width > 0) {
@@ -298,6 +298,7 @@ void grid_write_text(const struct grid *grid, struct output *output, bool with_h
     }
     if (grid->note != NULL) {
         output_character(output, '\n');
-        output_wrapped(output, grid->note, output->width > 0 ? output->width : NOTE_WIDTH);
+        output_wrapped(output, grid_printable(grid->arena, grid->note),
+                       output->width > 0 ? output->width : NOTE_WIDTH);
     }
 }

@@ -3,6 +3,7 @@
 #include "report/grid.h"
 #include "report/readable.h"
 #include "report/row.h"
+#include "report/text_state.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,25 +13,7 @@
  * The units and widths of a table are chosen from its first rows, so these wait until so many have
  * come; later ones are printed as they come, in the same layout, and memory does not grow.
  */
-enum { ROWS_LOOKED_AT = 512, DIGITS = 4, CELL = 256, LINE_WIDTH = 79 };
-
-struct kept {
-    void *row; /* null: failed */
-    const struct text *passed;
-    const char *failure;
-};
-
-struct text_state {
-    struct kept *kept;
-    size_t kept_count;
-    bool has_layout;
-    const struct unit **units; /* one a shown column */
-    size_t *widths;
-    bool *hidden;      /* one a column of the grid: no room for it on this terminal */
-    bool *is_empty;    /* columns without a value in the rows looked at */
-    bool has_failures; /* among the rows looked at: then there is a column for the reasons */
-    struct arena scratch;
-};
+enum { ROWS_LOOKED_AT = 512, DIGITS = 4, CELL = 256 };
 
 static int digits_of(const struct report *report, const struct column *column)
 {
@@ -154,11 +137,6 @@ static bool has_units(const struct report *report)
     return false;
 }
 
-static bool has_head(const struct report *report, const struct column *column)
-{
-    return column->head != NULL && !report->are_named;
-}
-
 static struct grid new_grid(struct report *report, struct arena *arena)
 {
     struct text_state *state = report->state;
@@ -172,7 +150,7 @@ static struct grid new_grid(struct report *report, struct arena *arena)
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct column *column = report->shown[i].column;
         grid_set(&grid, report->passed_count + i,
-                 has_head(report, column) ? column->head : spaced(arena, column->name));
+                 text_has_head(report, column) ? column->head : spaced(arena, column->name));
         grid.left[report->passed_count + i] = column->type == COLUMN_TEXT;
     }
     if (state->has_failures) {
@@ -208,63 +186,10 @@ static void add_row(struct report *report, struct grid *grid, const void *row,
     }
 }
 
-const char *report_words(const struct report *report, const struct shown *shown, const void *row)
-{
-    char value[CELL];
-    const struct column *column = shown->column;
-    const struct unit *unit = shown->unit;
-    if (column->type == COLUMN_NUMBER) {
-        unit = readable_unit(shown, UNITS_METRIC, row_number(row, column));
-    }
-    readable_value(value, sizeof value, row, shown, unit, DIGITS);
-    return ARENA_JOIN(report->arena, column->label, " ", value,
-                      unit != NULL && unit->label[0] != '\0' ? " " : "",
-                      unit != NULL ? unit->label : "");
-}
-
-const char *report_assumptions(const struct report *report, const void *row)
-{
-    const char *line = NULL;
-    for (size_t i = 0; i < report->assumed_count && row != NULL; i++) {
-        const struct shown *shown = &report->assumed[i];
-        if (!row_is_absent(row, shown->column)) {
-            const char *words = report_words(report, shown, row);
-            line = ARENA_JOIN(report->arena, line == NULL ? "assuming " : line,
-                              line == NULL ? "" : ", ", words);
-        }
-    }
-    if (report->nominal != NULL) {
-        line = arena_printf(report->arena, "%s%sstops by their exact values (%s)",
-                            line != NULL ? line : "assuming ", line != NULL ? ", " : "",
-                            report->nominal);
-    }
-    return line;
-}
-
-static const void *first_good_row(const struct text_state *state)
-{
-    for (size_t i = 0; i < state->kept_count; i++) {
-        if (state->kept[i].row != NULL) {
-            return state->kept[i].row;
-        }
-    }
-    return NULL;
-}
-
 /* Does the format keep within the width of a terminal, and is there one? */
 static bool has_width(const struct report *report)
 {
     return report->format == &format_text && report->output->width > 0;
-}
-
-/* A text as a terminal may get it; null stays null. */
-static const char *printable(const struct report *report, const char *text)
-{
-    char *copy = text != NULL ? arena_string(report->arena, text, strlen(text)) : NULL;
-    if (copy != NULL) {
-        text_make_printable(copy, "\n");
-    }
-    return copy;
 }
 
 /*
@@ -303,7 +228,7 @@ static void write_table(struct report *report)
         state->widths = ARENA_ARRAY(report->arena, grid.columns, size_t);
         grid_measure(&grid, state->widths);
     }
-    grid.title = printable(report, report->title);
+    grid.title = report->title;
     report->format->write_grid(&grid, report->output, true);
 }
 
@@ -358,14 +283,8 @@ static void write_list(struct report *report)
     if (has_width(report)) {
         grid_fit(&grid, report->output->width, least, rank);
     }
-    grid.title = printable(report, report->title);
+    grid.title = report->title;
     report->format->write_grid(&grid, report->output, true);
-}
-
-static bool is_list(const struct report *report)
-{
-    const struct text_state *state = report->state;
-    return !report->many && state->kept_count == 1;
 }
 
 static void write_kept(struct report *report)
@@ -373,7 +292,7 @@ static void write_kept(struct report *report)
     struct text_state *state = report->state;
     choose_units(report);
     leave_out_empty(report);
-    if (is_list(report)) {
+    if (text_is_list(report)) {
         write_list(report);
     } else {
         write_table(report);
@@ -428,116 +347,6 @@ static void text_row(struct report *report, const void *row, const struct text *
     }
 }
 
-/* A line below the table, behind a word that stands out; both may be null. */
-static void write_remark(struct report *report, enum style style, const char *word,
-                         const char *line)
-{
-    struct output *output = report->output;
-    line = printable(report, line);
-    if (line == NULL) {
-        return;
-    }
-    if (report->format != &format_text && word != NULL) {
-        line = ARENA_JOIN(report->arena, word, line);
-        word = NULL;
-    }
-    if (report->format == &format_html) {
-        grid_html_paragraph(output, line);
-        return;
-    }
-    if (report->format == &format_markdown) {
-        line = grid_markdown_text(report->arena, line);
-    }
-    output_character(output, '\n');
-    if (word != NULL) {
-        output_styled(output, style, word);
-    }
-    output_paragraph(output, line, word != NULL ? strlen(word) : 0, 0,
-                     output->width > 0 ? output->width : LINE_WIDTH);
-}
-
-static void write_line(struct report *report, const char *line)
-{
-    write_remark(report, STYLE_PLAIN, NULL, line);
-}
-
-/* Which columns had no room, and what shows them. */
-static void write_left_out(struct report *report)
-{
-    const struct text_state *state = report->state;
-    const char *names = NULL;
-    for (size_t j = 0; state->hidden != NULL && j < report->passed_count + report->shown_count;
-         j++) {
-        if (state->hidden[j]) {
-            struct text name = j < report->passed_count
-                                   ? report->passed_names[j]
-                                   : text_of(report->shown[j - report->passed_count].name);
-            names = arena_printf(report->arena, "%s%s%.*s", names != NULL ? names : "",
-                                 names != NULL ? ", " : "", (int)name.length, name.start);
-        }
-    }
-    if (names != NULL) {
-        write_line(report,
-                   arena_printf(report->arena, "not shown, for want of room in %zu columns: %s; %s",
-                                report->output->width, names, report->remedy));
-    }
-}
-
-/* What the symbols mean that stand in the head. */
-static void write_legend(struct report *report)
-{
-    const struct text_state *state = report->state;
-    const char *line = NULL;
-    for (size_t i = 0; i < report->shown_count && !is_list(report); i++) {
-        const struct column *column = report->shown[i].column;
-        bool is_shown = state->hidden == NULL || !state->hidden[report->passed_count + i];
-        if (is_shown && has_head(report, column) && column->symbol != NULL &&
-            strcmp(column->head, column->symbol) == 0) {
-            line = arena_printf(report->arena, "%s%s%s: %s", line != NULL ? line : "",
-                                line != NULL ? "; " : "", column->head, column->label);
-        }
-    }
-    write_line(report, line);
-}
-
-/* Each text of a column once, in the order of the rows. */
-static void write_notes(struct report *report, const struct column *column)
-{
-    const struct text_state *state = report->state;
-    for (size_t i = 0; i < state->kept_count; i++) {
-        const char *note = state->kept[i].row != NULL ? row_text(state->kept[i].row, column) : NULL;
-        bool is_new = note != NULL;
-        for (size_t k = 0; k < i && is_new; k++) {
-            const void *row = state->kept[k].row;
-            is_new = row == NULL || row_text(row, column) == NULL ||
-                     strcmp(row_text(row, column), note) != 0;
-        }
-        if (is_new) {
-            write_line(report, arena_printf(report->arena, "%s: %s", column->label, note));
-        }
-    }
-}
-
-static void write_all_notes(struct report *report)
-{
-    for (size_t i = 0; i < report->sheet->column_count; i++) {
-        const struct column *column = &report->sheet->columns[i];
-        if ((column->flags & COLUMN_NOTE) != 0 && !report_shows(report, column)) {
-            write_notes(report, column);
-        }
-    }
-}
-
-static void write_doubts(struct report *report)
-{
-    struct doubts *doubts = report->doubts;
-    for (size_t i = 0; doubts != NULL && i < doubts->count; i++) {
-        write_remark(report, STYLE_WARNING,
-                     "warning:", arena_printf(&doubts->arena, " %s", doubts->texts[i]));
-    }
-    write_line(report, doubts != NULL ? doubts_left_out(doubts) : NULL);
-}
-
 static void text_end(struct report *report)
 {
     struct text_state *state = report->state;
@@ -547,18 +356,16 @@ static void text_end(struct report *report)
     if (report->format == &format_html && state->has_layout) {
         grid_html_close(NULL, report->output);
     }
-    write_left_out(report);
-    write_legend(report);
-    write_line(report, report_assumptions(report, first_good_row(state)));
-    write_all_notes(report);
-    write_doubts(report);
+    text_write_below(report);
     if (report->explain != NULL && report->format != &format_html) {
         /* formulas keep their lines */
         output_character(report->output, '\n');
-        output_string(report->output, printable(report, report->explain));
+        const char *text = grid_printable(report->arena, report->explain);
+        bool escaped = report->format == &format_markdown;
+        output_string(report->output, escaped ? grid_markdown_text(report->arena, text) : text);
         output_character(report->output, '\n');
     } else {
-        write_line(report, report->explain);
+        text_write_line(report, report->explain);
     }
     if (report->format == &format_html) {
         grid_html_end(report->output);
