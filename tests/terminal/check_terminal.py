@@ -193,6 +193,15 @@ def check_escapes(checks, program):
                          rows[0][f"note{evil}"] == f"a{evil}b", f"json with {name}")
             csv = program.run("dof", "--batch", path, "--csv").stdout.decode()
             checks.check(f"a{evil}b" in csv, f"csv changes {name}")
+            lens = os.path.join(folder, f"lens{number}.zmx")
+            with open(lens, "w", encoding="utf-8") as file:
+                file.write(f"VERS 1\nMODE SEQ\nUNIT MM\nNAME a{evil}b\nXY{evil}Z 4\nENPD 5\nSURF 0\n"
+                           "  DISZ INFINITY\nSURF 1\n  STOP\n  CURV 0.02\n  DISZ 5\n  GLAS N-BK7\n"
+                           "SURF 2\n  CURV -0.02\n  DISZ 50\nSURF 3\n  DISZ 0\n")
+            result = program.run("lens", lens, "--lossy")
+            found = OBEYED.findall((result.stdout + result.stderr).decode())
+            checks.check(b"lost:" in result.stderr and not found,
+                         f"title and losses with {name}: {found}, {result.stderr[:200]!r}")
             for words in (["dof", "-f", f"50{evil}"], [f"dof{evil}"], ["help", evil],
                           ["dof", f"--f{evil}"], ["lens", f"x{evil}"], ["dof", "-o", f"no/{evil}"],
                           ["dof", "-f", "50", "-N", "4", "-s", "3", "-o", f"no{evil}/x"],

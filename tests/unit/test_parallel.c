@@ -1,6 +1,7 @@
 /* tests/unit/test_parallel.c - loops on several threads, each with its arena. */
 /* SPDX-License-Identifier: MIT */
 #include "base/parallel.h"
+#include "base/watch.h"
 #include "check.h"
 
 #include <string.h>
@@ -62,8 +63,55 @@ static void check_plain(int threads)
     CHECK(wrong == 0);
 }
 
+/* Who looks: how often, whether ever two at once, and when to end. */
+struct looker {
+    atomic_int looking;
+    int looks, together;
+    size_t every, ends_at;
+};
+
+static void look(struct watch *watch)
+{
+    struct looker *looker = watch->looker;
+    looker->together += atomic_fetch_add(&looker->looking, 1) > 0;
+    looker->looks++;
+    atomic_store(&watch->next, atomic_load(&watch->done) + looker->every);
+    if (atomic_load(&watch->done) >= looker->ends_at) {
+        atomic_store(&watch->is_ended, true);
+    }
+    atomic_fetch_sub(&looker->looking, 1);
+}
+
+static void watched(void *context, size_t begin, size_t end)
+{
+    struct watch *watch = context;
+    for (size_t i = begin; i < end && !watch_is_ended(watch); i++) {
+        watch_add(watch, 1);
+    }
+}
+
+/* All items are counted, by one look at a time; work that is to end does so soon. */
+static void check_watch(int threads)
+{
+    struct looker looker = {.every = 100, .ends_at = 10 * ITEMS};
+    struct watch watch = {.is_busy = ATOMIC_FLAG_INIT, .look = look, .looker = &looker};
+    watch_begin(&watch, "items", 5 * ITEMS);
+    parallel_for(threads, 5 * ITEMS, 7, watched, &watch);
+    CHECK(atomic_load(&watch.done) == 5 * ITEMS && looker.together == 0);
+    CHECK(looker.looks > 1 && looker.looks <= 5 * ITEMS / 100 + 1);
+    looker.ends_at = 500;
+    watch_begin(&watch, "items", 0);
+    parallel_for(threads, 5 * ITEMS, 7, watched, &watch);
+    CHECK(atomic_load(&watch.done) >= 500 && atomic_load(&watch.done) < 2 * ITEMS);
+    CHECK(!watch_add(&watch, 1) && watch_is_ended(&watch));
+    watch_begin(NULL, "items", 0);
+    CHECK(watch_add(NULL, 1) && !watch_is_ended(NULL)); /* nobody looks */
+}
+
 int main(void)
 {
+    check_watch(1);
+    check_watch(2);
     static const int threads[] = {0, 1, 2, 3, 16, PARALLEL_MOST, 1000};
     for (size_t i = 0; i < sizeof threads / sizeof threads[0]; i++) {
         check_loop(threads[i], ITEMS, 1);
