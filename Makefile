@@ -43,11 +43,12 @@ LINK_0   =
 LDFLAGS  =
 
 # compiled once for each instruction set; the program chooses when it runs
-kernels := $(wildcard src/trace/kernel*.c)
+kernels := $(wildcard src/trace/kernel*.c src/camera/kernel*.c)
 # in the order of linking: what every answer needs lies together, on as few pages as can be
 folders := base report photo cli commands commands/photo commands/tool optics analysis trace data \
            file exchange exchange/zemax exchange/codev exchange/oslo commands/lens commands/analysis \
-           commands/data design commands/design draw base/image camera
+           commands/data design commands/design draw base/image camera \
+           commands/camera
 apart   := src/main.c src/data/embed.c src/design/solver_none.c $(kernels)
 sources := $(filter-out $(apart),$(foreach folder,$(folders),$(wildcard src/$(folder)/*.c)))
 objects := $(sources:src/%.c=$(BUILD)/%.o) $(BUILD)/lensdb.o \

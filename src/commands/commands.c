@@ -14,7 +14,7 @@ extern const struct command command_seidel, command_color;
 extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_spot, command_fan, command_field;
 extern const struct command command_distortion;
-extern const struct command command_fit;
+extern const struct command command_fit, command_render;
 extern const struct command command_help, command_completion;
 extern const struct command command_illumination;
 
@@ -51,6 +51,7 @@ const struct command *const commands[] = {
     &command_color,
     &command_distortion, /* analyses */
     &command_fit,        /* design */
+    &command_render,     /* camera */
     &command_list,
     &command_glass,
     &command_convert, /* data */

@@ -21,7 +21,7 @@ const char *instruction_set_name(enum instruction_set set)
     return names[set];
 }
 
-static enum instruction_set best(enum instruction_set set)
+enum instruction_set instruction_set_best(enum instruction_set set)
 {
     if (set != SET_BEST) {
         return set;
@@ -35,42 +35,42 @@ static kernel_trace *trace_of(enum instruction_set set)
 {
     static kernel_trace *const kernels[] = {NULL, kernel_trace_sse2, kernel_trace_avx2,
                                             kernel_trace_avx512};
-    return kernels[best(set)];
+    return kernels[instruction_set_best(set)];
 }
 
 kernel_tape *dispatch_tape(enum instruction_set set)
 {
     static kernel_tape *const kernels[] = {NULL, kernel_tape_sse2, kernel_tape_avx2,
                                            kernel_tape_avx512};
-    return kernels[best(set)];
+    return kernels[instruction_set_best(set)];
 }
 
 kernel_adjoint *dispatch_adjoint(enum instruction_set set)
 {
     static kernel_adjoint *const kernels[] = {NULL, kernel_adjoint_sse2, kernel_adjoint_avx2,
                                               kernel_adjoint_avx512};
-    return kernels[best(set)];
+    return kernels[instruction_set_best(set)];
 }
 
 kernel_displace *dispatch_displace(enum instruction_set set)
 {
     static kernel_displace *const kernels[] = {NULL, kernel_displace_sse2, kernel_displace_avx2,
                                                kernel_displace_avx512};
-    return kernels[best(set)];
+    return kernels[instruction_set_best(set)];
 }
 
 kernel_tangent *dispatch_tangent(enum instruction_set set)
 {
     static kernel_tangent *const kernels[] = {NULL, kernel_tangent_sse2, kernel_tangent_avx2,
                                               kernel_tangent_avx512};
-    return kernels[best(set)];
+    return kernels[instruction_set_best(set)];
 }
 
 kernel_aim *dispatch_aim(enum instruction_set set)
 {
     static kernel_aim *const kernels[] = {NULL, kernel_aim_sse2, kernel_aim_avx2,
                                           kernel_aim_avx512};
-    return kernels[best(set)];
+    return kernels[instruction_set_best(set)];
 }
 
 struct work {

@@ -19,6 +19,9 @@ struct trace_way {
 /* Does the processor have it? */
 bool instruction_set_works(enum instruction_set set);
 
+/* SET_BEST as one of the others; those stay what they are. */
+enum instruction_set instruction_set_best(enum instruction_set set);
+
 /* "best", "sse2", "avx2", "avx512" */
 const char *instruction_set_name(enum instruction_set set);
 

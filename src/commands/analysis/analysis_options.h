@@ -73,6 +73,15 @@ extern const struct word analysis_aims[], analysis_weights[];
 
 /* `wavelengths`: which a command takes without -w */
 #define ANALYSIS_OPTIONS(S, member, wavelengths)                                                   \
+    ANALYSIS_LENS_OPTIONS(S, member, wavelengths),                                                 \
+    {                                                                                              \
+        OPTION(S, member.threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,       \
+                                   .value = "N", .fallback = "1",                                  \
+                                   .help = "threads that answer a sweep; 0 = one a core"           \
+    }
+
+/* Of what is no sweep. */
+#define ANALYSIS_LENS_OPTIONS(S, member, wavelengths)                                              \
     LENS_OPTION(S, member), LENS_WAVELENGTH_OPTION(S, member, wavelengths),                        \
         LENS_FNUMBER_OPTION(S, member), LENS_POSITION_OPTION(S, member),                           \
         {OPTION(S, member.focus),                                                                  \
@@ -85,12 +94,7 @@ extern const struct word analysis_aims[], analysis_weights[];
         {ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",               \
          .flags = OPTION_NO_INFINITY,                                                              \
          .help = "defocus behind that plane; a list goes through focus"},                          \
-        ANALYSIS_OBJECT_OPTION(S, member),                                                         \
-    {                                                                                              \
-        OPTION(S, member.threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,       \
-                                   .value = "N", .fallback = "1",                                  \
-                                   .help = "threads that answer a sweep; 0 = one a core"           \
-    }
+        ANALYSIS_OBJECT_OPTION(S, member)
 
 /* Of commands that ask field by field; and of those that ask for the edge of the field alone. */
 #define ANALYSIS_FIELD_OPTIONS(S, member)                                                          \

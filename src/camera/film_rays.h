@@ -1,0 +1,58 @@
+/* camera/film_rays.h - rays from points of the film through the pupil that is clear for them. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CAMERA_FILM_RAYS_H
+#define LENSCALC_CAMERA_FILM_RAYS_H
+
+#include "base/sobol.h"
+#include "camera/film_region.h"
+#include "trace/dispatch.h"
+#include "trace/rays.h"
+
+/* What the rays of one block are to be. */
+struct film_samples {
+    double x[RAYS_BLOCK], y[RAYS_BLOCK]; /* the point of the film, mm */
+    double u[RAYS_BLOCK], v[RAYS_BLOCK]; /* which of its pupil, each in 0..1 */
+    double weight[RAYS_BLOCK];           /* receives what the ray stands for, sr */
+};
+
+enum { FILM_DIMENSIONS = 4 };
+
+/* Points spread over a film and its pupils. */
+struct film_plan {
+    const struct sobol *sobol; /* x, y, u, v */
+    uint32_t scrambling[FILM_DIMENSIONS];
+    double width, height; /* of the film, mm: -width/2 to width/2 */
+};
+
+/* The samples of block `block` of a sequence: its points RAYS_BLOCK block + 0, 1, .. */
+void film_rays_plan(const struct film_plan *plan, uint32_t block, enum instruction_set set,
+                    struct film_samples *samples);
+
+/*
+ * Start a block of rays on the film.
+ *
+ * Given     region   has `largest` above 0
+ *           samples  u, v evenly spread over the unit square
+ *           block    receives rays for a reversed system; RAY_OK, path 0
+ * Result    weight: projected solid angle over density. The mean over many u, v of weight times
+ *           the radiance that arrives along rays which pass, 0 along the others, is the irradiance
+ *           of the point; radiance as the medium of the image has it: the scene's times (n'/n)^2.
+ *           Beyond region.largest 0
+ * Formula   with corners interpolated between two distances, a piece of the ring chosen by u and
+ *           within it P = I(w) + t (O(w) - I(w)), I and O along its two sides:
+ *           density |dP/dw x dP/dt| dt/dv, t such that it is even in rings; the point (x, y) is
+ *           turned from (0, h). weight = d^2/rho^4 over that, d from the plane, rho the whole way
+ * Source    derived here: cos(theta) dw = d^2/rho^4 dA of a plane parallel to the film
+ */
+void film_rays_start(const struct film_region *region, struct film_samples *samples,
+                     enum instruction_set set, struct ray_block *block);
+
+/* Internal to film_rays.c: the loops, built for each instruction set. */
+typedef void kernel_film_plan(const struct film_plan *plan, uint32_t block,
+                              struct film_samples *samples);
+kernel_film_plan kernel_film_plan_sse2, kernel_film_plan_avx2, kernel_film_plan_avx512;
+typedef void kernel_film(const struct film_region *region, struct film_samples *samples,
+                         struct ray_block *block);
+kernel_film kernel_film_sse2, kernel_film_avx2, kernel_film_avx512;
+
+#endif

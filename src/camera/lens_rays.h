@@ -1,0 +1,56 @@
+/* camera/lens_rays.h - the rays that a film sees through a lens, for whoever has a scene. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CAMERA_LENS_RAYS_H
+#define LENSCALC_CAMERA_LENS_RAYS_H
+
+#include "analysis/setup.h"
+#include "base/arena.h"
+#include "base/error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* A lens, its film, and how many rays. */
+struct lens_rays_question {
+    const struct setup *setup; /* round, with its image plane and the wavelengths that count */
+    double width, height;      /* of the film, mm */
+    uint64_t samples;          /* 1 and more: rays that leave the film */
+    uint64_t seed;
+};
+
+/* A ray that leaves the lens towards the scene. */
+struct lens_ray {
+    double film[2];    /* where it leaves the film, mm */
+    double wavelength; /* um */
+    double point[3];   /* on the first surface, in the frame of its vertex, mm */
+    double cosine[3];  /* direction, away from the film */
+    double weight;     /* sr */
+};
+
+/* Takes rays in their order; false: it has failed, with its error set. */
+typedef bool lens_rays_visit(void *context, const struct lens_ray *rays, size_t count,
+                             struct error *error);
+
+struct lens_rays {
+    uint64_t arrived; /* of the samples */
+    double largest;   /* how far from the axis light arrives, mm; at most the film's corner */
+    double corner;    /* mm */
+};
+
+/*
+ * Send rays through the lens, wavelength by wavelength, and hand on those that pass.
+ *
+ * Result    weights: their sum, each times the radiance its ray meets, is the irradiance averaged
+ *           over the film; of a uniform scene the sum is that of E/L, as analysis/illumination.h
+ *           has it. Each wavelength has its share of the samples by its weight
+ * Formula   camera/film_rays.h at scrambled Sobol' points of film and pupil, a sequence for each
+ *           wavelength; times (n'/n)^2
+ * Errors    ERROR_DOMAIN: as film_region_open; no stop, or none with a diameter; no image plane; no
+ *           light reaches the film; as setup_system, `visit`
+ */
+bool lens_rays_make(const struct lens_rays_question *question, struct arena *arena,
+                    lens_rays_visit *visit, void *context, struct lens_rays *result,
+                    struct error *error);
+
+#endif

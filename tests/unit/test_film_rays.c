@@ -1,0 +1,291 @@
+/* tests/unit/test_film_rays.c - rays from the film: closed forms, nothing lost, the same bits. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/film_rays.h"
+
+#include "analysis/setup.h"
+#include "base/constants.h"
+#include "base/sobol.h"
+#include "check.h"
+#include "exchange/lens_open.h"
+#include "file/lens_file.h"
+#include "trace/dispatch.h"
+
+/* A lens and its film. */
+struct opened {
+    struct arena arena;
+    struct lens lens;
+    struct setup setup;
+    const struct system *systems[8];
+    struct film_region region;
+};
+
+static bool open_region(struct opened *opened, double film, double reach)
+{
+    struct error error;
+    const struct setup_question question = {
+        .lens = &opened->lens, .wavelength = NAN, .wavelengths = WAVELENGTHS_ALL, .fnumber = NAN};
+    bool good = setup_open(&question, &opened->arena, &opened->setup, &error);
+    for (size_t w = 0; good && w < opened->setup.wavelength_count; w++) {
+        opened->systems[w] =
+            setup_system(&opened->setup, w, SETUP_CLIPPED | SETUP_REVERSED, &error);
+        good = opened->systems[w] != NULL;
+    }
+    const struct film_lens lens = {.systems = opened->systems,
+                                   .count = opened->setup.wavelength_count,
+                                   .first = &opened->setup.first,
+                                   .film = film,
+                                   .reach = reach};
+    good = good && film_region_open(&lens, &opened->arena, &opened->region, &error);
+    if (!good) {
+        printf("%s\n", error.message);
+    }
+    CHECK(good);
+    return good;
+}
+
+static bool read_lens(struct opened *opened, const char *text)
+{
+    struct error error;
+    *opened = (struct opened){.arena = {0}};
+    const bool good = lens_read("test", text_of(text), NULL, &opened->arena, &opened->lens, &error);
+    CHECK(good);
+    return good;
+}
+
+static bool find_lens(struct opened *opened, const char *name)
+{
+    struct error error;
+    *opened = (struct opened){.arena = {0}};
+    struct lensdb db = {.arena = &opened->arena};
+    const bool good = lens_open(&db, text_of(name), &opened->arena, &opened->lens, &error);
+    CHECK(good);
+    return good;
+}
+
+/* E/L of the point (x, y) by 2^17 rays, and the share of them that arrives. */
+static double irradiance(struct opened *opened, size_t wavelength, double x, double y,
+                         double *share)
+{
+    enum { BLOCKS = 1024 };
+    const struct system *system = opened->systems[wavelength];
+    struct rays rays = rays_new(&opened->arena, RAYS_BLOCK);
+    static struct film_samples samples;
+    static struct sobol sobol[2];
+    double sum = 0, passed = 0;
+    for (uint32_t k = 0; k < 2; k++) {
+        sobol_open(k, &sobol[k]);
+    }
+    for (uint32_t block = 0; block < BLOCKS; block++) {
+        sobol_points(&sobol[0], sobol_scrambling(1, 0, 0), block, samples.u);
+        sobol_points(&sobol[1], sobol_scrambling(1, 0, 1), block, samples.v);
+        for (int i = 0; i < RAYS_BLOCK; i++) {
+            samples.x[i] = x;
+            samples.y[i] = y;
+        }
+        film_rays_start(&opened->region, &samples, SET_BEST, rays.blocks);
+        rays_trace(system, &rays, NULL);
+        for (int i = 0; i < RAYS_BLOCK; i++) {
+            const bool passes = rays.blocks->lost[i] == 0;
+            sum += passes ? samples.weight[i] : 0;
+            passed += passes ? 1 : 0;
+        }
+    }
+    *share = passed / (BLOCKS * RAYS_BLOCK);
+    const double n = opened->region.index / system->index_last;
+    return n * n * sum / (BLOCKS * RAYS_BLOCK);
+}
+
+/* A disc of the radius tan(a), seen at the field angle t: exact, not cos^4. */
+static double disc(double tan_a, double tan_t)
+{
+    double a2 = tan_a * tan_a, t2 = tan_t * tan_t;
+    return PI / 2 * (1 - (1 + t2 - a2) / sqrt(t2 * t2 + 2 * t2 * (1 - a2) + (1 + a2) * (1 + a2)));
+}
+
+static void test_closed_forms(void)
+{
+    static const double heights[] = {0, 0.3, 7, 20, 49.9};
+    static const struct {
+        const char *text;
+        double hole;
+    } lenses[] = {
+        {"lens disc\nwavelength d\nobject inf\naperture stop\nstop - 0 air 50\n", 0},
+        {"lens ring\nwavelength d\nobject inf\naperture stop\nstop - 0 air 50\nblock circle 20\n",
+         0.2},
+    };
+    for (size_t k = 0; k < sizeof lenses / sizeof lenses[0]; k++) {
+        struct opened opened;
+        if (!read_lens(&opened, lenses[k].text) || !open_region(&opened, 50, 50)) {
+            return;
+        }
+        CHECK(opened.region.has_hole == (lenses[k].hole > 0));
+        for (size_t i = 0; i < sizeof heights / sizeof heights[0]; i++) {
+            const double h = heights[i], tan_t = h / 50;
+            const double expected =
+                disc(0.5, tan_t) - (lenses[k].hole > 0 ? disc(lenses[k].hole, tan_t) : 0);
+            double share;
+            CHECK_RELATIVE(irradiance(&opened, 0, 0.6 * h, -0.8 * h, &share), expected, 1e-4,
+                           "irradiance behind a hole");
+            CHECK(share > 0.97);
+        }
+        arena_free(&opened.arena);
+    }
+}
+
+/* Over the film of the course's lenses: an independent program on a grid of 3000^2, 1e-4. */
+static void test_lenses(void)
+{
+    static const struct {
+        const char *name;
+        double film, height, expected;
+    } known[] = {
+        {"cs348b-dgauss-50", 36.105905, 0, .192512},
+        {"cs348b-dgauss-50", 36.105905, 10, .125716},
+        {"cs348b-dgauss-50", 36.105905, 20, .042577},
+        {"cs348b-wide-22", 14.318263, 13.5, .045164},
+        {"cs348b-telephoto-250", 105.070394, 21.633, .024148},
+        {"cs348b-fisheye-10", 23.160539, 12, .012785},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        struct opened opened;
+        double share;
+        if (!find_lens(&opened, known[i].name) || !open_region(&opened, known[i].film, 21.6333)) {
+            return;
+        }
+        const double found = irradiance(&opened, 0, known[i].height, 0, &share);
+        CHECK_NEAR(found, known[i].expected, 1e-4 * known[i].expected + 5e-7, known[i].name);
+        CHECK(share > 0.97);
+        arena_free(&opened.arena);
+    }
+}
+
+/* A square about the region at a distance from the axis, a third wider than it. */
+struct box {
+    double middle, half; /* mm */
+};
+
+static struct box box_of(const struct film_region *region, size_t row)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (size_t k = 0; k < FILM_CORNERS; k++) {
+        low = fmin(low, fmin(region->outer[0][row * FILM_CORNERS + k],
+                             region->outer[1][row * FILM_CORNERS + k]));
+        high = fmax(high, fmax(region->outer[0][row * FILM_CORNERS + k],
+                               region->outer[1][row * FILM_CORNERS + k]));
+    }
+    return (struct box){(low + high) / 2, 0.67 * (high - low)};
+}
+
+/* E/L by rays through the middles of an even grid over the box. */
+static double grid_irradiance(struct opened *opened, size_t wavelength, double h, struct box box)
+{
+    enum { SIDE = 512 };
+    const struct film_region *region = &opened->region;
+    const struct system *system = opened->systems[wavelength];
+    const struct rays rays = rays_new(&opened->arena, SIDE);
+    const double step = 2 * box.half / SIDE, film = region->film;
+    double weights[SIDE], sum = 0;
+    for (int row = 0; row < SIDE; row++) {
+        const double y = box.middle - box.half + (row + 0.5) * step - h;
+        for (int i = 0; i < SIDE; i++) {
+            const double x = box.middle - box.half + (i + 0.5) * step;
+            const double way2 = x * x + y * y + film * film, way = sqrt(way2);
+            const struct ray ray = {.point = {0, h, film},
+                                    .cosine = {x / way, y / way, -film / way}};
+            rays_set(&rays, (size_t)i, region->index, &ray);
+            weights[i] = film * film / (way2 * way2) * step * step;
+        }
+        rays_trace(system, &rays, NULL);
+        for (int i = 0; i < SIDE; i++) {
+            sum += rays_get(&rays, (size_t)i, 1).status == RAY_OK ? weights[i] : 0;
+        }
+    }
+    return sum;
+}
+
+/* Nothing passes beside the regions: a mirror lens with its hole, a zoom, cat's eyes. */
+static void test_nothing_lost(void)
+{
+    static const char *const names[] = {"questar-35", "nikkor-z-14-24", "nikkor-z-58-f095"};
+    for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
+        struct opened opened;
+        if (!find_lens(&opened, names[k]) || !open_region(&opened, 40, 21.6333)) {
+            return;
+        }
+        for (size_t row = 3; row < FILM_RADII; row += 20) {
+            const size_t w = row % opened.setup.wavelength_count;
+            const double rest = 1 - (double)row / (FILM_RADII - 1);
+            const double h = opened.region.largest * (1 - rest * rest);
+            double share;
+            CHECK_RELATIVE(irradiance(&opened, w, 0, h, &share),
+                           grid_irradiance(&opened, w, h, box_of(&opened.region, row)), 1.5e-3,
+                           names[k]);
+        }
+        arena_free(&opened.arena);
+    }
+}
+
+static void test_same_bits(void)
+{
+    static const enum instruction_set sets[] = {SET_SSE2, SET_AVX2, SET_AVX512};
+    struct opened opened;
+    if (!find_lens(&opened, "questar-35") || !open_region(&opened, 40, 21.6333)) {
+        return;
+    }
+    static struct film_samples samples[3];
+    struct rays rays[3];
+    struct sobol sobol;
+    for (size_t k = 0; k < 3 && instruction_set_works(sets[k]); k++) {
+        rays[k] = rays_new(&opened.arena, RAYS_BLOCK);
+        double *const rows[] = {samples[k].x, samples[k].y, samples[k].u, samples[k].v};
+        for (uint32_t d = 0; d < 4; d++) {
+            sobol_open(d, &sobol);
+            sobol_points(&sobol, sobol_scrambling(7, 0, d), 3, rows[d]);
+        }
+        for (int i = 0; i < RAYS_BLOCK; i++) {
+            samples[k].x[i] = 44 * samples[k].x[i] - 22;
+            samples[k].y[i] = 44 * samples[k].y[i] - 22;
+        }
+        film_rays_start(&opened.region, &samples[k], sets[k], rays[k].blocks);
+        CHECK(memcmp(&samples[k], &samples[0], sizeof samples[0]) == 0);
+        CHECK(memcmp(rays[k].blocks, rays[0].blocks, sizeof *rays[0].blocks) == 0);
+    }
+    arena_free(&opened.arena);
+}
+
+/* Where light ends the weight does, and a film in the last vertex is none. */
+static void test_ends(void)
+{
+    struct opened opened;
+    double share;
+    if (find_lens(&opened, "fisheye-16") && open_region(&opened, 35, 30)) {
+        CHECK(opened.region.largest > 15 && opened.region.largest < 30);
+        CHECK(irradiance(&opened, 0, 0, opened.region.largest * 1.001, &share) == 0);
+        CHECK(irradiance(&opened, 0, 0, opened.region.largest * 0.99, &share) > 0);
+        struct error error;
+        const struct film_lens lens = {opened.systems, 1, &opened.setup.first, 0, 20};
+        CHECK(!film_region_open(&lens, &opened.arena, &opened.region, &error));
+        CHECK_TEXT(error.message, "the film lies in the last vertex");
+        arena_free(&opened.arena);
+    }
+    if (find_lens(&opened, "schneider-anamorphic-31")) {
+        struct error error;
+        const struct setup_question question = {
+            .lens = &opened.lens, .wavelength = NAN, .fnumber = NAN};
+        CHECK(setup_open(&question, &opened.arena, &opened.setup, &error));
+        opened.systems[0] = setup_system(&opened.setup, 0, SETUP_CLIPPED | SETUP_REVERSED, &error);
+        const struct film_lens lens = {opened.systems, 1, &opened.setup.first, 40, 20};
+        CHECK(!film_region_open(&lens, &opened.arena, &opened.region, &error));
+        arena_free(&opened.arena);
+    }
+}
+
+int main(void)
+{
+    test_closed_forms();
+    test_lenses();
+    test_nothing_lost();
+    test_same_bits();
+    test_ends();
+    return check_report();
+}
