@@ -147,9 +147,13 @@ static const struct {
     const char *word, *message, *hint;
 } kinds[] = {
     {"phone", "phones have sensors of many sizes",
-     "say which: '1/1.28in' and '1/1.56in' are usual main cameras, '1/2.55in' second ones"},
+     "name the phone, 'iPhone 15 Pro' (see 'lenscalc list cameras phone'), or its sensor, "
+     "'1/1.28in'"},
     {"smartphone", "phones have sensors of many sizes",
-     "say which: '1/1.28in' and '1/1.56in' are usual main cameras, '1/2.55in' second ones"},
+     "name the phone, 'iPhone 15 Pro' (see 'lenscalc list cameras phone'), or its sensor, "
+     "'1/1.28in'"},
+    {"drone", "drones have sensors of many sizes",
+     "name the drone, 'Mavic 3' (see 'lenscalc list cameras drone'), or its sensor, '1/1.3in'"},
     {"medium format", "medium format has several sizes",
      "say which: digital '44x33' or '54x40', film '645', '6x6', '6x7' or '6x9'"},
     {"large format", "large format has several sizes", "say which: '4x5', '5x7' or '8x10'"},
