@@ -3,89 +3,134 @@
 #include "analysis/quadrature_whole.h"
 
 #include "trace/aim_block.h"
+#include "trace/beam.h"
 
 #include <math.h>
 
-/* From u, v that would be the points of a stop without aberrations. */
-static void start_block(const struct pupil_point *points, size_t count, double radius,
-                        struct aim_block *block)
+/* Points of the whole pupil at work: their rays' coordinates in the beam. */
+struct placing {
+    const struct margins *margins;
+    double *a, *b; /* mm */
+};
+
+/* From the rays that would go to the points of a stop without aberrations. */
+static void start_block(const struct stop_beam *beam, const struct pupil_point *points,
+                        size_t count, struct aim_block *block)
 {
+    const double radius = beam->radius, *axes = beam->axes;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         const struct pupil_point *point = &points[i < count ? i : 0];
         block->goal_x[i] = point->x * radius;
         block->goal_y[i] = point->y * radius;
-        block->a[i] = point->x;
-        block->b[i] = point->y;
+        block->a[i] = beam->origin[0] + point->x * axes[0] + point->y * axes[1];
+        block->b[i] = beam->origin[1] + point->x * axes[2] + point->y * axes[3];
+        block->state[i] = i < count ? AIM_OPEN : AIM_DONE;
+    }
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        block->next_a[i] = block->a[i];
+        block->next_b[i] = block->b[i];
         block->step_a[i] = block->step_b[i] = 0;
-        block->miss_x[i] = block->miss_y[i] = INFINITY;
-        block->m[0][i] = block->m[3][i] = 1 / radius;
-        block->m[1][i] = block->m[2][i] = 0;
-        block->state[i] = AIM_OPEN;
+        /* more than aberrations can be */
+        block->miss_x[i] = block->miss_y[i] = 4 * radius;
+    }
+    for (size_t k = 0; k < 4; k++) {
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            block->m[k][i] = axes[k] / radius;
+        }
     }
 }
 
-/* Up to 128 rays to their points of the stop; receives u and v, and renames the points. */
-static bool aim_points(const struct margins *margins, struct pupil_point *points, size_t count,
-                       double (*at)[2])
+/* The rays that stand in front of the stop, in its own frame. */
+static void to_own(const struct margins *margins, size_t count)
+{
+    const struct system *system = margins->system;
+    for (size_t i = 0; i < count && system->lens->surfaces[system->stop].decentre != NULL; i++) {
+        double point[3];
+        margins_cross(margins, system->stop, i, point);
+        margins->work.blocks->x[i] = point[0];
+        margins->work.blocks->y[i] = point[1];
+    }
+}
+
+/* Up to 128 rays to their points of the stop; receives their places, and renames the points. */
+static bool aim_points(const struct placing *placing, size_t done, struct pupil_point *points,
+                       size_t count)
 {
     enum { STEPS = 12 };
+    const struct margins *margins = placing->margins;
     const struct system *system = margins->system;
     const double radius = margins->beam->radius, enough = 1e-10 * radius;
+    const struct rays rays = {margins->work.blocks, count};
     struct aim_block block;
     size_t open = count;
-    start_block(points, count, radius, &block);
+    start_block(margins->beam, points, count, &block);
     for (int step = 0; step < STEPS && open > 0; step++) {
-        for (size_t i = 0; i < count; i++) {
-            at[i][0] = block.a[i] + block.step_a[i];
-            at[i][1] = block.b[i] + block.step_b[i];
-        }
-        margins_go(margins, (const double(*)[2])at, count, system_place(system, system->stop) + 1);
-        for (size_t i = 0; i < count; i++) {
-            /* on its way to a point of the stop a ray may cross it beyond its edge */
-            bool is_clipped = ray_block_status(margins->work.blocks, i) == RAY_CLIPPED;
-            margins->work.blocks->lost[i] = is_clipped ? 0 : margins->work.blocks->lost[i];
-        }
-        for (size_t i = 0; i < count && system->lens->surfaces[system->stop].decentre != NULL;
-             i++) {
-            double point[3];
-            margins_cross(margins, system->stop, i, point);
-            margins->work.blocks->x[i] = point[0];
-            margins->work.blocks->y[i] = point[1];
-        }
-        dispatch_aim(SET_BEST)(margins->work.blocks, enough * enough, enough * enough, &block);
-        open = 0;
-        for (size_t i = 0; i < count; i++) {
-            open += block.state[i] != AIM_DONE;
-            if (block.state[i] == AIM_ASTRAY) {
-                return false;
-            }
-        }
+        beam_start(margins->beam->beam, block.next_a, block.next_b, count, rays.blocks);
+        rays_trace_part(system, 0, system_place(system, system->stop) + 1, &rays, NULL);
+        to_own(margins, count);
+        dispatch_aim(SET_BEST)(rays.blocks, enough * enough, enough * enough, &block);
+        open = aim_block_open(&block);
     }
+    bool found = open == 0;
     for (size_t i = 0; i < count; i++) {
-        at[i][0] = block.a[i];
-        at[i][1] = block.b[i];
+        found = found && block.state[i] == AIM_DONE;
+        placing->a[done + i] = block.a[i];
+        placing->b[done + i] = block.b[i];
         points[i].x = (block.goal_x[i] - block.miss_x[i]) / radius;
         points[i].y = (block.goal_y[i] - block.miss_y[i]) / radius;
     }
-    return open == 0;
+    return found;
 }
 
 /* Does the outermost ring go around once, the way the points do, and arrive? */
-static bool is_sound(const struct margins *margins, const double (*ring)[2], size_t count)
+static bool is_sound(const struct placing *placing, double turn, size_t first, size_t count)
 {
-    const struct ray_block *block = margins->work.blocks;
+    const struct margins *margins = placing->margins;
+    const struct stop_beam *beam = margins->beam;
+    struct ray_block *block = margins->work.blocks;
+    const double *a = placing->a + first, *b = placing->b + first;
+    double centre[2];
+    stop_beam_place(beam, 0, 0, centre);
     bool sound = true;
     for (size_t done = 0; done < count && sound; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
-        margins_go(margins, ring + done, here, margins->system->places);
+        const struct rays rays = {block, here};
+        beam_start(beam->beam, a + done, b + done, here, block);
+        rays_trace(margins->system, &rays, NULL);
         for (size_t i = 0; i < here; i++) {
-            const double *from = ring[done + i], *to = ring[(done + i + 1) % count];
+            const size_t k = done + i, next = (k + 1) % count;
             /* angles count from v towards u */
-            bool turns = from[1] * to[0] - from[0] * to[1] > 0;
-            sound = sound && turns && ray_block_status(block, i) == RAY_OK;
+            double cross = (b[k] - centre[1]) * (a[next] - centre[0]) -
+                           (a[k] - centre[0]) * (b[next] - centre[1]);
+            sound = sound && turn * cross > 0 && ray_block_status(block, i) == RAY_OK;
         }
     }
     return sound;
+}
+
+/* Points of a disc: no ray has to be aimed. */
+static void place_points(const struct placing *placing, struct pupil_point *points, size_t count)
+{
+    const struct stop_beam *beam = placing->margins->beam;
+    for (size_t i = 0; i < count; i++) {
+        double at[2];
+        stop_beam_place(beam, points[i].x, points[i].y, at);
+        placing->a[i] = at[0];
+        placing->b[i] = at[1];
+        points[i].weight *=
+            beam->weight == WEIGHT_BEAM ? stop_beam_density(beam, points[i].x, points[i].y) : 1;
+    }
+}
+
+/* Which way around in the beam's plane a disc goes: +1 as in u and v. */
+static double turn_of(const struct stop_beam *beam)
+{
+    double at[3][2];
+    stop_beam_place(beam, 0, 0, at[0]);
+    stop_beam_place(beam, 1, 0, at[1]);
+    stop_beam_place(beam, 0, 1, at[2]);
+    return (at[1][0] - at[0][0]) * (at[2][1] - at[0][1]) -
+           (at[1][1] - at[0][1]) * (at[2][0] - at[0][0]);
 }
 
 bool quadrature_whole(const struct margins *margins, size_t rays, struct arena *arena,
@@ -100,28 +145,29 @@ bool quadrature_whole(const struct margins *margins, size_t rays, struct arena *
         return false;
     }
     const size_t count = all->sample.count;
+    const struct placing placing = {margins, ARENA_ARRAY(arena, count, double),
+                                    ARENA_ARRAY(arena, count, double)};
     size_t arms = 1;
-    double(*at)[2] = arena_array(arena, count, sizeof *at);
     while (arms * (arms - 1) / 2 < count) {
         arms += 2;
     }
-    for (size_t done = 0; done < count; done += RAYS_BLOCK) {
+    if (is_disc) {
+        place_points(&placing, all->sample.points, count);
+    }
+    for (size_t done = 0; done < count && !is_disc; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
-        struct pupil_point *points = all->sample.points + done;
-        for (size_t i = 0; i < here; i++) {
-            at[done + i][0] = points[i].x;
-            at[done + i][1] = points[i].y;
-            points[i].weight *=
-                beam->weight == WEIGHT_BEAM ? stop_beam_density(beam, points[i].x, points[i].y) : 1;
-        }
-        if (!is_disc && !aim_points(margins, points, here, at + done)) {
+        if (!aim_points(&placing, done, all->sample.points + done, here)) {
             return false;
         }
     }
-    if (!is_sound(margins, (const double(*)[2])at + count - arms, arms)) {
+    if (!is_sound(&placing, turn_of(beam), count - arms, arms)) {
         return false;
     }
     all->rays = rays_new(arena, count);
-    margins_start(margins, (const double(*)[2])at, &all->rays);
+    for (size_t done = 0; done < count; done += RAYS_BLOCK) {
+        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        beam_start(beam->beam, placing.a + done, placing.b + done, here,
+                   &all->rays.blocks[done / RAYS_BLOCK]);
+    }
     return true;
 }

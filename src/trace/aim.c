@@ -66,6 +66,19 @@ struct search {
 
 enum { STEPS = 60, HALVINGS = 40 };
 
+/*
+ * Where a point lies in the stop, mm. One on the very edge is taken a little within, so that the
+ * stop lets it pass whichever way its last bits fall.
+ */
+static void goal_of(const struct aim *aim, const struct pupil_point *point, double goal[2])
+{
+    const double on_edge = 1e-13, within = 1 - 2e-15;
+    bool is_edge = fabs(point->x * point->x + point->y * point->y - 1) < on_edge;
+    const double radius = aim->stop_radius * (is_edge ? within : 1);
+    goal[0] = point->x * radius;
+    goal[1] = point->y * radius;
+}
+
 static void multiply(const double m[4], const double v[2], double out[2])
 {
     double x = m[0] * v[0] + m[1] * v[1], y = m[2] * v[0] + m[3] * v[1];
@@ -77,10 +90,11 @@ static void start_search(const struct aim *aim, const struct pupil_point *point,
                          struct search *search)
 {
     const double *m = aim->slope, det = m[0] * m[3] - m[1] * m[2];
+    double goal[2];
+    goal_of(aim, point, goal);
     *search = (struct search){
         .at = {aim->chief[0], aim->chief[1]},
-        .miss = {point->x * aim->stop_radius - aim->centre[0],
-                 point->y * aim->stop_radius - aim->centre[1]},
+        .miss = {goal[0] - aim->centre[0], goal[1] - aim->centre[1]},
         .inverse = {m[3] / det, -m[1] / det, -m[2] / det, m[0] / det},
         .is_fresh = true,
     };
@@ -113,8 +127,9 @@ static void judge(const struct aim *aim, const struct pupil_point *point, size_t
 {
     const struct ray_block *block = aim->work.blocks;
     enum ray_status status = ray_block_status(block, lane);
-    double miss[2] = {point->x * aim->stop_radius - block->x[lane],
-                      point->y * aim->stop_radius - block->y[lane]};
+    double goal[2];
+    goal_of(aim, point, goal);
+    double miss[2] = {goal[0] - block->x[lane], goal[1] - block->y[lane]};
     double before = hypot(search->miss[0], search->miss[1]), after = hypot(miss[0], miss[1]);
     if (status == RAY_OK && after < before) {
         double change[2] = {search->miss[0] - miss[0], search->miss[1] - miss[1]};
@@ -249,7 +264,8 @@ static bool step_to(const struct aim *aim, const double target[2], double at[2],
 /* From the chief ray to the point along a straight line in the stop, in steps that are sure. */
 static void lead(const struct aim *aim, const struct pupil_point *point, struct search *search)
 {
-    const double goal[2] = {point->x * aim->stop_radius, point->y * aim->stop_radius};
+    double goal[2];
+    goal_of(aim, point, goal);
     double at[2] = {aim->chief[0], aim->chief[1]}, miss[2] = {0, 0}, done = 0, step = 0.25;
     while (done < 1 && step > 1e-4) {
         double share = fmin(done + step, 1), next[2] = {at[0], at[1]}, target[2];
@@ -289,59 +305,50 @@ static bool finish(const struct aim *aim, const struct search *search, struct ra
 
 /* -------- whole blocks -------- */
 
-/* From the chief ray, with its slopes. */
+/* From the chief ray, with its slopes; lanes that are not asked for have nothing to do. */
 static void start_block(const struct aim *aim, const struct pupil_point *points, size_t count,
                         struct aim_block *block)
 {
     struct search first;
     start_search(aim, &points[0], &first);
+    const double *m = first.inverse;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        const struct pupil_point *point = &points[i < count ? i : 0];
-        const double *m = first.inverse;
-        double goal_x = point->x * aim->stop_radius, goal_y = point->y * aim->stop_radius;
-        double x = goal_x - aim->centre[0], y = goal_y - aim->centre[1];
-        block->goal_x[i] = goal_x;
-        block->goal_y[i] = goal_y;
-        block->a[i] = first.at[0];
-        block->b[i] = first.at[1];
-        block->step_a[i] = m[0] * x + m[1] * y;
-        block->step_b[i] = m[2] * x + m[3] * y;
+        double goal[2];
+        goal_of(aim, &points[i < count ? i : 0], goal);
+        double x = goal[0] - aim->centre[0], y = goal[1] - aim->centre[1];
+        block->goal_x[i] = goal[0];
+        block->goal_y[i] = goal[1];
         block->miss_x[i] = x;
         block->miss_y[i] = y;
-        block->state[i] = x == 0 && y == 0 ? AIM_DONE : AIM_OPEN;
-        for (int k = 0; k < 4; k++) {
+        block->state[i] = i >= count || (x == 0 && y == 0) ? AIM_DONE : AIM_OPEN;
+    }
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        block->a[i] = first.at[0];
+        block->b[i] = first.at[1];
+        block->step_a[i] = m[0] * block->miss_x[i] + m[1] * block->miss_y[i];
+        block->step_b[i] = m[2] * block->miss_x[i] + m[3] * block->miss_y[i];
+        block->next_a[i] = block->a[i] + block->step_a[i];
+        block->next_b[i] = block->b[i] + block->step_b[i];
+    }
+    for (size_t k = 0; k < 4; k++) {
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
             block->m[k][i] = m[k];
         }
     }
-}
-
-/* Take the rays of a block to the stop, each a step, or a way of its own, on from where it is. */
-static void try_block(const struct aim *aim, const struct aim_block *block, size_t count,
-                      bool steps, const double more[2])
-{
-    double at[RAYS_BLOCK][2];
-    for (size_t i = 0; i < count; i++) {
-        at[i][0] = block->a[i] + (steps ? block->step_a[i] : more[0]);
-        at[i][1] = block->b[i] + (steps ? block->step_b[i] : more[1]);
-    }
-    chief_trace(aim, (const double(*)[2])at, count);
 }
 
 /* Steps of all rays at once, as long as whole ones lead nearer; those that go astray are left. */
 static void steer_block(const struct aim *aim, size_t count, struct aim_block *block)
 {
     enum { ALL = 16 };
-    const double reached = 4e-15 * aim->stop_radius, near = 1e-12 * aim->stop_radius;
-    const double none[2] = {0, 0};
+    const double reached = 1e-15 * aim->stop_radius, near = 1e-12 * aim->stop_radius;
     kernel_aim *kernel = dispatch_aim(SET_BEST);
     bool busy = true;
     for (int step = 0; step < ALL && busy; step++) {
-        try_block(aim, block, count, true, none);
+        beam_start(&aim->beam, block->next_a, block->next_b, count, aim->work.blocks);
+        chief_to_stop(aim, count);
         kernel(aim->work.blocks, reached * reached, near * near, block);
-        busy = false;
-        for (size_t i = 0; i < count; i++) {
-            busy = busy || block->state[i] == AIM_OPEN;
-        }
+        busy = aim_block_open(block) > 0;
     }
 }
 
@@ -359,27 +366,53 @@ static void search_points(const struct aim *aim, const struct pupil_point *point
     }
 }
 
+/* Where the rays of a block cross the stop, each a way of its own on from where it is, from there. */
+static void look_beside(const struct aim *aim, const struct aim_block *block, size_t count,
+                        double more_a, double more_b, double *x, double *y)
+{
+    double a[RAYS_BLOCK], b[RAYS_BLOCK];
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        a[i] = block->a[i] + more_a;
+        b[i] = block->b[i] + more_b;
+    }
+    beam_start(&aim->beam, a, b, count, aim->work.blocks);
+    chief_to_stop(aim, count);
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        x[i] = aim->work.blocks->x[i] - (block->goal_x[i] - block->miss_x[i]);
+        y[i] = aim->work.blocks->y[i] - (block->goal_y[i] - block->miss_y[i]);
+    }
+}
+
+/* Do the searches' own estimates show nothing of a fold: slopes like the chief ray's? */
+static bool is_plain(const struct aim *aim, const struct aim_block *block, size_t count)
+{
+    const double most = 2, slope = determinant(aim->slope);
+    bool plain = true;
+    for (size_t i = 0; i < count; i++) {
+        /* of inverse matrices */
+        double ratio = slope * (block->m[0][i] * block->m[3][i] - block->m[1][i] * block->m[2][i]);
+        plain = plain && ratio > 1 / most && ratio < most;
+    }
+    return plain;
+}
+
 /*
- * The sign of the Jacobian where searches ended, as that of the chief ray: +1, or the other sheet
- * of a folded pupil.
+ * Is the sign of the Jacobian where searches ended that of the chief ray? It is not on the other
+ * sheet of a folded pupil.
  */
 static void find_sheets(const struct aim *aim, const struct aim_block *block, size_t count,
                         bool *same)
 {
-    const struct ray_block *rays = aim->work.blocks;
     const double scale = sqrt(fabs(determinant(aim->slope)));
     const double h = 1e-6 * (scale > 0 ? aim->stop_radius / scale : 1);
-    double x[RAYS_BLOCK], y[RAYS_BLOCK];
-    try_block(aim, block, count, false, (double[2]){h, 0});
-    for (size_t i = 0; i < count; i++) {
-        x[i] = rays->x[i] - (block->goal_x[i] - block->miss_x[i]);
-        y[i] = rays->y[i] - (block->goal_y[i] - block->miss_y[i]);
+    double x[2][RAYS_BLOCK], y[2][RAYS_BLOCK];
+    const bool plain = is_plain(aim, block, count);
+    if (!plain) {
+        look_beside(aim, block, count, h, 0, x[0], y[0]);
+        look_beside(aim, block, count, 0, h, x[1], y[1]);
     }
-    try_block(aim, block, count, false, (double[2]){0, h});
     for (size_t i = 0; i < count; i++) {
-        double aside = rays->x[i] - (block->goal_x[i] - block->miss_x[i]);
-        double up = rays->y[i] - (block->goal_y[i] - block->miss_y[i]);
-        same[i] = (x[i] * up - y[i] * aside) * determinant(aim->slope) > 0;
+        same[i] = plain || (x[0][i] * y[1][i] - y[0][i] * x[1][i]) * determinant(aim->slope) > 0;
     }
 }
 
@@ -428,16 +461,11 @@ static size_t aim_block(const struct aim *aim, const struct pupil_point *points,
     struct strays strays;
     size_t aimed = 0;
     bool same[RAYS_BLOCK];
-    double at[RAYS_BLOCK][2];
     start_block(aim, points, count, &block);
     steer_block(aim, count, &block);
     find_strays(aim, points, count, &block, &strays);
     find_sheets(aim, &block, count, same);
-    for (size_t i = 0; i < count; i++) {
-        at[i][0] = block.a[i];
-        at[i][1] = block.b[i];
-    }
-    beam_fill(&aim->beam, (const double(*)[2])at, count, rays->blocks);
+    beam_start(&aim->beam, block.a, block.b, count, rays->blocks);
     for (size_t i = 0, k = 0; i < count; i++) {
         bool is_stray = k < strays.count && strays.which[k] == i;
         struct search search = {.at = {block.a[i], block.b[i]},

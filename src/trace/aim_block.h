@@ -6,12 +6,14 @@
 #include "trace/dispatch.h"
 #include "trace/rays.h"
 
-enum aim_state { AIM_OPEN, AIM_DONE, AIM_ASTRAY }; /* astray: a whole step leads nowhere nearer */
+/* Astray: a whole step leads nowhere nearer. The last step: only while a kernel works. */
+enum aim_state { AIM_OPEN, AIM_DONE, AIM_ASTRAY, AIM_LAST };
 
 struct aim_block {
     double goal_x[RAYS_BLOCK], goal_y[RAYS_BLOCK]; /* in the stop, mm */
     double a[RAYS_BLOCK], b[RAYS_BLOCK];           /* as near as the search has come */
-    double step_a[RAYS_BLOCK], step_b[RAYS_BLOCK]; /* what is tried next */
+    double step_a[RAYS_BLOCK], step_b[RAYS_BLOCK]; /* what is tried next, from there .. */
+    double next_a[RAYS_BLOCK], next_b[RAYS_BLOCK]; /* .. and where that leads */
     double miss_x[RAYS_BLOCK], miss_y[RAYS_BLOCK]; /* there */
     double m[4][RAYS_BLOCK];                       /* d(a, b)/d(x, y), row by row: an estimate */
     double state[RAYS_BLOCK];
@@ -20,8 +22,9 @@ struct aim_block {
 /*
  * What one step of all rays has brought.
  *
- * Given     at_stop        where rays from a + step_a, b + step_b cross the stop
- *           enough2, near2 squared misses: reached; at rounding if a step brings no ray closer
+ * Given     at_stop        where rays from next_a, next_b cross the stop
+ *           enough2, near2 squared misses: one that the next step is sure to leave, which is made
+ *                          without looking; at rounding if a step brings no ray closer
  * Formula   the step is taken where it leads closer; m then takes the change of the miss to it
  *           (Broyden's rank-one correction, by Sherman and Morrison)
  */
@@ -29,5 +32,15 @@ typedef void kernel_aim(const struct ray_block *at_stop, double enough2, double 
                         struct aim_block *block);
 kernel_aim kernel_aim_sse2, kernel_aim_avx2, kernel_aim_avx512;
 kernel_aim *dispatch_aim(enum instruction_set set);
+
+/* How many rays are not done yet, but not astray. */
+static inline size_t aim_block_open(const struct aim_block *block)
+{
+    size_t open = 0;
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        open += block->state[i] == AIM_OPEN;
+    }
+    return open;
+}
 
 #endif

@@ -3,6 +3,7 @@
 #include "trace/beam.h"
 
 #include "base/constants.h"
+#include "trace/beam_block.h"
 
 #include <math.h>
 
@@ -189,28 +190,21 @@ void beam_slope(const struct beam *beam, const double at[2], int k, double point
     }
 }
 
+void beam_start(const struct beam *beam, const double *a, const double *b, size_t count,
+                struct ray_block *block)
+{
+    dispatch_beam(SET_BEST)(beam, a, b, count, block);
+}
+
 void beam_fill(const struct beam *beam, const double (*at)[2], size_t count,
                struct ray_block *block)
 {
-    if (!isinf(beam->distance)) {
-        const struct rays rays = {block, RAYS_BLOCK};
-        for (size_t i = 0; i < count; i++) {
-            struct ray ray = beam_ray(beam, at[i][0], at[i][1]);
-            rays_set(&rays, i, beam->n, &ray);
-        }
-        return;
-    }
-    const double *a = beam->across[0], *b = beam->across[1], n = beam->n;
+    double a[RAYS_BLOCK], b[RAYS_BLOCK];
     for (size_t i = 0; i < count; i++) {
-        block->x[i] = at[i][0] * a[0] + at[i][1] * b[0];
-        block->y[i] = at[i][0] * a[1] + at[i][1] * b[1];
-        block->z[i] = at[i][0] * a[2] + at[i][1] * b[2];
-        block->p[i] = n * beam->axis[0];
-        block->q[i] = n * beam->axis[1];
-        block->r[i] = n * beam->axis[2];
-        block->path[i] = 0;
-        block->lost[i] = 0;
+        a[i] = at[i][0];
+        b[i] = at[i][1];
     }
+    beam_start(beam, a, b, count, block);
 }
 
 static double dot(const double a[3], const double b[3])

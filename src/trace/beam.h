@@ -103,6 +103,10 @@ void beam_slope(const struct beam *beam, const double at[2], int k, double point
 void beam_fill(const struct beam *beam, const double (*at)[2], size_t count,
                struct ray_block *block);
 
+/* The same with the coordinates in two arrays, which is faster. */
+void beam_start(const struct beam *beam, const double *a, const double *b, size_t count,
+                struct ray_block *block);
+
 /* The coordinates where a line meets the plane of the beam: point + t cosine. */
 void beam_place(const struct beam *beam, const double at[3], double place[2]);
 

@@ -6,6 +6,7 @@
 #include "base/processor.h"
 #include "trace/adjoint.h"
 #include "trace/aim_block.h"
+#include "trace/beam_block.h"
 #include "trace/tangent.h"
 
 bool instruction_set_works(enum instruction_set set)
@@ -71,6 +72,13 @@ kernel_aim *dispatch_aim(enum instruction_set set)
     static kernel_aim *const kernels[] = {NULL, kernel_aim_sse2, kernel_aim_avx2,
                                           kernel_aim_avx512};
     return kernels[instruction_set_best(set)];
+}
+
+kernel_beam *dispatch_beam(enum instruction_set set)
+{
+    static kernel_beam *const kernels[] = {NULL, kernel_beam_sse2, kernel_beam_avx2,
+                                           kernel_beam_avx512};
+    return kernels[best(set)];
 }
 
 struct work {

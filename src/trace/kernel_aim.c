@@ -25,10 +25,23 @@ INLINE void correct(struct aim_block *restrict block, bool takes, double x, doub
 INLINE void go_on(struct aim_block *restrict block, double next, int i)
 {
     double x = block->miss_x[i], y = block->miss_y[i];
-    bool goes_on = next == AIM_OPEN;
+    bool goes_on = next != AIM_DONE;
     block->step_a[i] = goes_on ? block->m[0][i] * x + block->m[1][i] * y : 0;
     block->step_b[i] = goes_on ? block->m[2][i] * x + block->m[3][i] * y : 0;
+    block->next_a[i] = block->a[i] + block->step_a[i];
+    block->next_b[i] = block->b[i] + block->step_b[i];
     block->state[i] = next;
+}
+
+/* Who is near enough makes the last step without looking where it leads. */
+INLINE void arrive(struct aim_block *restrict block, int i)
+{
+    bool arrives = block->state[i] == AIM_LAST;
+    block->a[i] = arrives ? block->next_a[i] : block->a[i];
+    block->b[i] = arrives ? block->next_b[i] : block->b[i];
+    block->miss_x[i] = arrives ? 0 : block->miss_x[i];
+    block->miss_y[i] = arrives ? 0 : block->miss_y[i];
+    block->state[i] = arrives ? AIM_DONE : block->state[i];
 }
 
 INLINE void judge(const struct ray_block *restrict at, double enough2, double near2,
@@ -44,15 +57,19 @@ INLINE void judge(const struct ray_block *restrict at, double enough2, double ne
     block->a[i] += takes ? block->step_a[i] : 0;
     block->b[i] += takes ? block->step_b[i] : 0;
     double stuck = before2 <= near2 ? AIM_DONE : AIM_ASTRAY;
-    double going = after2 <= enough2 ? AIM_DONE : AIM_OPEN;
+    /* what the next step will leave, if it brings as much as this one */
+    double going = 100 * after2 * after2 <= enough2 * before2 ? AIM_LAST : AIM_OPEN;
     double next = takes ? going : stuck;
     go_on(block, state == AIM_OPEN ? next : state, i);
 }
 
-void NAME(kernel_aim, KERNEL)(const struct ray_block *at_stop, double enough2, double near2,
-                              struct aim_block *block)
+void NAME(kernel_aim, KERNEL)(const struct ray_block *restrict at_stop, double enough2,
+                              double near2, struct aim_block *restrict block)
 {
     for (int i = 0; i < RAYS_BLOCK; i++) {
         judge(at_stop, enough2, near2, block, i);
+    }
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        arrive(block, i);
     }
 }

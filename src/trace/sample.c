@@ -69,12 +69,18 @@ static void make_gauss(size_t rays, struct arena *arena, struct sample *sample)
     }
     size_t arms = 2 * rings + 1;
     double *r2 = ARENA_ARRAY(arena, rings, double), *w = ARENA_ARRAY(arena, rings, double);
+    double *across = ARENA_ARRAY(arena, arms, double), *up = ARENA_ARRAY(arena, arms, double);
     gauss_rule(rings, r2, w);
+    for (size_t k = 0; k < arms; k++) {
+        double angle = 2 * PI * (double)k / (double)arms;
+        across[k] = sin(angle);
+        up[k] = cos(angle);
+    }
     room(sample, rings * arms, arena);
     for (size_t i = 0; i < rings; i++) {
+        const double r = sqrt(r2[i]), weight = w[i] / (double)arms;
         for (size_t k = 0; k < arms; k++) {
-            double angle = 2 * PI * (double)k / (double)arms, r = sqrt(r2[i]);
-            add(sample, r * sin(angle), r * cos(angle), w[i] / (double)arms);
+            add(sample, r * across[k], r * up[k], weight);
         }
     }
 }
