@@ -366,7 +366,7 @@ static void search_points(const struct aim *aim, const struct pupil_point *point
     }
 }
 
-/* Where the rays of a block cross the stop, each a way of its own on from where it is, from there. */
+/* How far beside their places in the stop rays cross it that start so much beside their own. */
 static void look_beside(const struct aim *aim, const struct aim_block *block, size_t count,
                         double more_a, double more_b, double *x, double *y)
 {
