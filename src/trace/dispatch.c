@@ -78,7 +78,7 @@ kernel_beam *dispatch_beam(enum instruction_set set)
 {
     static kernel_beam *const kernels[] = {NULL, kernel_beam_sse2, kernel_beam_avx2,
                                            kernel_beam_avx512};
-    return kernels[best(set)];
+    return kernels[instruction_set_best(set)];
 }
 
 struct work {
