@@ -67,7 +67,7 @@ static const struct column columns[] = {
      .help = "stops from first to last shot"},
     {STOPS(residual), .name = "residual", .symbol = "r", .label = "residual of the last shot",
      .help = "stops by which the last shot exposes more (+) or less (-) than the end asked for"},
-    {TIME(total), .name = "total", .symbol = "total", .label = "total time",
+    {TIME(total), .name = "total", .flags = COLUMN_SPAN, .symbol = "total", .label = "total time",
      .help = "sum of all times"},
     {STOPS(covered), .name = "covered", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "range",
      .symbol = "covered", .label = "covered", .help = "contrast of the scene that is recorded"},
