@@ -12,11 +12,12 @@ static const char *const names[KEEP_NOTES] = {
     [KEEP_NOTE_STATED + STATED_EFL] = "stated efl ",
     [KEEP_NOTE_STATED + STATED_BFL] = "stated bfl ",
     [KEEP_NOTE_STATED + STATED_FNUMBER] = "stated fnumber ",
+    [KEEP_NOTE_STATED + STATED_TSTOP] = "stated tstop ",
 };
 
 static struct number_scale scale_of(int stated, struct number_scale unit)
 {
-    return stated == STATED_FNUMBER ? NUMBER_UNSCALED : unit;
+    return stated_is_length(stated) ? unit : NUMBER_UNSCALED;
 }
 
 static void put_line(struct growing *out, const char *begin, enum keep_note note, const char *text,

@@ -238,7 +238,8 @@ static void put_use(struct writer *writer)
 
 static void put_stated(struct writer *writer)
 {
-    static const char *const keys[] = {"stated_efl_mm", "stated_bfl_mm", "stated_fnumber"};
+    static const char *const keys[] = {"stated_efl_mm", "stated_bfl_mm", "stated_fnumber",
+                                       "stated_tstop"};
     const struct lens *lens = writer->lens;
     for (int i = 0; i < STATED_COUNT; i++) {
         put_key(writer, keys[i]);

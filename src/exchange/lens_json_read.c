@@ -249,7 +249,8 @@ static bool read_aperture(struct json_reading *reading, const struct json_value 
 static bool read_stated(struct json_reading *reading, const struct json_value *root,
                         struct error *error)
 {
-    static const char *const keys[] = {"stated_efl_mm", "stated_bfl_mm", "stated_fnumber"};
+    static const char *const keys[] = {"stated_efl_mm", "stated_bfl_mm", "stated_fnumber",
+                                       "stated_tstop"};
     struct lens *lens = reading->build.lens;
     for (int i = 0; i < STATED_COUNT; i++) {
         const struct json_value *value = json_item(root, keys[i]);
@@ -263,7 +264,7 @@ static bool read_stated(struct json_reading *reading, const struct json_value *r
         if (value->count != 1 && !json_check_count(reading, value, error)) {
             return false;
         }
-        if (!json_read_figures(reading, value, i == STATED_FNUMBER ? JSON_PLAIN : JSON_LENGTH,
+        if (!json_read_figures(reading, value, stated_is_length(i) ? JSON_LENGTH : JSON_PLAIN,
                                &figures, error)) {
             return false;
         }
@@ -435,6 +436,7 @@ static bool read_root(struct json_reading *reading, const struct json_value *roo
                                        "stated_efl_mm",
                                        "stated_bfl_mm",
                                        "stated_fnumber",
+                                       "stated_tstop",
                                        "surfaces",
                                        "fields_x",
                                        "field_weights",

@@ -196,7 +196,7 @@ static void change_system(const struct change *change, struct lens *lens)
         lens->apertures = change_all(change, lens->apertures, positions);
     }
     for (int i = 0; i < STATED_COUNT; i++) {
-        if (i != STATED_FNUMBER) {
+        if (stated_is_length(i)) {
             lens->stated[i] = change_all(change, lens->stated[i], lens->stated_count[i]);
         }
     }

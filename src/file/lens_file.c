@@ -386,7 +386,7 @@ static bool keep_setting(struct parser *parser, struct error *error)
 
 static bool read_stated(struct parser *parser, struct error *error)
 {
-    static const char *const names[STATED_COUNT] = {"efl", "bfl", "fnumber"};
+    static const char *const names[STATED_COUNT] = {"efl", "bfl", "fnumber", "tstop"};
     struct lens *lens = parser->lens;
     struct lens_words *words = &parser->words;
     struct text word = lens_words_next(words);
@@ -395,7 +395,7 @@ static bool read_stated(struct parser *parser, struct error *error)
             continue;
         }
         struct figure *values;
-        if (!lens_words_figures(words, i == STATED_FNUMBER ? NUMBER_UNSCALED : words->scale,
+        if (!lens_words_figures(words, stated_is_length(i) ? words->scale : NUMBER_UNSCALED,
                                 names[i], &values, &lens->stated_count[i], error)) {
             return false;
         }
@@ -403,7 +403,7 @@ static bool read_stated(struct parser *parser, struct error *error)
         size_t count = lens->stated_count[i];
         return count == 1 || check_count(parser, word, count, error);
     }
-    return lens_words_fail(words, word, error, "what is stated is efl, bfl or fnumber");
+    return lens_words_fail(words, word, error, "what is stated is efl, bfl, fnumber or tstop");
 }
 
 /* One surface more, with the coordinate break before it. */

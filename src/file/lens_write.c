@@ -340,7 +340,8 @@ static void put_settings(struct writer *writer)
 
 static void put_positions(struct writer *writer)
 {
-    static const char *const stated[] = {"stated efl", "stated bfl", "stated fnumber"};
+    static const char *const stated[STATED_COUNT] = {"stated efl", "stated bfl", "stated fnumber",
+                                                     "stated tstop"};
     const struct lens *lens = writer->lens;
     size_t count = lens->position_count;
     for (size_t i = 0; i < count; i++) {
@@ -351,7 +352,7 @@ static void put_positions(struct writer *writer)
     for (int i = 0; i < STATED_COUNT; i++) {
         if (lens->stated[i] != NULL) {
             put_figures(writer, stated[i], lens->stated[i], lens->stated_count[i],
-                        i == STATED_FNUMBER ? 1 : writer->unit);
+                        stated_is_length(i) ? writer->unit : 1);
         }
     }
     for (size_t i = 0; i < lens->variable_count; i++) {

@@ -91,7 +91,12 @@ struct lens_points {
 };
 
 /* What the source says the lens has; one value a position, or none. */
-enum { STATED_EFL, STATED_BFL, STATED_FNUMBER, STATED_COUNT };
+enum { STATED_EFL, STATED_BFL, STATED_FNUMBER, STATED_TSTOP, STATED_COUNT };
+
+static inline bool stated_is_length(int stated)
+{
+    return stated == STATED_EFL || stated == STATED_BFL;
+}
 
 struct lens {
     const char *title, *source, *kind; /* null = not said */

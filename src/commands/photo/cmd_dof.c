@@ -88,7 +88,7 @@ static const struct column columns[] = {
     COLUMN_FOCAL(struct row, focal, 0),
     COLUMN_FNUMBER(struct row, fnumber, 0),
     {COLUMN(struct row, t_stop), .name = "t_stop", .flags = COLUMN_EXTRA | COLUMN_ECHO,
-     .with = "t-stop", .symbol = "T", .label = "T-stop", .help = "T-stop as marked"},
+     .with = "t-stop lens", .symbol = "T", .label = "T-stop", .help = "T-stop as marked"},
     ATTACHMENT_COLUMNS(struct row, attached),
     {COLUMN_LENGTH(distance, "m"), .name = "distance",
      .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .with = "distance", .label = "distance",
@@ -134,7 +134,7 @@ static const struct column columns[] = {
     {COLUMN(struct row, dof.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
      .label = "working f-number", .help = "f-number that exposes, N (1 + m/P)"},
     {COLUMN(struct row, working_t_stop), .name = "working_t_stop", .flags = COLUMN_EXTRA,
-     .with = "t-stop", .symbol = "Tw", .label = "working T-stop",
+     .with = "t-stop lens", .symbol = "Tw", .label = "working T-stop",
      .help = "T-stop that exposes: as the working f-number, with the lens's own loss"},
     {COLUMN_LENGTH(across.focal, "mm"), .name = "horizontal_focal", .flags = COLUMN_EXTRA,
      .with = "squeeze", .symbol = "fh", .label = "horizontal focal length",
@@ -194,12 +194,13 @@ static const struct column columns[] = {
 static bool fill_more(const struct dof_question *input, const struct attached_lens *attached,
                       struct row *row, struct error *error)
 {
-    double transmittance, exposes = row->dof.working_fnumber / row->setting.N;
+    double transmittance, T = input->t_stop;
+    double exposes = row->dof.working_fnumber / row->setting.N;
     row->attached = input->attached;
     row->focal = isnan(attached->focal) ? row->setting.f : attached->focal;
     row->fnumber = row->setting.N / attached->fnumber_factor;
-    row->t_stop = input->t_stop;
-    row->working_t_stop = input->t_stop * attached->fnumber_factor * exposes;
+    row->t_stop = isnan(T) ? row->fnumber * attached->lens->t_ratio : T;
+    row->working_t_stop = row->t_stop * attached->fnumber_factor * exposes;
     row->squeeze = input->squeeze;
     row->across = (struct anamorphic){NAN, NAN, NAN, NAN};
     return (isnan(input->t_stop) ||

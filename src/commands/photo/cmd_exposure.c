@@ -135,9 +135,9 @@ static const struct column columns[] = {
     {STOPS(compensation), .name = "compensation", .flags = COLUMN_EXTRA | COLUMN_ECHO,
      .with = "compensation", .symbol = "more", .label = "compensation",
      .help = "exposed more than metered"},
-    {NUMBER(transmittance), .name = "transmittance", .flags = COLUMN_EXTRA, .with = "t-stop",
+    {NUMBER(transmittance), .name = "transmittance", .flags = COLUMN_EXTRA, .with = "t-stop lens",
      .label = "transmittance", .help = "of the lens"},
-    {NUMBER(t_stop), .name = "t_stop", .flags = COLUMN_EXTRA, .with = "transmittance",
+    {NUMBER(t_stop), .name = "t_stop", .flags = COLUMN_EXTRA, .with = "transmittance lens",
      .symbol = "T", .label = "T-stop", .help = "f-number of a lens without loss"},
     {NUMBER(magnification), .name = "magnification", .flags = COLUMN_EXTRA | COLUMN_ECHO,
      .with = "magnification", .label = "magnification", .help = "size on the sensor over size"},
@@ -197,6 +197,9 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     struct exposure_row row;
     own.given.N = lens->N;
     own.lens.pupil = lens->P;
+    if (isnan(own.t_stop) && isnan(own.transmittance) && !isnan(lens->t_ratio)) {
+        own.transmittance = 1 / (lens->t_ratio * lens->t_ratio);
+    }
     bool blank = lamps_asked(&input->lamps) && !exposure_is_asked(input);
     if (!(blank ? exposure_blank : exposure_answer)(input, &row, error)) {
         return false;

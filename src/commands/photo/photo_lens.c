@@ -106,6 +106,20 @@ static bool take_pupil(const struct first_order *first, const struct photo_lens_
     return true;
 }
 
+/* T-stop over f-number by what its source states, wide open: it loses light, it makes none. */
+static bool take_t_ratio(const struct first_order *first, struct photo_lens *lens,
+                         struct error *error)
+{
+    const double rounded = 0.99; /* as T-stops and f-numbers are marked */
+    double N = lens_stated(lens->lens, STATED_FNUMBER, lens->position);
+    double T = lens_stated(lens->lens, STATED_TSTOP, lens->position);
+    N = isnan(N) ? first->fnumber : N;
+    lens->t_ratio = isnan(T) || !(N > 0) ? (double)NAN : fmax(T / N, 1);
+    return !(T < rounded * N) ||
+           fail(error, ERROR_DOMAIN,
+                "its source states T%.4g at f/%.4g: a T-stop cannot be below the f-number", T, N);
+}
+
 static bool work_out(const struct photo_lens_question *question, size_t position, int use,
                      struct arena *arena, struct photo_lens *lens, struct error *error)
 {
@@ -142,7 +156,8 @@ static bool work_out(const struct photo_lens_question *question, size_t position
         .rear = first->rear_principal,
     };
     lens->real = said;
-    return check_power(first, error) && take_pupil(first, question, use, lens, error);
+    return check_power(first, error) && take_t_ratio(first, lens, error) &&
+           take_pupil(first, question, use, lens, error);
 }
 
 /* The lens in one position; what is wrong with it, with its name before. */

@@ -55,6 +55,7 @@ struct photo_lens {
     double wavelength;
     struct measuring measuring;
     const struct photo_real *real;
+    double t_ratio; /* T-stop over f-number, of a real lens whose source states it; else NaN */
     const struct lens *lens;         /* in all its positions; null: a thin one */
     size_t position;                 /* which of them */
     const struct first_order *first; /* of the real lens; null: a thin one */
@@ -121,6 +122,7 @@ static inline struct photo_lens photo_lens_thin(const struct photo_lens_question
         .P = question->pupil > 0 ? question->pupil : 1,
         .wavelength = question->wavelength > 0 ? question->wavelength : PHOTO_WAVELENGTH,
         .measuring = {(enum distance_from)question->from, 0, NAN},
+        .t_ratio = NAN,
         .real = &photo_real_none,
     };
 }
