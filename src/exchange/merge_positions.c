@@ -363,18 +363,32 @@ bool merge_positions(struct lens_build *build, const struct lens *lenses, struct
     return merge_fields(&merge, error);
 }
 
+/* Position 0: the file has none. */
+static bool read_one(const struct merge_file *file, size_t position, struct lens *lens,
+                     struct arena *arena, struct error *error)
+{
+    void *state = arena_array(arena, 1, file->size);
+    memcpy(state, file->state, file->size);
+    return file->read(state, position, file->content, lens, error);
+}
+
 bool merge_read(struct lens_build *build, struct foreign_job *job, const struct merge_file *file,
                 struct error *error)
 {
+    if (file->count == 0) {
+        return read_one(file, 0, build->lens, job->arena, error);
+    }
     struct lens *lenses = ARENA_ARRAY(job->arena, file->count, struct lens);
+    const char **numbers = ARENA_ARRAY(job->arena, file->count, const char *);
     for (size_t p = 0; p < file->count; p++) {
         const size_t losses = job->loss_count;
-        if (!file->read(file->context, p, &lenses[p], error)) {
+        numbers[p] = arena_printf(job->arena, "%zu", p + 1);
+        if (!read_one(file, p + 1, &lenses[p], job->arena, error)) {
             return false;
         }
         foreign_forget_repeated(job, p > 0 ? losses : job->loss_count);
     }
-    build->lens->positions = file->names;
+    build->lens->positions = file->names != NULL ? file->names : numbers;
     build->lens->position_count = file->count;
     return merge_positions(build, lenses, job, error);
 }

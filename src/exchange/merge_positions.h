@@ -20,16 +20,19 @@
 bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,
                      struct error *error);
 
-/* A file with positions. */
+/* A file that is read once for each of its positions. */
 struct merge_file {
-    const char **names; /* of the positions, in the arena */
-    size_t count;
-    /* reads the lens of one of them, from 0 on */
-    bool (*read)(void *context, size_t position, struct lens *lens, struct error *error);
-    void *context;
+    struct text content;
+    const char **names; /* of the positions, in the arena; null: their numbers */
+    size_t count;       /* 0: it has none, and is read once, as position 0 */
+    const void *state;  /* of the reader, before it reads; copied for each position */
+    size_t size;        /* of the state */
+    /* reads the lens of one of them, from 1 on */
+    bool (*read)(void *state, size_t position, struct text content, struct lens *lens,
+                 struct error *error);
 };
 
-/* The same of a file that is read once for each of its positions; a loss is listed once. */
+/* The same of such a file; a loss is listed once. */
 bool merge_read(struct lens_build *build, struct foreign_job *job, const struct merge_file *file,
                 struct error *error);
 

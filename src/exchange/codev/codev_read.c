@@ -280,11 +280,13 @@ static void read_keep_notes(struct codev *codev, struct text content)
 }
 
 /* The lens of the present position. */
-static bool read_position(struct codev *codev, struct text content, struct lens *lens,
+static bool read_position(void *state, size_t position, struct text content, struct lens *lens,
                           struct error *error)
 {
+    struct codev *codev = state;
     const struct number_scale scale = codev->commands.scale;
     const char *unit = codev->build.lens->unit;
+    codev->position = position;
     lens_build_begin(&codev->build, lens, codev->job->arena);
     lens->unit = unit;
     commands_open(&codev->commands, codev->job, content, &grammar);
@@ -307,20 +309,6 @@ static bool read_position(struct codev *codev, struct text content, struct lens 
 }
 
 /* A file with positions is read once for each of them. */
-struct replay {
-    const struct codev *first;
-    struct text content;
-};
-
-static bool read_again(void *context, size_t position, struct lens *lens, struct error *error)
-{
-    const struct replay *replay = context;
-    struct codev *one = ARENA_NEW(replay->first->job->arena, struct codev);
-    *one = *replay->first;
-    one->position = position + 1;
-    return read_position(one, replay->content, lens, error);
-}
-
 static bool codev_read(struct foreign_job *job, struct text content, struct lens *lens,
                        struct error *error)
 {
@@ -330,17 +318,16 @@ static bool codev_read(struct foreign_job *job, struct text content, struct lens
     if (!read_ahead(first, content, error)) {
         return false;
     }
-    if (first->positions == 0) {
-        return read_position(first, content, lens, error);
-    }
     struct lens_build build = first->build;
-    struct replay replay = {first, content};
-    const struct merge_file file = {first->names, first->positions, read_again, &replay};
+    const struct merge_file file = {content, first->names,  first->positions,
+                                    first,   sizeof *first, read_position};
     if (!merge_read(&build, job, &file, error)) {
         return false;
     }
-    const struct keep_notes notes = kept_in(content); /* they state a number for each position */
-    keep_notes_apply(&notes, &build);
+    if (first->positions > 0) { /* they state a number for each position */
+        const struct keep_notes notes = kept_in(content);
+        keep_notes_apply(&notes, &build);
+    }
     return true;
 }
 

@@ -490,12 +490,14 @@ static bool read_ahead(struct oslo *oslo, struct text content, struct error *err
 }
 
 /* The lens of the present configuration. */
-static bool read_position(struct oslo *oslo, struct text content, struct lens *lens,
+static bool read_position(void *state, size_t position, struct text content, struct lens *lens,
                           struct error *error)
 {
+    struct oslo *oslo = state;
     struct foreign_job *job = oslo->job;
     const struct number_scale scale = oslo->commands.scale;
     const char *unit = oslo->build.lens->unit;
+    oslo->position = position;
     lens_build_begin(&oslo->build, lens, job->arena);
     lens->unit = unit;
     oslo->has_ended = false;
@@ -530,20 +532,6 @@ static bool read_position(struct oslo *oslo, struct text content, struct lens *l
 }
 
 /* A file with configurations is read once for each of them. */
-struct replay {
-    const struct oslo *first;
-    struct text content;
-};
-
-static bool read_again(void *context, size_t position, struct lens *lens, struct error *error)
-{
-    const struct replay *replay = context;
-    struct oslo *one = ARENA_NEW(replay->first->job->arena, struct oslo);
-    *one = *replay->first;
-    one->position = position + 1;
-    return read_position(one, replay->content, lens, error);
-}
-
 static bool oslo_read(struct foreign_job *job, struct text content, struct lens *lens,
                       struct error *error)
 {
@@ -553,17 +541,9 @@ static bool oslo_read(struct foreign_job *job, struct text content, struct lens 
     if (!read_ahead(first, content, error)) {
         return false;
     }
-    if (first->positions == 0) {
-        return read_position(first, content, lens, error);
-    }
-    struct lens_build build = first->build;
-    struct replay replay = {first, content};
-    const char **names = ARENA_ARRAY(job->arena, first->positions, const char *);
-    for (size_t p = 0; p < first->positions; p++) {
-        names[p] = arena_printf(job->arena, "%zu", p + 1);
-    }
-    const struct merge_file file = {names, first->positions, read_again, &replay};
-    return merge_read(&build, job, &file, error);
+    const struct merge_file file = {content, NULL,          first->positions,
+                                    first,   sizeof *first, read_position};
+    return merge_read(&first->build, job, &file, error);
 }
 
 /* Some line begins with LEN NEW. */
