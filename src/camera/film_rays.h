@@ -39,10 +39,11 @@ void film_rays_plan(const struct film_plan *plan, uint32_t block, enum instructi
  *           of the point; radiance as the medium of the image has it: the scene's times (n'/n)^2.
  *           Beyond region.largest 0
  * Formula   with corners interpolated between two distances, a piece of the ring chosen by u and
- *           within it P = I(w) + t (O(w) - I(w)), I and O along its two sides:
- *           density |dP/dw x dP/dt| dt/dv, t such that it is even in rings; the point (x, y) is
- *           turned from (0, h). weight = d^2/rho^4 over that, d from the plane, rho the whole way
- * Source    derived here: cos(theta) dw = d^2/rho^4 dA of a plane parallel to the film
+ *           within it P = I(w) + t (O(w) - I(w)), I and O along its two sides: direction cosines,
+ *           whose areas are projected solid angles; weight = |dP/dw x dP/dt| dt/dv times the number
+ *           of pieces, t such that it is even in rings; the point (x, y) is turned from (0, h)
+ * Source    cos(theta) dw = dL dM of the direction cosines L, M in the plane of the film:
+ *           [Welford86] (illumination in the image)
  */
 void film_rays_start(const struct film_region *region, struct film_samples *samples,
                      enum instruction_set set, struct ray_block *block);

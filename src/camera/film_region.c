@@ -17,13 +17,13 @@ enum { HALF = 128, EACH = 2 * HALF / FILM_SECTORS, LOOKS = 2 * FILM_RADII - 1, B
 enum { HOLE_LOOKS = 8, HOLE_ROWS = HOLE_LOOKS / 2 };
 
 /* Edges are searched to a share of what the regions are grown by. */
-static const double grown = 1.003, shrunk = 0.99, roughly = 1e-4, around = 2, farthest = 100;
+static const double grown = 1.003, shrunk = 0.985, roughly = 1e-4, around = 2, farthest = 100;
 
 struct point {
     double x, y;
 };
 
-/* The edge of a pupil, seen from one point of the film, in the plane of the last vertex. */
+/* The edge of a pupil, seen from one point of the film, in direction cosines. */
 struct outline {
     bool is_empty, asks_hole, has_hole;
     size_t each;           /* which directions are looked in: all, or every other */
@@ -38,7 +38,7 @@ struct search {
     struct arena *arena;
 };
 
-/* One point of the film at one wavelength, looked at from the plane. */
+/* One point of the film at one wavelength, looked at from there. */
 struct view {
     struct beam beam;
     struct stop_beam disc;
@@ -47,25 +47,35 @@ struct view {
     struct edge_frame frame;
 };
 
-/* -------- between the plane and the beam -------- */
+/* -------- between directions and the beam -------- */
 
-static void to_beam(const struct view *view, struct point at, double uv[2])
+static void to_beam(const struct view *view, const struct film_lens *lens, double height,
+                    struct point way, double place[2])
+{
+    const double film = lens->film, over2 = way.x * way.x + way.y * way.y;
+    /* a guess may lie beyond all directions */
+    const double to_plane = fabs(film) / sqrt(fmax(1 - over2, 1e-12));
+    beam_place(&view->beam, (double[3]){to_plane * way.x, height + to_plane * way.y, 0}, place);
+}
+
+/* In units of the disc. */
+static void to_disc(const struct view *view, const struct film_lens *lens, double height,
+                    struct point way, double uv[2])
 {
     const struct stop_beam *disc = &view->disc;
     double place[2];
-    beam_place(&view->beam, (double[3]){at.x, at.y, 0}, place);
+    to_beam(view, lens, height, way, place);
     for (int k = 0; k < 2; k++) {
         uv[k] = (place[k] - disc->origin[k]) / disc->axes[3 * k];
     }
 }
 
-static struct point from_beam(const struct view *view, const double uv[2])
+static struct point from_disc(const struct view *view, const double uv[2])
 {
     double at[2];
     stop_beam_place(&view->disc, uv[0], uv[1], at);
     const struct ray ray = beam_ray(&view->beam, at[0], at[1]);
-    const double way = ray.point[2] / ray.cosine[2];
-    return (struct point){ray.point[0] - way * ray.cosine[0], ray.point[1] - way * ray.cosine[1]};
+    return (struct point){ray.cosine[0], ray.cosine[1]};
 }
 
 /* Look with a disc of so many half widths about a middle. */
@@ -74,14 +84,17 @@ static void open_view(const struct search *search, size_t wavelength, const stru
 {
     const struct film_lens *lens = search->lens;
     const struct system *system = lens->systems[wavelength];
-    double edge[2];
-    view->beam = beam_to_pupil((double[3]){0, about->height, lens->film}, lens->first->exit_pupil,
+    const double height = about->height;
+    double right[2], up[2];
+    view->beam = beam_to_pupil((double[3]){0, height, lens->film}, lens->first->exit_pupil,
                                system->index_first);
     view->disc = (struct stop_beam){
         .system = system, .beam = &view->beam, .radius = NAN, .weight = WEIGHT_BEAM};
-    beam_place(&view->beam, (double[3]){0, about->centre, 0}, view->disc.origin);
-    beam_place(&view->beam, (double[3]){0, about->centre + about->size.y, 0}, edge);
-    const double radius = widths * fmax(about->size.x, fabs(edge[1] - view->disc.origin[1]));
+    const double *middle = view->disc.origin;
+    to_beam(view, lens, height, (struct point){0, about->centre}, view->disc.origin);
+    to_beam(view, lens, height, (struct point){about->size.x, about->centre}, right);
+    to_beam(view, lens, height, (struct point){0, about->centre + about->size.y}, up);
+    const double radius = widths * fmax(fabs(right[0] - middle[0]), fabs(up[1] - middle[1]));
     view->disc.axes[0] = view->disc.axes[3] = radius;
     view->frame = (struct edge_frame){.stretch = {1 / widths, 1 / widths}};
     view->margins = margins_open(&view->disc, search->arena);
@@ -112,7 +125,7 @@ static void find_hole(const struct view *view, const double *angles, const struc
         double at[2];
         const double share = spans[k].count > 0 ? spans[k].low[0] : 1;
         edge_point(&view->frame, some[k], share * ends[k].radius, at);
-        outline->hole[k] = from_beam(view, at);
+        outline->hole[k] = from_disc(view, at);
         outline->has_hole = outline->has_hole && share > 0;
     }
 }
@@ -136,8 +149,9 @@ static void measure(const struct outline *outline, struct point *size, double *c
 }
 
 /* Where to look first: each direction, a half width away or where a neighbour has its edge. */
-static void guess_edge(const struct view *view, const struct outline *outline,
-                       const struct outline *near, double *angles, double *radii)
+static void guess_edge(const struct view *view, const struct film_lens *lens,
+                       const struct outline *outline, const struct outline *near, double *angles,
+                       double *radii)
 {
     for (size_t k = 0; k <= HALF / outline->each; k++) {
         const size_t i = k * outline->each;
@@ -147,26 +161,26 @@ static void guess_edge(const struct view *view, const struct outline *outline,
         if (near != NULL) {
             at = (struct point){near->edge[i].x, near->edge[i].y - near->centre};
         }
-        to_beam(view, (struct point){at.x, outline->centre + at.y}, uv);
+        to_disc(view, lens, outline->height, (struct point){at.x, outline->centre + at.y}, uv);
         edge_polar(&view->frame, uv, 0, &angles[k], &radii[k]);
     }
 }
 
 /* The edge as seen in a disc; does the disc itself end some of it? */
-static bool look_within(const struct view *view, const struct outline *near,
-                        struct outline *outline)
+static bool look_within(const struct view *view, const struct film_lens *lens,
+                        const struct outline *near, struct outline *outline)
 {
     double angles[HALF + 1], radii[HALF + 1];
     struct edge edges[HALF + 1];
     bool fills = false;
-    guess_edge(view, outline, near, angles, radii);
+    guess_edge(view, lens, outline, near, angles, radii);
     const struct edge_directions directions = {view->frame, angles, near != NULL ? radii : NULL,
                                                HALF / outline->each + 1};
     edges_find(&view->margins, &directions, roughly, edges);
     for (size_t k = 0; k <= HALF / outline->each; k++) {
         double at[2];
         edge_point(&view->frame, angles[k], edges[k].radius, at);
-        outline->edge[k * outline->each] = from_beam(view, at);
+        outline->edge[k * outline->each] = from_disc(view, at);
         fills = fills || edges[k].limit == 0; /* the first margin is the disc */
     }
     find_hole(view, angles, edges, outline);
@@ -190,7 +204,7 @@ static bool look(const struct search *search, size_t wavelength, const struct ou
         open_view(search, wavelength, outline, widths, &view);
         margins_look(&view.margins, middle, 1);
         const bool is_dark = !(view.margins.excess[0] <= 0);
-        fills = !is_dark && look_within(&view, near, outline);
+        fills = !is_dark && look_within(&view, search->lens, near, outline);
         arena_reset(search->arena, mark);
         if (is_dark) {
             return false;
@@ -207,7 +221,7 @@ static bool find_middle(const struct search *search, size_t wavelength, struct o
     struct star *star = ARENA_NEW(search->arena, struct star);
     struct view view;
     outline->centre = 0;
-    outline->size = (struct point){1, 1};
+    outline->size = (struct point){0.1, 0.1};
     open_view(search, wavelength, outline, 1, &view);
     const struct clear_guess guess =
         clear_guess_of(lens->systems[wavelength], &view.beam, lens->first);
@@ -222,9 +236,9 @@ static bool find_middle(const struct search *search, size_t wavelength, struct o
             low = fmin(low, star->edges[i].radius);
             high = fmax(high, star->edges[i].radius);
         }
-        outline->centre = from_beam(&view, centre).y;
+        outline->centre = from_disc(&view, centre).y;
         edge_point(&star->frame, 0, (low + high) / 2, uv);
-        const double size = fabs(from_beam(&view, uv).y - outline->centre);
+        const double size = fabs(from_disc(&view, uv).y - outline->centre);
         outline->size = (struct point){size, size};
     }
     arena_reset(search->arena, mark);

@@ -23,21 +23,20 @@ struct film_lens {
 };
 
 /*
- * Regions of the plane through the last vertex, one for each of FILM_RADII distances from the axis,
+ * Regions of direction cosines, one for each of FILM_RADII distances of the film from the axis,
  * h = largest (1 - (1 - t)^2), t in equal steps: closer to each other where light ends and pupils
  * shrink. Each is a ring of FILM_SECTORS pieces between two polygons, for the point (0, h) of the
  * film; the first corner lies upwards, the next ones towards +x, the last is the first again.
  * Between two distances corners are interpolated, and all light still passes within.
  */
 struct film_region {
-    double film;    /* behind the last vertex, mm */
-    double index;   /* n of the image space */
-    double largest; /* distance from the axis up to which light arrives, mm; 0: none does */
-    double per_mm;  /* 1/largest */
-    bool has_hole;  /* something dark in the middle: a mirror */
-    double *centre; /* its y, mm, FILM_RADII of them */
-    double
-        *inner[2]; /* x, y of the corners, mm, FILM_RADII rows of FILM_CORNERS; only with holes */
+    double film;      /* behind the last vertex, mm */
+    double index;     /* n of the image space */
+    double largest;   /* distance from the axis up to which light arrives, mm; 0: none does */
+    double per_mm;    /* 1/largest */
+    bool has_hole;    /* something dark in the middle: a mirror */
+    double *centre;   /* its y, mm, FILM_RADII of them */
+    double *inner[2]; /* x, y of the corners, FILM_RADII rows of FILM_CORNERS; only with holes */
     double *outer[2];
     double ratio; /* about what the hole is of the region, in radii */
 };
@@ -51,7 +50,7 @@ struct film_region {
  * Formula   the edge in 256 directions from a centre, each found from that of the distance before
  *           (trace/edges.h), at twice as many distances as are kept; polygons are stretched until
  *           they contain these edges, at their own distance and half way to the next, and then
- *           by 0.3 %; a hole is the smaller by 1 %
+ *           by 0.3 %; a hole is the smaller by 1.5 %
  * Errors    ERROR_DOMAIN: the lens is not round; the film lies in the last vertex
  * Limits    as trace/star.h: only what is connected with the middle of the pupil. Beside what was
  *           looked at 1e-4 of the irradiance on the axis may be missed, in lensdb's lenses

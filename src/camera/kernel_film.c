@@ -27,13 +27,13 @@ INLINE double between(const double *corners, int place, double share)
     return from + share * (corners[place + FILM_CORNERS] - from);
 }
 
-/* A place of the plane seen from (0, h), and how much of it a unit of u and v is, mm^2. */
-struct spot_area {
+/* A direction from (0, h), and how much of all a unit of u and v is. */
+struct direction {
     double x, y, area;
 };
 
 /* Between a centre and the polygon. */
-INLINE struct spot_area in_sector(const struct film_region *region, int row, int k, double share,
+INLINE struct direction in_sector(const struct film_region *region, int row, int k, double share,
                                   double w, double v)
 {
     int place = row * FILM_CORNERS + k;
@@ -44,12 +44,12 @@ INLINE struct spot_area in_sector(const struct film_region *region, int row, int
     double bx = between(region->outer[0], place + 1, share);
     double by = between(region->outer[1], place + 1, share) - middle;
     double t = sqrt(v);
-    return (struct spot_area){t * (ax + w * (bx - ax)), middle + t * (ay + w * (by - ay)),
+    return (struct direction){t * (ax + w * (bx - ax)), middle + t * (ay + w * (by - ay)),
                               0.5 * FILM_SECTORS * fabs(ax * by - bx * ay)};
 }
 
 /* Between two polygons. */
-INLINE struct spot_area in_ring(const struct film_region *region, int row, int k, double share,
+INLINE struct direction in_ring(const struct film_region *region, int row, int k, double share,
                                 double w, double v)
 {
     int place = row * FILM_CORNERS + k;
@@ -65,7 +65,7 @@ INLINE struct spot_area in_ring(const struct film_region *region, int row, int k
     double t = (r - hole) / (1 - hole), slope = 0.5 * (1 + hole) / r;
     double out_x = cx + w * (dx - cx), out_y = cy + w * (dy - cy);
     double along_x = bx - ax + t * (dx - cx), along_y = by - ay + t * (dy - cy);
-    return (struct spot_area){ax + w * (bx - ax) + t * out_x, ay + w * (by - ay) + t * out_y,
+    return (struct direction){ax + w * (bx - ax) + t * out_x, ay + w * (by - ay) + t * out_y,
                               FILM_SECTORS * slope * fabs(along_x * out_y - along_y * out_x)};
 }
 
@@ -87,16 +87,14 @@ INLINE void start(const struct film_region *region, bool has_hole,
     row = row < FILM_RADII - 2 ? row : FILM_RADII - 2;
     k = k < FILM_SECTORS - 1 ? k : FILM_SECTORS - 1;
     double share = rows - row, w = sectors - k, v = samples->v[i];
-    struct spot_area at =
+    struct direction at =
         has_hole ? in_ring(region, row, k, share, w, v) : in_sector(region, row, k, share, w, v);
-    double along = at.y - h, film = region->film;
-    double whole2 = at.x * at.x + along * along + film * film, inverse = 1 / whole2;
-    double to_cosine = region->index * sqrt(inverse);
-    double weight = at.area * (film * film) * (inverse * inverse);
-    started->p[i] = to_cosine * (at.x * up_y + along * up_x);
-    started->q[i] = to_cosine * (along * up_y - at.x * up_x);
-    started->r[i] = -to_cosine * film;
-    started->weight[i] = lit ? weight : 0;
+    double left = 1 - (at.x * at.x + at.y * at.y), n = region->index;
+    double back = region->film > 0 ? -n : n;
+    started->p[i] = n * (at.x * up_y + at.y * up_x);
+    started->q[i] = n * (at.y * up_y - at.x * up_x);
+    started->r[i] = back * sqrt(left > 0 ? left : 0);
+    started->weight[i] = lit ? at.area : 0;
 }
 
 INLINE void store(struct film_samples *samples, double film, const struct started *started,

@@ -102,9 +102,15 @@ static double disc(double tan_a, double tan_t)
     return PI / 2 * (1 - (1 + t2 - a2) / sqrt(t2 * t2 + 2 * t2 * (1 - a2) + (1 + a2) * (1 + a2)));
 }
 
+/* The same with something dark in its middle. */
+static double ring(double tan_hole, double tan_t)
+{
+    return disc(0.5, tan_t) - (tan_hole > 0 ? disc(tan_hole, tan_t) : 0);
+}
+
 static void test_closed_forms(void)
 {
-    static const double heights[] = {0, 0.3, 7, 20, 49.9};
+    static const double heights[] = {0, 0.3, 7, 20, 40};
     static const struct {
         const char *text;
         double hole;
@@ -120,12 +126,10 @@ static void test_closed_forms(void)
         }
         CHECK(opened.region.has_hole == (lenses[k].hole > 0));
         for (size_t i = 0; i < sizeof heights / sizeof heights[0]; i++) {
-            const double h = heights[i], tan_t = h / 50;
-            const double expected =
-                disc(0.5, tan_t) - (lenses[k].hole > 0 ? disc(lenses[k].hole, tan_t) : 0);
+            const double h = heights[i], expected = ring(lenses[k].hole, h / 50);
             double share;
-            CHECK_RELATIVE(irradiance(&opened, 0, 0.6 * h, -0.8 * h, &share), expected, 1e-4,
-                           "irradiance behind a hole");
+            CHECK_NEAR(irradiance(&opened, 0, 0.6 * h, -0.8 * h, &share), expected,
+                       1e-4 * ring(lenses[k].hole, 0), "irradiance behind a hole");
             CHECK(share > 0.97);
         }
         arena_free(&opened.arena);
@@ -161,7 +165,7 @@ static void test_lenses(void)
 
 /* A square about the region at a distance from the axis, a third wider than it. */
 struct box {
-    double middle, half; /* mm */
+    double middle, half; /* direction cosines */
 };
 
 static struct box box_of(const struct film_region *region, size_t row)
@@ -183,21 +187,19 @@ static double grid_irradiance(struct opened *opened, size_t wavelength, double h
     const struct film_region *region = &opened->region;
     const struct system *system = opened->systems[wavelength];
     const struct rays rays = rays_new(&opened->arena, SIDE);
-    const double step = 2 * box.half / SIDE, film = region->film;
-    double weights[SIDE], sum = 0;
+    const double step = 2 * box.half / SIDE;
+    double sum = 0;
     for (int row = 0; row < SIDE; row++) {
-        const double y = box.middle - box.half + (row + 0.5) * step - h;
+        const double y = box.middle - box.half + (row + 0.5) * step;
         for (int i = 0; i < SIDE; i++) {
             const double x = box.middle - box.half + (i + 0.5) * step;
-            const double way2 = x * x + y * y + film * film, way = sqrt(way2);
-            const struct ray ray = {.point = {0, h, film},
-                                    .cosine = {x / way, y / way, -film / way}};
+            const struct ray ray = {.point = {0, h, region->film},
+                                    .cosine = {x, y, -sqrt(fmax(1 - x * x - y * y, 0))}};
             rays_set(&rays, (size_t)i, region->index, &ray);
-            weights[i] = film * film / (way2 * way2) * step * step;
         }
         rays_trace(system, &rays, NULL);
         for (int i = 0; i < SIDE; i++) {
-            sum += rays_get(&rays, (size_t)i, 1).status == RAY_OK ? weights[i] : 0;
+            sum += rays_get(&rays, (size_t)i, 1).status == RAY_OK ? step * step : 0;
         }
     }
     return sum;
