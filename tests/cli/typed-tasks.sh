@@ -1,11 +1,5 @@
 # more tasks as people type them: the questions of the sister commands, of cameras, columns and times
-try() {
-    echo "\$ lenscalc $*"
-    echo "\$ lenscalc $*" >&2
-    lenscalc "$@"
-    status=$?
-    [ $status -eq 0 ] || echo "status $status" >&2
-}
+. "$TESTS/try.inc"
 dof() {
     try dof --csv --digits 5 "$@"
 }

@@ -1,11 +1,5 @@
 # tasks as people type them: answered, or refused with a message that gives the right form
-try() {
-    echo "\$ lenscalc $*"
-    echo "\$ lenscalc $*" >&2
-    lenscalc "$@"
-    status=$?
-    [ $status -eq 0 ] || echo "status $status" >&2
-}
+. "$TESTS/try.inc"
 dof() {
     try dof -c 0.03 --csv --digits 6 "$@"
 }
