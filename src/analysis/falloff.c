@@ -93,14 +93,16 @@ static struct ray chief_behind(const struct falloff *falloff, const struct beam 
 }
 
 static struct illumination from_film(const struct falloff *falloff, const struct system *clipped,
-                                     const struct beam *beam, const double *inside)
+                                     const struct beam *beam, const double *inside,
+                                     struct islands *islands)
 {
     const struct illumination_question question = {.clipped = clipped,
                                                    .open = falloff->film_open,
                                                    .beam = beam,
                                                    .first = &falloff->first,
                                                    .inside = inside,
-                                                   .error = falloff->error};
+                                                   .error = falloff->error,
+                                                   .islands = islands};
     return illumination_of_film(&question, falloff->setup.arena);
 }
 
@@ -147,16 +149,13 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
         *field = from_field(falloff, &beam, chief);
         found = behind.status == RAY_OK;
     }
-    point.light = from_film(falloff, falloff->film, &film, found ? inside : NULL);
+    const bool compares = falloff->clip && vignetting;
+    point.light = from_film(falloff, falloff->film, &film, found ? inside : NULL,
+                            compares ? &point.islands : NULL);
     point.vignetted = 0;
-    if (falloff->clip && vignetting) {
-        struct clear_guess guess = clear_guess_of(falloff->film, &film, &falloff->first);
-        for (int i = 0; i < 2 && found; i++) {
-            guess.centre[i] = inside[i];
-        }
-        point.islands = quadrature_islands_about(falloff->film, &film, &guess, setup->arena);
+    if (compares) {
         const struct illumination stop =
-            from_film(falloff, falloff->film_stop, &film, found ? inside : NULL);
+            from_film(falloff, falloff->film_stop, &film, found ? inside : NULL, NULL);
         point.vignetted = vignetted_of(&point.light, &stop);
     }
     return point;

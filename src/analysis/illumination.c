@@ -14,9 +14,6 @@
 /* Rays of the first try; how often they are doubled at most. */
 enum { RAYS_FIRST = 100, DOUBLINGS = 9 };
 
-/* The disc that a bundle is looked for in, in radii of what is expected: at first, at most. */
-static const double around = 2, farthest = 100;
-
 /* What sums of this many terms may be off by rounding. */
 static const double least = 5e-14;
 
@@ -27,30 +24,26 @@ typedef void visit_point(void *context, const double at[2], double weight);
 struct bundle_part {
     struct stop_beam beam;
     struct quadrature_region region;
-    double area; /* of the disc, mm^2 */
+    double area; /* of the unit disc of u and v, mm^2 */
 };
 
-/* The part about a point, in a disc that is large enough. It points into itself. */
+/* The part about a point. It points into itself. */
 static void open_part(const struct illumination_question *question, struct arena *arena,
                       struct bundle_part *part)
 {
     const struct clear_guess guess =
         clear_guess_of(question->clipped, question->beam, question->first);
     const double *inside = question->inside != NULL ? question->inside : guess.centre;
-    bool fills = true;
-    for (double share = around; fills && share < farthest; share *= 2) {
-        const double radius = share * guess.radius;
-        part->beam = (struct stop_beam){.system = question->clipped,
-                                        .beam = question->beam,
-                                        .origin = {inside[0], inside[1]},
-                                        .axes = {radius, 0, 0, radius},
-                                        .radius = NAN,
-                                        .weight = WEIGHT_BEAM};
-        part->area = PI * radius * radius;
-        part->region = quadrature_open(&part->beam, arena);
-        part->region.in_r = true;
-        fills = quadrature_fills_disc(&part->region, arena);
-    }
+    part->beam = (struct stop_beam){.system = question->clipped,
+                                    .beam = question->beam,
+                                    .origin = {inside[0], inside[1]},
+                                    .axes = {guess.radius, 0, 0, guess.radius},
+                                    .radius = question->clipped->stop_radius,
+                                    .weight = WEIGHT_BEAM};
+    part->area = PI * guess.radius * guess.radius;
+    part->region = quadrature_open(&part->beam, arena);
+    part->region.in_r = true;
+    part->region.in_beam = true;
 }
 
 /* All points of a quadrature of so many rays; weights add up to the area, mm^2. */
@@ -185,6 +178,9 @@ static struct illumination converge(const struct illumination_question *question
         light.value = sum_once(question, sum, part, rays, arena);
         light.error = fmax(2 * fabs(light.value - before), least * light.value);
         light.is_met = light.error <= question->error * light.value;
+    }
+    if (question->islands != NULL) {
+        *question->islands = quadrature_islands(&part->region, arena);
     }
     return light;
 }

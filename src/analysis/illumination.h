@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "optics/first_order.h"
 #include "trace/beam.h"
+#include "trace/islands.h"
 #include "trace/system.h"
 
 /* A bundle, and the lens that lets some of it pass. */
@@ -15,6 +16,7 @@ struct illumination_question {
     const struct first_order *first;
     const double *inside; /* a ray near the middle, in coordinates of the beam; null: paraxially */
     double error;         /* relative: when it is good enough */
+    struct islands *islands; /* receives what passes beside the bundle; null: it is not asked */
 };
 
 struct illumination {

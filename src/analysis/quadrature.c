@@ -18,6 +18,7 @@ static const double rounder = 8;
 /* Lines from the centre to the edge that points are put on. */
 struct arms {
     double *angles, *shares; /* rad; of the circle */
+    double (*ways)[2];       /* sine and cosine of the angles */
     struct edge *edges;
     struct spans *spans;
     size_t count;
@@ -72,6 +73,11 @@ static void make_arms(const struct margins *margins, const struct probe *probe,
     for (size_t i = 0; i < arms->count; i++) {
         near[i] = star_near(star, arms->angles[i]);
     }
+    arms->ways = arena_array(arena, arms->count, sizeof *arms->ways);
+    for (size_t i = 0; i < arms->count; i++) {
+        arms->ways[i][0] = sin(arms->angles[i]);
+        arms->ways[i][1] = cos(arms->angles[i]);
+    }
     arms->edges = ARENA_ARRAY(arena, arms->count, struct edge);
     arms->spans = ARENA_ARRAY(arena, arms->count, struct spans);
     const struct edge_directions directions = {star->frame, arms->angles, near, arms->count};
@@ -96,7 +102,6 @@ static void put_points(const struct quadrature_region *region, const struct arms
         most = arms->spans[k].count > most ? arms->spans[k].count : most;
     }
     all->sample.points = ARENA_ARRAY(arena, count, struct pupil_point);
-    all->rays = rays_new(arena, count);
     gauss_rule(rings, x, w);
     for (size_t i = 0; i < rings * most * arms->count; i++) {
         size_t k = i % arms->count, ring = i / arms->count % rings;
@@ -105,17 +110,26 @@ static void put_points(const struct quadrature_region *region, const struct arms
         if (span >= spans->count) {
             continue;
         }
-        double point[2], radius = arms->edges[k].radius;
+        const double radius = arms->edges[k].radius;
         double low = spans->low[span], high = spans->high[span];
         double width2 = (high - low) * (high + low), t = sqrt(low * low + width2 * x[ring]);
         if (in_r) {
             t = low + (high - low) * x[ring];
             width2 = 2 * t * (high - low);
         }
-        edge_point(&star->frame, arms->angles[k], radius * t, point);
-        all->sample.points[all->sample.count++] = (struct pupil_point){
-            point[0], point[1], w[ring] * arms->shares[k] * radius * radius * area * width2};
+        const double u = star->frame.stretch[0] * (radius * t) * arms->ways[k][0];
+        const double v = star->frame.stretch[1] * (radius * t) * arms->ways[k][1];
+        all->sample.points[all->sample.count++] =
+            (struct pupil_point){star->frame.centre[0] + u, star->frame.centre[1] + v,
+                                 w[ring] * arms->shares[k] * radius * radius * area * width2};
     }
+}
+
+/* The rays of points named by u and v. */
+static void put_rays(const struct quadrature_region *region, struct arena *arena,
+                     struct quadrature *all)
+{
+    all->rays = rays_new(arena, all->sample.count);
     double(*at)[2] = arena_array(arena, all->sample.count, sizeof *at);
     for (size_t i = 0; i < all->sample.count; i++) {
         at[i][0] = all->sample.points[i].x;
@@ -305,41 +319,11 @@ static void look(struct quadrature_region *region, struct arena *arena)
     }
 }
 
-bool quadrature_fills_disc(struct quadrature_region *region, struct arena *arena)
-{
-    const struct margins *margins = &region->margins;
-    look(region, arena);
-    if (region->is_empty || margins->count == 0 || margins->all[0].surface != LENS_NONE) {
-        return false;
-    }
-    bool fills = false;
-    for (size_t i = 0; i < region->star->count; i++) {
-        fills = fills || region->star->edges[i].limit == 0;
-    }
-    return fills;
-}
-
 struct islands quadrature_islands(struct quadrature_region *region, struct arena *arena)
 {
     look(region, arena);
     return region->is_empty ? (struct islands){0}
                             : islands_find(&region->margins, region->star, arena);
-}
-
-struct islands quadrature_islands_about(const struct system *clipped, const struct beam *beam,
-                                        const struct clear_guess *guess, struct arena *arena)
-{
-    const struct stop_beam pupil = {.system = clipped,
-                                    .beam = beam,
-                                    .origin = {guess->centre[0], guess->centre[1]},
-                                    .axes = {guess->radius, 0, 0, guess->radius},
-                                    .radius = clipped->stop_radius,
-                                    .weight = WEIGHT_BEAM};
-    const struct arena_mark mark = arena_mark(arena);
-    struct quadrature_region region = quadrature_open(&pupil, arena);
-    const struct islands islands = quadrature_islands(&region, arena);
-    arena_reset(arena, mark);
-    return islands;
 }
 
 const struct star *quadrature_star(struct quadrature_region *region, struct arena *arena)
@@ -387,7 +371,7 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
     const struct stop_beam *beam = region->beam;
     struct quadrature all;
     struct arms arms;
-    if (quadrature_whole(margins, rays, arena, &all)) {
+    if (!region->in_beam && quadrature_whole(margins, rays, arena, &all)) {
         return all;
     }
     look(region, arena);
@@ -400,6 +384,10 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
     make_arms(margins, &region->probe, star, wanted, arena, &arms);
     put_points(region, &arms, rings, arena, &all);
     all.is_empty = all.sample.count == 0;
+    if (region->in_beam) {
+        return all;
+    }
+    put_rays(region, arena, &all);
     for (size_t i = 0; i < all.sample.count && beam->weight == WEIGHT_BEAM; i++) {
         struct pupil_point *point = &all.sample.points[i];
         point->weight *= stop_beam_density(beam, point->x, point->y);

@@ -28,7 +28,8 @@ struct quadrature_region {
     struct probe probe;
     struct star *star; /* once it is known */
     bool is_known, is_empty;
-    bool in_r; /* points are Gauss's in r, not in r^2: to be set before it is filled */
+    bool in_r;    /* points are Gauss's in r, not in r^2: to be set before it is filled */
+    bool in_beam; /* points stay u and v, their weights areas there, and have no rays: the same */
 };
 
 /* Make ready; nothing is traced yet. All lies in the arena. */
@@ -59,15 +60,8 @@ struct quadrature_region quadrature_open(const struct stop_beam *beam, struct ar
 struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
                                   struct arena *arena);
 
-/* Does the disc of u and v end some of it? Of a pupil with a stop it never does. */
-bool quadrature_fills_disc(struct quadrature_region *region, struct arena *arena);
-
 /* What of the light a quadrature leaves out: see islands_find. */
 struct islands quadrature_islands(struct quadrature_region *region, struct arena *arena);
-
-/* The same of a beam that is integrated over about a ray: guess->centre, or what passes near. */
-struct islands quadrature_islands_about(const struct system *clipped, const struct beam *beam,
-                                        const struct clear_guess *guess, struct arena *arena);
 
 /* What is clear, as a star; null: nothing is. */
 const struct star *quadrature_star(struct quadrature_region *region, struct arena *arena);
