@@ -53,12 +53,13 @@ static int write_rate(char *to, size_t room, double rate, const char *unit)
     return snprintf(to, room, "  %.*f %s%s/s", decimals, rate, prefixes[i], unit);
 }
 
+/* Rows, or what one row that takes long counts. */
 static void show(struct progress *progress, double time)
 {
     const struct progress_state state = progress->state(progress->context);
     struct watch *watch = &progress->watch;
     const size_t watched = atomic_load(&watch->done);
-    const bool is_one = state.rows == 0 && watched > 0; /* one row that takes long */
+    const bool is_one = isnan(state.share) && state.rows <= 1 && watched > 0;
     const double done = (double)(is_one ? watched : state.rows), elapsed = time - progress->started;
     const char *unit = is_one ? watch->unit : "rows";
     double share = state.share;

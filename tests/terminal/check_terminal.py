@@ -245,6 +245,20 @@ def read_all(ours):
             return shown.decode().replace("\r\n", "\n")
 
 
+def wait_for_rows(process):
+    """Until it answers rows: it then waits for Ctrl-C, which Linux tells."""
+    end = time.monotonic() + 30
+    while time.monotonic() < end:
+        try:
+            with open(f"/proc/{process.pid}/status") as status:
+                caught = re.search(r"^SigCgt:\s*(\w+)", status.read(), re.M)
+        except OSError:
+            return
+        if caught is None or int(caught[1], 16) >> (signal.SIGINT - 1) & 1:
+            return
+        time.sleep(0.002)
+
+
 def slowly(program, words, rows, interrupt=False, stderr=subprocess.PIPE):
     """A call whose rows come one by one, then its end or Ctrl-C; the process and its answer."""
     process = subprocess.Popen(program.command + words, stdin=subprocess.PIPE,
@@ -255,6 +269,7 @@ def slowly(program, words, rows, interrupt=False, stderr=subprocess.PIPE):
         process.stdin.flush()
         time.sleep(0.06)
     if interrupt:
+        wait_for_rows(process)
         process.send_signal(signal.SIGINT)
         time.sleep(0.2)
     process.stdin.close()
@@ -284,9 +299,10 @@ def check_progress(checks, program):
                                stdout=subprocess.DEVNULL, stderr=terminal,
                                env=program.environment())
     os.close(terminal)
-    for stop, seconds in ((signal.SIGSTOP, 0.1), (signal.SIGCONT, 0.5)):
-        time.sleep(seconds)
-        process.send_signal(stop)
+    wait_for_rows(process)
+    process.send_signal(signal.SIGSTOP)
+    time.sleep(0.6)
+    process.send_signal(signal.SIGCONT)
     error = read_all(ours)
     lines, seen = screen(error)
     percents = [int(found) for found in re.findall(r"rows  (\d+) %  [0-9.]+ (?:k )?rows/s", error)]
@@ -323,7 +339,8 @@ def check_interrupted(checks, program):
     process = subprocess.Popen(program.command + ["spot", "double-gauss", "--field", "0..14:0.001",
                                                   "--json"], stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, env=program.environment())
-    time.sleep(0.5)
+    wait_for_rows(process)
+    time.sleep(0.2)
     process.send_signal(signal.SIGINT)
     answer, error = process.communicate()
     found = json.loads(answer)["rows"]
