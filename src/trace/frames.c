@@ -59,27 +59,81 @@ struct frame frame_inverse(const struct frame *frame)
     return inverse;
 }
 
+/* A ray along the axis at a place, in the frame of a vertex. */
+struct along_axis {
+    double point[3], axis[3];
+};
+
+static void go_to(struct along_axis *ray, const struct frame *frame)
+{
+    for (int i = 0; i < 3; i++) {
+        ray->point[i] -= frame->shift[i];
+    }
+    turn(frame->turn, ray->point, ray->point);
+    turn(frame->turn, ray->axis, ray->axis);
+}
+
+static void go_back(struct along_axis *ray, const struct frame *frame)
+{
+    turn_back(frame->turn, ray->point, ray->point);
+    turn_back(frame->turn, ray->axis, ray->axis);
+    for (int i = 0; i < 3; i++) {
+        ray->point[i] += frame->shift[i];
+    }
+}
+
+/* Reflected where it meets the plane of the vertex, as the conic stands there. */
+static void reflect(struct along_axis *ray, const struct surface *surface)
+{
+    const double least = 1e-9; /* of the slope across the plane */
+    double way = fabs(ray->axis[2]) > least ? -ray->point[2] / ray->axis[2] : 0;
+    for (int i = 0; i < 3; i++) {
+        ray->point[i] += way * ray->axis[i];
+    }
+    const double x = ray->point[0], y = ray->point[1];
+    const double c = surface_curvature(surface, SECTION_Y).hi, r2 = x * x + y * y;
+    const double within = 1 - (1 + surface->conic.value.hi) * c * c * r2;
+    const double slope = within > 0 && surface->curved == CURVED_BOTH ? c / sqrt(within) : 0;
+    double normal[3] = {0, 0, 1};
+    if (slope != 0) {
+        const double length = sqrt(1 + slope * slope * r2);
+        normal[0] = -slope * x / length;
+        normal[1] = -slope * y / length;
+        normal[2] = 1 / length;
+    }
+    double along = 0;
+    for (int i = 0; i < 3; i++) {
+        along += ray->axis[i] * normal[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        ray->axis[i] -= 2 * along * normal[i];
+    }
+    ray->point[2] = slope != 0 ? c * r2 / (1 + sqrt(within)) : 0;
+}
+
 void frame_directions(const struct lens *lens, double *direction)
 {
-    double axis[3] = {0, 0, 1};
+    struct along_axis ray = {{0, 0, 0}, {0, 0, 1}};
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
+        const double way = i > 0 ? surface_advance(&lens->surfaces[i - 1]).hi : 0;
+        struct frame frame = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, way}};
         if (surface->coordinate_break != NULL) {
-            struct frame frame = frame_of(surface->coordinate_break, 0);
-            turn(frame.turn, axis, axis);
+            frame = frame_of(surface->coordinate_break, way);
         }
-        double normal[3] = {0, 0, 1};
+        go_to(&ray, &frame);
+        struct frame own = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
         if (surface->decentre != NULL) {
-            struct frame frame = frame_of(surface->decentre, 0);
-            turn_back(frame.turn, normal, normal);
+            own = frame_of(surface->decentre, 0);
         }
-        double along = axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2];
-        direction[i] = along < 0 ? -1 : 1;
-        for (int j = 0; j < 3 && surface_reflects(surface); j++) {
-            axis[j] -= 2 * along * normal[j];
+        go_to(&ray, &own);
+        direction[i] = ray.axis[2] < 0 ? -1 : 1;
+        if (surface_reflects(surface)) {
+            reflect(&ray, surface);
         }
+        go_back(&ray, &own);
     }
-    direction[lens->surface_count] = axis[2] < 0 ? -1 : 1;
+    direction[lens->surface_count] = ray.axis[2] < 0 ? -1 : 1;
 }
 
 struct frame system_to_first(const struct system *system, size_t surface)

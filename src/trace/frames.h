@@ -16,7 +16,10 @@ struct frame frame_of(const struct displacement *displacement, double z);
 /* X = turn' (X' - shift') leads back. */
 struct frame frame_inverse(const struct frame *frame);
 
-/* Where the axis goes at each surface: +1 or -1 along z; count + 1, the last behind the lens. */
+/*
+ * Where light along the axis of the first surface goes at each surface: +1 or -1 along z, reflected
+ * where it meets the mirrors, by their conics; count + 1, the last behind the lens.
+ */
 void frame_directions(const struct lens *lens, double *direction);
 
 #endif

@@ -8,6 +8,7 @@ with numbers worked out by hand. A ray along the axis is reflected from mirror t
 """
 # SPDX-License-Identifier: MIT
 
+import csv
 import math
 import os
 import sys
@@ -184,6 +185,20 @@ def main():
     planes = of_lens(convert(program, path))
     checks.check(any(near(at, [0, 40, 30]) for at, _, _ in planes), f"SCBD: {planes}")
     check_folded(checks, "SCBD", planes, [0])
+    # a parabola off its axis by twice its focal length turns light by 90 degrees; all of it goes
+    # through the focus, on a plane turned either way that stands across it
+    for tilt in (90, -90, 60, -60):
+        text = ("MODE SEQ\nUNIT MM\nENPD 50\nYFLN 0\nSURF 0\n  DISZ INFINITY\nSURF 1\n  STOP\n"
+                "  DISZ 200\nSURF 2\n  TYPE COORDBRK\n  PARM 2 -190.6\n  DISZ 0\nSURF 3\n"
+                "  CURV -5.246589716684155885E-03\n  CONI -1\n  DISZ -95.3\n  GLAS MIRROR 0 0\n"
+                f"SURF 4\n  SCBD 1 0 0 0 0 {tilt} 0 0\n")
+        with open(path, "w") as file:
+            file.write(text)
+        answer = program.run("trace", path, "--csv").stdout.decode()
+        rows = list(csv.DictReader(answer.splitlines()))
+        checks.check(len(rows) > 3 and all(row["status"] == "ok" for row in rows) and
+                     all(abs(float(row["y_out_mm"])) < 1e-9 for row in rows),
+                     f"parabola, image at {tilt}: {rows}")
     real = os.path.join(SHARED, "data/import/complicated_fold_mirrors_setup_v2.zmx")
     if os.path.exists(real):
         with open(real, "rb") as file:
