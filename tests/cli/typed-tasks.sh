@@ -33,6 +33,8 @@ try exposure --metered 1/125 s --filter 10 stops --columns time_to_set
 try exposure --metered 1/30 --filter 'Big Stopper' --film 'Tri-X' --columns time_to_set,timer --csv --digits 4
 try exposure --metered 1/125 --nd 1000
 try exposure --shutter 1/60 --ev 12
+try exposure --light sunny-16 -N 8
+try motion -f 50 -s 10m --subject-speed 5km/h
 try exposure --ev 3 -N 8..16/full --columns fnumber,time,nominal_time
 try exposure -N 8 -t 1/125 --ev 12.5 --columns iso,nominal_iso
 try bracket -t 1/60 --shots 3 --columns shot,time
