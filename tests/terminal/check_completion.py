@@ -54,7 +54,8 @@ START = {
     "zsh": (["zsh", "-f", "-i"],
             "PS1='> '; unsetopt beep; autoload -U compinit; compinit -u -D; zstyle ':completion:*' "
             "menu no\nshow() { print -r -- \"$BUFFER\" >> lines }; zle -N show; bindkey '^G' show\n"
-            "source ./script\necho ready >> lines\n"),
+            "mkdir own; cp script own/_lenscalc; fpath=(own $fpath); compinit -u -D\n"
+            "echo ready >> lines\n"),
 }
 
 
