@@ -126,9 +126,9 @@ static double vignetted_of(const struct illumination *light, const struct illumi
     return !(stop->value > 0) ? (double)NAN : fabs(taken) <= doubt ? 0 : taken;
 }
 
-/* Without ratios to the axis, and what is vignetted if it counts. */
-static struct falloff_point look(const struct falloff *falloff, const double height[2],
-                                 bool vignetting, double *field)
+/* Without ratios to the axis; is_row: with islands, and what is vignetted. */
+static struct falloff_point look(const struct falloff *falloff, const double height[2], bool is_row,
+                                 double *field)
 {
     const struct setup *setup = &falloff->setup;
     const struct field_point at = {FIELD_REAL, {height[0], height[1]}};
@@ -146,14 +146,13 @@ static struct falloff_point look(const struct falloff *falloff, const double hei
         beam_place(&film, behind.point, inside);
         point.angle = atan2(hypot(beam.axis[0], beam.axis[1]), beam.axis[2]);
         point.cos4 = point.angle < PI / 2 ? pow(beam.axis[2], 4) : 0;
-        *field = from_field(falloff, &beam, chief);
+        *field = falloff->no_field ? (double)NAN : from_field(falloff, &beam, chief);
         found = behind.status == RAY_OK;
     }
-    const bool compares = falloff->clip && vignetting;
     point.light = from_film(falloff, falloff->film, &film, found ? inside : NULL,
-                            compares ? &point.islands : NULL);
-    point.vignetted = 0;
-    if (compares) {
+                            falloff->clip && is_row ? &point.islands : NULL);
+    point.vignetted = falloff->no_vignetting ? (double)NAN : 0;
+    if (falloff->clip && is_row && !falloff->no_vignetting) {
         const struct illumination stop =
             from_film(falloff, falloff->film_stop, &film, found ? inside : NULL, NULL);
         point.vignetted = vignetted_of(&point.light, &stop);
@@ -210,6 +209,8 @@ bool falloff_open(const struct falloff_question *question, struct falloff *fallo
                                      setup->arena),
         .error = question->error,
         .clip = question->clip,
+        .no_field = question->no_field,
+        .no_vignetting = question->no_vignetting,
     };
     struct setup *own = &falloff->setup;
     if (!isnan(question->stop_diameter)) {

@@ -11,7 +11,7 @@
 struct falloff {
     struct setup setup; /* with the stop that was asked for */
     double error;
-    bool clip;
+    bool clip, no_field, no_vignetting;
     /* reversed: all apertures, none, the stop alone; forward: all, none */
     const struct system *film, *film_open, *film_stop, *field, *field_open;
     struct first_order first; /* at that wavelength */
@@ -20,11 +20,12 @@ struct falloff {
 };
 
 struct falloff_question {
-    const struct setup *setup; /* with its image plane; must outlive the falloff */
-    size_t wavelength;         /* its place in the list */
-    double stop_diameter;      /* mm, in place of that of the setup; NaN = that */
-    double error;              /* relative, of each integral */
-    bool clip;                 /* apertures take light; else the stop alone does */
+    const struct setup *setup;    /* with its image plane; must outlive the falloff */
+    size_t wavelength;            /* its place in the list */
+    double stop_diameter;         /* mm, in place of that of the setup; NaN = that */
+    double error;                 /* relative, of each integral */
+    bool clip;                    /* apertures take light; else the stop alone does */
+    bool no_field, no_vignetting; /* relative_field and vignetted are not wanted: NaN */
 };
 
 /*

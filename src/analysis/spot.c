@@ -324,7 +324,9 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
             !(spot->energy_error > question->error * here.energy_radius &&
               spot->energy_error > least);
         done = question->rays > 0 || spot->has_converged || 2 * rays >= MOST_RAYS;
-        if (done) {
+        if (done && question->no_radius) {
+            spot->radius = spot->radius_error = NAN;
+        } else if (done) {
             find_radius(seeking, &finer, arena, spot);
         }
         before = here;

@@ -16,6 +16,7 @@ struct spot_question {
     double error;                  /* relative to the root mean square */
     size_t to;                     /* the place behind the surface looked at; 0: the last */
     bool about_chief;              /* radius and energy radius, else about the centroid */
+    bool no_radius;                /* the largest distance is not wanted: NaN */
     double energy;                 /* the share of `energy_radius`; NaN: none is wanted */
 };
 

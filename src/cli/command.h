@@ -20,7 +20,9 @@ struct run {
     void *state;         /* the command's own from one block to the next; null at first */
     struct lensdb *db;
     bool (*emit)(struct run *run, const void *row);
-    void *driver;           /* the driver's own */
+    void *driver; /* the driver's own */
+    /* What is printed, where no more is made of the rows: run_shows; null: they are used whole. */
+    const struct report *report;
     struct doubts *doubts;  /* what is doubtful about the answer, see report/doubts.h; or null */
     struct watch *watch;    /* of work on one input that may be long, see base/watch.h; or null */
     struct error shortfall; /* set by a command whose rows stand, but are less than was asked: it is
@@ -32,6 +34,12 @@ static inline bool run_emit(struct run *run, const void *row)
 {
     return run->emit(run, row);
 }
+
+/*
+ * Is a member of the rows, by its offset, printed? What is not need not be computed: its row may
+ * hold anything there.
+ */
+bool run_shows(const struct run *run, size_t offset);
 
 /* An example for --help and for the tests: what follows "lenscalc". */
 struct example {

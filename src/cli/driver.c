@@ -286,6 +286,9 @@ static bool ask(struct driver *driver, struct error *error)
 
 static bool answer(struct driver *driver, struct error *error)
 {
+    const bool prints =
+        !driver->collects && !driver->common.explain && driver->artifacts.count == 0;
+    driver->run.report = prints ? &driver->report : NULL;
     progress_begin(&driver->progress, driver->command->name, rows_state, driver);
     driver->output.before_write = progress_make_way;
     driver->output.context = &driver->progress;

@@ -25,6 +25,19 @@ void rows_begin(struct driver *driver)
     driver->report.format->begin(&driver->report);
 }
 
+bool run_shows(const struct run *run, size_t offset)
+{
+    const struct report *report = run->report;
+    bool shows = report == NULL;
+    for (size_t i = 0; !shows && i < report->shown_count; i++) {
+        shows = report->shown[i].column->offset == offset;
+    }
+    for (size_t i = 0; !shows && i < report->assumed_count; i++) {
+        shows = report->assumed[i].column->offset == offset;
+    }
+    return shows;
+}
+
 static bool is_going(const struct driver *driver)
 {
     return driver->output.failure == 0 && !atomic_load(&driver->progress.watch.is_ended);

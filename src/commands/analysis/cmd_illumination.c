@@ -95,10 +95,15 @@ static struct row row_of(const struct analysis_point *point)
 
 /* -------- points of the image -------- */
 
+/* run: whose rows are all that is wanted; null: everything is. */
 static bool open_falloff(const struct analysis_case *one, const struct input *input,
-                         struct falloff *falloff, struct error *error)
+                         const struct run *run, struct falloff *falloff, struct error *error)
 {
+    const bool no_field = run != NULL && !run_shows(run, offsetof(struct row, relative_field));
+    const bool no_vignetting = run != NULL && !run_shows(run, offsetof(struct row, vignetted));
     const struct falloff_question question = {.setup = one->setup,
+                                              .no_field = no_field,
+                                              .no_vignetting = no_vignetting,
                                               .stop_diameter = input->stop_diameter,
                                               .error = input->question.error,
                                               .clip = one->clip};
@@ -203,7 +208,7 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     const struct asked *asked = context;
     struct falloff falloff;
     struct ending end;
-    if (!open_falloff(one, asked->input, &falloff, error) ||
+    if (!open_falloff(one, asked->input, asked->run, &falloff, error) ||
         !find_point(one, field, asked->input, &falloff, &end, error)) {
         return false;
     }
@@ -324,7 +329,7 @@ static bool add_point(const struct analysis_case *one, size_t field, void *conte
             (struct curve){.words = words,
                            .name = with_stop(input, analysis_case_words(one, false, arena), arena),
                            .title = one->setup->lens->title};
-        if (!open_falloff(one, input, &curve->falloff, error)) {
+        if (!open_falloff(one, input, NULL, &curve->falloff, error)) {
             return false;
         }
         painter->count++;

@@ -177,14 +177,30 @@ struct asked {
     struct run *run;
 };
 
+/* The largest radius takes as long as all the rest. */
+static bool shows_radius(const struct run *run)
+{
+    static const size_t members[] = {
+        offsetof(struct row, radius), offsetof(struct row, radius_error),
+        offsetof(struct row, radius_angle), offsetof(struct row, radius_error_angle)};
+    bool shows = false;
+    for (size_t i = 0; i < sizeof members / sizeof members[0]; i++) {
+        shows = shows || run_shows(run, members[i]);
+    }
+    return shows;
+}
+
 static bool answer(const struct analysis_case *one, size_t field, void *context,
                    struct error *error)
 {
     const struct asked *asked = context;
     struct spot_question question;
     struct spot spot;
-    if (!spot_question_of(one, field, asked->input, &question, error) ||
-        !spot_find(&question, asked->run->arena, &spot, error)) {
+    if (!spot_question_of(one, field, asked->input, &question, error)) {
+        return false;
+    }
+    question.no_radius = !shows_radius(asked->run);
+    if (!spot_find(&question, asked->run->arena, &spot, error)) {
         return false;
     }
     const struct analysis_point point = analysis_point_of(one, field);
