@@ -81,11 +81,8 @@ static const struct option options[] = {
      .dimension = &dimension_length, .unit = "cm", OPTION_POSITIVE,
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
      .help = "wanted ground sampling distance, in place of --altitude: solves for it"},
-    {OPTION(struct input, pitch), .name = "pitch", .quantity = "pixel pitch",
-     .dimension = &dimension_length, .unit = "um", OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH", .wants = "altitude|gsd",
-     .usual = {0.3e-3, 30e-3}, .unusual = "pixels are 0.3 to 30 um wide: is the unit right?",
-     .help = "pixel pitch (otherwise that of the camera)"},
+    OPTION_PIXELS(struct input, pitch, "altitude|gsd",
+                  "pixel pitch (otherwise that of the camera)"),
 };
 
 struct row {

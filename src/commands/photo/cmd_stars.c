@@ -21,10 +21,9 @@ struct input {
 static const struct option options[] = {
     OPTION_FOCAL_LENGTH(struct input, focal, 0),
     OPTION_APERTURE(struct input, fnumber, 0),
-    {OPTION(struct input, declination), .name = "declination", .column = "declination",
-     .dimension = &dimension_angle, .unit = "deg", .lowest = -PI / 2, .highest = PI / 2,
-     .fallback = "0", .value = "ANGLE",
-     .help = "of the frame's centre; 0 is the celestial equator, where stars are fastest"},
+    OPTION_DECLINATION(
+        struct input, declination, NULL,
+        "of the frame's centre; 0 is the celestial equator, where stars are fastest"),
     OPTION_TIME(struct input, time, 0),
     {OPTION(struct input, trail), .name = "trail", .dimension = &dimension_length, .unit = "um",
      .value = "LENGTH", .excludes = "coc",

@@ -50,14 +50,10 @@ static const struct option options[] = {
     {OPTION(struct input, focal), .name = "focal-length", .letter = 'f', .column = "focal",
      .dimension = &dimension_length, .unit = "mm", POSITIVE, .value = "LENGTH", .wants = "time",
      .help = "focal length: adds the trails of stars"},
-    {OPTION(struct input, declination), .name = "declination", .column = "declination",
-     .dimension = &dimension_angle, .unit = "deg", .lowest = -PI / 2, .highest = PI / 2,
-     .fallback = "0", .value = "ANGLE", .wants = "focal-length",
-     .help = "of the stars; 0 is the celestial equator, where they are fastest"},
-    {OPTION(struct input, pitch), .name = "pitch", .quantity = "pixel pitch",
-     .dimension = &dimension_length, .unit = "um", POSITIVE, .value = "LENGTH",
-     .usual = {0.3e-3, 30e-3}, .unusual = "pixels are 0.3 to 30 um wide: is the unit right?",
-     .wants = "focal-length", .help = "pixel pitch: gives the gaps of star trails in pixels"},
+    OPTION_DECLINATION(struct input, declination, "focal-length",
+                       "of the stars; 0 is the celestial equator, where they are fastest"),
+    OPTION_PIXELS(struct input, pitch, "focal-length",
+                  "pixel pitch: gives the gaps of star trails in pixels"),
 };
 
 struct row {

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_COMMANDS_PHOTO_PHOTO_OPTIONS_H
 #define LENSCALC_COMMANDS_PHOTO_PHOTO_OPTIONS_H
 
+#include "base/constants.h"
 #include "cli/option.h"
 
 #include <math.h>
@@ -81,16 +82,35 @@ bool coc_is_print(const struct coc_value *coc);
                                    "of --lens, else 1"                                             \
     }
 
+#define USUAL_PITCH                                                                                \
+    .usual = {0.3e-3, 30e-3}, .unusual = "pixels are 0.3 to 30 um wide: is the unit right?"
+
 /* `use`: coc_is_pixels where the pitch is for --coc alone, else null */
 #define OPTION_PITCH(S, member, use)                                                               \
     {                                                                                              \
         OPTION(S, member), .name = "pitch", .quantity = "pixel pitch",                             \
                            .dimension = &dimension_length, .unit = "um", OPTION_POSITIVE,          \
                            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",   \
-                           .serves = (use), .served = "in px", .usual = {0.3e-3, 30e-3},           \
-                           .unusual = "pixels are 0.3 to 30 um wide: is the unit right?",          \
+                           .serves = (use), .served = "in px", USUAL_PITCH,                        \
                            .help = "pixel pitch (otherwise that of the camera); where nothing "    \
                                    "else needs it, it implies --coc 2px"                           \
+    }
+
+/* Where it has nothing to do with a circle of confusion. */
+#define OPTION_PIXELS(S, member, needs, words)                                                     \
+    {                                                                                              \
+        OPTION(S, member), .name = "pitch", .quantity = "pixel pitch",                             \
+                           .dimension = &dimension_length, .unit = "um", OPTION_POSITIVE,          \
+                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",   \
+                           .wants = (needs), USUAL_PITCH, .help = (words)                          \
+    }
+
+#define OPTION_DECLINATION(S, member, needs, words)                                                \
+    {                                                                                              \
+        OPTION(S, member), .name = "declination", .column = "declination",                         \
+                           .dimension = &dimension_angle, .unit = "deg", .lowest = -PI / 2,        \
+                           .highest = PI / 2, .fallback = "0", .value = "ANGLE", .wants = (needs), \
+                           .help = (words)                                                         \
     }
 
 /* What a print is looked at like, for --coc print. */
