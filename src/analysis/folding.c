@@ -31,15 +31,19 @@ const double (*folding_places(const struct clear_pupil *clear, struct arena *are
     return (const double(*)[2])at;
 }
 
-bool folding_seen(const double (*points)[2], size_t count)
+void folding_add(struct folding *folding, const double (*points)[2], size_t count)
 {
-    double least = 0, most = 0;
     for (size_t i = 0; i + 2 < count; i += 3) {
         const double *here = points[i], *right = points[i + 1], *upper = points[i + 2];
         double det = (right[0] - here[0]) * (upper[1] - here[1]) -
                      (right[1] - here[1]) * (upper[0] - here[0]);
-        least = fmin(least, det);
-        most = fmax(most, det);
+        folding->least = fmin(folding->least, det);
+        folding->most = fmax(folding->most, det);
     }
-    return fmin(-least, most) > 1e-6 * fmax(-least, most);
+}
+
+bool folding_seen(const struct folding *folding)
+{
+    const double least = -folding->least, most = folding->most;
+    return fmin(least, most) > 1e-6 * fmax(least, most);
 }

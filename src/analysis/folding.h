@@ -17,14 +17,22 @@
 const double (*folding_places(const struct clear_pupil *clear, struct arena *arena,
                               size_t *count))[2];
 
+/* The least and the largest Jacobian d(plane)/d(beam) that were seen, at least 0 and at most. */
+struct folding {
+    double least, most;
+};
+
 /*
  * Does the bundle fold in a plane: do two of its rays meet there, beside a caustic?
  *
- * Given     points  where the rays of folding_places cross the plane, mm; NaN: they do not
- * Formula   the sign of the Jacobian d(plane)/d(beam), by differences, is not the same everywhere
+ * Given     points  where some rays of folding_places cross the plane, mm, a multiple of three;
+ *                   NaN: they do not
+ *           folding begins as { 0 }
+ * Formula   the sign of the Jacobian, by differences, is not the same everywhere
  * Limits    a fold between two of the 128 arms or of the 12 rings, and one that changes nothing
  *           but less than 1e-6 of the largest Jacobian, goes unseen
  */
-bool folding_seen(const double (*points)[2], size_t count);
+void folding_add(struct folding *folding, const double (*points)[2], size_t count);
+bool folding_seen(const struct folding *folding);
 
 #endif

@@ -260,43 +260,78 @@ static struct ray *trace_edges(const struct pupil_question *question,
     return trace_places(question, (const double(*)[2])at, count, to, arena);
 }
 
-/* Where a folded bundle covers a plane twice its edges enclose nothing that has a meaning. */
-static void check_fold(const struct ray *rays, size_t count, double z, double light_direction,
-                       struct arena *arena, struct pupil_extent *extent)
+/* A plane that a bundle may fold in, and how far its rays reach there. */
+struct fold {
+    struct pupil_extent *extent;
+    double low[2], high[2];
+    struct folding folding;
+};
+
+/* Three rays at a time: one within the edge, and two beside it. */
+static void add_folds(struct fold *fold, const struct ray *rays, size_t count,
+                      double light_direction)
 {
-    double(*points)[2] = arena_array(arena, count, sizeof *points);
-    if (extent->outline == NULL) {
-        return;
+    for (size_t i = 0; i + 2 < count; i += 3) {
+        double points[3][2];
+        for (size_t k = 0; k < 3; k++) {
+            cross(&rays[i + k], fold->extent->z, light_direction, points[k]);
+        }
+        folding_add(&fold->folding, (const double(*)[2])points, 3);
+        for (int k = 0; k < 2; k++) {
+            fold->low[k] = fmin(fold->low[k], points[0][k]);
+            fold->high[k] = fmax(fold->high[k], points[0][k]);
+        }
     }
-    for (size_t i = 0; i < count; i++) {
-        cross(&rays[i], z, light_direction, points[i]);
-    }
-    extent->folds = folding_seen((const double(*)[2])points, count);
+}
+
+/* Where a folded bundle covers a plane twice its edges enclose nothing that has a meaning. */
+static void end_fold(const struct fold *fold)
+{
+    struct pupil_extent *extent = fold->extent;
+    extent->folds = folding_seen(&fold->folding);
     if (!extent->folds) {
         return;
     }
     extent->area = extent->centre[0] = extent->centre[1] = NAN;
     for (int k = 0; k < 2; k++) {
-        double slack = 1e-6 * (extent->high[k] - extent->low[k]), low = INFINITY, high = -INFINITY;
-        for (size_t i = 0; i < count; i += 3) { /* those within the edge */
-            low = fmin(low, points[i][k]);
-            high = fmax(high, points[i][k]);
-        }
+        double slack = 1e-6 * (extent->high[k] - extent->low[k]);
         /* a fold reaches beyond the edges: where it ends is not known */
-        extent->low[k] = low < extent->low[k] - slack ? (double)NAN : extent->low[k];
-        extent->high[k] = high > extent->high[k] + slack ? (double)NAN : extent->high[k];
+        extent->low[k] = fold->low[k] < extent->low[k] - slack ? (double)NAN : extent->low[k];
+        extent->high[k] = fold->high[k] > extent->high[k] + slack ? (double)NAN : extent->high[k];
     }
 }
 
-/* The side that the bundle leaves on. */
+/* The side that the bundle leaves on. Rays a few at a time: all at once are half a megabyte. */
 static void check_folds(const struct pupil_question *question, const struct clear_pupil *clear,
                         double light_direction, struct arena *arena, struct pupil_side *side)
 {
+    enum { PLANES = 2, AT_ONCE = 3 * RAYS_BLOCK };
     size_t count;
     const double(*at)[2] = folding_places(clear, arena, &count);
-    const struct ray *rays = trace_places(question, at, count, question->open->places, arena);
-    check_fold(rays, count, side->pupil.z, light_direction, arena, &side->pupil);
-    check_fold(rays, count, 0, light_direction, arena, &side->vertex);
+    struct fold folds[PLANES] = {{.extent = &side->pupil}, {.extent = &side->vertex}};
+    for (size_t i = 0; i < PLANES; i++) {
+        for (int k = 0; k < 2; k++) {
+            folds[i].low[k] = INFINITY;
+            folds[i].high[k] = -INFINITY;
+        }
+    }
+    for (size_t done = 0; done < count; done += AT_ONCE) {
+        const struct arena_mark mark = arena_mark(arena);
+        const size_t here = count - done < AT_ONCE ? count - done : AT_ONCE;
+        const struct ray *rays =
+            trace_places(question, at + done, here, question->open->places, arena);
+        for (size_t i = 0; i < PLANES; i++) {
+            if (folds[i].extent->outline != NULL) {
+                add_folds(&folds[i], rays, here, light_direction);
+            }
+        }
+        arena_reset(arena, mark);
+    }
+    for (size_t i = 0; i < PLANES; i++) {
+        if (folds[i].extent->outline != NULL) {
+            end_fold(&folds[i]);
+        }
+    }
 }
 
 /* What the rays do on one side; the last of them is the chief ray. */
