@@ -85,6 +85,8 @@ bool oslo_reference(struct oslo *oslo, size_t word, size_t *surface, struct erro
  * of an earlier surface, APK A 3 B.
  *
  * Result    known  it is one
+ * Source    optiland's reader of OSLO files and its tests: types, actions, groups, edges of 0 that
+ *           are left out
  */
 bool oslo_special(struct oslo *oslo, bool *known, struct error *error);
 

@@ -11,6 +11,8 @@
  * (LIN x y, or x y, up to BRK, or in old files to 0 0) and circles (CIR x y r).
  *
  * Given     apertures, count  receive them, in the frame of the surface
+ * Source    public readers and writers of such files (acorn, kgpy); that a circle may have a number
+ *           of sides behind its radius, of which it is drawn
  * Result    false without an error: they are lost, which is said
  * Errors    a loss: no such file, other words, several shapes of which one is to pass light
  */
