@@ -113,6 +113,7 @@ static struct row row_of(const struct analysis_point *point)
 struct asked {
     const struct distortion_input *input;
     struct run *run;
+    struct distortion_memo *memo; /* null: lenses do not stay */
 };
 
 static void fill(const struct distortion_case *ready, const struct distortion_point *found,
@@ -139,7 +140,7 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     struct row row = row_of(&point);
     struct distortion_case ready;
     struct distortion_point found;
-    if (!distortion_ready(asked->input, one, &ready, error) ||
+    if (!distortion_ready(asked->input, one, asked->memo, &ready, error) ||
         !distortion_at(&ready.map, &one->setup->fields[field].point, &found, error)) {
         return false;
     }
@@ -168,10 +169,15 @@ static const struct sheet *const sheets[] = {&field_sheet, &distortion_fit_sheet
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct distortion_input *input = data;
-    struct asked asked = {input, run};
     if (input->fit > 0) {
         return distortion_fit_run(input, run, error);
     }
+    /* a lens that ends with its row says nothing of one that comes to lie in the same place */
+    const bool stays = input->question.lens.arena != run->arena;
+    if (stays && run->state == NULL) {
+        run->state = distortion_memo_new(run->kept);
+    }
+    struct asked asked = {input, run, stays ? run->state : NULL};
     return analysis_each_field(&input->question, &distortion_by_field, run, &answers, &asked,
                                error);
 }

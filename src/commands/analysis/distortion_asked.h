@@ -27,13 +27,20 @@ struct distortion_case {
     const char *projection;      /* its word */
 };
 
+/* Calibrated scales that were found, for the inputs that ask again. */
+struct distortion_memo;
+
+struct distortion_memo *distortion_memo_new(struct arena *arena);
+
 /*
  * Compare the lens with the projection that is asked for.
  *
+ * Given     memo  of inputs whose lenses all outlive it; null: nothing is kept
  * Errors    as distortion_open and distortion_calibrate, with the options' names
  */
 bool distortion_ready(const struct distortion_input *input, const struct analysis_case *one,
-                      struct distortion_case *ready, struct error *error);
+                      struct distortion_memo *memo, struct distortion_case *ready,
+                      struct error *error);
 
 /* -------- commands/analysis/distortion_models.c -------- */
 

@@ -119,7 +119,7 @@ static bool find(const struct distortion_input *input, const struct analysis_cas
 {
     struct arena *arena = one->setup->arena;
     if (!check_model(input, error) || !find_picture(input, &found->picture, error) ||
-        !distortion_ready(input, one, &found->ready, error)) {
+        !distortion_ready(input, one, NULL, &found->ready, error)) {
         return false;
     }
     const double radius = sensor_diagonal(&found->picture.size) / 2;

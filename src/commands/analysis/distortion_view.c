@@ -140,7 +140,7 @@ static bool add_curve(const struct analysis_case *one, void *context, struct err
     const struct setup *setup = one->setup;
     struct distortion_case ready;
     double towards[2], edge;
-    if (!distortion_ready(curves->input, one, &ready, error) ||
+    if (!distortion_ready(curves->input, one, NULL, &ready, error) ||
         !distortion_direction(&ready.map, &setup->fields[0].point, towards, &edge, error)) {
         return false;
     }
@@ -249,7 +249,7 @@ static bool draw_grid(const struct analysis_case *one, void *context, struct err
     struct distortion_point corner;
     const size_t count = 2 * (size_t)LINES * LINE_POINTS;
     double *x = ARENA_ARRAY(arena, count, double), *y = ARENA_ARRAY(arena, count, double);
-    if (!distortion_ready(drawing->input, one, &ready, error) ||
+    if (!distortion_ready(drawing->input, one, NULL, &ready, error) ||
         !distortion_at(&ready.map, &setup->fields[0].point, &corner, error)) {
         return false;
     }
