@@ -179,6 +179,8 @@ static bool fill(const struct bundle_source *source, size_t rays, struct arena *
     bundle->points = all.sample.points;
     bundle->count = all.is_empty ? 0 : all.sample.count;
     bundle->rays = all.rays;
+    bundle->arms = all.arms;
+    bundle->rings = all.rings;
     return true;
 }
 

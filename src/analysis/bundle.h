@@ -43,7 +43,8 @@ struct bundle {
     struct rays rays;                 /* some may be lost */
     const struct pupil_point *points; /* one a ray */
     size_t count, lost;
-    double clear; /* the sum of the weights that are not lost */
+    double clear;       /* the sum of the weights that are not lost */
+    size_t arms, rings; /* of a quadrature, as that has them; 0: not so orderly */
 };
 
 /*

@@ -123,6 +123,9 @@ static void put_points(const struct quadrature_region *region, const struct arms
             (struct pupil_point){star->frame.centre[0] + u, star->frame.centre[1] + v,
                                  w[ring] * arms->shares[k] * radius * radius * area * width2};
     }
+    bool orderly = count == rings * most * arms->count;
+    all->arms = orderly ? arms->count : 0;
+    all->rings = orderly ? rings : 0;
 }
 
 /* The rays of points named by u and v. */

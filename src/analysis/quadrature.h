@@ -18,7 +18,8 @@
 struct quadrature {
     struct sample sample;
     struct rays rays;
-    bool is_empty; /* nothing is clear */
+    bool is_empty;      /* nothing is clear */
+    size_t arms, rings; /* points: ring after ring outwards, the arms in each; 0: not so orderly */
 };
 
 /* What is clear of a pupil, found once for quadratures of any number of rays. */

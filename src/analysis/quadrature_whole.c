@@ -40,6 +40,14 @@ static void start_block(const struct stop_beam *beam, const struct pupil_point *
     }
 }
 
+/* On its way to a point of the stop a ray may cross it beyond its edge: it is not lost by that. */
+static void keep_clipped(struct ray_block *block, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        block->lost[i] = ray_block_status(block, i) == RAY_CLIPPED ? 0 : block->lost[i];
+    }
+}
+
 /* The rays that stand in front of the stop, in its own frame. */
 static void to_own(const struct margins *margins, size_t count)
 {
@@ -67,6 +75,7 @@ static bool aim_points(const struct placing *placing, size_t done, struct pupil_
     for (int step = 0; step < STEPS && open > 0; step++) {
         beam_start(margins->beam->beam, block.next_a, block.next_b, count, rays.blocks);
         rays_trace_part(system, 0, system_place(system, system->stop) + 1, &rays, NULL);
+        keep_clipped(rays.blocks, count);
         to_own(margins, count);
         dispatch_aim(SET_BEST)(rays.blocks, enough * enough, enough * enough, &block);
         open = aim_block_open(&block);
@@ -163,6 +172,8 @@ bool quadrature_whole(const struct margins *margins, size_t rays, struct arena *
     if (!is_sound(&placing, turn_of(beam), count - arms, arms)) {
         return false;
     }
+    all->arms = arms;
+    all->rings = count / arms;
     all->rays = rays_new(arena, count);
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;

@@ -22,15 +22,19 @@ struct seeking {
     bool has_chief;
 };
 
+static const size_t ALONE = SIZE_MAX;
+
 /* A ray of the spot, about the origin. */
 struct mark {
     double at[2], weight, distance;
+    size_t beside[2]; /* marks on its arm, inwards and outwards; ALONE: none */
 };
 
 struct marks {
     struct mark *list;
     size_t count, rays; /* rays: of one wavelength, lost ones too */
     double clear;
+    bool has_arms;
 };
 
 void spot_axes(const double direction[3], double across[2][3])
@@ -106,6 +110,19 @@ static bool open_seeking(const struct spot_question *question, struct arena *are
     return set_origin(seeking, arena, error);
 }
 
+/* The last mark and the one before it on its arm, if both arrive; `inner` has one an arm. */
+static void link_arm(const struct bundle *bundle, size_t i, bool arrives, size_t *inner,
+                     struct marks *marks)
+{
+    const size_t arm = i % bundle->arms, last = marks->count - 1;
+    const bool begins = i / bundle->arms % bundle->rings == 0;
+    if (arrives && !begins && inner[arm] != ALONE) {
+        marks->list[last].beside[0] = inner[arm];
+        marks->list[inner[arm]].beside[1] = last;
+    }
+    inner[arm] = arrives ? last : ALONE;
+}
+
 /* The marks of one wavelength, their weights times `weight`. */
 static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t rays, double weight,
                       struct arena *arena, struct marks *marks, struct error *error)
@@ -121,12 +138,19 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
         list[i] = marks->list[i];
     }
     marks->list = list;
+    marks->has_arms = bundle.arms > 0;
+    size_t *inner = ARENA_ARRAY(arena, bundle.arms, size_t);
     for (size_t i = 0; i < bundle.count; i++) {
         const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
-        if (ray_block_status(block, i % RAYS_BLOCK) == RAY_OK) {
+        const bool arrives = ray_block_status(block, i % RAYS_BLOCK) == RAY_OK;
+        if (arrives) {
             struct mark *mark = &marks->list[marks->count++];
             spot_place(&seeking->plane, block, i % RAYS_BLOCK, n, mark->at);
             mark->weight = weight * bundle.points[i].weight;
+            mark->beside[0] = mark->beside[1] = ALONE;
+        }
+        if (bundle.arms > 0) {
+            link_arm(&bundle, i, arrives, inner, marks);
         }
     }
     marks->rays = bundle.count > marks->rays ? bundle.count : marks->rays;
@@ -207,7 +231,7 @@ static int by_distance(const void *first, const void *second)
 }
 
 /* The distance within which so much of the weight lies; half of each mark's lies before it. */
-static double quantile(struct marks *marks, double share)
+static double quantile_of_points(struct marks *marks, double share)
 {
     double total = 0, before = 0;
     qsort(marks->list, marks->count, sizeof *marks->list, by_distance);
@@ -227,6 +251,63 @@ static double quantile(struct marks *marks, double share)
         last = mark;
     }
     return last->distance;
+}
+
+/* Some of the light, evenly spread between two distances. */
+struct piece {
+    double low, high, weight;
+};
+
+/* What a mark stands for on one side: to half-way to its neighbour, or as far the other way. */
+static struct piece piece_of(const struct marks *marks, size_t i, int side)
+{
+    const struct mark *mark = &marks->list[i];
+    const size_t beside = mark->beside[side], other = mark->beside[1 - side];
+    const double here = mark->distance;
+    double end = beside != ALONE  ? (here + marks->list[beside].distance) / 2
+                 : other != ALONE ? fabs(here - (marks->list[other].distance - here) / 2)
+                                  : here;
+    return (struct piece){fmin(here, end), fmax(here, end), mark->weight / 2};
+}
+
+static double share_within(const struct piece *pieces, size_t count, double radius)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        const struct piece *piece = &pieces[i];
+        double width = piece->high - piece->low;
+        double part = width > 0 ? (radius - piece->low) / width : radius >= piece->low;
+        sum += piece->weight * fmin(fmax(part, 0), 1);
+    }
+    return sum;
+}
+
+/*
+ * The same where rays lie on arms: along each the distance is smooth, and light between two rays
+ * lies between their distances. So rings do not show as steps.
+ */
+static double quantile_of_arms(const struct marks *marks, double share, struct arena *arena)
+{
+    enum { TURNS = 60 };
+    const size_t count = 2 * marks->count;
+    struct piece *pieces = ARENA_ARRAY(arena, count, struct piece);
+    double total = 0, low = 0, high = 0;
+    for (size_t i = 0; i < count; i++) {
+        pieces[i] = piece_of(marks, i / 2, (int)(i % 2));
+        total += pieces[i].weight;
+        high = fmax(high, pieces[i].high);
+    }
+    double below = -share * total, above = total + below, last = high;
+    for (int turn = 0; turn < TURNS && high - low > 1e-12 * last; turn++) {
+        /* every third turn halves: a secant may come from one side only */
+        double at = turn % 3 == 2 ? (low + high) / 2 : low - below * (high - low) / (above - below);
+        double excess = share_within(pieces, count, at) - share * total;
+        low = excess < 0 ? at : low;
+        below = excess < 0 ? excess : below;
+        high = excess < 0 ? high : at;
+        above = excess < 0 ? above : excess;
+    }
+    return (low + high) / 2;
 }
 
 /* What coordinates may be off by rounding alone. */
@@ -252,7 +333,9 @@ static bool measure(const struct seeking *seeking, size_t rays, struct arena *ar
     }
     sum_up(&marks, seeking->question->about_chief, spot);
     double share = seeking->question->energy;
-    spot->energy_radius = isnan(share) ? share : quantile(&marks, share);
+    spot->energy_radius = isnan(share)     ? share
+                          : marks.has_arms ? quantile_of_arms(&marks, share, arena)
+                                           : quantile_of_points(&marks, share);
     arena_reset(arena, mark);
     return true;
 }
@@ -318,7 +401,10 @@ static bool converge(const struct seeking *seeking, struct arena *arena, struct 
         }
         *spot = here;
         spot->error = fmax(rms_error(&before, &here, &finer), least);
-        spot->energy_error = 2 * fabs(finer.energy_radius - here.energy_radius) + least;
+        /* light comes and goes at edges, so that changes are not as regular as those of means */
+        spot->energy_error = 4 * fmax(fabs(finer.energy_radius - here.energy_radius),
+                                      0.5 * fabs(here.energy_radius - before.energy_radius)) +
+                             least;
         spot->has_converged =
             (spot->error <= question->error * here.rms || !(spot->error > least)) &&
             !(spot->energy_error > question->error * here.energy_radius &&

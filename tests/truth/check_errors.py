@@ -90,6 +90,28 @@ def check_mirror(checks, program):
     expected = 1000 * (2 * 0.2 / (1 - 0.2 ** 2))
     checks.check(math.isclose(float(row["radius_um"]), expected, rel_tol=1e-9),
                  f"radius behind a paraboloid's focus: {row['radius_um']}, expected {expected}")
+    # equal areas: a share s of the light lies within the height 40 sqrt(s) of the mirror
+    for row in rows_of(program, "spot", "-", "--defocus", "1", "--energy", "20%,50%,80%,99%",
+                       "--columns", "energy,energy_radius,energy_error", stdin=MIRROR):
+        u = 40 * math.sqrt(float(row["energy_percent"]) / 100) / 200
+        expected = 1000 * 2 * u / (1 - u * u)
+        off, error = abs(float(row["energy_radius_um"]) - expected), float(row["energy_error_um"])
+        checks.check(off <= error <= 1e-3 * expected,
+                     f"{row['energy_percent']} % behind a paraboloid's focus: "
+                     f"{row['energy_radius_um']} +- {error}, expected {expected}")
+
+
+def check_energy(checks, program, lens):
+    """Against a plain pattern of many rays, which is right to about 1e-3."""
+    words = ["spot", lens, "--energy", "50%,80%", "--columns",
+             "field,energy,energy_radius,energy_error"]
+    plain = rows_of(program, *words, "--pattern", "sobol", "--rays", "60000")
+    for row, sample in zip(rows_of(program, *words), plain):
+        if row["energy_radius_um"] and sample["energy_radius_um"]:
+            here, there = float(row["energy_radius_um"]), float(sample["energy_radius_um"])
+            checks.check(abs(here - there) <= float(row["energy_error_um"]) + 2e-3 * here,
+                         f"spot {lens} {row['field_deg']}: {row['energy_percent']} % within {here}"
+                         f" +- {row['energy_error_um']}, of a plain pattern within {there}")
 
 
 def main():
@@ -101,6 +123,8 @@ def main():
     for lens in lenses:
         check_spot(checks, program, lens)
         check_plain(checks, program, lens)
+        if lens in ("questar-35", "phone-80deg"):
+            check_energy(checks, program, lens)
         check_illumination(checks, program, lens)
     if "-v" in sys.argv:
         print(worst)
