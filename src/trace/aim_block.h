@@ -10,7 +10,8 @@
 enum aim_state { AIM_OPEN, AIM_DONE, AIM_ASTRAY, AIM_LAST };
 
 struct aim_block {
-    double goal_x[RAYS_BLOCK], goal_y[RAYS_BLOCK]; /* in the stop, mm */
+    _Alignas(64) double goal_x[RAYS_BLOCK]; /* in the stop, mm */
+    double goal_y[RAYS_BLOCK];
     double a[RAYS_BLOCK], b[RAYS_BLOCK];           /* as near as the search has come */
     double step_a[RAYS_BLOCK], step_b[RAYS_BLOCK]; /* what is tried next, from there .. */
     double next_a[RAYS_BLOCK], next_b[RAYS_BLOCK]; /* .. and where that leads */

@@ -28,4 +28,10 @@ def lenses(bench):
                               "glass --like N-BK7": "glass --like N-BK7"})
 
 
-SECTIONS = {"start": starting, "lenses": lenses}
+def analyses(bench):
+    """Whole commands on the double Gauss, as they are asked without options."""
+    names = ("seidel", "color", "distortion", "field", "fan", "spot", "illumination", "pupil")
+    yield from starts(bench, {f"{name} double-gauss": f"{name} double-gauss" for name in names})
+
+
+SECTIONS = {"start": starting, "lenses": lenses, "analyses": analyses}
