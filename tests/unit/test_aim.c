@@ -4,9 +4,12 @@
 #include "check.h"
 #include "exchange/lens_open.h"
 #include "trace/aim.h"
+#include "trace/aim_block.h"
+#include "trace/beam_block.h"
 #include "trace/dispatch.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static const double degree = RADIANS_PER_DEGREE;
 
@@ -111,8 +114,58 @@ static void check_lens(const char *name)
     arena_free(&arena);
 }
 
+/* Numbers that look like chance, from -1 to 1. */
+static double next_number(unsigned *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (double)(*state >> 8) / 8388608.0 - 1;
+}
+
+/* Every instruction set starts rays and steps towards goals with the same bits. */
+static void test_instruction_sets(void)
+{
+    static const enum instruction_set sets[] = {SET_SSE2, SET_AVX2, SET_AVX512};
+    struct beam beams[2] = {{.n = 1}, {.n = 1}};
+    struct error error;
+    const double angle[2] = {0.1, 0.2}, point[3] = {3, -20, -300};
+    beams[0] = beam_from_infinity(angle, 1);
+    CHECK(beam_from_point(point, 1.5, &beams[1], &error));
+    for (size_t trial = 0; trial < 20; trial++) {
+        static struct ray_block rays[3];
+        static struct aim_block blocks[3];
+        unsigned state = 1 + (unsigned)trial;
+        double *numbers = (double *)&blocks[0];
+        for (size_t i = 0; i < sizeof blocks[0] / sizeof(double); i++) {
+            numbers[i] = next_number(&state);
+        }
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            blocks[0].state[i] = (double)(i % 3);
+        }
+        for (size_t k = 0; k < 3; k++) {
+            if (!instruction_set_works(sets[k])) {
+                continue;
+            }
+            memset(&rays[k], 0, sizeof rays[k]);
+            dispatch_beam(sets[k])(&beams[trial % 2], blocks[0].goal_x, blocks[0].goal_y, 117,
+                                   &rays[k]);
+            CHECK(memcmp(&rays[k], &rays[0], sizeof rays[0]) == 0);
+        }
+        for (size_t k = 3; k-- > 0;) {
+            if (instruction_set_works(sets[k])) {
+                blocks[k] = blocks[0];
+                dispatch_aim(sets[k])(&rays[0], 1e-3, 1e-6, &blocks[k]);
+            }
+        }
+        for (size_t k = 1; k < 3; k++) {
+            CHECK(!instruction_set_works(sets[k]) ||
+                  memcmp(&blocks[k], &blocks[0], sizeof blocks[0]) == 0);
+        }
+    }
+}
+
 int main(void)
 {
+    test_instruction_sets();
     struct arena arena = {0};
     struct lensdb db = {.arena = &arena};
     struct error error;
