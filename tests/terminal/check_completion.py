@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from harness import Checks, Program
+from harness import Checks, Program, has_terminals
 
 # What is typed behind "lenscalc ", and what TAB makes of it.
 CASES = [
@@ -140,7 +140,7 @@ def check_fish(checks, program):
 
 def main():
     checks, program = Checks(), Program(sys.argv[1])
-    here = [shell for shell in ("bash", "zsh") if shutil.which(shell)]
+    here = [shell for shell in START if shutil.which(shell) and has_terminals()]
     with ThreadPoolExecutor() as pool:
         waiting = [pool.submit(check_on_terminal, checks, program, shell) for shell in here]
         if shutil.which("fish"):

@@ -19,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from harness import Checks, Program, on_terminal
+from harness import Checks, Program, has_terminals, on_terminal
 
 HELP_WIDTH = 80
 
@@ -380,8 +380,9 @@ def check_broken_off(checks, program):
 def main():
     program = Program(sys.argv[1])
     checks = Checks()
-    for check in (check_help, check_width, check_blocks, check_color, check_escapes,
-                  check_progress, check_interrupted, check_broken_off):
+    on_terminals = (check_width, check_blocks, check_color, check_progress)
+    for check in (check_help, check_escapes, check_interrupted, check_broken_off,
+                  *(on_terminals if has_terminals() else ())):
         check(checks, program)
     checks.finish()
 
