@@ -42,8 +42,8 @@ void grid_measure(const struct grid *grid, size_t *widths)
 /* Cut off what goes into the next line of a cell: whole words, or a part of one too long for it. */
 static struct text next_line(struct text *rest, size_t width)
 {
-    size_t at = 0, used = 0, blank = 0;
-    while (at < rest->length && (used < width || continues(rest->start[at]))) {
+    size_t at = 0, used = 0, blank = 0, most = larger(width, 1); /* each takes something */
+    while (at < rest->length && (used < most || continues(rest->start[at]))) {
         used += !continues(rest->start[at]);
         blank = rest->start[at] == ' ' ? at : blank;
         at++;
@@ -95,6 +95,16 @@ static size_t longest_word(const char *string)
     return longest;
 }
 
+/* Of the cells below the head. */
+static size_t body_width(const struct grid *grid, size_t column)
+{
+    size_t width = 0;
+    for (size_t i = grid->head_rows; i < grid->rows; i++) {
+        width = larger(width, width_of(text_of(grid_cell(grid, i, column))));
+    }
+    return width;
+}
+
 /* How narrow a column may be: heads break between words, and so do cells of words. */
 static size_t least_of(const struct grid *grid, size_t column, size_t width)
 {
@@ -119,18 +129,30 @@ static size_t total_width(const struct grid *grid)
     return total > 0 ? total - GAP : 0;
 }
 
-/* Take from the widest columns what is too much; false if it is not enough. */
-static bool narrow(struct grid *grid, size_t width, const size_t *natural, const size_t *least)
+/* The widest column that is shown and wider than its bound; the count of columns: there is none. */
+static size_t widest_above(const struct grid *grid, const size_t *bounds)
+{
+    size_t widest = grid->columns;
+    for (size_t j = 0; j < grid->columns; j++) {
+        bool can = !grid->hidden[j] && grid->widths[j] > bounds[j];
+        if (can && (widest == grid->columns || grid->widths[j] > grid->widths[widest])) {
+            widest = j;
+        }
+    }
+    return widest;
+}
+
+/*
+ * Take from the widest columns what is too much; false if it is not enough. As long as that will
+ * do only heads are broken, which takes a line and not one a row.
+ */
+static bool narrow(struct grid *grid, size_t width, const size_t *natural, const size_t *least,
+                   const size_t *bodies)
 {
     memcpy(grid->widths, natural, grid->columns * sizeof *natural);
     for (size_t total = total_width(grid); total > width; total--) {
-        size_t widest = grid->columns;
-        for (size_t j = 0; j < grid->columns; j++) {
-            bool can = !grid->hidden[j] && grid->widths[j] > least[j];
-            if (can && (widest == grid->columns || grid->widths[j] > grid->widths[widest])) {
-                widest = j;
-            }
-        }
+        size_t widest = widest_above(grid, bodies);
+        widest = widest < grid->columns ? widest : widest_above(grid, least);
         if (widest == grid->columns) {
             return false;
         }
@@ -143,14 +165,16 @@ size_t grid_fit(struct grid *grid, size_t width, const size_t *least, const size
 {
     size_t *natural = ARENA_ARRAY(grid->arena, grid->columns, size_t);
     size_t *narrowest = ARENA_ARRAY(grid->arena, grid->columns, size_t);
+    size_t *bodies = ARENA_ARRAY(grid->arena, grid->columns, size_t);
     size_t left_out = 0;
     grid->widths = ARENA_ARRAY(grid->arena, grid->columns, size_t);
     grid->hidden = ARENA_ARRAY(grid->arena, grid->columns, bool);
     grid_measure(grid, natural);
     for (size_t j = 0; j < grid->columns; j++) {
         narrowest[j] = least[j] > 0 ? least[j] : least_of(grid, j, natural[j]);
+        bodies[j] = larger(narrowest[j], body_width(grid, j));
     }
-    while (!narrow(grid, width, natural, narrowest)) {
+    while (!narrow(grid, width, natural, narrowest, bodies)) {
         size_t last = grid->columns;
         for (size_t j = 0; j < grid->columns; j++) {
             if (!grid->hidden[j] && rank[j] > 0 &&
@@ -243,7 +267,7 @@ static void write_row(const struct grid *grid, struct output *output, const size
         }
     }
     for (size_t k = 0; k < lines; k++) {
-        for (size_t j = 0; j < grid->columns && lines > 1; j++) {
+        for (size_t j = 0; j < grid->columns && grid->widths != NULL; j++) {
             pieces[j] = piece_of(grid, row, j, k, lines);
         }
         write_line(grid, output, widths, pieces, row < grid->head_rows ? STYLE_HEAD : STYLE_PLAIN);
