@@ -261,15 +261,17 @@ bool analysis_makes_many(const struct analysis_question *question,
            ((!one && lens->field_count > 1) || lens_positions_several(lens, question->position));
 }
 
-bool analysis_brings(const struct analysis_question *question, const char *option)
+bool analysis_brings(const void *input, const char *option)
 {
+    const struct analysis_question *question = input;
     return !is_given(question->field, question->field_x) &&
            !is_given(question->height, question->height_x) &&
            lens_brings(question->lens.lens, option);
 }
 
-bool analysis_varies(const struct analysis_question *question, const char *option)
+bool analysis_varies(const void *input, const char *option)
 {
+    const struct analysis_question *question = input;
     return strcmp(option, "position") == 0 &&
            lens_positions_several(question->lens.lens, question->position);
 }

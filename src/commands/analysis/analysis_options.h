@@ -277,13 +277,13 @@ bool analysis_each_field(const struct analysis_question *question,
                          const struct analysis_answers *answers, void *context,
                          struct error *error);
 
-/* For struct command: the threads of an input that begins with its struct analysis_question. */
-int analysis_threads(const void *input);
-
-/* For struct command: does the question have several rows, and what brings columns? */
+/* Does the question have several rows? */
 bool analysis_makes_many(const struct analysis_question *question,
                          const struct analysis_policy *policy);
-bool analysis_brings(const struct analysis_question *question, const char *option);
-bool analysis_varies(const struct analysis_question *question, const char *option);
+
+/* For struct command, whose inputs begin with their struct analysis_question. */
+bool analysis_brings(const void *input, const char *option);
+bool analysis_varies(const void *input, const char *option);
+int analysis_threads(const void *input);
 
 #endif

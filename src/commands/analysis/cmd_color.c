@@ -320,16 +320,6 @@ static bool run(const void *data, struct run *run, struct error *error)
            analysis_each_field(&asked.input->question, &color_policy, run, &answers, &asked, error);
 }
 
-static bool varies(const void *data, const char *option)
-{
-    return analysis_varies(&((const struct color_input *)data)->question, option);
-}
-
-static bool brings(const void *data, const char *option)
-{
-    return analysis_brings(&((const struct color_input *)data)->question, option);
-}
-
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types,
                      "draw focal shift, spherochromatism and lateral colour"),
@@ -365,8 +355,8 @@ const struct command command_color = {
     .choose_sheet = choose_sheet,
     .sheets = all_sheets,
     .makes_many = command_always_many,
-    .varies = varies,
-    .brings = brings,
+    .varies = analysis_varies,
+    .brings = analysis_brings,
     .threads = analysis_threads,
     COMMAND_MAKES(artifacts),
 };

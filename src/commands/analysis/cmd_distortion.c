@@ -201,11 +201,6 @@ static bool brings(const void *data, const char *option)
     return input->fit == 0 && analysis_brings(&input->question, option);
 }
 
-static bool varies(const void *data, const char *option)
-{
-    return analysis_varies(&((const struct distortion_input *)data)->question, option);
-}
-
 static const struct artifact artifacts[] = {
     {.option = {.kind = &kind_text,
                 .name = "output",
@@ -287,6 +282,6 @@ const struct command command_distortion = {
     .makes_many = makes_many,
     .brings = brings,
     .threads = analysis_threads,
-    .varies = varies,
+    .varies = analysis_varies,
     .cell = "distortion_percent",
 };

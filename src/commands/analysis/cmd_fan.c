@@ -207,16 +207,6 @@ static bool run(const void *data, struct run *run, struct error *error)
     return analysis_each_field(&input->question, &fan_policy, run, &answers, &asked, error);
 }
 
-static bool brings(const void *data, const char *option)
-{
-    return analysis_brings(&((const struct fan_input *)data)->question, option);
-}
-
-static bool varies(const void *data, const char *option)
-{
-    return analysis_varies(&((const struct fan_input *)data)->question, option);
-}
-
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the fans: two panels a field"),
      .scope = ARTIFACT_OF_SWEEP, .make = fan_figure},
@@ -249,8 +239,8 @@ const struct command command_fan = {
     .explanations = explanations,
     .run = run,
     .makes_many = command_always_many,
-    .brings = brings,
+    .brings = analysis_brings,
     .threads = analysis_threads,
-    .varies = varies,
+    .varies = analysis_varies,
     COMMAND_MAKES(artifacts),
 };

@@ -138,16 +138,6 @@ static bool makes_many(const void *data)
     return analysis_makes_many(&((const struct input *)data)->question, &policy);
 }
 
-static bool brings(const void *data, const char *option)
-{
-    return analysis_brings(&((const struct input *)data)->question, option);
-}
-
-static bool varies(const void *data, const char *option)
-{
-    return analysis_varies(&((const struct input *)data)->question, option);
-}
-
 /* -------- the plot -------- */
 
 /* The curves of one lens in one case, over all the fields that are asked for. */
@@ -368,9 +358,9 @@ const struct command command_field = {
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
-    .brings = brings,
+    .brings = analysis_brings,
     .threads = analysis_threads,
-    .varies = varies,
+    .varies = analysis_varies,
     .cell = "tangential",
     COMMAND_MAKES(artifacts),
 };

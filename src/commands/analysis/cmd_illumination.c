@@ -264,16 +264,6 @@ static bool makes_many(const void *data)
            lens_positions_several(input->question.lens.lens, input->question.position);
 }
 
-static bool brings(const void *data, const char *option)
-{
-    return analysis_brings(&((const struct input *)data)->question, option);
-}
-
-static bool varies(const void *data, const char *option)
-{
-    return analysis_varies(&((const struct input *)data)->question, option);
-}
-
 /* -------- the plot -------- */
 
 /* One lens in one case, and how far its image is looked at. */
@@ -483,9 +473,9 @@ const struct command command_illumination = {
     COMMAND_ASKS(struct input),
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
-    .brings = brings,
+    .brings = analysis_brings,
     .threads = analysis_threads,
-    .varies = varies,
+    .varies = analysis_varies,
     .cell = "relative_point",
     COMMAND_MAKES(artifacts),
 };

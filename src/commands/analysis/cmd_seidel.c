@@ -230,16 +230,6 @@ static bool run(const void *data, struct run *run, struct error *error)
     return seidel_each(data, run, emit_rows, &listing, error);
 }
 
-static bool varies(const void *data, const char *option)
-{
-    return analysis_varies(&((const struct seidel_input *)data)->question, option);
-}
-
-static bool brings(const void *data, const char *option)
-{
-    return analysis_brings(&((const struct seidel_input *)data)->question, option);
-}
-
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the sums as bars, surface by surface"),
      .scope = ARTIFACT_OF_ANSWER, .check = seidel_view_check, .make = seidel_view_draw},
@@ -284,7 +274,7 @@ const struct command command_seidel = {
     .choose_sheet = choose_sheet,
     .sheets = all_sheets,
     .makes_many = command_always_many,
-    .varies = varies,
-    .brings = brings,
+    .varies = analysis_varies,
+    .brings = analysis_brings,
     COMMAND_MAKES(artifacts),
 };

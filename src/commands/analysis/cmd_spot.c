@@ -239,16 +239,6 @@ static bool makes_many(const void *data)
     return analysis_makes_many(&((const struct spot_input *)data)->question, &spot_policy);
 }
 
-static bool brings(const void *data, const char *option)
-{
-    return analysis_brings(&((const struct spot_input *)data)->question, option);
-}
-
-static bool varies(const void *data, const char *option)
-{
-    return analysis_varies(&((const struct spot_input *)data)->question, option);
-}
-
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types,
                      "draw the spots, by field and through focus; of many their RMS radius"),
@@ -277,9 +267,9 @@ const struct command command_spot = {
     COMMAND_ASKS(struct spot_input),
     COMMAND_ANSWERS(struct row),
     .makes_many = makes_many,
-    .brings = brings,
+    .brings = analysis_brings,
     .threads = analysis_threads,
-    .varies = varies,
+    .varies = analysis_varies,
     .cell = "rms",
     COMMAND_MAKES(artifacts),
 };
