@@ -37,6 +37,7 @@ static inline struct random_words random_cipher(struct random_words counter, uin
 enum random_purpose {
     RANDOM_UNITS,      /* random_pair */
     RANDOM_SCRAMBLING, /* sobol_scrambling */
+    RANDOM_NOISE,      /* sensor_expose */
 };
 
 /* Numbers `which` of a purpose, for one sample of a run. */

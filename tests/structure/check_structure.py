@@ -99,7 +99,9 @@ FOR_TESTS = {
     # what photographs stand on
     "image_file_bytes": "", "image_file_parse": "", "image_file_read": "", "image_file_types": "",
     "srgb_encoded": "",
-    "poisson_quantile": "the pictures of render stand on it next",
+    "colour_balance": "the pictures of render stand on it next",
+    "colour_inverse": "", "colour_white": "", "demosaic_bilinear": "", "develop_picture": "",
+    "sensor_codes": "", "sensor_expose": "", "sensor_open": "", "sensor_plain": "",
     # what divided runs stand on
     "digest_add": "", "digest_begin": "", "digest_end": "", "digest_item": "",
     "part_parse": "", "part_range": "", "part_read": "", "part_write": "", "parts_order": "",

@@ -1,0 +1,126 @@
+/* camera/develop.c - black level, colours and white balance of raw data. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/develop.h"
+
+#include <math.h>
+
+/* What makes light of digital numbers, and linear sRGB of channels. */
+struct developing {
+    const struct sensor_model *model;
+    double per_number[SENSOR_CHANNELS]; /* light, 1 is white, of one digital number */
+    double zero;                        /* digital number of no light */
+    struct colour_matrix to_srgb;
+};
+
+static struct developing developing_of(const struct sensor_model *model, double headroom)
+{
+    const struct sensor_response_traits *response = &sensor_responses[model->sensor.response];
+    struct developing developing = {.model = model,
+                                    .zero = model->sensor.black + model->gain * model->dark};
+    const double most = (model->white - model->sensor.black) /
+                        (model->gain * model->electrons[response->reference]);
+    struct colour_matrix seen;
+    for (size_t i = 0; i < SENSOR_CHANNELS; i++) {
+        developing.per_number[i] = headroom / (model->gain * model->electrons[i] * most);
+        for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
+            seen.at[i][j] = response->channels == 1 ? i == j : response->seen[i][j];
+        }
+    }
+    developing.to_srgb = colour_inverse(&seen);
+    return developing;
+}
+
+static struct colour srgb_of(const struct developing *developing, const float *raw, size_t channels)
+{
+    struct colour light;
+    for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
+        const size_t from = channels == 1 ? 0 : k;
+        light.part[k] = ((double)raw[from] - developing->zero) * developing->per_number[from];
+    }
+    return colour_turned(&developing->to_srgb, light);
+}
+
+/* The mean of what is not saturated. */
+static bool mean_white(const struct developing *developing, const struct image *raw,
+                       struct colour *white, struct error *error)
+{
+    const struct sensor_model *model = developing->model;
+    const double full = model->sensor.black + model->gain * model->clip - 0.5;
+    struct colour sum = {{0}};
+    size_t count = 0;
+    for (size_t i = 0; i < raw->width * raw->height; i++) {
+        const float *pixel = raw->pixels + i * raw->channels;
+        bool within = true;
+        for (size_t k = 0; k < raw->channels; k++) {
+            within = within && (double)pixel[k] < full;
+        }
+        if (within) {
+            const struct colour colour = srgb_of(developing, pixel, raw->channels);
+            for (int k = 0; k < 3; k++) {
+                sum.part[k] += colour.part[k];
+            }
+            count++;
+        }
+    }
+    if (count == 0) {
+        return fail(error, ERROR_DOMAIN,
+                    "no white balance of a picture that is saturated everywhere");
+    }
+    for (int k = 0; k < 3; k++) {
+        sum.part[k] /= (double)count;
+    }
+    *white = colour_turned(&colour_xyz_of_srgb, sum);
+    return true;
+}
+
+static bool find_white(const struct developing *developing, const struct image *raw,
+                       const struct develop_way *way, struct colour *white, struct error *error)
+{
+    switch (way->white) {
+    case BALANCE_TUNGSTEN:
+        *white = colour_tungsten();
+        return true;
+    case BALANCE_KELVIN:
+        return colour_white(way->kelvin, white, error);
+    case BALANCE_AUTO:
+        return mean_white(developing, raw, white, error);
+    case BALANCE_DAYLIGHT:
+        break;
+    }
+    *white = colour_daylight();
+    return true;
+}
+
+bool develop_picture(const struct sensor_model *model, const struct image *raw,
+                     const struct develop_way *way, struct arena *arena, struct developed *made,
+                     struct error *error)
+{
+    const size_t channels = sensor_responses[model->sensor.response].channels;
+    if (raw->channels != channels) {
+        return fail(error, ERROR_DOMAIN, "raw data of %zu channels: the sensor has %zu",
+                    raw->channels, channels);
+    }
+    struct developing developing = developing_of(model, way->headroom);
+    made->white = colour_daylight();
+    if (channels > 1) {
+        struct colour_matrix balance;
+        if (!find_white(&developing, raw, way, &made->white, error) ||
+            !colour_balance(made->white, &balance, error)) {
+            return false;
+        }
+        developing.to_srgb = colour_product(&balance, &developing.to_srgb);
+    }
+    struct image *picture = &made->picture;
+    *picture =
+        (struct image){.width = raw->width, .height = raw->height, .channels = SENSOR_CHANNELS};
+    if (!image_new(picture, arena, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < raw->width * raw->height; i++) {
+        const struct colour colour = srgb_of(&developing, raw->pixels + i * channels, channels);
+        for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
+            picture->pixels[i * SENSOR_CHANNELS + k] = (float)colour.part[k];
+        }
+    }
+    return true;
+}
