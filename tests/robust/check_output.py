@@ -164,7 +164,7 @@ def check_memory(checks, program):
             with open(os.path.join(folder, "huge.csv"), "w") as file:
                 file.write("f,N,s\n" + "5" * 40_000_000)
             with open(os.path.join(folder, "huge.lens"), "w") as file:
-                file.write("lens huge\n" + "surface 50 1 air\n" * 2_000_000)
+                file.write("lens huge\n" + "surface 50 1 air 10\n" * 2_000_000)
             result = program.shell(f"ulimit -v 65536; lenscalc {words}", folder)
             check_failed(checks, f"{words} in 64 MB", result, "out of memory")
             checks.check(result.stdout == b"", f"{words} in 64 MB: prints {result.stdout[:80]!r}")
