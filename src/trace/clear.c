@@ -12,6 +12,7 @@
 
 /* Arms of an edge without corners; of one that has too many. */
 enum { CIRCLE = 128, MANY = 1024 };
+
 /* An excess that counts as none at the ends of arms; how far beside a corner its edges are, rad. */
 static const double finely = 1e-13, beside = 3e-8;
 
