@@ -27,8 +27,8 @@ struct star {
  * Result    false: nothing is clear
  * Formula   about the chief ray if it passes, else about the ray that passes best of the largest
  *           part that passes (trace/parts.h); where more than the stop ends it about its centroid,
- *           in a frame stretched as it is. Edges in 32 directions, 256 where apertures are listed or
- *           rays are lost otherwise at the edge, to a share of how deep the centre lies within it.
+ *           in a frame stretched as it is. Edges in 32 directions, 256 where apertures are listed
+ *           or rays are lost otherwise at the edge, to a share of how deep the centre lies within.
  *           Two neighbours that end at different things hold a corner: where both excesses are 0,
  *           by Newton's method; where that does not lead to a corner between the two, by cutting
  *           the angle in five. A piece that no direction meets is looked for where its excess, a
