@@ -278,6 +278,9 @@ static void find_ends(const struct tracer *tracer, const struct fan_ray *list,
             here->count == FAN_ENDS) {
             continue;
         }
+        if (list[arrives ? i + 1 : i].status == RAY_NOT_CONVERGED) {
+            continue; /* aiming fails there, after a long search each time: no edge of the pupil */
+        }
         here->rays[here->count] = list[arrives ? i : i + 1];
         here->behind[here->count] = i % fan->points;
         gaps[count++] =
