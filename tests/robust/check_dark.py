@@ -48,6 +48,41 @@ def dark_lenses():
                               "stop - 50 air 10")
 
 
+# the name of a glass with what turns a terminal red
+ESCAPE = b"""VERS 1
+MODE SEQ
+UNIT MM
+ENPD 5
+WAVM 1 0.58 1
+SURF 0
+ CURV 0
+ DISZ INFINITY
+SURF 1
+ STOP
+ CURV 0.02
+ DISZ 3
+ GLAS foo\x1b[31m 1 0 1.5 60
+ DIAM 5
+SURF 2
+ CURV -0.02
+ DISZ 50
+ DIAM 5
+SURF 3
+ CURV 0
+"""
+
+
+def check_escape(checks, program):
+    path = os.path.join(program.holder.name, "escape.zmx")
+    with open(path, "wb") as file:
+        file.write(ESCAPE)
+    for words in (["spot"], ["fan", "--points", "3"], ["pupil"], ["lens"]):
+        result = program.run(*words, path, "--lossy", "--csv")
+        said = (result.stdout + result.stderr).replace(b"\r\n", b"\n")
+        checks.check(b"foo" in said and not CONTROL.search(said),
+                     f"{words[0]} of a glass with an escape in its name: {said[-200:]!r}")
+
+
 def spent():
     """Processor time of the programs that have ended, s."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -72,6 +107,7 @@ def main():
     took = spent() - before
     checks.check(took < most or program.is_instrumented,
                  f"a sweep of calibrated distortions: took {took:.1f} s")
+    check_escape(checks, program)
     for name, path in paths:
         for words in COMMANDS:
             # what was seen once needs one look: a form that holds every number

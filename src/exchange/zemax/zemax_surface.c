@@ -130,9 +130,10 @@ static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line
                          line->keyword.start, catalog_list(file)));
     }
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
-    const char *what = arena_printf(
-        file->job->arena, "the glass '%.*s' of nd %g and Vd %g is in %s", length,
-        line->keyword.start, zemax_number(line, 2), zemax_number(line, 3), catalog_list(file));
+    char *what = arena_printf(file->job->arena, "the glass '%.*s' of nd %g and Vd %g is in %s",
+                              length, line->keyword.start, zemax_number(line, 2),
+                              zemax_number(line, 3), catalog_list(file));
+    text_make_printable(what, "");
     if (is_visible(file)) {
         medium->warning = arena_printf(file->job->arena, "%s: nd and Vd are used instead", what);
         lens_build_note(&file->build, text_of(medium->warning));
