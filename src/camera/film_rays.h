@@ -17,11 +17,12 @@ struct film_samples {
 
 enum { FILM_DIMENSIONS = 4 };
 
-/* Points spread over a film and its pupils. */
+/* Points spread over a rectangle of film and its pupils. */
 struct film_plan {
     const struct sobol *sobol; /* x, y, u, v */
     uint32_t scrambling[FILM_DIMENSIONS];
-    double width, height; /* of the film, mm: -width/2 to width/2 */
+    double left, bottom;  /* x and y where it begins, mm */
+    double width, height; /* mm */
 };
 
 /* The samples of block `block` of a sequence: its points RAYS_BLOCK block + 0, 1, .. */

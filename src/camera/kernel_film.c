@@ -13,8 +13,8 @@ void NAME(kernel_film_plan, KERNEL)(const struct film_plan *plan, uint32_t block
         sobol_points(&plan->sobol[k], plan->scrambling[k], block, points[k]);
     }
     for (int i = 0; i < RAYS_BLOCK; i++) {
-        samples->x[i] = plan->width * (points[0][i] - 0.5);
-        samples->y[i] = plan->height * (points[1][i] - 0.5);
+        samples->x[i] = plan->left + plan->width * points[0][i];
+        samples->y[i] = plan->bottom + plan->height * points[1][i];
     }
     memcpy(samples->u, points[2], sizeof samples->u);
     memcpy(samples->v, points[3], sizeof samples->v);

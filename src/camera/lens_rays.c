@@ -2,18 +2,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/lens_rays.h"
 
-#include "base/sobol.h"
-#include "camera/film_rays.h"
+#include "camera/lens_film.h"
 
 #include <math.h>
 
 /* All that blocks have in common. */
 struct stream {
     const struct lens_rays_question *question;
-    const struct system **systems;
-    struct film_region region;
+    struct lens_film film;
     struct film_plan plan; /* of the part of the film that may be lit */
-    struct sobol sobol[FILM_DIMENSIONS];
     struct film_samples samples;
     struct rays rays;
     struct lens_ray passed[RAYS_BLOCK];
@@ -22,41 +19,19 @@ struct stream {
 static bool open_stream(const struct lens_rays_question *question, struct arena *arena,
                         struct stream *stream, struct error *error)
 {
-    const struct setup *setup = question->setup;
     stream->question = question;
-    stream->systems = ARENA_ARRAY(arena, setup->wavelength_count, const struct system *);
-    if (isnan(setup->image)) {
-        fail(error, ERROR_DOMAIN, "the image of the lens lies at infinity: there is no film");
-        return error_hint(error, "say with {focus} how far behind the last vertex it is");
-    }
-    if (setup->lens->stop == LENS_NONE || !(setup->first.stop_radius > 0)) {
-        fail(error, ERROR_DOMAIN, "%s: how much light comes is not known",
-             setup->lens->stop == LENS_NONE ? "the lens has no stop" : "the stop has no diameter");
-        return error_hint(error, "give an f-number, or a diameter in the file");
-    }
-    for (size_t w = 0; w < setup->wavelength_count; w++) {
-        stream->systems[w] = setup_system(setup, w, SETUP_CLIPPED | SETUP_REVERSED, error);
-        if (stream->systems[w] == NULL) {
-            return false;
-        }
-    }
-    const struct film_lens lens = {.systems = stream->systems,
-                                   .count = setup->wavelength_count,
-                                   .first = &setup->first,
-                                   .film = setup->image,
-                                   .reach = hypot(question->width, question->height) / 2};
-    if (!film_region_open(&lens, arena, &stream->region, error)) {
+    if (!lens_film_open(question->setup, question->width, question->height, arena, &stream->film,
+                        error)) {
         return false;
     }
-    if (stream->region.largest == 0) {
-        return fail(error, ERROR_DOMAIN, "no light reaches the film at %.6g mm", setup->image);
-    }
-    stream->plan = (struct film_plan){.sobol = stream->sobol,
-                                      .width = fmin(question->width, 2 * stream->region.largest),
-                                      .height = fmin(question->height, 2 * stream->region.largest)};
-    for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
-        sobol_open(k, &stream->sobol[k]);
-    }
+    const double largest = stream->film.region.largest;
+    const double width = fmin(question->width, 2 * largest);
+    const double height = fmin(question->height, 2 * largest);
+    stream->plan = (struct film_plan){.sobol = stream->film.sobol,
+                                      .left = -width / 2,
+                                      .bottom = -height / 2,
+                                      .width = width,
+                                      .height = height};
     stream->rays = rays_new(arena, RAYS_BLOCK);
     return true;
 }
@@ -86,9 +61,9 @@ static size_t collect(struct stream *stream, const struct system *system, size_t
 static bool send(struct stream *stream, size_t w, uint64_t samples, double share,
                  lens_rays_visit *visit, void *context, uint64_t *arrived, struct error *error)
 {
-    const struct system *system = stream->systems[w];
+    const struct system *system = stream->film.systems[w];
     const struct lens_rays_question *question = stream->question;
-    const double n = stream->region.index / system->index_last;
+    const double n = stream->film.region.index / system->index_last;
     const double lit =
         stream->plan.width * stream->plan.height / (question->width * question->height);
     const double by = share * lit * n * n;
@@ -98,7 +73,7 @@ static bool send(struct stream *stream, size_t w, uint64_t samples, double share
     for (uint64_t done = 0; done < samples; done += RAYS_BLOCK) {
         const uint64_t left = samples - done;
         film_rays_plan(&stream->plan, (uint32_t)(done / RAYS_BLOCK), SET_BEST, &stream->samples);
-        film_rays_start(&stream->region, &stream->samples, SET_BEST, stream->rays.blocks);
+        film_rays_start(&stream->film.region, &stream->samples, SET_BEST, stream->rays.blocks);
         rays_trace(system, &stream->rays, NULL);
         const size_t kept = collect(stream, system, left < RAYS_BLOCK ? (size_t)left : RAYS_BLOCK,
                                     by / (double)samples);
@@ -116,11 +91,11 @@ bool lens_rays_make(const struct lens_rays_question *question, struct arena *are
 {
     const struct setup *setup = question->setup;
     struct stream *stream = ARENA_NEW(arena, struct stream);
-    *result = (struct lens_rays){.corner = hypot(question->width, question->height) / 2};
     if (!open_stream(question, arena, stream, error)) {
         return false;
     }
-    result->largest = stream->region.largest;
+    *result =
+        (struct lens_rays){.largest = stream->film.region.largest, .corner = stream->film.corner};
     double all = 0, before = 0;
     for (size_t w = 0; w < setup->wavelength_count; w++) {
         all += setup->wavelengths[w].weight;

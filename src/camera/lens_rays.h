@@ -46,8 +46,7 @@ struct lens_rays {
  *           has it. Each wavelength has its share of the samples by its weight
  * Formula   camera/film_rays.h at scrambled Sobol' points of film and pupil, a sequence for each
  *           wavelength; times (n'/n)^2
- * Errors    ERROR_DOMAIN: as film_region_open; no stop, or none with a diameter; no image plane; no
- *           light reaches the film; as setup_system, `visit`
+ * Errors    as lens_film_open, `visit`
  */
 bool lens_rays_make(const struct lens_rays_question *question, struct arena *arena,
                     lens_rays_visit *visit, void *context, struct lens_rays *result,

@@ -166,6 +166,17 @@ static bool open_sinks(struct artifacts *artifacts, struct arena *arena, struct 
     return true;
 }
 
+/* Of a command without rows the answer is made unless something else is asked for. */
+static bool is_answer(const struct artifact_setting *setting, size_t which)
+{
+    const struct command *command = setting->command;
+    bool others = false;
+    for (size_t i = 0; i < command->artifact_count; i++) {
+        others = others || setting->arguments->all[command->option_count + i].is_given;
+    }
+    return command->run == NULL && which == 0 && !others;
+}
+
 bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting *setting,
                      const struct artifact *columns, const void *context, struct error *error)
 {
@@ -182,7 +193,7 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
         if (argument->is_given && job.path[0] == '\0') {
             return fail(error, ERROR_USAGE, "--%s is empty", argument->option->name);
         }
-        if ((argument->is_given || command->run == NULL) &&
+        if ((argument->is_given || is_answer(setting, i)) &&
             !order(artifacts, setting, job, error)) {
             return false;
         }

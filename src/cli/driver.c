@@ -315,7 +315,17 @@ static bool close_artifacts(struct driver *driver, bool done, struct error *erro
     return done;
 }
 
-/* A command without rows: its answer is an artifact. */
+/* Make the artifacts of a command without rows, which may take long. */
+static bool make_artifacts(struct driver *driver, struct error *error)
+{
+    progress_begin(&driver->progress, driver->command->name, rows_state, driver);
+    interrupt_watch(); /* what there is so far may be worth something */
+    const bool done = artifacts_make(&driver->artifacts, error);
+    progress_erase(&driver->progress);
+    return done;
+}
+
+/* A command without rows: its answer is an artifact, which may be less than was asked. */
 static int answer_without_rows(struct driver *driver)
 {
     struct error error = {0};
@@ -324,9 +334,14 @@ static int answer_without_rows(struct driver *driver)
                     &error) &&
         sweep_check_single(&driver->sweep, driver->command->name, &error) &&
         idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, &error) &&
-        order_artifacts(driver, &error) && artifacts_make(&driver->artifacts, &error);
+        order_artifacts(driver, &error) && make_artifacts(driver, &error);
     driver->answered = done;
-    if (!close_artifacts(driver, done, &error)) {
+    done = close_artifacts(driver, done, &error);
+    if (done && driver->run.shortfall.code != ERROR_NONE) {
+        error = driver->run.shortfall;
+        done = false;
+    }
+    if (!done) {
         complain(&error, &driver->arguments, &driver->batch);
         return (int)error.code;
     }

@@ -75,7 +75,11 @@ static void set_up(struct fixture *fixture, const char *name, double fnumber)
     if (!film_region_open(&fixture->film, arena, &fixture->region, &error)) {
         stop(&error);
     }
-    fixture->plan = (struct film_plan){.sobol = fixture->sobol, .width = width, .height = height};
+    fixture->plan = (struct film_plan){.sobol = fixture->sobol,
+                                       .left = -width / 2,
+                                       .bottom = -height / 2,
+                                       .width = width,
+                                       .height = height};
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         sobol_open(k, &fixture->sobol[k]);
         fixture->plan.scrambling[k] = sobol_scrambling(0, 0, k);

@@ -80,21 +80,26 @@ extern const struct word analysis_aims[], analysis_weights[];
                                    .help = "threads that answer a sweep; 0 = one a core"           \
     }
 
-/* Of what is no sweep. */
 #define ANALYSIS_LENS_OPTIONS(S, member, wavelengths)                                              \
     LENS_OPTION(S, member), LENS_WAVELENGTH_OPTION(S, member, wavelengths),                        \
         LENS_FNUMBER_OPTION(S, member), LENS_POSITION_OPTION(S, member),                           \
-        {OPTION(S, member.focus),                                                                  \
-         .name = "focus",                                                                          \
-         .dimension = &dimension_length,                                                           \
-         .unit = "mm",                                                                             \
-         .value = "PLANE",                                                                         \
-         .help = "the image plane: paraxial, table, best, or mm from the last vertex; default "    \
-                 "that of the lens"},                                                              \
-        {ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",               \
-         .flags = OPTION_NO_INFINITY,                                                              \
-         .help = "defocus behind that plane; a list goes through focus"},                          \
-        ANALYSIS_OBJECT_OPTION(S, member)
+        ANALYSIS_PLANE_OPTIONS(S, member), ANALYSIS_OBJECT_OPTION(S, member)
+
+/* Where the image is caught. */
+#define ANALYSIS_PLANE_OPTIONS(S, member)                                                          \
+    {OPTION(S, member.focus),                                                                      \
+     .name = "focus",                                                                              \
+     .dimension = &dimension_length,                                                               \
+     .unit = "mm",                                                                                 \
+     .value = "PLANE",                                                                             \
+     .help = "the image plane: paraxial, table, best, or mm from the last vertex; default "        \
+             "that of the lens"},                                                                  \
+    {                                                                                              \
+        ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",                \
+                                            .flags = OPTION_NO_INFINITY,                           \
+                                            .help = "defocus behind that plane; a list goes "      \
+                                                    "through focus"                                \
+    }
 
 /* Of commands that ask field by field; and of those that ask for the edge of the field alone. */
 #define ANALYSIS_FIELD_OPTIONS(S, member)                                                          \

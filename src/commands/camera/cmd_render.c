@@ -1,200 +1,159 @@
 /* commands/camera/cmd_render.c - lenscalc render: what a film sees through a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "base/number.h"
-#include "camera/lens_rays.h"
-#include "cli/option_light.h"
-#include "commands/analysis/analysis_options.h"
-#include "commands/photo/photo_options.h"
-#include "optics/growing.h"
-
-#include <string.h>
-
-struct input {
-    struct analysis_question question;
-    struct sensor_value sensor;
-    long samples, seed;
-};
+#include "commands/camera/render.h"
+#include "commands/photo/light_options.h"
+#include "commands/photo/photo_lens.h"
+#include "file/image_file.h"
+#include "optics/conjugates.h"
 
 static const struct option options[] = {
-    ANALYSIS_LENS_OPTIONS(struct input, question, LENS_ALL_WAVELENGTHS),
-    ANALYSIS_SPECTRUM_OPTION(struct input, question),
-    OPTION_SENSOR(struct input, sensor),
-    {OPTION(struct input, samples), .name = "samples", .lowest = 1, .highest = 4e9,
-     .fallback = "65536", .value = "COUNT", .help = "rays that leave the film"},
-    {OPTION(struct input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
-     .value = "NUMBER", .help = "another one gives other rays"},
+    {OPTION(struct render_input, scene), .name = "scene", .value = "SCENE",
+     .flags = OPTION_OPERAND | OPTION_FILE,
+     .help = "a flat card: a picture (.png, .jpg, .exr, .pfm, .hdr), or chart:edge, star, grid, "
+             "checker, bars, wedge, points"},
+    {OPTION(struct render_input, question.lens), .name = "lens", .letter = 'l', .value = "LENS",
+     .flags = OPTION_FILE, .types = lens_types,
+     .help = "a lens of lensdb (list lenses), a file, or - for standard input"},
+    OPTION_DISTANCE(struct render_input, distance, OPTION_NO_INFINITY,
+                    "distance of the card, on which the lens is focused"),
+    OPTION_FROM(struct render_input, from, distances_from),
+    {ANALYSIS_LENGTH(struct render_input, field_width), .name = "field-width", .lowest = 0,
+     .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
+     .help = "width of the card; default as much as the film sees"},
+    LENS_WAVELENGTH_OPTION(struct render_input, question,
+                           "611, 549 and 464 nm for red, green and blue; for rays all of the lens"),
+    ANALYSIS_SPECTRUM_OPTION(struct render_input, question),
+    LENS_FNUMBER_OPTION(struct render_input, question),
+    LENS_POSITION_OPTION(struct render_input, question),
+    ANALYSIS_PLANE_OPTIONS(struct render_input, question),
+    OPTION_SENSOR(struct render_input, sensor),
+    {OPTION(struct render_input, luminance), .name = "luminance", .dimension = &dimension_luminance,
+     .unit = "cd_m2", .lowest = 0, .highest = INFINITY, .fallback = "1000",
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LUMINANCE",
+     .help = "luminance of the card's white"},
+    OPTION_TIME(struct render_input, time, 0),
+    {OPTION(struct render_input, iso), .name = "iso", .quantity = "ISO speed",
+     .dimension = &dimension_iso, .lowest = 0, .highest = INFINITY, .fallback = "100",
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "SPEED",
+     .help = "ISO speed, by saturation at 78/ISO lx s"},
+    {OPTION(struct render_input, size), .name = "size", .value = "WxH",
+     .help = "pixels of the picture; default 480 across"},
+    {OPTION(struct render_input, samples), .name = "samples", .lowest = 1, .highest = 4e9,
+     .value = "COUNT",
+     .help = "rays of a pixel and colour, a power of two (64); with --rays rays in all (65536)"},
+    {OPTION(struct render_input, bits), .name = "bits", .lowest = 8, .highest = 16, .value = "8|16",
+     .help = "bits of a PNG (8)"},
+    {OPTION(struct render_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
+     .fallback = "0", .value = "NUMBER", .help = "another one gives other rays"},
+    {OPTION(struct render_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
+     .value = "N", .fallback = "1", .help = "threads that trace; 0 = one a core"},
 };
 
-/* -------- files of rays -------- */
+/* -------- the lens, focused -------- */
 
-/* What is written of a ray, in this order. */
-enum { NUMBERS = 10 };
-static const char *const names[NUMBERS] = {"film_x_mm", "film_y_mm", "wavelength_nm", "x_mm",
-                                           "y_mm",      "z_mm",      "cos_x",         "cos_y",
-                                           "cos_z",     "weight"};
-
-static void numbers_of(const struct lens_ray *ray, double numbers[NUMBERS])
+/*
+ * What the distance says: from the first vertex, mm.
+ *
+ * Errors    as photo_lens_single, distance_to_principal and conjugates_working_distance
+ */
+static bool find_object(const struct render_input *input, struct arena *arena, double *object,
+                        struct error *error)
 {
-    numbers[0] = ray->film[0];
-    numbers[1] = ray->film[1];
-    /* not what multiplying um by 1000 leaves in the last digit */
-    numbers[2] = round(1e9 * ray->wavelength) / 1e6;
-    for (int k = 0; k < 3; k++) {
-        numbers[3 + k] = ray->point[k];
-        numbers[6 + k] = ray->cosine[k];
+    const struct photo_lens_question question = {.lens = input->question.lens,
+                                                 .position = input->question.position,
+                                                 .focal = NAN,
+                                                 .wavelength = NAN,
+                                                 .fnumber = NAN,
+                                                 .pupil = NAN,
+                                                 .from = input->from};
+    struct photo_lens lens;
+    double s;
+    return photo_lens_single(&question, 0, arena, &lens, error) &&
+           distance_to_principal(lens.f, lens.P, input->distance, &lens.measuring, &s, error) &&
+           conjugates_working_distance(s, lens.measuring.front, object, error);
+}
+
+bool render_open(const struct render_input *input, const struct setup_wavelength *channels,
+                 size_t count, struct arena *arena, analysis_visit *visit, void *context,
+                 struct error *error)
+{
+    static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL,
+                                                  .fields = FIELDS_LARGEST};
+    struct analysis_question *question = ARENA_NEW(arena, struct analysis_question);
+    *question = input->question;
+    question->field = question->field_x = question->height = question->height_x = NAN;
+    question->object = NAN;
+    if (channels != NULL) {
+        question->spectrum = (struct spectrum_value){"channels", channels, count};
     }
-    numbers[9] = ray->weight;
-}
-
-/* A kind of file: how it begins, and a ray in it. */
-struct ray_file {
-    struct file_type type;
-    char separator; /* of its rows; 0: numbers as they are in memory */
-};
-
-static const struct ray_file files[] = {{{{"csv", "rows, separated by commas"}, ".csv"}, ','},
-                                        {{{"tsv", "rows, by tabs"}, ".tsv"}, '\t'},
-                                        {{{"raw", "little-endian doubles"}, ".raw"}, 0}};
-
-static const struct file_type *ray_types(size_t i)
-{
-    return i < sizeof files / sizeof files[0] ? &files[i].type : NULL;
-}
-
-struct ray_writer {
-    const struct ray_file *file;
-    struct output *sink;
-};
-
-static void write_names(const struct ray_writer *writer)
-{
-    const char separator = writer->file->separator;
-    for (int k = 0; k < NUMBERS; k++) {
-        output_string(writer->sink, names[k]);
-        output_character(writer->sink, k + 1 == NUMBERS ? '\n' : separator != 0 ? separator : ' ');
-    }
-}
-
-/* Least significant byte first, whatever the machine. */
-static char *put_raw(char *to, double number)
-{
-    uint64_t bits;
-    memcpy(&bits, &number, sizeof bits);
-    for (int k = 0; k < 8; k++) {
-        *to++ = (char)(bits >> 8 * k & 0xff);
-    }
-    return to;
-}
-
-static bool write_rays(void *context, const struct lens_ray *rays, size_t count,
-                       struct error *error)
-{
-    const struct ray_writer *writer = context;
-    const char separator = writer->file->separator;
-    (void)error;
-    for (size_t i = 0; i < count; i++) {
-        double numbers[NUMBERS];
-        char *to = output_reserve(writer->sink, NUMBERS * (NUMBER_LENGTH + 1));
-        numbers_of(&rays[i], numbers);
-        for (int k = 0; k < NUMBERS; k++) {
-            if (separator == 0) {
-                to = put_raw(to, numbers[k]);
-            } else {
-                to = number_write_shortest(to, numbers[k]);
-                *to++ = k + 1 == NUMBERS ? '\n' : separator;
-            }
+    if (!isnan(input->distance)) {
+        if (!find_object(input, arena, &question->object, error)) {
+            return false;
         }
-        output_advance(writer->sink, to);
+        if (question->focus.kind == PLANE_OF_LENS) {
+            question->focus.kind = PLANE_PARAXIAL;
+        }
     }
-    return true;
+    return analysis_each(question, &policy, arena, visit, context, error);
+}
+
+double render_object(const struct analysis_case *one)
+{
+    return one->question->object;
+}
+
+void render_doubts(const struct analysis_case *one, double largest, double corner,
+                   struct growing *remarks)
+{
+    if (one->warning != NULL) {
+        growing_format(remarks, "warning: %s\n", one->warning);
+    }
+    if (largest < corner) {
+        growing_format(remarks,
+                       "warning: light arrives up to %.4g mm from the axis; the corners of the "
+                       "film, at %.4g mm, stay dark\n",
+                       largest, corner);
+    }
 }
 
 /* -------- the command -------- */
 
-static bool check(const struct artifact_job *job, struct error *error)
+static bool check_lens(const struct artifact_job *job, struct error *error)
 {
-    const struct input *input = job->inputs[0];
-    if (!asking_given(job->asking, "rays")) {
-        fail(error, ERROR_USAGE, "what is to be made is not said");
-        return error_hint(error, "{--rays} FILE writes rays ('-': to standard output)");
+    const struct render_input *input = job->inputs[0];
+    if (input->question.lens.lens == NULL) {
+        fail(error, ERROR_USAGE, "no lens is given");
+        return error_hint(error, "{--lens} NAME, see 'lenscalc list lenses'");
     }
-    if (lens_positions_several(input->question.lens.lens, input->question.position)) {
-        return fail(error, ERROR_USAGE, "a film sees one position: {--position} NAME");
-    }
-    return true;
+    return !lens_positions_several(input->question.lens.lens, input->question.position) ||
+           fail(error, ERROR_USAGE, "a film sees one position: {--position} NAME");
 }
 
-/* One case, and where its rays go. */
-struct rays_job {
-    const struct artifact_job *job;
-    struct output *sink;
-};
-
-static const struct ray_file *file_of(const struct file_type *type)
+static bool check_picture(const struct artifact_job *job, struct error *error)
 {
-    const struct ray_file *file = files;
-    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
-        file = type == &files[i].type ? &files[i] : file;
-    }
-    return file;
-}
-
-static bool send_rays(const struct analysis_case *one, void *context, struct error *error)
-{
-    const struct rays_job *rays_job = context;
-    const struct artifact_job *job = rays_job->job;
-    const struct input *input = job->inputs[0];
-    struct ray_writer writer = {file_of(job->type), rays_job->sink};
-    struct lens_rays result;
-    const struct lens_rays_question question = {.setup = one->setup,
-                                                .width = input->sensor.size.width,
-                                                .height = input->sensor.size.height,
-                                                .samples = (uint64_t)input->samples,
-                                                .seed = (uint64_t)input->seed};
-    write_names(&writer);
-    if (!lens_rays_make(&question, job->run->arena, write_rays, &writer, &result, error)) {
-        return false;
-    }
-    struct growing remarks = {.arena = job->run->arena};
-    if (one->warning != NULL) {
-        growing_format(&remarks, "warning: %s\n", one->warning);
-    }
-    if (result.largest < result.corner) {
-        growing_format(&remarks,
-                       "warning: light arrives up to %.4g mm from the axis; the corners of the "
-                       "film, at %.4g mm, stay dark\n",
-                       result.largest, result.corner);
-    }
-    rays_job->sink->remarks = growing_done(&remarks);
-    return true;
-}
-
-static bool make_rays(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL,
-                                                  .fields = FIELDS_LARGEST};
-    const struct input *input = job->inputs[0];
-    struct rays_job rays_job = {job, sink};
-    struct analysis_question question = input->question;
-    question.field = question.field_x = question.height = question.height_x = NAN;
-    return analysis_each(&question, &policy, job->run->arena, send_rays, &rays_job, error);
+    return check_lens(job, error) && render_check_picture(job, error);
 }
 
 static const struct artifact artifacts[] = {
-    {ARTIFACT_OPTION("rays", ray_types, "write the rays that leave the lens towards the scene"),
-     .check = check, .make = make_rays},
+    {ARTIFACT_ANSWER(image_file_types), .check = check_picture, .make = render_picture},
+    {ARTIFACT_OPTION("rays", render_ray_types,
+                     "write the rays that leave the lens towards the scene"),
+     .check = check_lens, .make = render_rays},
 };
 
 static const struct example examples[] = {
-    {"render double-gauss-50 --rays rays.csv", "rays of a 36 x 24 mm film, for another renderer"},
-    {"render fisheye-16 --rays rays.raw --samples 1e7", "the same as doubles, to be mapped"},
+    {"render chart:checker --lens double-gauss-50 -s 1m -o checker.png",
+     "a chart, photographed wide open"},
+    {"render card.png --lens fisheye-16 -s 2m -o card.exr --samples 256",
+     "a picture, as light in lx s"},
+    {"render --lens double-gauss-50 --rays rays.csv", "rays for another renderer"},
     {NULL, NULL},
 };
 
 const struct command command_render = {
     .name = "render",
     .group = "camera",
-    .summary = "rays from a film through an exact lens",
-    COMMAND_ASKS(struct input),
+    .summary = "photographs through exact lenses",
+    COMMAND_ASKS(struct render_input),
     COMMAND_MAKES(artifacts),
 };

@@ -1,0 +1,51 @@
+/* camera/photograph.h - a lens's picture of a card: light on the pixels of a film. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CAMERA_PHOTOGRAPH_H
+#define LENSCALC_CAMERA_PHOTOGRAPH_H
+
+#include "analysis/setup.h"
+#include "base/arena.h"
+#include "base/error.h"
+#include "base/image/image.h"
+#include "base/watch.h"
+#include "camera/card.h"
+
+#include <stdint.h>
+
+enum { PHOTOGRAPH_CHANNELS = 3 };
+
+struct photograph_question {
+    const struct setup *setup; /* round, with its image plane; one wavelength, or one a channel */
+    double width, height;      /* of the film, mm */
+    size_t columns, rows;      /* pixels of it */
+    size_t samples;            /* rays a pixel and channel: a power of two */
+    uint64_t seed;
+    int threads;
+    /* width 0: as large as the film's corners see; height 0: by its own proportions */
+    struct card card;
+    struct watch *watch; /* null: nobody looks */
+};
+
+struct photograph {
+    struct image image;     /* E/L, sr, of the white of the card; as one looks at it: upright */
+    struct card card;       /* with its size */
+    double axis;            /* that of a white scene in the middle of the film */
+    double largest, corner; /* how far from the axis light arrives, and the film goes, mm */
+    bool is_incomplete;     /* the watch has ended it: pixels are missing, and black */
+};
+
+/*
+ * Take it.
+ *
+ * Result    each pixel the mean over its area of the irradiance that the card's light brings,
+ *           relative to the luminance of its white; every channel by rays of its wavelength
+ * Formula   for 16 x 8 pixels at once the first 128 n points of a scrambled Sobol' sequence, of
+ *           which each pixel has n where that is a power of two; rays as camera/film_rays.h,
+ *           traced exactly, to the plane of the card
+ *           No number depends on the threads
+ * Errors    ERROR_DOMAIN: as lens_film_open; the card within the lens
+ */
+bool photograph_take(const struct photograph_question *question, struct arena *arena,
+                     struct photograph *photograph, struct error *error);
+
+#endif

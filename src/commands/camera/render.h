@@ -1,0 +1,46 @@
+/* commands/camera/render.h - what lenscalc render is asked, and what it makes. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_CAMERA_RENDER_H
+#define LENSCALC_COMMANDS_CAMERA_RENDER_H
+
+#include "commands/analysis/analysis_options.h"
+#include "commands/photo/photo_options.h"
+#include "optics/growing.h"
+
+struct render_input {
+    const char *scene;
+    struct analysis_question question;
+    struct sensor_value sensor;
+    const char *size;                  /* "360x240"; null = 480 pixels wide */
+    double distance, field_width;      /* mm; NaN = not given */
+    double luminance, time, iso;       /* cd/m^2; s, NaN = not given */
+    int from;                          /* enum distance_from */
+    long samples, seed, threads, bits; /* samples, bits: 0 = not given */
+};
+
+/*
+ * A visit of the only case that is asked for: focused on the distance, if there is one.
+ *
+ * Errors    ERROR_USAGE: several positions; as analysis_each and `visit`; a distance that the lens
+ *           cannot focus on
+ */
+bool render_open(const struct render_input *input, const struct setup_wavelength *channels,
+                 size_t count, struct arena *arena, analysis_visit *visit, void *context,
+                 struct error *error);
+
+/* What is doubtful: of the lens; that the corners of the film stay dark. */
+void render_doubts(const struct analysis_case *one, double largest, double corner,
+                   struct growing *remarks);
+
+/* The object before the first vertex of render_open's case, mm; NaN = that of the lens. */
+double render_object(const struct analysis_case *one);
+
+/* -------- commands/camera/render_rays.c and render_picture.c -------- */
+
+file_types render_ray_types;
+bool render_rays(const struct artifact_job *job, struct output *sink, struct error *error);
+
+bool render_check_picture(const struct artifact_job *job, struct error *error);
+bool render_picture(const struct artifact_job *job, struct output *sink, struct error *error);
+
+#endif

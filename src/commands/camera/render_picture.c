@@ -1,0 +1,242 @@
+/* commands/camera/render_picture.c - a photograph of a card, exposed and written. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/photograph.h"
+#include "commands/camera/render.h"
+#include "file/image_file.h"
+#include "photo/sensitometry.h"
+#include "report/spoken.h"
+#include "report/version.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { USUAL_COLUMNS = 480, USUAL_SAMPLES = 64, MOST_SAMPLES = 1 << 20, USUAL_BITS = 8 };
+
+/* About where the primaries of sRGB lie, um: each channel is traced at one wavelength. */
+static const struct setup_wavelength channels[PHOTOGRAPH_CHANNELS] = {
+    {0.611, 1}, {0.549, 1}, {0.464, 1}};
+
+/* Where white comes that nobody exposes for: half a stop below what saturates. */
+#define WHITE_SHARE 0.70710678118654752
+
+/* -------- what is asked -------- */
+
+static bool read_size(const struct render_input *input, size_t *columns, size_t *rows,
+                      struct error *error)
+{
+    const struct sensor *film = &input->sensor.size;
+    if (input->size == NULL) {
+        *columns = USUAL_COLUMNS;
+        *rows = (size_t)fmax(1, round(USUAL_COLUMNS * film->height / film->width));
+        return true;
+    }
+    char *end;
+    const unsigned long across = strtoul(input->size, &end, 10);
+    const bool has_cross = end != input->size && (*end == 'x' || *end == 'X');
+    const unsigned long down = has_cross ? strtoul(end + 1, &end, 10) : 0;
+    *columns = across;
+    *rows = down;
+    return (has_cross && *end == '\0' && across >= 1 && down >= 1 && across <= IMAGE_SIDE_MOST &&
+            down <= IMAGE_SIDE_MOST && strchr(input->size, '-') == NULL) ||
+           fail(error, ERROR_USAGE, "{--size} '%.40s': two whole numbers of 1 to %d, as 360x240",
+                input->size, IMAGE_SIDE_MOST);
+}
+
+/* "chart:edge" or a file with a picture. */
+static bool read_scene(const struct render_input *input, struct arena *arena, struct card *card,
+                       struct error *error)
+{
+    static const char prefix[] = "chart:";
+    if (strncmp(input->scene, prefix, sizeof prefix - 1) == 0) {
+        const char *name = input->scene + sizeof prefix - 1;
+        for (size_t i = 0; charts[i].word != NULL; i++) {
+            if (strcmp(charts[i].word, name) == 0) {
+                card->chart = (enum chart)(i + 1);
+                return true;
+            }
+        }
+        fail(error, ERROR_USAGE, "there is no chart '%.40s'", name);
+        return error_hint(error, "edge, star, grid, checker, bars, wedge or points");
+    }
+    struct image *picture = ARENA_NEW(arena, struct image);
+    card->picture = picture;
+    return image_file_read(input->scene, IMAGE_LIGHT, arena, picture, error) &&
+           (image_check(picture, IMAGE_POSITIVE, error) ||
+            error_prefix(error, "%.200s: ", input->scene));
+}
+
+bool render_check_picture(const struct artifact_job *job, struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    size_t columns, rows;
+    if (input->scene == NULL) {
+        fail(error, ERROR_USAGE, "what is to be photographed is not said");
+        return error_hint(error, "a picture (card.png), or chart:edge, chart:star and the like");
+    }
+    if (isnan(input->distance)) {
+        fail(error, ERROR_USAGE, "how far away the card is is not said");
+        return error_hint(error, "give {--distance}, as -s 2m");
+    }
+    const long samples = input->samples;
+    if (samples > MOST_SAMPLES || (samples & (samples - 1)) != 0) {
+        return fail(error, ERROR_USAGE,
+                    "{--samples} %ld: rays of a pixel are a power of two, at most %d", samples,
+                    MOST_SAMPLES);
+    }
+    if (input->bits != 0 && input->bits != 8 && input->bits != 16) {
+        return fail(error, ERROR_USAGE, "{--bits} %ld: a PNG has 8 or 16", input->bits);
+    }
+    return read_size(input, &columns, &rows, error);
+}
+
+/* -------- exposed -------- */
+
+struct exposure {
+    double luminance; /* of white, cd/m^2 */
+    double time, iso; /* s */
+    double full;      /* what saturates, lx s */
+    bool is_chosen;   /* nobody gave a time */
+};
+
+static struct exposure expose(const struct render_input *input, double axis)
+{
+    struct exposure exposure = {.luminance = input->luminance,
+                                .time = input->time,
+                                .iso = input->iso,
+                                .full = saturation_exposure(input->iso),
+                                .is_chosen = isnan(input->time)};
+    if (exposure.is_chosen) {
+        exposure.time = WHITE_SHARE * exposure.full / (exposure.luminance * axis);
+    }
+    return exposure;
+}
+
+/* Pixels become lx s, or shares of what saturates; the largest of them is returned. */
+static float scale(struct image *image, double by)
+{
+    float most = 0;
+    for (size_t i = 0; i < image->width * image->height * image->channels; i++) {
+        image->pixels[i] = (float)(by * (double)image->pixels[i]);
+        most = image->pixels[i] > most ? image->pixels[i] : most;
+    }
+    return most;
+}
+
+/* -------- what is said of it -------- */
+
+static void note(struct image *image, struct arena *arena, const char *key, const char *value)
+{
+    image_note(image, arena, text_of(key), text_of(value));
+}
+
+static void add_notes(const struct analysis_case *one, const struct render_input *input,
+                      const struct exposure *exposure, struct image *image, struct arena *arena)
+{
+    const struct setup *setup = one->setup;
+    note(image, arena, "Software", "lenscalc " LENSCALC_VERSION);
+    note(image, arena, "Scene", input->scene);
+    note(image, arena, "Lens", setup->lens->title != NULL ? setup->lens->title : "");
+    note(image, arena, "Aperture", arena_printf(arena, "f/%.4g", setup->first.fnumber));
+    note(image, arena, "Image plane", arena_printf(arena, "%.9g mm", setup->image));
+    note(image, arena, "Exposure time", arena_printf(arena, "%.6g s", exposure->time));
+    note(image, arena, "ISO", arena_printf(arena, "%.6g", exposure->iso));
+    note(image, arena, "White", arena_printf(arena, "%.6g cd/m2", exposure->luminance));
+    note(image, arena, "Seed", arena_printf(arena, "%ld", input->seed));
+}
+
+static void add_remarks(const struct photograph *photograph, const struct exposure *exposure,
+                        float most, struct growing *remarks)
+{
+    char time[64];
+    spoken_time(time, exposure->time, 3);
+    growing_format(remarks, "%.4g x %.4g mm of the card; white of %.4g cd/m2, %s at ISO %.4g%s\n",
+                   photograph->card.width, photograph->card.height, exposure->luminance, time,
+                   exposure->iso,
+                   exposure->is_chosen ? ": white half a stop below saturation" : "");
+    if (most > 1) {
+        growing_format(remarks,
+                       "warning: the brightest pixel has %.3g times what saturates at ISO %.4g\n",
+                       (double)most, exposure->iso);
+    }
+    if (most < 1.0F / 4096) {
+        growing_format(
+            remarks,
+            "warning: the brightest pixel has %.2g of what saturates at ISO %.4g: all is "
+            "black\n",
+            (double)most, exposure->iso);
+    }
+}
+
+/* -------- the picture -------- */
+
+struct picture_job {
+    const struct artifact_job *job;
+    struct output *sink;
+};
+
+static bool write_image(const struct picture_job *picture, struct image *image,
+                        const struct exposure *exposure, struct error *error)
+{
+    const struct artifact_job *job = picture->job;
+    const struct render_input *input = job->inputs[0];
+    const struct file_type *type = job->type != NULL ? job->type : image_file_types(0);
+    const struct image_way way = {.bits = input->bits == 0 ? USUAL_BITS : (int)input->bits,
+                                  .values = IMAGE_LIGHT,
+                                  .packed = true};
+    struct text bytes;
+    if (strcmp(type->ending, ".png") != 0) {
+        scale(image, exposure->full);
+    }
+    if (!image_file_bytes(image, type, &way, job->run->arena, &bytes, error)) {
+        return false;
+    }
+    output_text(picture->sink, bytes.start, bytes.length);
+    return true;
+}
+
+static bool take_picture(const struct analysis_case *one, void *context, struct error *error)
+{
+    const struct picture_job *picture = context;
+    const struct artifact_job *job = picture->job;
+    const struct render_input *input = job->inputs[0];
+    struct arena *arena = job->run->arena;
+    struct photograph_question question = {
+        .setup = one->setup,
+        .width = input->sensor.size.width,
+        .height = input->sensor.size.height,
+        .samples = input->samples == 0 ? USUAL_SAMPLES : (size_t)input->samples,
+        .seed = (uint64_t)input->seed,
+        .threads = parallel_threads(input->threads),
+        .card = {.distance = render_object(one),
+                 .width = isnan(input->field_width) ? 0 : input->field_width},
+        .watch = job->run->watch};
+    struct photograph photograph;
+    if (!read_size(input, &question.columns, &question.rows, error) ||
+        !read_scene(input, arena, &question.card, error) ||
+        !photograph_take(&question, arena, &photograph, error)) {
+        return false;
+    }
+    const struct exposure exposure = expose(input, photograph.axis);
+    struct growing remarks = {.arena = arena};
+    const float most = scale(&photograph.image, exposure.luminance * exposure.time / exposure.full);
+    add_remarks(&photograph, &exposure, most, &remarks);
+    render_doubts(one, photograph.largest, photograph.corner, &remarks);
+    add_notes(one, input, &exposure, &photograph.image, arena);
+    if (photograph.is_incomplete) {
+        note(&photograph.image, arena, "Incomplete", "interrupted");
+        fail(&job->run->shortfall, ERROR_DOMAIN,
+             "interrupted: the picture is incomplete, and black where it is missing");
+    }
+    picture->sink->remarks = growing_done(&remarks);
+    return write_image(picture, &photograph.image, &exposure, error);
+}
+
+bool render_picture(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    struct picture_job picture = {job, sink};
+    const bool one_colour =
+        input->question.wavelength.name != NULL || input->question.spectrum.count > 0;
+    return render_open(input, one_colour ? NULL : channels, PHOTOGRAPH_CHANNELS, job->run->arena,
+                       take_picture, &picture, error);
+}

@@ -1,0 +1,133 @@
+/* commands/camera/render_rays.c - the rays that leave a lens, as rows or doubles. */
+/* SPDX-License-Identifier: MIT */
+#include "base/number.h"
+#include "camera/lens_rays.h"
+#include "commands/camera/render.h"
+
+#include <string.h>
+
+/* What is written of a ray, in this order. */
+enum { NUMBERS = 10, USUAL_RAYS = 65536 };
+static const char *const names[NUMBERS] = {"film_x_mm", "film_y_mm", "wavelength_nm", "x_mm",
+                                           "y_mm",      "z_mm",      "cos_x",         "cos_y",
+                                           "cos_z",     "weight"};
+
+static void numbers_of(const struct lens_ray *ray, double numbers[NUMBERS])
+{
+    numbers[0] = ray->film[0];
+    numbers[1] = ray->film[1];
+    /* not what multiplying um by 1000 leaves in the last digit */
+    numbers[2] = round(1e9 * ray->wavelength) / 1e6;
+    for (int k = 0; k < 3; k++) {
+        numbers[3 + k] = ray->point[k];
+        numbers[6 + k] = ray->cosine[k];
+    }
+    numbers[9] = ray->weight;
+}
+
+/* A kind of file: how it begins, and a ray in it. */
+struct ray_file {
+    struct file_type type;
+    char separator; /* of its rows; 0: numbers as they are in memory */
+};
+
+static const struct ray_file files[] = {{{{"csv", "rows, separated by commas"}, ".csv"}, ','},
+                                        {{{"tsv", "rows, by tabs"}, ".tsv"}, '\t'},
+                                        {{{"raw", "little-endian doubles"}, ".raw"}, 0}};
+
+const struct file_type *render_ray_types(size_t i)
+{
+    return i < sizeof files / sizeof files[0] ? &files[i].type : NULL;
+}
+
+struct ray_writer {
+    const struct ray_file *file;
+    struct output *sink;
+};
+
+static void write_names(const struct ray_writer *writer)
+{
+    const char separator = writer->file->separator;
+    for (int k = 0; k < NUMBERS; k++) {
+        output_string(writer->sink, names[k]);
+        output_character(writer->sink, k + 1 == NUMBERS ? '\n' : separator != 0 ? separator : ' ');
+    }
+}
+
+/* Least significant byte first, whatever the machine. */
+static char *put_raw(char *to, double number)
+{
+    uint64_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    for (int k = 0; k < 8; k++) {
+        *to++ = (char)(bits >> 8 * k & 0xff);
+    }
+    return to;
+}
+
+static bool write_rays(void *context, const struct lens_ray *rays, size_t count,
+                       struct error *error)
+{
+    const struct ray_writer *writer = context;
+    const char separator = writer->file->separator;
+    (void)error;
+    for (size_t i = 0; i < count; i++) {
+        double numbers[NUMBERS];
+        char *to = output_reserve(writer->sink, NUMBERS * (NUMBER_LENGTH + 1));
+        numbers_of(&rays[i], numbers);
+        for (int k = 0; k < NUMBERS; k++) {
+            if (separator == 0) {
+                to = put_raw(to, numbers[k]);
+            } else {
+                to = number_write_shortest(to, numbers[k]);
+                *to++ = k + 1 == NUMBERS ? '\n' : separator;
+            }
+        }
+        output_advance(writer->sink, to);
+    }
+    return true;
+}
+
+/* One case, and where its rays go. */
+struct rays_job {
+    const struct artifact_job *job;
+    struct output *sink;
+};
+
+static const struct ray_file *file_of(const struct file_type *type)
+{
+    const struct ray_file *file = files;
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        file = type == &files[i].type ? &files[i] : file;
+    }
+    return file;
+}
+
+static bool send_rays(const struct analysis_case *one, void *context, struct error *error)
+{
+    const struct rays_job *rays_job = context;
+    const struct artifact_job *job = rays_job->job;
+    const struct render_input *input = job->inputs[0];
+    struct ray_writer writer = {file_of(job->type), rays_job->sink};
+    struct lens_rays result;
+    const struct lens_rays_question question = {
+        .setup = one->setup,
+        .width = input->sensor.size.width,
+        .height = input->sensor.size.height,
+        .samples = input->samples == 0 ? USUAL_RAYS : (uint64_t)input->samples,
+        .seed = (uint64_t)input->seed};
+    write_names(&writer);
+    if (!lens_rays_make(&question, job->run->arena, write_rays, &writer, &result, error)) {
+        return false;
+    }
+    struct growing remarks = {.arena = job->run->arena};
+    render_doubts(one, result.largest, result.corner, &remarks);
+    rays_job->sink->remarks = growing_done(&remarks);
+    return true;
+}
+
+bool render_rays(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct rays_job rays_job = {job, sink};
+    return render_open(job->inputs[0], NULL, 0, job->run->arena, send_rays, &rays_job, error);
+}
