@@ -18,13 +18,15 @@ struct work {
     struct card card;
     struct image *image;
     size_t tiles_across, tiles;
+    double scale;  /* (n'/n)^2, n of the scene */
+    size_t passes; /* one for all channels where nothing disperses, or one a channel */
 };
 
 /* What one thread traces in. */
 struct room {
     struct film_samples samples;
     struct rays rays;
-    double sums[PIXELS];
+    double sums[PIXELS][PHOTOGRAPH_CHANNELS];
 };
 
 static struct room *room_of(struct arena *arena)
@@ -34,9 +36,17 @@ static struct room *room_of(struct arena *arena)
     return room;
 }
 
-static size_t wavelength_of(const struct photograph_question *question, size_t channel)
+/* Do all wavelengths go the same way? */
+static bool is_alike(const struct lens_film *film, size_t wavelengths)
 {
-    return question->setup->wavelength_count == PHOTOGRAPH_CHANNELS ? channel : 0;
+    const size_t media = film->systems[0]->lens->surface_count + 1;
+    bool alike = true;
+    for (size_t w = 1; w < wavelengths; w++) {
+        for (size_t i = 0; i < media; i++) {
+            alike = alike && film->systems[w]->n[i].hi == film->systems[0]->n[i].hi;
+        }
+    }
+    return alike;
 }
 
 /* Start and trace block `block` of a plan. */
@@ -60,21 +70,16 @@ static bool meet(const struct ray_block *rays, size_t i, double distance, double
 /* -------- tiles -------- */
 
 /* The film is upside down: the upper left of the picture lies at +x, -y. */
-static struct film_plan plan_of(const struct work *work, size_t column, size_t row,
-                                uint64_t sequence)
+static struct film_plan plan_of(const struct work *work, size_t column, size_t row)
 {
     const struct photograph_question *question = work->question;
     const double across = question->width / (double)question->columns;
     const double down = question->height / (double)question->rows;
-    struct film_plan plan = {.sobol = work->film->sobol,
-                             .left = question->width / 2 - (double)(column + ACROSS) * across,
-                             .bottom = (double)row * down - question->height / 2,
-                             .width = ACROSS * across,
-                             .height = DOWN * down};
-    for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
-        plan.scrambling[k] = sobol_scrambling(question->seed, sequence, k);
-    }
-    return plan;
+    return (struct film_plan){.sobol = work->film->sobol,
+                              .left = question->width / 2 - (double)(column + ACROSS) * across,
+                              .bottom = (double)row * down - question->height / 2,
+                              .width = ACROSS * across,
+                              .height = DOWN * down};
 }
 
 /* Does light reach any of it? */
@@ -85,27 +90,41 @@ static bool is_lit(const struct film_plan *plan, double largest)
     return x * x + y * y <= largest * largest;
 }
 
-/* One channel of a tile: sums of weights times light, a pixel each. */
-static void sum_tile(const struct work *work, const struct film_plan *plan, size_t channel,
+/* What one ray brings to its pixel. */
+static void add_ray(const struct work *work, const struct film_plan *plan, size_t pass, size_t i,
+                    struct room *room)
+{
+    const struct film_samples *samples = &room->samples;
+    const double across = (samples->x[i] - plan->left) / plan->width * ACROSS;
+    const double down = (samples->y[i] - plan->bottom) / plan->height * DOWN;
+    const size_t column = (size_t)fmin(across, ACROSS - 1), row = (size_t)fmin(down, DOWN - 1);
+    double at[2], *sums = room->sums[row * ACROSS + (ACROSS - 1 - column)];
+    if (!meet(room->rays.blocks, i, work->card.distance, at)) {
+        return;
+    }
+    const struct card_light light = card_look(&work->card, at[0], at[1]);
+    const size_t end = work->passes == 1 ? PHOTOGRAPH_CHANNELS : pass + 1;
+    for (size_t channel = pass; channel < end; channel++) {
+        sums[channel] += samples->weight[i] * (double)light.of[channel];
+    }
+}
+
+/* Sums of weights times light, a pixel and channel each. */
+static void sum_tile(const struct work *work, struct film_plan *plan, size_t tile,
                      struct room *room)
 {
     const struct photograph_question *question = work->question;
     memset(room->sums, 0, sizeof room->sums);
-    for (uint32_t block = 0; block < question->samples; block++) {
-        trace_plan(work->film, plan, block, wavelength_of(question, channel), room);
-        const struct ray_block *rays = room->rays.blocks;
-        for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            double at[2];
-            if (!meet(rays, i, work->card.distance, at)) {
-                continue;
+    for (size_t pass = 0; pass < work->passes; pass++) {
+        for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
+            plan->scrambling[k] =
+                sobol_scrambling(question->seed, tile * PHOTOGRAPH_CHANNELS + pass, k);
+        }
+        for (uint32_t block = 0; block < question->samples; block++) {
+            trace_plan(work->film, plan, block, pass, room);
+            for (size_t i = 0; i < RAYS_BLOCK; i++) {
+                add_ray(work, plan, pass, i, room);
             }
-            const double across = (room->samples.x[i] - plan->left) / plan->width * ACROSS;
-            const double down = (room->samples.y[i] - plan->bottom) / plan->height * DOWN;
-            const size_t column = (size_t)fmin(across, ACROSS - 1),
-                         row = (size_t)fmin(down, DOWN - 1);
-            const struct card_light light = card_look(&work->card, at[0], at[1]);
-            room->sums[row * ACROSS + (ACROSS - 1 - column)] +=
-                room->samples.weight[i] * (double)light.of[channel];
         }
     }
 }
@@ -115,22 +134,20 @@ static void take_tile(const struct work *work, size_t tile, struct room *room)
     const struct photograph_question *question = work->question;
     const size_t column = tile % work->tiles_across * ACROSS;
     const size_t row = tile / work->tiles_across * DOWN;
-    for (size_t channel = 0; channel < PHOTOGRAPH_CHANNELS; channel++) {
-        const struct film_plan plan =
-            plan_of(work, column, row, tile * PHOTOGRAPH_CHANNELS + channel);
-        if (!is_lit(&plan, work->film->region.largest)) {
-            return;
+    struct film_plan plan = plan_of(work, column, row);
+    if (!is_lit(&plan, work->film->region.largest)) {
+        return;
+    }
+    sum_tile(work, &plan, tile, room);
+    for (size_t k = 0; k < PIXELS; k++) {
+        const size_t x = column + k % ACROSS, y = row + k / ACROSS;
+        if (x >= question->columns || y >= question->rows) {
+            continue;
         }
-        sum_tile(work, &plan, channel, room);
-        const struct system *system = work->film->systems[wavelength_of(question, channel)];
-        const double n = work->film->region.index / system->index_last;
-        const double by = n * n / (double)question->samples;
-        for (size_t k = 0; k < PIXELS; k++) {
-            const size_t x = column + k % ACROSS, y = row + k / ACROSS;
-            if (x < question->columns && y < question->rows) {
-                image_row(work->image, y)[x * PHOTOGRAPH_CHANNELS + channel] =
-                    (float)(by * room->sums[k]);
-            }
+        float *pixel = image_row(work->image, y) + x * PHOTOGRAPH_CHANNELS;
+        for (size_t channel = 0; channel < PHOTOGRAPH_CHANNELS; channel++) {
+            pixel[channel] =
+                (float)(work->scale * room->sums[k][channel] / (double)question->samples);
         }
     }
 }
@@ -203,8 +220,7 @@ static double axis_light(const struct work *work, struct room *room)
             sum += room->rays.blocks->lost[i] == 0 ? room->samples.weight[i] : 0;
         }
     }
-    const double n = film->region.index / film->systems[0]->index_last;
-    return n * n * sum / (BLOCKS * RAYS_BLOCK);
+    return work->scale * sum / (BLOCKS * RAYS_BLOCK);
 }
 
 static bool check_card(const struct photograph_question *question, struct error *error)
@@ -229,10 +245,14 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                                       .card = question->card,
                                       .largest = film.region.largest,
                                       .corner = film.corner};
+    const size_t wavelengths = question->setup->wavelength_count;
+    const double n = film.region.index / film.systems[0]->index_last;
     struct work work = {.question = question,
                         .film = &film,
                         .card = question->card,
                         .image = &photograph->image,
+                        .scale = n * n,
+                        .passes = is_alike(&film, wavelengths) ? 1 : PHOTOGRAPH_CHANNELS,
                         .tiles_across = (question->columns + ACROSS - 1) / ACROSS};
     struct room *room = room_of(arena);
     if (!size_card(&work, room, &photograph->card, error) ||

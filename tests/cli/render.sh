@@ -1,23 +1,46 @@
 # rays from a film: rows and doubles, other seeds, dark corners, and what is refused
-lenscalc render cs348b-dgauss-50 --rays - --samples 4 -w d |
+lenscalc render --lens cs348b-dgauss-50 --rays - --samples 4 -w d |
     awk -F, 'NR > 1 { for (i = 1; i <= NF; i++) $i = sprintf("%.7g", $i) } { print }'
-lenscalc render cs348b-dgauss-50 --rays - --samples 2 -w d --seed 5 | tail -1 | cut -c 1-40
-lenscalc render cs348b-dgauss-50 --rays rays.tsv --samples 300 --spectrum d:2,F:1
+lenscalc render --lens cs348b-dgauss-50 --rays - --samples 2 -w d --seed 5 | tail -1 | cut -c 1-40
+lenscalc render --lens cs348b-dgauss-50 --rays rays.tsv --samples 300 --spectrum d:2,F:1
 cut -f 3 rays.tsv | sort | uniq -c | sed 's/^ *//'
-lenscalc render cs348b-dgauss-50 --rays rays.raw --samples 4 -w d
+lenscalc render --lens cs348b-dgauss-50 --rays rays.raw --samples 4 -w d
 head -1 rays.raw
 tail -n +2 rays.raw | od -A n -t f8 -w80 -v | awk 'NR == 1 { for (i = 1; i <= NF; i++) printf "%.7g\n", $i }'
 # the mean of E/L over the film, by an independent program: 0.110853
-lenscalc render cs348b-dgauss-50 --rays - -w d --focus 36.3612 | awk -F, 'NR > 1 { sum += $10 } END { printf "%.4f\n", sum }'
-lenscalc render fisheye-16 --rays fisheye.csv --samples 10
-lenscalc render nikkor-z-14-24 --position tele --rays - --samples 1 | tail -1 | cut -c 1-30
-lenscalc render double-gauss
-lenscalc render double-gauss --rays rays.png
-lenscalc render double-gauss --rays rays.csv -w d --spectrum photopic
-lenscalc render nikkor-z-14-24 --position all --rays rays.csv
-lenscalc render double-gauss -N 2,4 --rays rays.csv
-lenscalc render schneider-anamorphic-31 --rays lost.csv
-lenscalc render phone-6p --rays lost.csv
-lenscalc render laikin48-telescope --focus 0 --rays lost.csv
-printf 'lens afocal\naperture stop\nstop - 1 air 5\nsurface 50 5 1.5 20\nsurface - 100 air 20\nsurface - 5 1.5 20\nsurface -50 0 air 20\n' | lenscalc render - --rays lost.csv
+lenscalc render --lens cs348b-dgauss-50 --rays - -w d --focus 36.3612 | awk -F, 'NR > 1 { sum += $10 } END { printf "%.4f\n", sum }'
+lenscalc render --lens fisheye-16 --rays fisheye.csv --samples 10
+lenscalc render --lens nikkor-z-14-24 --position tele --rays - --samples 1 | tail -1 | cut -c 1-30
+lenscalc render --lens double-gauss
+lenscalc render --lens double-gauss --rays rays.png
+lenscalc render --lens double-gauss --rays rays.csv -w d --spectrum photopic
+lenscalc render --lens nikkor-z-14-24 --position all --rays rays.csv
+lenscalc render --lens double-gauss -N 2,4 --rays rays.csv
+lenscalc render --lens schneider-anamorphic-31 --rays lost.csv
+lenscalc render --lens phone-6p --rays lost.csv
+lenscalc render --lens laikin48-telescope --focus 0 --rays lost.csv
+printf 'lens afocal\naperture stop\nstop - 1 air 5\nsurface 50 5 1.5 20\nsurface - 100 air 20\nsurface - 5 1.5 20\nsurface -50 0 air 20\n' | lenscalc render --lens - --rays lost.csv
 ls lost.csv
+# pictures: their formats, and what is said of them
+lenscalc render chart:wedge --lens double-gauss-50 -s 1m --size 32x8 --samples 4 -t 1/250 -o wedge.png
+head -c 24 wedge.png | tail -c 8 | od -A n -t x1
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 32x8 --samples 4 --bits 16 -o edge.png
+head -c 26 edge.png | tail -c 2 | od -A n -t x1
+lenscalc render chart:checker --lens fisheye-16 -s 1m --from sensor --size 16x16 --samples 1 -o checker.exr 2> said
+sed 's/[0-9.]* x [0-9.]* mm/W x H mm/; s/1\/[0-9.]* s/T/' said
+lenscalc render chart:bars --lens double-gauss-50 -s 1m --size 8x8 --samples 1 -t 2 --iso 3200 -o bars.hdr 2>&1 | grep -c saturates
+lenscalc render wedge.png --lens double-gauss-50 -s 1m --size 8x8 --samples 1 -o again.pfm 2> said; echo $?
+head -2 again.pfm
+ls
+lenscalc render chart:foo --lens double-gauss-50 -s 1m -o lost.png
+lenscalc render nowhere.png --lens double-gauss-50 -s 1m -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 6cm -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --samples 3 -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 30 -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --bits 12 -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m -o lost.jpg
+lenscalc render chart:edge -s 1m -o lost.png
+head -c 100 wedge.png > cut.png
+lenscalc render cut.png --lens double-gauss-50 -s 1m -o lost.png
+ls lost.*

@@ -223,7 +223,7 @@ def check_words(checks, program, commands):
 
 
 def check_help(checks, program, commands):
-    """The examples that --help shows run with status 0."""
+    """The examples that --help shows run with status 0, and print or make something."""
     with tempfile.TemporaryDirectory(prefix="lenscalc-doc-") as folder:
         for command in commands:
             text = program.run(command, "--help").stdout.decode()
@@ -232,8 +232,10 @@ def check_help(checks, program, commands):
             found = [line.strip() for line in block.split("\n") if line.startswith("  lenscalc ")]
             checks.check(found, f"{command} --help has no examples")
             for example in [one for one in found if runs_here(program, one)]:
+                before = set(os.listdir(folder))
                 result = program.shell(example, folder)
-                checks.check(result.returncode == 0 and result.stdout != b"",
+                made = result.stdout != b"" or set(os.listdir(folder)) != before
+                checks.check(result.returncode == 0 and made,
                              f"{command} --help: '{example}' ends with {result.returncode}: "
                              f"{result.stderr.decode()[:200]}")
 

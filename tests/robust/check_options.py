@@ -45,6 +45,7 @@ ASKED = {
               "w\n486\n587\n"),
     "check": ("double-gauss -N 5.6 --steps 2", None, "N\n4\n8\n"),
     "pupil": ("double-gauss -N 5.6 --field 0", None, "N\n4\n8\n"),
+    "render": ("chart:edge -s 1 -N 5.6 --size 16x8 --samples 1 --lens double-gauss", None, None),
     "draw": ("double-gauss -N 5.6", None, None),
     "seidel": ("double-gauss -N 5.6 -w d", None, "N\n4\n8\n"),
     "spot": ("double-gauss -N 5.6 -w d --field 5", ("N", "4,8", "field", "5,10"),
@@ -157,7 +158,7 @@ class Asked:
 
     def with_lens(self, *more):
         """A file that another program wrote, in place of any lens."""
-        words = [word for word in self.question if word != "double-gauss"]
+        words = [word for word in self.question if word not in ("double-gauss", "--lens")]
         if words == self.question:
             words = self.without("f")
         if self.command == "fit":
@@ -235,7 +236,8 @@ def try_force(asked):
 
 
 def try_output(asked):
-    ending = {"draw": "out.svg", "convert": "out.lens", "fit": "out.lens"}.get(asked.command, "out")
+    ending = {"draw": "out.svg", "convert": "out.lens", "fit": "out.lens",
+              "render": "out.png"}.get(asked.command, "out")
     saves = {"distortion": "double-gauss --fit poly3 -o out.xml".split()}
     if asked.command in saves:
         return asked.run(question=saves[asked.command]).returncode == 0

@@ -4,7 +4,6 @@
 #include "commands/photo/light_options.h"
 #include "commands/photo/photo_lens.h"
 #include "file/image_file.h"
-#include "optics/conjugates.h"
 
 static const struct option options[] = {
     {OPTION(struct render_input, scene), .name = "scene", .value = "SCENE",
@@ -49,73 +48,6 @@ static const struct option options[] = {
      .value = "N", .fallback = "1", .help = "threads that trace; 0 = one a core"},
 };
 
-/* -------- the lens, focused -------- */
-
-/*
- * What the distance says: from the first vertex, mm.
- *
- * Errors    as photo_lens_single, distance_to_principal and conjugates_working_distance
- */
-static bool find_object(const struct render_input *input, struct arena *arena, double *object,
-                        struct error *error)
-{
-    const struct photo_lens_question question = {.lens = input->question.lens,
-                                                 .position = input->question.position,
-                                                 .focal = NAN,
-                                                 .wavelength = NAN,
-                                                 .fnumber = NAN,
-                                                 .pupil = NAN,
-                                                 .from = input->from};
-    struct photo_lens lens;
-    double s;
-    return photo_lens_single(&question, 0, arena, &lens, error) &&
-           distance_to_principal(lens.f, lens.P, input->distance, &lens.measuring, &s, error) &&
-           conjugates_working_distance(s, lens.measuring.front, object, error);
-}
-
-bool render_open(const struct render_input *input, const struct setup_wavelength *channels,
-                 size_t count, struct arena *arena, analysis_visit *visit, void *context,
-                 struct error *error)
-{
-    static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL,
-                                                  .fields = FIELDS_LARGEST};
-    struct analysis_question *question = ARENA_NEW(arena, struct analysis_question);
-    *question = input->question;
-    question->field = question->field_x = question->height = question->height_x = NAN;
-    question->object = NAN;
-    if (channels != NULL) {
-        question->spectrum = (struct spectrum_value){"channels", channels, count};
-    }
-    if (!isnan(input->distance)) {
-        if (!find_object(input, arena, &question->object, error)) {
-            return false;
-        }
-        if (question->focus.kind == PLANE_OF_LENS) {
-            question->focus.kind = PLANE_PARAXIAL;
-        }
-    }
-    return analysis_each(question, &policy, arena, visit, context, error);
-}
-
-double render_object(const struct analysis_case *one)
-{
-    return one->question->object;
-}
-
-void render_doubts(const struct analysis_case *one, double largest, double corner,
-                   struct growing *remarks)
-{
-    if (one->warning != NULL) {
-        growing_format(remarks, "warning: %s\n", one->warning);
-    }
-    if (largest < corner) {
-        growing_format(remarks,
-                       "warning: light arrives up to %.4g mm from the axis; the corners of the "
-                       "film, at %.4g mm, stay dark\n",
-                       largest, corner);
-    }
-}
-
 /* -------- the command -------- */
 
 static bool check_lens(const struct artifact_job *job, struct error *error)
@@ -144,8 +76,8 @@ static const struct artifact artifacts[] = {
 static const struct example examples[] = {
     {"render chart:checker --lens double-gauss-50 -s 1m -o checker.png",
      "a chart, photographed wide open"},
-    {"render card.png --lens fisheye-16 -s 2m -o card.exr --samples 256",
-     "a picture, as light in lx s"},
+    {"render chart:grid --lens fisheye-16 -s 1m -t 1/60 --iso 200 -o grid.exr",
+     "exposed, as light in lx s"},
     {"render --lens double-gauss-50 --rays rays.csv", "rays for another renderer"},
     {NULL, NULL},
 };

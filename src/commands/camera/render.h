@@ -18,15 +18,17 @@ struct render_input {
     long samples, seed, threads, bits; /* samples, bits: 0 = not given */
 };
 
+/* -------- commands/camera/render_case.c -------- */
+
 /*
  * A visit of the only case that is asked for: focused on the distance, if there is one.
  *
+ * Given     channels  wavelengths in place of those asked for; null: these
  * Errors    ERROR_USAGE: several positions; as analysis_each and `visit`; a distance that the lens
  *           cannot focus on
  */
-bool render_open(const struct render_input *input, const struct setup_wavelength *channels,
-                 size_t count, struct arena *arena, analysis_visit *visit, void *context,
-                 struct error *error);
+bool render_open(const struct render_input *input, const struct spectrum_value *channels,
+                 struct arena *arena, analysis_visit *visit, void *context, struct error *error);
 
 /* What is doubtful: of the lens; that the corners of the film stay dark. */
 void render_doubts(const struct analysis_case *one, double largest, double corner,

@@ -235,8 +235,9 @@ bool render_picture(const struct artifact_job *job, struct output *sink, struct 
 {
     const struct render_input *input = job->inputs[0];
     struct picture_job picture = {job, sink};
+    const struct spectrum_value colours = {"channels", channels, PHOTOGRAPH_CHANNELS};
     const bool one_colour =
         input->question.wavelength.name != NULL || input->question.spectrum.count > 0;
-    return render_open(input, one_colour ? NULL : channels, PHOTOGRAPH_CHANNELS, job->run->arena,
-                       take_picture, &picture, error);
+    return render_open(input, one_colour ? NULL : &colours, job->run->arena, take_picture, &picture,
+                       error);
 }

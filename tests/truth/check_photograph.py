@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""tests/truth/check_photograph.py - pictures of lenscalc render: check_photograph.py BUILD_DIR
+
+A white card gives the irradiance of an independent program's quadrature (the course's double
+Gauss), pixel by pixel; exposure is luminance times time times that. A small white square comes
+where the magnification of thin-lens algebra puts it, upside up. The error falls faster than
+random numbers let it. Threads change nothing.
+"""
+# SPDX-License-Identifier: MIT
+
+import math
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import Checks, Program
+
+DOUBLE_GAUSS = "cs348b-dgauss-50"
+# film radius, mm: E/L with the film at 36.105905 mm, to about 1e-4; and the mean over 36 x 24 mm
+# with the film at 36.3612 mm
+IRRADIANCE = {0: .192512, 5: .167216, 10: .125716, 15: .082428, 18: .057826, 20: .042577}
+MEAN = 0.110853
+
+
+def read_pfm(path):
+    """Rows from the top, each pixel a triple."""
+    with open(path, "rb") as file:
+        kind, size, scale, data = file.read().split(b"\n", 3)
+    width, height = map(int, size.split())
+    assert kind == b"PF" and float(scale) < 0
+    values = struct.unpack(f"<{3 * width * height}f", data)
+    rows = [[values[3 * (y * width + x):3 * (y * width + x) + 3] for x in range(width)]
+            for y in range(height)]
+    return rows[::-1]
+
+
+def write_pfm(path, rows):
+    with open(path, "wb") as file:
+        file.write(f"Pf\n{len(rows[0])} {len(rows)}\n-1.0\n".encode())
+        for row in reversed(rows):
+            file.write(struct.pack(f"<{len(row)}f", *row))
+
+
+def take(program, checks, folder, *words, name="out.pfm"):
+    path = os.path.join(folder, name)
+    result = subprocess.run(program.command + ["render", *words, "-o", path], text=True, cwd=folder,
+                            capture_output=True, env=program.environment())
+    if not checks.check(result.returncode == 0, f"{words}: {result.stderr}"):
+        return None
+    return read_pfm(path)
+
+
+def check_white(checks, program, folder):
+    """Green of every film radius, with 1000 cd/m2 and 1/100 s: H = 10 E/L."""
+    write_pfm(os.path.join(folder, "white.pfm"), [[1.0, 1.0], [1.0, 1.0]])
+    common = ["white.pfm", "--lens", DOUBLE_GAUSS, "-s", "10m", "-t", "0.01", "-w", "d",
+              "--field-width", "60m", "--samples", "1024"]
+    width, height = 90, 60
+    rows = take(program, checks, folder, *common, "--focus", "36.105905", "--size",
+                f"{width}x{height}")
+    if rows is None:
+        return
+    for radius, expected in IRRADIANCE.items():
+        # the four pixels about the middle, or along the diagonal
+        x, y = radius * 18 / math.hypot(18, 12), radius * 12 / math.hypot(18, 12)
+        column, row = x / 0.4 + width / 2, y / 0.4 + height / 2
+        left, above = int(column - 0.5), int(row - 0.5)
+        right, down = column - 0.5 - left, row - 0.5 - above
+        found = sum(rows[above + j][left + i][1] / 10 *
+                    (right if i else 1 - right) * (down if j else 1 - down)
+                    for i in (0, 1) for j in (0, 1))
+        # one ray of a hundred is lost, so that 4 x 1024 know it to 1.5e-3 at 1 sigma
+        checks.check(abs(found - expected) < 5e-3 * expected,
+                     f"E/L at {radius} mm is {found}, expected {expected}")
+    rows = take(program, checks, folder, *common, "--focus", "36.3612", "--size", "45x30")
+    if rows is not None:
+        mean = sum(pixel[1] for row in rows for pixel in row) / (45 * 30) / 10
+        checks.check(abs(mean - MEAN) < 1e-4, f"mean E/L is {mean}, expected {MEAN}")
+
+
+def check_place(checks, program, folder):
+    """One pixel of 100 x 100 on a card 2 m wide, 10 m from the front principal plane, at f/22."""
+    card = [[0.0] * 100 for _ in range(100)]
+    card[46][53] = 1.0  # 70 mm to the right and 70 mm up, from its middle
+    write_pfm(os.path.join(folder, "spot.pfm"), card)
+    rows = take(program, checks, folder, "spot.pfm", "--lens", DOUBLE_GAUSS, "-s", "10m", "-N",
+                "22", "--field-width", "2m", "--sensor", "9x6mm", "--size", "180x120", "-w", "d",
+                "--samples", "64")
+    if rows is None:
+        return
+    total = sum(pixel[0] for row in rows for pixel in row)
+    x = sum(pixel[0] * (i + 0.5) for row in rows for i, pixel in enumerate(row)) / total
+    y = sum(pixel[0] * (j + 0.5) for j, row in enumerate(rows) for pixel in row) / total
+    f = 50.358167  # mm, of this lens in golden figures
+    size = 70 * f / (10000 - f) / 0.05  # pixels of 0.05 mm
+    checks.check(abs(x - 90 - size) < 0.02 and abs(60 - y - size) < 0.02,
+                 f"the spot lies {x - 90:.3f} right and {60 - y:.3f} up, expected {size:.3f}")
+
+
+def check_error(checks, program, folder):
+    """Of a checkerboard out of focus, against 4096 rays a pixel."""
+    common = ["chart:checker", "--lens", DOUBLE_GAUSS, "-s", "1m", "--defocus", "0.5", "-t", "0.01",
+              "--size", "24x16", "-w", "d"]
+    best = take(program, checks, folder, *common, "--samples", "4096", "--seed", "9")
+    errors = []
+    for samples in 4, 64:
+        rows = take(program, checks, folder, *common, "--samples", str(samples))
+        errors.append(math.sqrt(sum((a[0] - b[0]) ** 2 for row, other in zip(rows, best)
+                                    for a, b in zip(row, other))))
+    slope = math.log(errors[1] / errors[0]) / math.log(16)
+    checks.check(slope <= -0.7, f"the error falls with the power {slope:.2f} of the samples")
+
+
+def check_threads(checks, program, folder):
+    common = ["chart:star", "--lens", "nikkor-z-58-f095", "-s", "1m", "--size", "70x40",
+              "--samples", "4"]
+    one = take(program, checks, folder, *common, name="one.pfm")
+    two = take(program, checks, folder, *common, "--threads", "2", name="two.pfm")
+    checks.check(one == two, "two threads take another picture than one")
+    other = take(program, checks, folder, *common, "--seed", "1", name="three.pfm")
+    checks.check(one != other, "another seed takes the same picture")
+
+
+def main():
+    program, checks = Program(sys.argv[1]), Checks()
+    with tempfile.TemporaryDirectory(prefix="lenscalc-photograph-") as folder:
+        check_white(checks, program, folder)
+        check_place(checks, program, folder)
+        check_error(checks, program, folder)
+        check_threads(checks, program, folder)
+    return checks.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
