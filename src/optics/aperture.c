@@ -314,6 +314,10 @@ struct aperture_form aperture_form_of(const struct aperture *aperture, struct ar
             points[i][0] = aperture->points[i][0].value.hi;
             points[i][1] = aperture->points[i][1].value.hi;
         }
+        /* a little less and more: what is as near to an edge as rounding is decided by the edge */
+        const double depth = -polygon_excess(&form, 0, 0);
+        form.within2 = depth > 0 ? pow(depth * form.radius, 2) * (1 - 1e-9) : 0;
+        form.beyond2 = form.radius * form.radius * (1 + 1e-9);
     }
     return form;
 }

@@ -46,6 +46,9 @@ struct aperture_form {
     double radius;             /* no point of it is farther from its centre, mm; may be infinite */
     const double (*points)[2]; /* of a polygon its corners; of a spider where its arms point to */
     size_t point_count;
+    /* squared: nearer to the centre than the first all is inside, farther than the second outside;
+       0 where that is not known */
+    double within2, beyond2;
 };
 
 struct aperture_traits {
@@ -109,6 +112,12 @@ size_t aperture_part(const struct aperture_form *form, double x, double y);
 /* Does a ray that meets the surface there pass? */
 static inline bool aperture_passes(const struct aperture_form *form, double x, double y)
 {
+    if (form->within2 > 0) { /* most rays need no look at the sides */
+        const double dx = x - form->centre[0], dy = y - form->centre[1], r2 = dx * dx + dy * dy;
+        if (r2 < form->within2 || r2 > form->beyond2) {
+            return (r2 < form->within2) != form->blocks;
+        }
+    }
     double excess = aperture_excess(form, x, y);
     return form->blocks ? excess >= 0 : excess <= 0;
 }

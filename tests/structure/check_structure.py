@@ -99,7 +99,8 @@ FOR_TESTS = {
     # what photographs stand on
     "image_file_bytes": "", "image_file_parse": "", "image_file_read": "", "image_file_types": "",
     "srgb_encoded": "",
-    "colour_balance": "the pictures of render stand on it next",
+    "blades_area": "the pictures of render stand on it next",
+    "blades_aperture": "", "blades_stop": "", "colour_balance": "",
     "colour_inverse": "", "colour_white": "", "demosaic_bilinear": "", "develop_picture": "",
     "sensor_codes": "", "sensor_expose": "", "sensor_open": "", "sensor_plain": "",
     # what divided runs stand on
