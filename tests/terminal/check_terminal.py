@@ -378,6 +378,8 @@ def check_broken_off(checks, program):
 
 
 def main():
+    # jobs in the background of a shell ignore Ctrl-C, and what they start does too
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     program = Program(sys.argv[1])
     checks = Checks()
     on_terminals = (check_width, check_blocks, check_color, check_progress)

@@ -31,7 +31,7 @@ def table(program, *words, text=None):
 
 def check_back(checks, program, name):
     """Through the lens again, the other way."""
-    rays, said = table(program, "render", name, "--rays", "-", "--samples", "300", "-w", "d")
+    rays, said = table(program, "render", "--lens", name, "--rays", "-", "--samples", "300", "-w", "d")
     if not checks.check(len(rays) > 200, f"{name}: {len(rays)} rays of 300: {said}"):
         return
     starts = "x_mm,y_mm,z_mm,cos_x,cos_y,cos_z\n" + "".join(
@@ -49,7 +49,7 @@ def check_back(checks, program, name):
 
 
 def check_mean(checks, program):
-    rays, _ = table(program, "render", "cs348b-dgauss-50", "--rays", "-", "--samples", "262144",
+    rays, _ = table(program, "render", "--lens", "cs348b-dgauss-50", "--rays", "-", "--samples", "262144",
                     "-w", "d", "--focus", "36.3612")
     mean = sum(float(ray["weight"]) for ray in rays)
     checks.check(abs(mean - MEAN) < MEAN_ERROR, f"mean E/L is {mean}, expected {MEAN}")
