@@ -38,6 +38,7 @@ enum random_purpose {
     RANDOM_UNITS,      /* random_pair */
     RANDOM_SCRAMBLING, /* sobol_scrambling */
     RANDOM_NOISE,      /* sensor_expose */
+    RANDOM_GRAIN,      /* emulsion_expose */
 };
 
 /* Numbers `which` of a purpose, for one sample of a run. */

@@ -179,15 +179,27 @@ static double digital(const struct sensor_model *model, double mean, uint64_t pi
 }
 
 /* Lux seconds of a channel, by what it sees. */
-static double seen_by(const struct sensor_model *model, size_t channel, const float *light,
-                      size_t light_channels)
+static double seen_by(const double seen[SENSOR_CHANNELS], const float *pixel, size_t channels)
 {
-    const double *seen = sensor_responses[model->sensor.response].seen[channel];
     double sum = 0;
     for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
-        sum += seen[j] * (double)light[light_channels == 1 ? 0 : j];
+        sum += seen[j] * (double)pixel[channels == 1 ? 0 : j];
     }
     return sum;
+}
+
+double sensor_luminous(const float *pixel, size_t channels)
+{
+    return seen_by(sensor_responses[SENSOR_MONO].seen[0], pixel, channels);
+}
+
+bool sensor_check_light(const struct image *light, struct error *error)
+{
+    if (light->channels != 1 && light->channels != SENSOR_CHANNELS) {
+        return fail(error, ERROR_DOMAIN, "light of %zu channels: a sensor takes 1 or %d",
+                    light->channels, SENSOR_CHANNELS);
+    }
+    return image_check(light, IMAGE_POSITIVE, error);
 }
 
 static void expose_pixel(const struct sensor_model *model, const struct image *light, size_t x,
@@ -198,11 +210,12 @@ static void expose_pixel(const struct sensor_model *model, const struct image *l
     const float *from = image_row(light, y) + x * light->channels;
     float *to = image_row(&raw->image, y) + x * raw->image.channels;
     const bool mosaic = model->sensor.mosaic != MOSAIC_NONE;
+    const double(*seen)[SENSOR_CHANNELS] = sensor_responses[model->sensor.response].seen;
     for (size_t k = 0; k < raw->image.channels; k++) {
         const size_t channel =
             mosaic ? sensor_mosaics[model->sensor.mosaic].channel[row % 2][column % 2] : k;
         const double mean =
-            seen_by(model, channel, from, light->channels) * model->electrons[channel];
+            seen_by(seen[channel], from, light->channels) * model->electrons[channel];
         bool saturated;
         to[k] = (float)digital(model, mean + model->dark, pixel, (uint32_t)channel, &saturated);
         raw->values++;
@@ -216,16 +229,12 @@ bool sensor_expose(const struct sensor_model *model, const struct image *light,
                    struct error *error)
 {
     const struct sensor_response_traits *response = &sensor_responses[model->sensor.response];
-    if (light->channels != 1 && light->channels != SENSOR_CHANNELS) {
-        return fail(error, ERROR_DOMAIN, "light of %zu channels: a sensor takes 1 or %d",
-                    light->channels, SENSOR_CHANNELS);
-    }
     const bool mosaic = model->sensor.mosaic != MOSAIC_NONE;
     *raw = (struct sensor_raw){.image = {.width = light->width,
                                          .height = light->height,
                                          .channels = mosaic ? 1 : response->channels,
                                          .names = mosaic ? NULL : response->names}};
-    if (!image_check(light, IMAGE_POSITIVE, error) || !image_new(&raw->image, arena, error)) {
+    if (!sensor_check_light(light, error) || !image_new(&raw->image, arena, error)) {
         return false;
     }
     for (size_t y = 0; y < light->height; y++) {

@@ -118,6 +118,16 @@ struct sensor_raw {
 };
 
 /*
+ * Is it light for a sensor or film: 1 or 3 channels, finite and not below 0?
+ *
+ * Errors    ERROR_DOMAIN: another number of channels; ERROR_DATA naming column and row
+ */
+bool sensor_check_light(const struct image *light, struct error *error);
+
+/* Luminous exposure of a pixel, lx s: what SENSOR_MONO sees. */
+double sensor_luminous(const float *pixel, size_t channels);
+
+/*
  * Expose the sensor.
  *
  * Given     light   H in lx s of each pixel: R, G, B where white has the same H in each, or one
@@ -128,8 +138,7 @@ struct sensor_raw {
  *           mean mu = H electrons + dark, z normal, cut to 0..white; so that off the ends
  *           variance = K^2 (sigma^2 + mu) + 1/12. Chance is of (seed, pixel of the frame, channel)
  * Source    [EMVA16] 2.1, 2.2
- * Errors    ERROR_DOMAIN: light below 0, infinite or NaN with column and row; another number of
- *           channels; ERROR_DATA: too many pixels
+ * Errors    as sensor_check_light; ERROR_DATA: too many pixels
  * Limits    pixels know nothing of each other: no blooming, no crosstalk, no pixel better than
  *           others
  */

@@ -102,6 +102,7 @@ FOR_TESTS = {
     "blades_area": "the pictures of render stand on it next",
     "blades_aperture": "", "blades_stop": "", "colour_balance": "",
     "colour_inverse": "", "colour_white": "", "demosaic_bilinear": "", "develop_picture": "",
+    "emulsion_expose": "", "emulsion_print": "",
     "sensor_codes": "", "sensor_expose": "", "sensor_open": "", "sensor_plain": "",
     # what divided runs stand on
     "digest_add": "", "digest_begin": "", "digest_end": "", "digest_item": "",

@@ -1,0 +1,47 @@
+/* camera/emulsion.c - densities of a negative, pixel by pixel. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/emulsion.h"
+
+#include "base/normal.h"
+#include "base/random.h"
+
+#include <math.h>
+
+static double density_of(const struct emulsion *film, double H, uint64_t pixel)
+{
+    const double density = characteristic_density(&film->curve, H);
+    if (!(film->granularity > 0)) {
+        return density;
+    }
+    const struct random_words words = random_words(RANDOM_GRAIN, film->seed, pixel, 0);
+    const double deviation =
+        characteristic_grain(&film->curve, film->granularity, film->pitch * film->pitch, density);
+    return fmax(0, density + deviation * normal_quantile(random_unit_of(words.w[0], words.w[1])));
+}
+
+bool emulsion_expose(const struct emulsion *film, const struct image *light,
+                     const struct sensor_place *place, struct arena *arena, struct image *density,
+                     struct error *error)
+{
+    *density = (struct image){.width = light->width, .height = light->height, .channels = 1};
+    if (!sensor_check_light(light, error) || !image_new(density, arena, error)) {
+        return false;
+    }
+    for (size_t y = 0; y < light->height; y++) {
+        const uint64_t row = (uint64_t)(place->row + y) * place->width + place->column;
+        for (size_t x = 0; x < light->width; x++) {
+            const float *pixel = image_row(light, y) + x * light->channels;
+            const double H = sensor_luminous(pixel, light->channels);
+            image_row(density, y)[x] = (float)density_of(film, H, row + x);
+        }
+    }
+    return true;
+}
+
+void emulsion_print(const struct emulsion *film, struct image *density)
+{
+    for (size_t i = 0; i < density->width * density->height; i++) {
+        const double light = characteristic_print(&film->curve, (double)density->pixels[i]);
+        density->pixels[i] = (float)light;
+    }
+}
