@@ -23,7 +23,7 @@ static struct developing developing_of(const struct sensor_model *model, double 
     for (size_t i = 0; i < SENSOR_CHANNELS; i++) {
         developing.per_number[i] = headroom / (model->gain * model->electrons[i] * most);
         for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
-            seen.at[i][j] = response->channels == 1 ? i == j : response->seen[i][j];
+            seen.at[i][j] = response->channels == 1 ? i == j : response->seen->at[i][j];
         }
     }
     developing.to_srgb = colour_inverse(&seen);

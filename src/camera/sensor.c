@@ -10,24 +10,12 @@
 
 #include <math.h>
 
-/* Rows of sRGB to XYZ: [IEC99] 5.3. */
-#define SRGB_X                                                                                     \
-    {                                                                                              \
-        0.4124, 0.3576, 0.1805                                                                     \
-    }
-#define SRGB_Y                                                                                     \
-    {                                                                                              \
-        0.2126, 0.7152, 0.0722                                                                     \
-    }
-#define SRGB_Z                                                                                     \
-    {                                                                                              \
-        0.0193, 0.1192, 0.9505                                                                     \
-    }
+static const struct colour_matrix unchanged = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 const struct sensor_response_traits sensor_responses[SENSOR_RESPONSES] = {
-    [SENSOR_RGB] = {"rgb", 3, 1, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {"R", "G", "B"}},
-    [SENSOR_MONO] = {"mono", 1, 0, {SRGB_Y}, {"Y"}},
-    [SENSOR_XYZ] = {"xyz", 3, 1, {SRGB_X, SRGB_Y, SRGB_Z}, {"X", "Y", "Z"}},
+    [SENSOR_RGB] = {"rgb", 3, 1, &unchanged, 0, {"R", "G", "B"}},
+    [SENSOR_MONO] = {"mono", 1, 0, &colour_xyz_of_srgb, 1, {"Y"}},
+    [SENSOR_XYZ] = {"xyz", 3, 1, &colour_xyz_of_srgb, 0, {"X", "Y", "Z"}},
 };
 
 const struct sensor_mosaic_traits sensor_mosaics[SENSOR_MOSAICS] = {
@@ -190,7 +178,7 @@ static double seen_by(const double seen[SENSOR_CHANNELS], const float *pixel, si
 
 double sensor_luminous(const float *pixel, size_t channels)
 {
-    return seen_by(sensor_responses[SENSOR_MONO].seen[0], pixel, channels);
+    return seen_by(colour_xyz_of_srgb.at[1], pixel, channels);
 }
 
 bool sensor_check_light(const struct image *light, struct error *error)
@@ -210,12 +198,13 @@ static void expose_pixel(const struct sensor_model *model, const struct image *l
     const float *from = image_row(light, y) + x * light->channels;
     float *to = image_row(&raw->image, y) + x * raw->image.channels;
     const bool mosaic = model->sensor.mosaic != MOSAIC_NONE;
-    const double(*seen)[SENSOR_CHANNELS] = sensor_responses[model->sensor.response].seen;
+    const struct sensor_response_traits *response = &sensor_responses[model->sensor.response];
     for (size_t k = 0; k < raw->image.channels; k++) {
         const size_t channel =
             mosaic ? sensor_mosaics[model->sensor.mosaic].channel[row % 2][column % 2] : k;
         const double mean =
-            seen_by(seen[channel], from, light->channels) * model->electrons[channel];
+            seen_by(response->seen->at[response->row + channel], from, light->channels) *
+            model->electrons[channel];
         bool saturated;
         to[k] = (float)digital(model, mean + model->dark, pixel, (uint32_t)channel, &saturated);
         raw->values++;

@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/image/image.h"
+#include "camera/colour.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -27,8 +28,9 @@ enum sensor_response {
 struct sensor_response_traits {
     const char *word;
     size_t channels;
-    size_t reference;                              /* the channel whose speed counts */
-    double seen[SENSOR_CHANNELS][SENSOR_CHANNELS]; /* of (R, G, B) by each channel */
+    size_t reference;                 /* the channel whose speed counts */
+    const struct colour_matrix *seen; /* of (R, G, B) by each channel, */
+    size_t row;                       /* the first one by this row */
     const char *names[SENSOR_CHANNELS];
 };
 extern const struct sensor_response_traits sensor_responses[SENSOR_RESPONSES];
