@@ -50,6 +50,7 @@ double characteristic_density(const struct characteristic *curve, double H);
  * Result    0.18 for the density of what a meter gives, 10/S lx s; proportional to the exposure
  *           where the curve is straight
  * Formula   0.18 10^((D - D(10/S))/gamma)
+ * Limits    black is what the base prints: 0.014 of the plain negative, not 0
  */
 double characteristic_print(const struct characteristic *curve, double density);
 

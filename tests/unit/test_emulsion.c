@@ -55,6 +55,10 @@ static void test_print(void)
     CHECK_RELATIVE(grey, 0.18, 1e-14, "grey");
     CHECK_RELATIVE(light, 0.72, 1e-6, "two stops more");
     CHECK(characteristic_print(&curve, 0.25) < 0.18 / 4 && characteristic_print(&curve, 4) > 1);
+    /* lg(0.1/0.008) + 0.014683 = 1.111593 is (D - base)/gamma, but for 2e-4 of the toe */
+    negative = negative_plain(100);
+    CHECK(characteristic_open(&negative, &curve, &error));
+    CHECK_RELATIVE(characteristic_print(&curve, 0.25), 0.18 * pow(10, -1.111593), 3e-3, "black");
 }
 
 /* Deviation of the density over pixels, within 4 sigma; a pixel of the frame has its own chance. */
