@@ -2,8 +2,9 @@
 """tests/robust/check_dark.py - lenses through which little light passes, or none.
 
 The commands that look for rays and the analyses answer or refuse, in every format and in a short
-time, and no answer holds a nan or a control character. Files that showed faults before are read from the shared folder
-where there is one.
+time, and no answer holds a nan or a control character. Files that showed faults before are read
+from the shared folder where there is one: each by every fourth command, by all of them where
+LENSCALC_ALL asks for it and the program is not an instrumented one.
 """
 # SPDX-License-Identifier: MIT
 
@@ -108,8 +109,11 @@ def main():
     checks.check(took < most or program.is_instrumented,
                  f"a sweep of calibrated distortions: took {took:.1f} s")
     check_escape(checks, program)
-    for name, path in paths:
+    thorough = os.environ.get("LENSCALC_ALL") and not program.is_instrumented
+    for number, (name, path) in enumerate(paths):
         for words in COMMANDS:
+            if path in known and not thorough and (number + COMMANDS.index(words)) % 4:
+                continue
             # what was seen once needs one look: a form that holds every number
             formats = ([],) if words[0] == "draw" else (["--json"],) if path in known else (
                 [], ["--json"])

@@ -58,7 +58,7 @@ static void test_property_a(void)
         const struct sobol_numbers *numbers = &sobol_numbers[d - 1];
         const int degree = degree_of(numbers->polynomial);
         for (int k = 0; k < N; k++) {
-            digit[d][k] = k < degree ? numbers->m[k] >> k & 1 : 0;
+            digit[d][k] = (unsigned char)(k < degree ? numbers->m[k] >> k & 1 : 0);
             for (int i = 1; i <= degree && k >= degree; i++) {
                 digit[d][k] ^= numbers->polynomial >> (degree - i) & 1 ? digit[d][k - i] : 0;
             }
