@@ -4,11 +4,32 @@
 
 #include <math.h>
 
-bool lens_film_open(const struct setup *setup, double width, double height, struct arena *arena,
+/* The same systems behind blades: their pupils lie within those of the round stop. */
+static bool put_blades(const struct film_question *question, struct arena *arena,
+                       struct lens_film *film, struct error *error)
+{
+    const struct setup *setup = question->setup;
+    struct lens *bladed = ARENA_NEW(arena, struct lens);
+    if (!blades_stop(setup->lens, &question->blades, setup->first.stop_radius, arena, bladed,
+                     error)) {
+        return false;
+    }
+    for (size_t w = 0; w < setup->wavelength_count; w++) {
+        struct system *system = ARENA_NEW(arena, struct system);
+        if (!setup_compile(setup, bladed, w, SETUP_CLIPPED | SETUP_REVERSED, system, error)) {
+            return false;
+        }
+        film->systems[w] = system;
+    }
+    return true;
+}
+
+bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error)
 {
+    const struct setup *setup = question->setup;
     film->systems = ARENA_ARRAY(arena, setup->wavelength_count, const struct system *);
-    film->corner = hypot(width, height) / 2;
+    film->corner = hypot(question->width, question->height) / 2;
     if (isnan(setup->image)) {
         fail(error, ERROR_DOMAIN, "the image of the lens lies at infinity: there is no film");
         return error_hint(error, "say with {focus} how far behind the last vertex it is");
@@ -35,6 +56,8 @@ bool lens_film_open(const struct setup *setup, double width, double height, stru
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         sobol_open(k, &film->sobol[k]);
     }
-    return film->region.largest > 0 ||
-           fail(error, ERROR_DOMAIN, "no light reaches the film at %.6g mm", setup->image);
+    if (film->region.largest == 0) {
+        return fail(error, ERROR_DOMAIN, "no light reaches the film at %.6g mm", setup->image);
+    }
+    return question->blades.count == 0 || put_blades(question, arena, film, error);
 }

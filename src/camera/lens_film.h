@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/sobol.h"
 #include "camera/film_rays.h"
+#include "optics/blades.h"
 
 struct lens_film {
     const struct system **systems; /* one a wavelength of the setup */
@@ -16,13 +17,18 @@ struct lens_film {
     double corner; /* how far from the axis the film goes, mm */
 };
 
+/* A film, and what the lens has for a stop. */
+struct film_question {
+    const struct setup *setup; /* round, with its image plane and the wavelengths that count */
+    double width, height;      /* of the film, mm */
+    struct blades blades;      /* count 0: the stop is round */
+};
+
 /*
- * Given     setup          round, with its image plane and the wavelengths that count
- *           width, height  of the film, mm
- * Errors    ERROR_DOMAIN: as film_region_open; no stop, or none with a diameter; no image plane; no
- *           light reaches the film; as setup_system
+ * Errors    ERROR_DOMAIN: as film_region_open and blades_stop; no stop, or none with a diameter; no
+ *           image plane; no light reaches the film; as setup_system
  */
-bool lens_film_open(const struct setup *setup, double width, double height, struct arena *arena,
+bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error);
 
 #endif

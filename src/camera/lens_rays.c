@@ -2,8 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/lens_rays.h"
 
-#include "camera/lens_film.h"
-
 #include <math.h>
 
 /* All that blocks have in common. */
@@ -20,13 +18,12 @@ static bool open_stream(const struct lens_rays_question *question, struct arena 
                         struct stream *stream, struct error *error)
 {
     stream->question = question;
-    if (!lens_film_open(question->setup, question->width, question->height, arena, &stream->film,
-                        error)) {
+    if (!lens_film_open(&question->film, arena, &stream->film, error)) {
         return false;
     }
     const double largest = stream->film.region.largest;
-    const double width = fmin(question->width, 2 * largest);
-    const double height = fmin(question->height, 2 * largest);
+    const double width = fmin(question->film.width, 2 * largest);
+    const double height = fmin(question->film.height, 2 * largest);
     stream->plan = (struct film_plan){.sobol = stream->film.sobol,
                                       .left = -width / 2,
                                       .bottom = -height / 2,
@@ -65,7 +62,7 @@ static bool send(struct stream *stream, size_t w, uint64_t samples, double share
     const struct lens_rays_question *question = stream->question;
     const double n = stream->film.region.index / system->index_last;
     const double lit =
-        stream->plan.width * stream->plan.height / (question->width * question->height);
+        stream->plan.width * stream->plan.height / (question->film.width * question->film.height);
     const double by = share * lit * n * n;
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         stream->plan.scrambling[k] = sobol_scrambling(question->seed, w, k);
@@ -89,7 +86,7 @@ bool lens_rays_make(const struct lens_rays_question *question, struct arena *are
                     lens_rays_visit *visit, void *context, struct lens_rays *result,
                     struct error *error)
 {
-    const struct setup *setup = question->setup;
+    const struct setup *setup = question->film.setup;
     struct stream *stream = ARENA_NEW(arena, struct stream);
     if (!open_stream(question, arena, stream, error)) {
         return false;

@@ -3,9 +3,9 @@
 #ifndef LENSCALC_CAMERA_LENS_RAYS_H
 #define LENSCALC_CAMERA_LENS_RAYS_H
 
-#include "analysis/setup.h"
 #include "base/arena.h"
 #include "base/error.h"
+#include "camera/lens_film.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -13,9 +13,8 @@
 
 /* A lens, its film, and how many rays. */
 struct lens_rays_question {
-    const struct setup *setup; /* round, with its image plane and the wavelengths that count */
-    double width, height;      /* of the film, mm */
-    uint64_t samples;          /* 1 and more: rays that leave the film */
+    struct film_question film;
+    uint64_t samples; /* 1 and more: rays that leave the film */
     uint64_t seed;
 };
 

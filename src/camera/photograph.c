@@ -73,11 +73,11 @@ static bool meet(const struct ray_block *rays, size_t i, double distance, double
 static struct film_plan plan_of(const struct work *work, size_t column, size_t row)
 {
     const struct photograph_question *question = work->question;
-    const double across = question->width / (double)question->columns;
-    const double down = question->height / (double)question->rows;
+    const double across = question->film.width / (double)question->columns;
+    const double down = question->film.height / (double)question->rows;
     return (struct film_plan){.sobol = work->film->sobol,
-                              .left = question->width / 2 - (double)(column + ACROSS) * across,
-                              .bottom = (double)row * down - question->height / 2,
+                              .left = question->film.width / 2 - (double)(column + ACROSS) * across,
+                              .bottom = (double)row * down - question->film.height / 2,
                               .width = ACROSS * across,
                               .height = DOWN * down};
 }
@@ -188,7 +188,7 @@ static bool size_card(const struct work *work, struct room *room, struct card *c
                       struct error *error)
 {
     const struct photograph_question *question = work->question;
-    const double w = question->width / 2, h = question->height / 2;
+    const double w = question->film.width / 2, h = question->film.height / 2;
     const double proportion = card->picture != NULL
                                   ? (double)card->picture->width / (double)card->picture->height
                                   : w / h;
@@ -235,8 +235,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                      struct photograph *photograph, struct error *error)
 {
     struct lens_film film;
-    if (!check_card(question, error) ||
-        !lens_film_open(question->setup, question->width, question->height, arena, &film, error)) {
+    if (!check_card(question, error) || !lens_film_open(&question->film, arena, &film, error)) {
         return false;
     }
     *photograph = (struct photograph){.image = {.width = question->columns,
@@ -245,7 +244,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                                       .card = question->card,
                                       .largest = film.region.largest,
                                       .corner = film.corner};
-    const size_t wavelengths = question->setup->wavelength_count;
+    const size_t wavelengths = question->film.setup->wavelength_count;
     const double n = film.region.index / film.systems[0]->index_last;
     struct work work = {.question = question,
                         .film = &film,

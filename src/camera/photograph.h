@@ -3,20 +3,19 @@
 #ifndef LENSCALC_CAMERA_PHOTOGRAPH_H
 #define LENSCALC_CAMERA_PHOTOGRAPH_H
 
-#include "analysis/setup.h"
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/image/image.h"
 #include "base/watch.h"
 #include "camera/card.h"
+#include "camera/lens_film.h"
 
 #include <stdint.h>
 
 enum { PHOTOGRAPH_CHANNELS = 3 };
 
 struct photograph_question {
-    const struct setup *setup; /* round, with its image plane; one wavelength, or one a channel */
-    double width, height;      /* of the film, mm */
+    struct film_question film; /* its setup has one wavelength, or one a channel */
     size_t columns, rows;      /* pixels of it */
     size_t samples;            /* rays a pixel and channel: a power of two */
     uint64_t seed;

@@ -44,3 +44,7 @@ lenscalc render chart:edge -s 1m -o lost.png
 head -c 100 wedge.png > cut.png
 lenscalc render cut.png --lens double-gauss-50 -s 1m -o lost.png
 ls lost.*
+# an iris of blades
+lenscalc render --lens double-gauss-50 --rays - --blades 5 --samples 4096 -w d --sensor 0.001x0.001mm | awk -F, 'NR > 1 { sum += $10 } END { printf "%.3f\n", sum }'
+lenscalc render chart:points --lens double-gauss-50 -s 1m --blades 2 -o lost.png
+lenscalc render chart:points --lens double-gauss-50 -s 1m --blade-turn 3 -o lost.png

@@ -99,8 +99,9 @@ FOR_TESTS = {
     # what photographs stand on
     "image_file_bytes": "", "image_file_parse": "", "image_file_read": "", "image_file_types": "",
     "srgb_encoded": "",
-    "blades_area": "the pictures of render stand on it next",
-    "blades_aperture": "", "blades_stop": "", "colour_balance": "",
+    "blades_area": "the opening of an iris in closed form",
+    "blades_aperture": "its shape by itself",
+    "colour_balance": "the pictures of render stand on it next",
     "colour_inverse": "", "colour_white": "", "demosaic_bilinear": "", "develop_picture": "",
     "emulsion_expose": "", "emulsion_print": "",
     "sensor_codes": "", "sensor_expose": "", "sensor_open": "", "sensor_plain": "",

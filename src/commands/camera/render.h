@@ -3,6 +3,7 @@
 #ifndef LENSCALC_COMMANDS_CAMERA_RENDER_H
 #define LENSCALC_COMMANDS_CAMERA_RENDER_H
 
+#include "camera/lens_film.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/photo/photo_options.h"
 #include "optics/growing.h"
@@ -14,6 +15,8 @@ struct render_input {
     const char *size;                  /* "360x240"; null = 480 pixels wide */
     double distance, field_width;      /* mm; NaN = not given */
     double luminance, time, iso;       /* cd/m^2; s, NaN = not given */
+    long blades;                       /* 0 = round */
+    double blade_turn, blade_rounding; /* rad; 0..1 */
     int from;                          /* enum distance_from */
     long samples, seed, threads, bits; /* samples, bits: 0 = not given */
 };
@@ -33,6 +36,9 @@ bool render_open(const struct render_input *input, const struct spectrum_value *
 /* What is doubtful: of the lens; that the corners of the film stay dark. */
 void render_doubts(const struct analysis_case *one, double largest, double corner,
                    struct growing *remarks);
+
+/* The film, and the iris before it. */
+struct film_question render_film(const struct render_input *input, const struct analysis_case *one);
 
 /* The object before the first vertex of render_open's case, mm; NaN = that of the lens. */
 double render_object(const struct analysis_case *one);

@@ -67,3 +67,13 @@ void render_doubts(const struct analysis_case *one, double largest, double corne
                        largest, corner);
     }
 }
+
+struct film_question render_film(const struct render_input *input, const struct analysis_case *one)
+{
+    return (struct film_question){.setup = one->setup,
+                                  .width = input->sensor.size.width,
+                                  .height = input->sensor.size.height,
+                                  .blades = {.count = (unsigned)input->blades,
+                                             .turn = input->blade_turn,
+                                             .rounding = input->blade_rounding}};
+}

@@ -201,9 +201,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
     struct photograph_question question = {
-        .setup = one->setup,
-        .width = input->sensor.size.width,
-        .height = input->sensor.size.height,
+        .film = render_film(input, one),
         .samples = input->samples == 0 ? USUAL_SAMPLES : (size_t)input->samples,
         .seed = (uint64_t)input->seed,
         .threads = parallel_threads(input->threads),

@@ -111,9 +111,7 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
     struct ray_writer writer = {file_of(job->type), rays_job->sink};
     struct lens_rays result;
     const struct lens_rays_question question = {
-        .setup = one->setup,
-        .width = input->sensor.size.width,
-        .height = input->sensor.size.height,
+        .film = render_film(input, one),
         .samples = input->samples == 0 ? USUAL_RAYS : (uint64_t)input->samples,
         .seed = (uint64_t)input->seed};
     write_names(&writer);
