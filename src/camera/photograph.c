@@ -115,11 +115,11 @@ static void sum_tile(const struct work *work, struct film_plan *plan, size_t til
 {
     const struct photograph_question *question = work->question;
     memset(room->sums, 0, sizeof room->sums);
+    for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
+        plan->scrambling[k] = sobol_scrambling(question->seed, tile, k);
+    }
+    /* the same points for all channels: what is left of noise is grey */
     for (size_t pass = 0; pass < work->passes; pass++) {
-        for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
-            plan->scrambling[k] =
-                sobol_scrambling(question->seed, tile * PHOTOGRAPH_CHANNELS + pass, k);
-        }
         for (uint32_t block = 0; block < question->samples; block++) {
             trace_plan(work->film, plan, block, pass, room);
             for (size_t i = 0; i < RAYS_BLOCK; i++) {
