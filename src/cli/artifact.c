@@ -8,6 +8,7 @@
 
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 enum { MOST_INPUTS = 100 };
 
@@ -133,12 +134,23 @@ static const void *const *inputs_of(const struct artifact_setting *setting, size
     return inputs;
 }
 
+/* Bytes go to files and pipes. */
+static bool check_terminal(const struct artifact_job *job, struct error *error)
+{
+    const bool is_standard = job->path == NULL || strcmp(job->path, "-") == 0;
+    if (!job->artifact->is_binary || !is_standard || !isatty(STDOUT_FILENO)) {
+        return true;
+    }
+    fail(error, ERROR_USAGE, "a terminal shows no such files");
+    return error_hint(error, "--%s FILE writes one", job->artifact->option.name);
+}
+
 /* One more, if nothing speaks against it. */
 static bool order(struct artifacts *artifacts, const struct artifact_setting *setting,
                   struct artifact_job job, struct error *error)
 {
     const struct artifact *artifact = job.artifact;
-    if (!check_scope(&job, setting, error)) {
+    if (!check_scope(&job, setting, error) || !check_terminal(&job, error)) {
         return false;
     }
     job.count = artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;

@@ -52,7 +52,8 @@ struct artifact_job {
 struct artifact {
     struct option option; /* "scale", whose value is the file; ARTIFACT_OPTION */
     enum artifact_scope scope;
-    bool is_kept; /* a file that is there already is replaced with --force only */
+    bool is_kept;   /* a file that is there already is replaced with --force only */
+    bool is_binary; /* bytes that are not shown on a terminal */
     /* The type that the input asks for, whatever the file is called; null: its name decides. */
     const struct file_type *(*choose)(const void *input);
     const char *chooser; /* the option that does that */

@@ -348,6 +348,14 @@ def check_interrupted(checks, program):
                  "interrupted" in found[-1]["error"], f"a sweep: {len(found)} rows, {error!r}")
 
 
+def check_picture(checks, program):
+    """The bytes of a picture are for files and pipes."""
+    words = ["render", "chart:edge", "--lens", "double-gauss", "-s", "1m", "--size", "8x8"]
+    shown, said, status = on_terminal(program, words, 80)
+    checks.check(status == 2 and shown == "" and "a terminal shows no such files" in said,
+                 f"a picture on a terminal: {status}, {shown[:40]!r}, {said!r}")
+
+
 def check_broken_off(checks, program):
     """What fails between rows leaves a complete answer, in which a row has the reason."""
     with tempfile.TemporaryDirectory() as folder:
@@ -383,7 +391,7 @@ def main():
     program = Program(sys.argv[1])
     checks = Checks()
     on_terminals = (check_width, check_blocks, check_color, check_progress)
-    for check in (check_help, check_escapes, check_interrupted, check_broken_off,
+    for check in (check_help, check_escapes, check_interrupted, check_picture, check_broken_off,
                   *(on_terminals if has_terminals() else ())):
         check(checks, program)
     checks.finish()

@@ -76,7 +76,8 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 }
 
 static const struct artifact artifacts[] = {
-    {ARTIFACT_ANSWER(image_file_types), .check = check_picture, .make = render_picture},
+    {ARTIFACT_ANSWER(image_file_types), .is_binary = true, .check = check_picture,
+     .make = render_picture},
     {ARTIFACT_OPTION("rays", render_ray_types,
                      "write the rays that leave the lens towards the scene"),
      .check = check_lens, .make = render_rays},
