@@ -26,16 +26,16 @@ const struct sensor_mosaic_traits sensor_mosaics[SENSOR_MOSAICS] = {
     [MOSAIC_GBRG] = {"gbrg", {{1, 2}, {0, 1}}},
 };
 
-struct sensor sensor_plain(double pitch)
+struct image_sensor sensor_plain(double pitch)
 {
-    return (struct sensor){.response = SENSOR_RGB,
-                           .pitch = pitch,
-                           .fill = 1,
-                           .efficiency = {0.5, 0.5, 0.5},
-                           .full_well = (double)INFINITY,
-                           .dark_temperature = 20,
-                           .doubling = 8,
-                           .bits = 14};
+    return (struct image_sensor){.response = SENSOR_RGB,
+                                 .pitch = pitch,
+                                 .fill = 1,
+                                 .efficiency = {0.5, 0.5, 0.5},
+                                 .full_well = (double)INFINITY,
+                                 .dark_temperature = 20,
+                                 .doubling = 8,
+                                 .bits = 14};
 }
 
 /* A number of a sensor and what it may be. */
@@ -61,7 +61,7 @@ static bool check_limits(const struct limit *limits, size_t count, struct error 
     return true;
 }
 
-static bool check_sensor(const struct sensor *sensor, const struct sensor_setting *setting,
+static bool check_sensor(const struct image_sensor *sensor, const struct sensor_setting *setting,
                          struct error *error)
 {
     const double most = ldexp(1, SENSOR_MOST_BITS) - 1;
@@ -114,7 +114,7 @@ static bool find_gain(struct sensor_model *model, double per_lux, struct error *
     return true;
 }
 
-bool sensor_open(const struct sensor *sensor, const struct sensor_setting *setting,
+bool sensor_open(const struct image_sensor *sensor, const struct sensor_setting *setting,
                  struct sensor_model *model, struct error *error)
 {
     *model = (struct sensor_model){.sensor = *sensor, .setting = *setting};

@@ -51,7 +51,7 @@ struct sensor_mosaic_traits {
 };
 extern const struct sensor_mosaic_traits sensor_mosaics[SENSOR_MOSAICS];
 
-struct sensor {
+struct image_sensor {
     enum sensor_response response;
     enum sensor_mosaic mosaic;          /* other than NONE only with SENSOR_RGB */
     double pitch;                       /* of the pixels, mm, > 0 */
@@ -67,7 +67,7 @@ struct sensor {
 };
 
 /* A plain one: RGB, pixels of `pitch`, all light becomes electrons at efficiency 0.5, 14 bits. */
-struct sensor sensor_plain(double pitch);
+struct image_sensor sensor_plain(double pitch);
 
 /* How it is used. */
 struct sensor_setting {
@@ -81,7 +81,7 @@ struct sensor_setting {
 
 /* A sensor in use: read-only. */
 struct sensor_model {
-    struct sensor sensor;
+    struct image_sensor sensor;
     struct sensor_setting setting;
     double electrons[SENSOR_CHANNELS]; /* of 1 lx s */
     double dark;                       /* mean electrons in the dark */
@@ -103,7 +103,7 @@ struct sensor_model {
  * Errors    ERROR_DOMAIN naming the number and its range; neither speed nor gain, or both; a
  *           mosaic of what is not RGB
  */
-bool sensor_open(const struct sensor *sensor, const struct sensor_setting *setting,
+bool sensor_open(const struct image_sensor *sensor, const struct sensor_setting *setting,
                  struct sensor_model *model, struct error *error);
 
 /* Where a picture lies in the whole frame: its own pixels have their own noise in any crop. */

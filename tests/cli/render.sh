@@ -48,3 +48,13 @@ ls lost.*
 lenscalc render --lens double-gauss-50 --rays - --blades 5 --samples 4096 -w d --sensor 0.001x0.001mm | awk -F, 'NR > 1 { sum += $10 } END { printf "%.3f\n", sum }'
 lenscalc render chart:points --lens double-gauss-50 -s 1m --blades 2 -o lost.png
 lenscalc render chart:points --lens double-gauss-50 -s 1m --blade-turn 3 -o lost.png
+# a sensor: its noise, mosaic and balance, its numbers
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 16x8 --samples 1 --noise --pitch 4um --read-noise 2 --mosaic rggb -o noise.png 2>&1 | sed 1d
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 16x8 --samples 1 --white tungsten -t 1/1000 -o warm.png 2>&1 | sed 1d
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 16x8 --samples 1 --raw --mosaic gbrg -o raw.png 2>&1 | sed 1d
+grep -ao 'CFA pattern.gbrg' raw.png | tr '\0' ' '
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 16x8 --samples 1 --noise -t 1us --iso 100 --pitch 1um -o dark.png 2>&1 | sed 1d
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 16x8 --samples 1 --noise -t 10s --full-well 100 -o full.png 2>&1 | sed 1d
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --noise -o lost.pfm
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --white blue -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --white auto --raw -o lost.png

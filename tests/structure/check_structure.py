@@ -101,10 +101,7 @@ FOR_TESTS = {
     "srgb_encoded": "",
     "blades_area": "the opening of an iris in closed form",
     "blades_aperture": "its shape by itself",
-    "colour_balance": "the pictures of render stand on it next",
-    "colour_inverse": "", "colour_white": "", "demosaic_bilinear": "", "develop_picture": "",
-    "emulsion_expose": "", "emulsion_print": "",
-    "sensor_codes": "", "sensor_expose": "", "sensor_open": "", "sensor_plain": "",
+    "emulsion_expose": "pictures of render on film stand on it next", "emulsion_print": "",
     # what divided runs stand on
     "digest_add": "", "digest_begin": "", "digest_end": "", "digest_item": "",
     "part_parse": "", "part_range": "", "part_read": "", "part_write": "", "parts_order": "",

@@ -78,7 +78,7 @@ static void test_bradford(void)
 }
 
 /* One colour in lx s, seen by a sensor without noise at ISO 100, and developed. */
-static bool developed(const struct sensor *sensor, const double light[3],
+static bool developed(const struct image_sensor *sensor, const double light[3],
                       const struct develop_way *way, float picture[3])
 {
     const struct sensor_setting setting = {
@@ -113,7 +113,7 @@ static void test_developed(void)
     const struct develop_way plain = {.white = BALANCE_DAYLIGHT, .headroom = DEVELOP_HEADROOM};
     float made[3];
     for (int response = 0; response < SENSOR_RESPONSES; response++) {
-        struct sensor sensor = sensor_plain(0.006);
+        struct image_sensor sensor = sensor_plain(0.006);
         sensor.response = (enum sensor_response)response;
         sensor.bits = 16;
         sensor.black = 512;
@@ -136,7 +136,7 @@ static void test_developed(void)
 
 static void test_balanced(void)
 {
-    const struct sensor sensor = sensor_plain(0.006);
+    const struct image_sensor sensor = sensor_plain(0.006);
     const struct colour_matrix back = colour_inverse(&colour_xyz_of_srgb);
     struct colour lamp = colour_turned(&back, colour_tungsten()), warm;
     struct develop_way way = {.white = BALANCE_TUNGSTEN, .headroom = 1};

@@ -22,9 +22,9 @@ static struct sensor_setting by_speed(double iso)
     return (struct sensor_setting){.iso = iso, .gain = NAN, .temperature = 20, .seed = 9};
 }
 
-static struct sensor mono(void)
+static struct image_sensor mono(void)
 {
-    struct sensor sensor = sensor_plain(0.005);
+    struct image_sensor sensor = sensor_plain(0.005);
     sensor.response = SENSOR_MONO;
     sensor.black = 200;
     return sensor;
@@ -64,7 +64,7 @@ static void moments(const struct image *raw, size_t channel, double *mean, doubl
  */
 static void test_electrons(void)
 {
-    struct sensor sensor = mono();
+    struct image_sensor sensor = mono();
     struct sensor_setting setting = by_speed(100);
     struct sensor_model model;
     CHECK(sensor_open(&sensor, &setting, &model, &error));
@@ -87,7 +87,7 @@ static void test_electrons(void)
 /* What a noiseless pixel says is the rounded mean; ends; a full well below the largest number. */
 static void test_numbers(void)
 {
-    struct sensor sensor = mono();
+    struct image_sensor sensor = mono();
     struct sensor_setting setting = by_gain(0.25);
     setting.noiseless = true;
     struct sensor_model model;
@@ -124,7 +124,7 @@ static void test_numbers(void)
 static void check_noise(double exposure, double read_noise, double gain, double *mean,
                         double *variance)
 {
-    struct sensor sensor = mono();
+    struct image_sensor sensor = mono();
     sensor.read_noise = read_noise;
     sensor.dark_current = 2;
     struct sensor_setting setting = by_gain(gain);
@@ -159,7 +159,7 @@ static void test_noise(void)
 /* Noise belongs to the pixel of the frame, the channel and the seed. */
 static void test_places(void)
 {
-    struct sensor sensor = sensor_plain(0.005);
+    struct image_sensor sensor = sensor_plain(0.005);
     struct sensor_setting setting = by_speed(400);
     sensor.read_noise = 5;
     sensor.black = 64;
@@ -188,7 +188,7 @@ static void test_places(void)
 /* Colours by mosaic, from an odd first pixel too, and the file of raw data. */
 static void test_mosaic(void)
 {
-    struct sensor sensor = sensor_plain(0.005);
+    struct image_sensor sensor = sensor_plain(0.005);
     struct sensor_setting setting = by_gain(0.1);
     setting.noiseless = true;
     sensor.mosaic = MOSAIC_GRBG;
@@ -234,7 +234,7 @@ static void test_demosaic(void)
     }
 }
 
-static void refused(struct sensor sensor, struct sensor_setting setting, const char *word)
+static void refused(struct image_sensor sensor, struct sensor_setting setting, const char *word)
 {
     struct sensor_model model;
     CHECK(!sensor_open(&sensor, &setting, &model, &error) && error.code == ERROR_DOMAIN);
@@ -243,8 +243,8 @@ static void refused(struct sensor sensor, struct sensor_setting setting, const c
 
 static void test_refused(void)
 {
-    const struct sensor plain = sensor_plain(0.005);
-    struct sensor sensor = plain;
+    const struct image_sensor plain = sensor_plain(0.005);
+    struct image_sensor sensor = plain;
     refused(plain, (struct sensor_setting){.iso = NAN, .gain = NAN}, "neither");
     refused(plain, (struct sensor_setting){.iso = 100, .gain = 1}, "not both");
     refused(plain, (struct sensor_setting){.iso = 0, .gain = NAN}, "ISO 0");

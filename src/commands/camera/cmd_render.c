@@ -5,6 +5,11 @@
 #include "commands/photo/photo_lens.h"
 #include "file/image_file.h"
 
+#define RENDER_ELECTRONS(member)                                                                   \
+    OPTION(struct render_input, member), .dimension = &dimension_number, .lowest = 0,              \
+                                         .highest = INFINITY, .flags = OPTION_NO_INFINITY,         \
+                                         .value = "NUMBER"
+
 static const struct option options[] = {
     {OPTION(struct render_input, scene), .name = "scene", .value = "SCENE",
      .flags = OPTION_OPERAND | OPTION_FILE,
@@ -51,6 +56,21 @@ static const struct option options[] = {
      .help = "rays of a pixel and colour, a power of two (64); with --rays rays in all (65536)"},
     {OPTION(struct render_input, bits), .name = "bits", .lowest = 8, .highest = 16, .value = "8|16",
      .help = "bits of a PNG (8)"},
+    {OPTION(struct render_input, noise), .name = "noise", .help = "noise of the photons"},
+    {ANALYSIS_LENGTH(struct render_input, pitch), .name = "pitch", .lowest = 0, .highest = INFINITY,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
+     .help = "of the sensor's pixels, for their noise; default that of the picture's"},
+    {RENDER_ELECTRONS(read_noise), .name = "read-noise",
+     .help = "noise of reading a pixel, standard deviation in electrons"},
+    {RENDER_ELECTRONS(full_well), .name = "full-well", .help = "electrons that a pixel holds"},
+    {RENDER_ELECTRONS(dark_current), .name = "dark-current",
+     .help = "electrons a second in the dark"},
+    {OPTION(struct render_input, mosaic), .name = "mosaic", .words = render_mosaics,
+     .fallback = "none", .value = "NAME", .help = "colours of the pixels of a sensor"},
+    {OPTION(struct render_input, white), .name = "white", .value = "LIGHT",
+     .help = "light that is white in a PNG: daylight, tungsten, auto, 5600K"},
+    {OPTION(struct render_input, raw), .name = "raw",
+     .help = "write the numbers of the sensor, as a PNG of 16 bits"},
     {OPTION(struct render_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
      .fallback = "0", .value = "NUMBER", .help = "another one gives other rays"},
     {OPTION(struct render_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_COMMANDS_CAMERA_RENDER_H
 #define LENSCALC_COMMANDS_CAMERA_RENDER_H
 
+#include "base/image/image.h"
 #include "camera/lens_film.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/photo/photo_options.h"
@@ -18,7 +19,12 @@ struct render_input {
     long blades;                       /* 0 = round */
     double blade_turn, blade_rounding; /* rad; 0..1 */
     int from;                          /* enum distance_from */
-    long samples, seed, threads, bits; /* samples, bits: 0 = not given */
+    bool noise, raw;                   /* of a sensor */
+    int mosaic;                        /* enum sensor_mosaic */
+    const char *white;
+    double pitch;                               /* mm; NaN = that of the picture */
+    double read_noise, full_well, dark_current; /* electrons, and a second; NaN = not given */
+    long samples, seed, threads, bits;          /* samples, bits: 0 = not given */
 };
 
 /* -------- commands/camera/render_case.c -------- */
@@ -42,6 +48,26 @@ struct film_question render_film(const struct render_input *input, const struct 
 
 /* The object before the first vertex of render_open's case, mm; NaN = that of the lens. */
 double render_object(const struct analysis_case *one);
+
+/* -------- commands/camera/render_sensor.c -------- */
+
+extern const struct word render_mosaics[];
+
+/* Is a sensor asked for? */
+bool render_senses(const struct render_input *input);
+
+/* Errors: ERROR_USAGE: no balance of white, or one of raw numbers */
+bool render_check_sensor(const struct render_input *input, struct error *error);
+
+/*
+ * Expose a sensor, and develop what it saw unless its numbers are wanted.
+ *
+ * Given     time   of the exposure, s
+ *           image  light, lx s; receives linear sRGB with white 1, or numbers over 65535
+ * Errors    as sensor_open, sensor_expose, demosaic_bilinear and develop_picture
+ */
+bool render_sense(const struct render_input *input, double time, struct arena *arena,
+                  struct image *image, struct growing *remarks, struct error *error);
 
 /* -------- commands/camera/render_rays.c and render_picture.c -------- */
 

@@ -1,5 +1,6 @@
 /* commands/camera/render_picture.c - a photograph of a card, exposed and written. */
 /* SPDX-License-Identifier: MIT */
+#include "camera/develop.h"
 #include "camera/photograph.h"
 #include "commands/camera/render.h"
 #include "file/image_file.h"
@@ -83,10 +84,15 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
                     "{--samples} %ld: rays of a pixel are a power of two, at most %d", samples,
                     MOST_SAMPLES);
     }
+    if (render_senses(input) && job->type != NULL && strcmp(job->type->ending, ".png") != 0) {
+        return fail(error, ERROR_USAGE,
+                    "what a sensor sees is written as .png; %s holds the light itself",
+                    job->type->ending);
+    }
     if (input->bits != 0 && input->bits != 8 && input->bits != 16) {
         return fail(error, ERROR_USAGE, "{--bits} %ld: a PNG has 8 or 16", input->bits);
     }
-    return read_size(input, &columns, &rows, error);
+    return render_check_sensor(input, error) && read_size(input, &columns, &rows, error);
 }
 
 /* -------- exposed -------- */
@@ -175,19 +181,33 @@ struct picture_job {
 };
 
 static bool write_image(const struct picture_job *picture, struct image *image,
-                        const struct exposure *exposure, struct error *error)
+                        const struct exposure *exposure, struct growing *remarks,
+                        struct error *error)
 {
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
+    struct arena *arena = job->run->arena;
     const struct file_type *type = job->type != NULL ? job->type : image_file_types(0);
-    const struct image_way way = {.bits = input->bits == 0 ? USUAL_BITS : (int)input->bits,
-                                  .values = IMAGE_LIGHT,
-                                  .packed = true};
+    const bool senses = render_senses(input), is_png = strcmp(type->ending, ".png") == 0;
+    const struct image_note *notes = image->notes;
+    const size_t note_count = image->note_count;
+    struct image_way way = {.bits = input->bits == 0 ? USUAL_BITS : (int)input->bits,
+                            .values = IMAGE_LIGHT,
+                            .packed = true};
     struct text bytes;
-    if (strcmp(type->ending, ".png") != 0) {
-        scale(image, exposure->full);
+    scale(image, !is_png || senses ? exposure->full : DEVELOP_HEADROOM);
+    if (senses && !render_sense(input, exposure->time, arena, image, remarks, error)) {
+        return false;
     }
-    if (!image_file_bytes(image, type, &way, job->run->arena, &bytes, error)) {
+    for (size_t i = 0; senses && i < note_count; i++) {
+        note(image, arena, notes[i].key, notes[i].value);
+    }
+    if (input->raw) {
+        way.bits = 16;
+        way.values = IMAGE_CODES;
+    }
+    picture->sink->remarks = growing_done(remarks);
+    if (!image_file_bytes(image, type, &way, arena, &bytes, error)) {
         return false;
     }
     output_text(picture->sink, bytes.start, bytes.length);
@@ -225,8 +245,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
         fail(&job->run->shortfall, ERROR_DOMAIN,
              "interrupted: the picture is incomplete, and black where it is missing");
     }
-    picture->sink->remarks = growing_done(&remarks);
-    return write_image(picture, &photograph.image, &exposure, error);
+    return write_image(picture, &photograph.image, &exposure, &remarks, error);
 }
 
 bool render_picture(const struct artifact_job *job, struct output *sink, struct error *error)
