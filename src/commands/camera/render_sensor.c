@@ -8,12 +8,9 @@
 #include <string.h>
 
 const struct word render_mosaics[] = {
-    {"none", "all colours in every pixel"},
-    {"rggb", NULL},
-    {"bggr", NULL},
-    {"grbg", NULL},
-    {"gbrg", NULL},
-    {NULL, NULL},
+    {"none", "all colours in every pixel"},         {"rggb", "red and green above green and blue"},
+    {"bggr", "blue and green above green and red"}, {"grbg", "green and red above blue and green"},
+    {"gbrg", "green and blue above red and green"}, {NULL, NULL},
 };
 
 static const struct {
