@@ -233,21 +233,28 @@ static const struct {
     {"lossy", reads_lenses, "reads no lenses"},
 };
 
+/* Most names differ in their first letter: every start compares some hundreds of them. */
+static bool is_same(const char *name, const char *other)
+{
+    return name[0] == other[0] && strcmp(name, other) == 0;
+}
+
 static bool overrides(const struct command *command, const struct option *common)
 {
-    size_t i = 0;
-    while (command_option(command, i) != NULL &&
-           strcmp(command_option(command, i)->name, common->name) != 0) {
-        i++;
+    const struct option *own;
+    for (size_t i = 0; (own = command_option(command, i)) != NULL; i++) {
+        if (is_same(own->name, common->name)) {
+            return true;
+        }
     }
-    return command_option(command, i) != NULL;
+    return false;
 }
 
 const char *command_has_no_use(const struct command *command, const struct option *common)
 {
     const char *why = NULL;
     for (size_t i = 0; i < sizeof uses / sizeof uses[0] && why == NULL; i++) {
-        if (strcmp(uses[i].option, common->name) == 0 && !uses[i].is_used(command)) {
+        if (is_same(uses[i].option, common->name) && !uses[i].is_used(command)) {
             why = uses[i].why_not;
         }
     }
