@@ -27,7 +27,7 @@ struct point {
 struct outline {
     bool is_empty, asks_hole, has_hole;
     size_t each;           /* which directions are looked in: all, or every other */
-    double height, centre; /* of the point of the film; y of the pupil's, mm */
+    double height, centre; /* of the point of the film, mm; y of the middle */
     struct point size;     /* half widths */
     struct point edge[HALF + 1];
     struct point hole[FILM_SECTORS / 2 + 1];

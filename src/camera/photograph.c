@@ -167,7 +167,7 @@ static void take_tiles(void *context, const struct parallel_piece *piece)
 
 /* -------- what the picture is of -------- */
 
-/* How far out on the card a point of the film looks, through the middle of its pupil, mm. */
+/* How far out on the card a point of the film looks, through the middle of what is clear, mm. */
 static void look_through(const struct work *work, double x, double y, struct room *room,
                          double at[2])
 {
@@ -176,6 +176,7 @@ static void look_through(const struct work *work, double x, double y, struct roo
     memset(&room->samples, 0, sizeof room->samples);
     room->samples.x[0] = share * x;
     room->samples.y[0] = share * y;
+    room->samples.v[0] = film->region.has_hole ? 0.5 : 0; /* not at the edge of a hole */
     film_rays_start(&film->region, &room->samples, SET_BEST, room->rays.blocks);
     rays_trace(film->systems[0], &room->rays, NULL);
     if (!meet(room->rays.blocks, 0, work->card.distance, at)) {

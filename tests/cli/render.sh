@@ -35,7 +35,7 @@ ls
 lenscalc render chart:foo --lens double-gauss-50 -s 1m -o lost.png
 lenscalc render nowhere.png --lens double-gauss-50 -s 1m -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -o lost.png
-lenscalc render chart:edge --lens double-gauss-50 -s 6cm -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 6cm --size 8x8 --samples 1 -o near.png
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --samples 3 -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 30 -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --bits 12 -o lost.png
@@ -58,3 +58,14 @@ lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 16x8 --samples 1 
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --noise -o lost.pfm
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --white blue -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --white auto --raw -o lost.png
+# what only rays or only pictures take, cards too near, a mirror lens
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --spectrum d:1,F:1 -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --rays lost.csv
+lenscalc render --lens double-gauss-50 --noise --rays lost.csv
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --bits 16 -o lost.pfm
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --bits 8 --raw -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --noise --pitch 1e-6um -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 4cm -o lost.png
+lenscalc render chart:edge --lens asahi-takumar-100 -s 1m -o lost.png
+lenscalc render chart:edge --lens mirror-tele-us5331467 -s 30m --size 8x8 --samples 1 -o mirror.png 2>&1 | sed 's/^[0-9.]* x [0-9.]*/W x H/'
+ls lost.*

@@ -57,8 +57,7 @@ static const struct option options[] = {
     {OPTION(struct render_input, bits), .name = "bits", .lowest = 8, .highest = 16, .value = "8|16",
      .help = "bits of a PNG (8)"},
     {OPTION(struct render_input, noise), .name = "noise", .help = "noise of the photons"},
-    {ANALYSIS_LENGTH(struct render_input, pitch), .name = "pitch", .lowest = 0, .highest = INFINITY,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
+    {ANALYSIS_LENGTH(struct render_input, pitch), .name = "pitch", .lowest = 1e-4, .highest = 100,
      .help = "of the sensor's pixels, for their noise; default that of the picture's"},
     {RENDER_ELECTRONS(read_noise), .name = "read-noise",
      .help = "noise of reading a pixel, standard deviation in electrons"},
@@ -95,12 +94,29 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
     return check_lens(job, error) && render_check_picture(job, error);
 }
 
+/* Rays know nothing of what is photographed, nor of how it is exposed. */
+static bool check_rays(const struct artifact_job *job, struct error *error)
+{
+    static const char *const of_pictures[] = {
+        "scene", "field-width", "luminance", "time",         "iso",    "size",  "bits", "noise",
+        "pitch", "read-noise",  "full-well", "dark-current", "mosaic", "white", "raw",  "threads"};
+    const size_t count = sizeof of_pictures / sizeof of_pictures[0];
+    for (size_t i = 0; i < count && !asking_given(job->asking, "output"); i++) {
+        if (asking_given(job->asking, of_pictures[i])) {
+            return fail(error, ERROR_USAGE,
+                        "{--%s} is of pictures, and {--rays} makes none: {--output} FILE does",
+                        of_pictures[i]);
+        }
+    }
+    return check_lens(job, error);
+}
+
 static const struct artifact artifacts[] = {
     {ARTIFACT_ANSWER(image_file_types), .is_binary = true, .check = check_picture,
      .make = render_picture},
     {ARTIFACT_OPTION("rays", render_ray_types,
                      "write the rays that leave the lens towards the scene"),
-     .check = check_lens, .make = render_rays},
+     .check = check_rays, .make = render_rays},
 };
 
 static const struct example examples[] = {

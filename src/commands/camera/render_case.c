@@ -7,7 +7,8 @@
 /*
  * What the distance says: from the first vertex, mm.
  *
- * Errors    as photo_lens_single, distance_to_principal and conjugates_working_distance
+ * Errors    ERROR_DOMAIN: no stop, a card within the focal length; as photo_lens_single,
+ *           distance_to_principal and conjugates_working_distance
  */
 static bool find_object(const struct render_input *input, struct arena *arena, double *object,
                         struct error *error)
@@ -21,9 +22,20 @@ static bool find_object(const struct render_input *input, struct arena *arena, d
                                                  .from = input->from};
     struct photo_lens lens;
     double s;
-    return photo_lens_single(&question, 0, arena, &lens, error) &&
-           distance_to_principal(lens.f, lens.P, input->distance, &lens.measuring, &s, error) &&
-           conjugates_working_distance(s, lens.measuring.front, object, error);
+    if (input->question.lens.lens->stop == LENS_NONE) {
+        return fail(error, ERROR_DOMAIN, "the lens has no stop: how much light comes is not known");
+    }
+    if (!photo_lens_single(&question, 0, arena, &lens, error) ||
+        !distance_to_principal(lens.f, lens.P, input->distance, &lens.measuring, &s, error)) {
+        return false;
+    }
+    if (s <= lens.f) {
+        return fail(error, ERROR_DOMAIN,
+                    "the card lies %.6g mm before the front principal plane: that must be more "
+                    "than the focal length, %.6g mm",
+                    s, lens.f);
+    }
+    return conjugates_working_distance(s, lens.measuring.front, object, error);
 }
 
 bool render_open(const struct render_input *input, const struct spectrum_value *channels,

@@ -66,6 +66,28 @@ static bool read_scene(const struct render_input *input, struct arena *arena, st
             error_prefix(error, "%.200s: ", input->scene));
 }
 
+/* What only some kinds of files can hold. */
+static bool check_file(const struct artifact_job *job, struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    const bool is_png = job->type == NULL || strcmp(job->type->ending, ".png") == 0;
+    if (input->bits != 0 && !is_png) {
+        return fail(error, ERROR_USAGE, "{--bits} %ld: only a .png has a choice", input->bits);
+    }
+    if (input->raw && input->bits != 0 && input->bits != 16) {
+        return fail(error, ERROR_USAGE, "{--bits} %ld: {--raw} numbers take 16", input->bits);
+    }
+    if (render_senses(input) && !is_png) {
+        return fail(error, ERROR_USAGE,
+                    "what a sensor sees is written as .png; %s holds the light itself",
+                    job->type->ending);
+    }
+    if (input->bits != 0 && input->bits != 8 && input->bits != 16) {
+        return fail(error, ERROR_USAGE, "{--bits} %ld: a PNG has 8 or 16", input->bits);
+    }
+    return true;
+}
+
 bool render_check_picture(const struct artifact_job *job, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
@@ -84,15 +106,13 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
                     "{--samples} %ld: rays of a pixel are a power of two, at most %d", samples,
                     MOST_SAMPLES);
     }
-    if (render_senses(input) && job->type != NULL && strcmp(job->type->ending, ".png") != 0) {
+    if (input->question.spectrum.count > 0) {
         return fail(error, ERROR_USAGE,
-                    "what a sensor sees is written as .png; %s holds the light itself",
-                    job->type->ending);
+                    "{--spectrum} is for {--rays}: a picture has three colours, or one "
+                    "{--wavelength}");
     }
-    if (input->bits != 0 && input->bits != 8 && input->bits != 16) {
-        return fail(error, ERROR_USAGE, "{--bits} %ld: a PNG has 8 or 16", input->bits);
-    }
-    return render_check_sensor(input, error) && read_size(input, &columns, &rows, error);
+    return check_file(job, error) && render_check_sensor(input, error) &&
+           read_size(input, &columns, &rows, error);
 }
 
 /* -------- exposed -------- */
@@ -253,8 +273,7 @@ bool render_picture(const struct artifact_job *job, struct output *sink, struct 
     const struct render_input *input = job->inputs[0];
     struct picture_job picture = {job, sink};
     const struct spectrum_value colours = {"channels", channels, PHOTOGRAPH_CHANNELS};
-    const bool one_colour =
-        input->question.wavelength.name != NULL || input->question.spectrum.count > 0;
+    const bool one_colour = input->question.wavelength.name != NULL;
     return render_open(input, one_colour ? NULL : &colours, job->run->arena, take_picture, &picture,
                        error);
 }
