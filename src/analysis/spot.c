@@ -2,11 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/spot.h"
 
+#include "analysis/quantile.h"
 #include "analysis/spot_radius.h"
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 enum { FIRST_RAYS = 130, MOST_RAYS = 1 << 17 };
 
@@ -22,16 +22,10 @@ struct seeking {
     bool has_chief;
 };
 
-static const size_t ALONE = SIZE_MAX;
-
-/* A ray of the spot, about the origin. */
-struct mark {
-    double at[2], weight, distance;
-    size_t beside[2]; /* marks on its arm, inwards and outwards; ALONE: none */
-};
-
+/* The rays of the spot, and where they are about the origin. */
 struct marks {
-    struct mark *list;
+    struct quantile_mark *list;
+    double (*at)[2];
     size_t count, rays; /* rays: of one wavelength, lost ones too */
     double clear;
     bool has_arms;
@@ -116,11 +110,24 @@ static void link_arm(const struct bundle *bundle, size_t i, bool arrives, size_t
 {
     const size_t arm = i % bundle->arms, last = marks->count - 1;
     const bool begins = i / bundle->arms % bundle->rings == 0;
-    if (arrives && !begins && inner[arm] != ALONE) {
+    if (arrives && !begins && inner[arm] != QUANTILE_ALONE) {
         marks->list[last].beside[0] = inner[arm];
         marks->list[inner[arm]].beside[1] = last;
     }
-    inner[arm] = arrives ? last : ALONE;
+    inner[arm] = arrives ? last : QUANTILE_ALONE;
+}
+
+static void make_room(struct marks *marks, size_t more, struct arena *arena)
+{
+    struct quantile_mark *list = ARENA_ARRAY(arena, marks->count + more, struct quantile_mark);
+    double(*at)[2] = arena_array(arena, marks->count + more, sizeof *at);
+    for (size_t i = 0; i < marks->count; i++) {
+        list[i] = marks->list[i];
+        at[i][0] = marks->at[i][0];
+        at[i][1] = marks->at[i][1];
+    }
+    marks->list = list;
+    marks->at = at;
 }
 
 /* The marks of one wavelength, their weights times `weight`. */
@@ -133,21 +140,18 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
         return false;
     }
     double n = system_index_after(source->system, seeking->plane.to - 1);
-    struct mark *list = ARENA_ARRAY(arena, marks->count + bundle.count, struct mark);
-    for (size_t i = 0; i < marks->count; i++) {
-        list[i] = marks->list[i];
-    }
-    marks->list = list;
+    make_room(marks, bundle.count, arena);
     marks->has_arms = bundle.arms > 0;
     size_t *inner = ARENA_ARRAY(arena, bundle.arms, size_t);
     for (size_t i = 0; i < bundle.count; i++) {
         const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
         const bool arrives = ray_block_status(block, i % RAYS_BLOCK) == RAY_OK;
         if (arrives) {
-            struct mark *mark = &marks->list[marks->count++];
-            spot_place(&seeking->plane, block, i % RAYS_BLOCK, n, mark->at);
-            mark->weight = weight * bundle.points[i].weight;
-            mark->beside[0] = mark->beside[1] = ALONE;
+            spot_place(&seeking->plane, block, i % RAYS_BLOCK, n, marks->at[marks->count]);
+            marks->list[marks->count++] = (struct quantile_mark){
+                .weight = weight * bundle.points[i].weight,
+                .beside = {QUANTILE_ALONE, QUANTILE_ALONE},
+            };
         }
         if (bundle.arms > 0) {
             link_arm(&bundle, i, arrives, inner, marks);
@@ -195,19 +199,20 @@ static void sum_up(struct marks *marks, bool about_chief, struct spot *spot)
 {
     double weight = 0, mean[2] = {0, 0}, square[2] = {0, 0}, widest = 0;
     for (size_t i = 0; i < marks->count; i++) {
-        const struct mark *mark = &marks->list[i];
-        weight += mark->weight;
-        mean[0] += mark->weight * mark->at[0];
-        mean[1] += mark->weight * mark->at[1];
+        const double each = marks->list[i].weight;
+        weight += each;
+        mean[0] += each * marks->at[i][0];
+        mean[1] += each * marks->at[i][1];
     }
     mean[0] /= weight;
     mean[1] /= weight;
     for (size_t i = 0; i < marks->count; i++) {
-        struct mark *mark = &marks->list[i];
-        double x = mark->at[0] - mean[0], y = mark->at[1] - mean[1];
+        struct quantile_mark *mark = &marks->list[i];
+        const double *at = marks->at[i];
+        double x = at[0] - mean[0], y = at[1] - mean[1];
         square[0] += mark->weight * x * x;
         square[1] += mark->weight * y * y;
-        mark->distance = about_chief ? hypot(mark->at[0], mark->at[1]) : hypot(x, y);
+        mark->distance = about_chief ? hypot(at[0], at[1]) : hypot(x, y);
         widest = mark->distance > widest ? mark->distance : widest;
     }
     for (int i = 0; i < 2; i++) {
@@ -222,92 +227,6 @@ static void sum_up(struct marks *marks, bool about_chief, struct spot *spot)
     spot->radius = widest;
     spot->clear = marks->clear;
     spot->rays = marks->rays;
-}
-
-static int by_distance(const void *first, const void *second)
-{
-    double a = ((const struct mark *)first)->distance, b = ((const struct mark *)second)->distance;
-    return (a > b) - (a < b);
-}
-
-/* The distance within which so much of the weight lies; half of each mark's lies before it. */
-static double quantile_of_points(struct marks *marks, double share)
-{
-    double total = 0, before = 0;
-    qsort(marks->list, marks->count, sizeof *marks->list, by_distance);
-    for (size_t i = 0; i < marks->count; i++) {
-        total += marks->list[i].weight;
-    }
-    const struct mark *last = NULL;
-    for (size_t i = 0; i < marks->count; i++) {
-        const struct mark *mark = &marks->list[i];
-        double middle = before + mark->weight / 2;
-        if (middle >= share * total) {
-            double from = last != NULL ? before - last->weight / 2 : 0;
-            double low = last != NULL ? last->distance : 0;
-            return low + (mark->distance - low) * (share * total - from) / (middle - from);
-        }
-        before += mark->weight;
-        last = mark;
-    }
-    return last->distance;
-}
-
-/* Some of the light, evenly spread between two distances. */
-struct piece {
-    double low, high, weight;
-};
-
-/* What a mark stands for on one side: to half-way to its neighbour, or as far the other way. */
-static struct piece piece_of(const struct marks *marks, size_t i, int side)
-{
-    const struct mark *mark = &marks->list[i];
-    const size_t beside = mark->beside[side], other = mark->beside[1 - side];
-    const double here = mark->distance;
-    double end = beside != ALONE  ? (here + marks->list[beside].distance) / 2
-                 : other != ALONE ? fabs(here - (marks->list[other].distance - here) / 2)
-                                  : here;
-    return (struct piece){fmin(here, end), fmax(here, end), mark->weight / 2};
-}
-
-static double share_within(const struct piece *pieces, size_t count, double radius)
-{
-    double sum = 0;
-    for (size_t i = 0; i < count; i++) {
-        const struct piece *piece = &pieces[i];
-        double width = piece->high - piece->low;
-        double part = width > 0 ? (radius - piece->low) / width : radius >= piece->low;
-        sum += piece->weight * fmin(fmax(part, 0), 1);
-    }
-    return sum;
-}
-
-/*
- * The same where rays lie on arms: along each the distance is smooth, and light between two rays
- * lies between their distances. So rings do not show as steps.
- */
-static double quantile_of_arms(const struct marks *marks, double share, struct arena *arena)
-{
-    enum { TURNS = 60 };
-    const size_t count = 2 * marks->count;
-    struct piece *pieces = ARENA_ARRAY(arena, count, struct piece);
-    double total = 0, low = 0, high = 0;
-    for (size_t i = 0; i < count; i++) {
-        pieces[i] = piece_of(marks, i / 2, (int)(i % 2));
-        total += pieces[i].weight;
-        high = fmax(high, pieces[i].high);
-    }
-    double below = -share * total, above = total + below, last = high;
-    for (int turn = 0; turn < TURNS && high - low > 1e-12 * last; turn++) {
-        /* every third turn halves: a secant may come from one side only */
-        double at = turn % 3 == 2 ? (low + high) / 2 : low - below * (high - low) / (above - below);
-        double excess = share_within(pieces, count, at) - share * total;
-        low = excess < 0 ? at : low;
-        below = excess < 0 ? excess : below;
-        high = excess < 0 ? high : at;
-        above = excess < 0 ? above : excess;
-    }
-    return (low + high) / 2;
 }
 
 /* What coordinates may be off by rounding alone. */
@@ -333,9 +252,9 @@ static bool measure(const struct seeking *seeking, size_t rays, struct arena *ar
     }
     sum_up(&marks, seeking->question->about_chief, spot);
     double share = seeking->question->energy;
-    spot->energy_radius = isnan(share)     ? share
-                          : marks.has_arms ? quantile_of_arms(&marks, share, arena)
-                                           : quantile_of_points(&marks, share);
+    spot->energy_radius =
+        isnan(share) ? share
+                     : quantile_of_marks(marks.list, marks.count, marks.has_arms, share, arena);
     arena_reset(arena, mark);
     return true;
 }
@@ -472,11 +391,6 @@ bool spot_points_find(const struct spot_question *question, size_t wavelength, s
         !add_marks(&seeking, wavelength, rays, 1, arena, &marks, error)) {
         return false;
     }
-    double(*at)[2] = arena_array(arena, marks.count, sizeof *at);
-    for (size_t i = 0; i < marks.count; i++) {
-        at[i][0] = marks.list[i].at[0];
-        at[i][1] = marks.list[i].at[1];
-    }
-    *points = (struct spot_points){marks.count, (const double(*)[2])at};
+    *points = (struct spot_points){marks.count, (const double(*)[2])marks.at};
     return true;
 }
