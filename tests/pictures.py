@@ -39,25 +39,31 @@ def unfilter(kind, line, above, step):
             line[i] = line[i] + (left if a <= b and a <= c else up if b <= c else corner) & 255
 
 
-def read(png):
-    """Lines of grey pixels of an 8-bit RGB or RGBA picture."""
+def lines_of(png):
+    """Lines of bytes of a picture as they were before its filter, and bytes a pixel."""
     at, data = 8, b""
     while at < len(png):
         length, name = struct.unpack(">I4s", png[at:at + 8])
         if name == b"IHDR":
             width, height, depth, colour = struct.unpack(">IIBB", png[at + 8:at + 18])
-            assert depth == 8 and colour in (2, 6)
         elif name == b"IDAT":
             data += png[at + 8:at + 8 + length]
         at += length + 12
     data = zlib.decompress(data)
-    step = 3 if colour == 2 else 4
+    step = {0: 1, 2: 3, 4: 2, 6: 4}[colour] * depth // 8
     size = width * step
     above, lines = bytearray(size), []
     for y in range(height):
         start = y * (size + 1)
         line = bytearray(data[start + 1:start + 1 + size])
         unfilter(data[start], line, above, step)
-        lines.append(bytes(min(line[x:x + 3]) for x in range(0, size, step)))
+        lines.append(line)
         above = line
-    return lines
+    return lines, step
+
+
+def read(png):
+    """Lines of grey pixels of an 8-bit RGB or RGBA picture."""
+    lines, step = lines_of(png)
+    assert step in (3, 4)
+    return [bytes(min(line[x:x + 3]) for x in range(0, len(line), step)) for line in lines]

@@ -8,8 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Pixels of a tile: of 128 points of a net in base 2 each has one. */
-enum { ACROSS = 16, DOWN = 8, PIXELS = ACROSS * DOWN };
+enum { ACROSS = PHOTOGRAPH_ACROSS, DOWN = PHOTOGRAPH_DOWN, PIXELS = PHOTOGRAPH_PIXELS };
 _Static_assert(PIXELS == (int)RAYS_BLOCK, "a block of points for a tile");
 
 struct work {
@@ -17,9 +16,9 @@ struct work {
     const struct lens_film *film;
     struct card card;
     struct image *image;
-    size_t tiles_across, tiles;
-    double scale;  /* (n'/n)^2, n of the scene */
-    size_t passes; /* one for all channels where nothing disperses, or one a channel */
+    unsigned char *done; /* of each tile */
+    double scale;        /* (n'/n)^2, n of the scene */
+    size_t passes;       /* one for all channels where nothing disperses, or one a channel */
 };
 
 /* What one thread traces in. */
@@ -67,7 +66,66 @@ static bool meet(const struct ray_block *rays, size_t i, double distance, double
     return rays->lost[i] == 0 && way > 0;
 }
 
-/* -------- tiles -------- */
+/* -------- which tiles -------- */
+
+/* Of the frame, those that the crop lies in. */
+struct tiling {
+    struct image_area crop;
+    size_t frame;     /* tiles across the frame */
+    size_t left, top; /* the first one's column and row among them */
+    size_t across, down;
+};
+
+static struct tiling tiling_of(const struct photograph_question *question)
+{
+    struct tiling tiling = {.crop = question->crop,
+                            .frame = (question->columns + ACROSS - 1) / ACROSS};
+    if (tiling.crop.width == 0) {
+        tiling.crop = (struct image_area){0, 0, question->columns, question->rows};
+    }
+    const struct image_area *crop = &tiling.crop;
+    tiling.left = crop->left / ACROSS;
+    tiling.top = crop->top / DOWN;
+    tiling.across = (crop->left + crop->width + ACROSS - 1) / ACROSS - tiling.left;
+    tiling.down = (crop->top + crop->height + DOWN - 1) / DOWN - tiling.top;
+    return tiling;
+}
+
+/* Where a tile of the crop begins in the frame: column and row of pixels. */
+static void begin_of(const struct tiling *tiling, size_t tile, size_t *column, size_t *row)
+{
+    *column = (tiling->left + tile % tiling->across) * ACROSS;
+    *row = (tiling->top + tile / tiling->across) * DOWN;
+}
+
+/* A tile between a picture and an array by itself, 0 outside the crop. */
+enum photograph_way { TILE_FROM_PICTURE, TILE_TO_PICTURE };
+static void photograph_tile(const struct photograph_question *question, const struct image *image,
+                            size_t tile, enum photograph_way way,
+                            float pixels[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS])
+{
+    const struct tiling tiling = tiling_of(question);
+    const struct image_area *crop = &tiling.crop;
+    size_t column, row;
+    begin_of(&tiling, tile, &column, &row);
+    for (size_t k = 0; k < PIXELS; k++) {
+        const size_t x = column + k % ACROSS, y = row + k / ACROSS;
+        const bool is_within = x >= crop->left && x < crop->left + crop->width && y >= crop->top &&
+                               y < crop->top + crop->height;
+        float *in_picture =
+            is_within ? image_row(image, y - crop->top) + (x - crop->left) * PHOTOGRAPH_CHANNELS
+                      : NULL;
+        for (size_t channel = 0; channel < PHOTOGRAPH_CHANNELS; channel++) {
+            if (way == TILE_FROM_PICTURE) {
+                pixels[k][channel] = is_within ? in_picture[channel] : 0;
+            } else if (is_within) {
+                in_picture[channel] = pixels[k][channel];
+            }
+        }
+    }
+}
+
+/* -------- a tile -------- */
 
 /* The film is upside down: the upper left of the picture lies at +x, -y. */
 static struct film_plan plan_of(const struct work *work, size_t column, size_t row)
@@ -129,27 +187,26 @@ static void sum_tile(const struct work *work, struct film_plan *plan, size_t til
     }
 }
 
+/* Tile `tile` of the crop; its points are those of its place in the frame. */
 static void take_tile(const struct work *work, size_t tile, struct room *room)
 {
     const struct photograph_question *question = work->question;
-    const size_t column = tile % work->tiles_across * ACROSS;
-    const size_t row = tile / work->tiles_across * DOWN;
+    const struct tiling tiling = tiling_of(question);
+    float pixels[PIXELS][PHOTOGRAPH_CHANNELS];
+    size_t column, row;
+    begin_of(&tiling, tile, &column, &row);
     struct film_plan plan = plan_of(work, column, row);
     if (!is_lit(&plan, work->film->region.largest)) {
         return;
     }
-    sum_tile(work, &plan, tile, room);
+    sum_tile(work, &plan, row / DOWN * tiling.frame + column / ACROSS, room);
     for (size_t k = 0; k < PIXELS; k++) {
-        const size_t x = column + k % ACROSS, y = row + k / ACROSS;
-        if (x >= question->columns || y >= question->rows) {
-            continue;
-        }
-        float *pixel = image_row(work->image, y) + x * PHOTOGRAPH_CHANNELS;
         for (size_t channel = 0; channel < PHOTOGRAPH_CHANNELS; channel++) {
-            pixel[channel] =
+            pixels[k][channel] =
                 (float)(work->scale * room->sums[k][channel] / (double)question->samples);
         }
     }
+    photograph_tile(question, work->image, tile, TILE_TO_PICTURE, pixels);
 }
 
 static void take_tiles(void *context, const struct parallel_piece *piece)
@@ -159,10 +216,22 @@ static void take_tiles(void *context, const struct parallel_piece *piece)
     const struct arena_mark mark = arena_mark(piece->arena);
     struct room *room = room_of(piece->arena);
     for (size_t tile = piece->begin; tile < piece->end && !watch_is_ended(watch); tile++) {
-        take_tile(work, tile, room);
-        watch_add(watch, PIXELS);
+        if (work->done[tile] == 0) {
+            take_tile(work, tile, room);
+            work->done[tile] = 1;
+            watch_add(watch, PIXELS);
+        }
     }
     arena_reset(piece->arena, mark);
+}
+
+static size_t count_missing(const struct work *work, size_t tiles)
+{
+    size_t missing = 0;
+    for (size_t i = 0; i < tiles; i++) {
+        missing += work->done[i] == 0;
+    }
+    return missing;
 }
 
 /* -------- what the picture is of -------- */
@@ -239,8 +308,10 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     if (!check_card(question, error) || !lens_film_open(&question->film, arena, &film, error)) {
         return false;
     }
-    *photograph = (struct photograph){.image = {.width = question->columns,
-                                                .height = question->rows,
+    const struct tiling tiling = tiling_of(question);
+    const size_t tiles = tiling.across * tiling.down;
+    *photograph = (struct photograph){.image = {.width = tiling.crop.width,
+                                                .height = tiling.crop.height,
                                                 .channels = PHOTOGRAPH_CHANNELS},
                                       .card = question->card,
                                       .largest = film.region.largest,
@@ -252,21 +323,20 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                         .card = question->card,
                         .image = &photograph->image,
                         .scale = n * n,
-                        .passes = is_alike(&film, wavelengths) ? 1 : PHOTOGRAPH_CHANNELS,
-                        .tiles_across = (question->columns + ACROSS - 1) / ACROSS};
+                        .passes = is_alike(&film, wavelengths) ? 1 : PHOTOGRAPH_CHANNELS};
     struct room *room = room_of(arena);
     if (!size_card(&work, room, &photograph->card, error) ||
         !image_new(&photograph->image, arena, error)) {
         return false;
     }
     work.card = photograph->card;
-    work.tiles = work.tiles_across * ((question->rows + DOWN - 1) / DOWN);
+    work.done = question->done != NULL ? question->done : ARENA_ARRAY(arena, tiles, unsigned char);
     photograph->axis = axis_light(&work, room);
-    watch_begin(question->watch, "pixels", question->columns * question->rows);
+    watch_begin(question->watch, "pixels", PIXELS * count_missing(&work, tiles));
     struct parallel *parallel = ARENA_NEW(arena, struct parallel);
     parallel->threads = question->threads;
-    parallel_pieces(parallel, work.tiles, 4, take_tiles, &work);
+    parallel_pieces(parallel, tiles, 4, take_tiles, &work);
     parallel_free(parallel);
-    photograph->is_incomplete = watch_is_ended(question->watch);
+    photograph->is_incomplete = count_missing(&work, tiles) > 0;
     return true;
 }

@@ -12,25 +12,34 @@
 
 #include <stdint.h>
 
-enum { PHOTOGRAPH_CHANNELS = 3 };
+enum {
+    PHOTOGRAPH_CHANNELS = 3,
+    PHOTOGRAPH_ACROSS = 16, /* pixels of a tile: of 128 points of a net in base 2 each has one */
+    PHOTOGRAPH_DOWN = 8,
+    PHOTOGRAPH_PIXELS = PHOTOGRAPH_ACROSS * PHOTOGRAPH_DOWN
+};
 
 struct photograph_question {
     struct film_question film; /* its setup has one wavelength, or one a channel */
     size_t columns, rows;      /* pixels of it */
+    struct image_area crop;    /* pixels of them that are taken; no width: all */
     size_t samples;            /* rays a pixel and channel: a power of two */
     uint64_t seed;
     int threads;
     /* width 0: as large as the film's corners see; height 0: by its own proportions */
     struct card card;
+    /* One a tile of the crop, in rows from its top left: those that are not 0 are left out, black;
+       others become 1 when they are taken. Null: all are taken */
+    unsigned char *done;
     struct watch *watch; /* null: nobody looks */
 };
 
 struct photograph {
-    struct image image;     /* E/L, sr, of the white of the card; as one looks at it: upright */
+    struct image image;     /* of the crop: E/L, sr, of the white of the card; upright */
     struct card card;       /* with its size */
     double axis;            /* that of a white scene in the middle of the film */
     double largest, corner; /* how far from the axis light arrives, and the film goes, mm */
-    bool is_incomplete;     /* the watch has ended it: pixels are missing, and black */
+    bool is_incomplete;     /* the watch has ended it: tiles are missing, and black */
 };
 
 /*
@@ -41,7 +50,7 @@ struct photograph {
  * Formula   for 16 x 8 pixels at once the first 128 n points of a scrambled Sobol' sequence, of
  *           which each pixel has n where that is a power of two; rays as camera/film_rays.h,
  *           traced exactly, to the plane of the card
- *           No number depends on the threads
+ *           No number depends on the threads, the crop, or what is done already
  * Errors    ERROR_DOMAIN: as lens_film_open; the card within the lens
  */
 bool photograph_take(const struct photograph_question *question, struct arena *arena,

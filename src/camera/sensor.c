@@ -239,14 +239,29 @@ static void note_number(struct image *image, struct arena *arena, const char *ke
     image_note(image, arena, text_of(key), text_of(arena_printf(arena, "%.9g", value)));
 }
 
-void sensor_codes(const struct sensor_model *model, struct image *raw, struct arena *arena)
+/* The mosaic as it looks from a pixel of the frame on. */
+static const char *pattern_from(enum sensor_mosaic mosaic, const struct sensor_place *place)
+{
+    const struct sensor_mosaic_traits *traits = &sensor_mosaics[mosaic], *other = traits;
+    const size_t row = place->row % 2, column = place->column % 2;
+    for (int i = MOSAIC_NONE + 1; i < SENSOR_MOSAICS && mosaic != MOSAIC_NONE; i++) {
+        const bool same = sensor_mosaics[i].channel[0][0] == traits->channel[row][column] &&
+                          sensor_mosaics[i].channel[0][1] == traits->channel[row][1 - column] &&
+                          sensor_mosaics[i].channel[1][0] == traits->channel[1 - row][column];
+        other = same ? &sensor_mosaics[i] : other;
+    }
+    return other->word;
+}
+
+void sensor_codes(const struct sensor_model *model, const struct sensor_place *place,
+                  struct image *raw, struct arena *arena)
 {
     const size_t count = raw->width * raw->height * raw->channels;
     for (size_t i = 0; i < count; i++) {
         raw->pixels[i] = (float)((double)raw->pixels[i] / 65535);
     }
     image_note(raw, arena, text_of("CFA pattern"),
-               text_of(sensor_mosaics[model->sensor.mosaic].word));
+               text_of(pattern_from(model->sensor.mosaic, place)));
     note_number(raw, arena, "Black level", model->sensor.black);
     note_number(raw, arena, "White level", model->white);
     note_number(raw, arena, "Gain", model->gain);

@@ -151,10 +151,13 @@ bool sensor_expose(const struct sensor_model *model, const struct image *light,
 /*
  * Digital numbers as a file of raw data holds them.
  *
- * Given     raw   of sensor_expose; its numbers are divided by 65535 in place, so that a PNG of 16
- *                 bits with IMAGE_CODES has them as they are; noted are "CFA pattern" (the mosaic's
- *                 word, or "none"), "Black level", "White level" and "Gain" in numbers an electron
+ * Given     place  of its first pixel, where the pattern that is noted begins
+ *           raw    of sensor_expose; its numbers are divided by 65535 in place, so that a PNG of 16
+ *                  bits with IMAGE_CODES has them as they are; noted are "CFA pattern" (the
+ *                  mosaic's word, or "none"), "Black level", "White level" and "Gain" in numbers an
+ *                  electron
  */
-void sensor_codes(const struct sensor_model *model, struct image *raw, struct arena *arena);
+void sensor_codes(const struct sensor_model *model, const struct sensor_place *place,
+                  struct image *raw, struct arena *arena);
 
 #endif

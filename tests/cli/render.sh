@@ -68,4 +68,11 @@ lenscalc render chart:edge --lens double-gauss-50 -s 1m --noise --pitch 1e-6um -
 lenscalc render chart:edge --lens double-gauss-50 -s 4cm -o lost.png
 lenscalc render chart:edge --lens asahi-takumar-100 -s 1m -o lost.png
 lenscalc render chart:edge --lens mirror-tele-us5331467 -s 30m --size 8x8 --samples 1 -o mirror.png 2>&1 | sed 's/^[0-9.]* x [0-9.]*/W x H/'
+# part of a picture
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 40x20 --samples 1 --crop 30:10:10x7 -o crop.pfm; head -2 crop.pfm
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 40x20 --crop 31:10:10x7 -o lost.pfm
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --crop 1:2:0x7 -o lost.pfm
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --crop 1,2,3x7 -o lost.pfm
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --crop 1:2:3x7 --white auto -o lost.png
+lenscalc render --lens double-gauss-50 --crop 1:2:3x7 --rays lost.csv
 ls lost.*

@@ -201,9 +201,9 @@ static void test_mosaic(void)
     /* 511.3, 1022.7, 1534.0; the frame's rows begin G R and B G, this one's a column later */
     const float expected[2][4] = {{511, 1023, 511, 1023}, {1023, 1534, 1023, 1534}};
     CHECK(raw.image.channels == 1 && memcmp(raw.image.pixels, expected, sizeof expected) == 0);
-    sensor_codes(&model, &raw.image, arena);
+    sensor_codes(&model, &odd, &raw.image, arena);
     CHECK(rint((double)raw.image.pixels[1] * 65535) == 1023 && raw.image.note_count == 4);
-    CHECK_TEXT(raw.image.notes[0].value, "grbg");
+    CHECK_TEXT(raw.image.notes[0].value, "rggb");
     CHECK_TEXT(raw.image.notes[2].value, "16383");
 }
 

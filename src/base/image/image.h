@@ -28,6 +28,11 @@ struct image {
     size_t note_count;
 };
 
+/* Pixels of a picture: so many to the left of them and above, and so many across and down. */
+struct image_area {
+    size_t left, top, width, height;
+};
+
 /* What the values of a file with whole numbers stand for. */
 enum image_values {
     IMAGE_LIGHT, /* proportional to light, white 1: the file's encoding is undone */

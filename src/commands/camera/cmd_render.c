@@ -51,6 +51,8 @@ static const struct option options[] = {
      .help = "ISO speed, by saturation at 78/ISO lx s"},
     {OPTION(struct render_input, size), .name = "size", .value = "WxH",
      .help = "pixels of the picture; default 480 across"},
+    {OPTION(struct render_input, crop), .name = "crop", .value = "X:Y:WxH",
+     .help = "write W x H of its pixels only, X from the left and Y from the top"},
     {OPTION(struct render_input, samples), .name = "samples", .lowest = 1, .highest = 4e9,
      .value = "COUNT",
      .help = "rays of a pixel and colour, a power of two (64); with --rays rays in all (65536)"},
@@ -98,8 +100,9 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "scene", "field-width", "luminance", "time",         "iso",    "size",  "bits", "noise",
-        "pitch", "read-noise",  "full-well", "dark-current", "mosaic", "white", "raw",  "threads"};
+        "scene",        "field-width", "luminance", "time",  "iso",        "size",
+        "crop",         "bits",        "noise",     "pitch", "read-noise", "full-well",
+        "dark-current", "mosaic",      "white",     "raw",   "threads"};
     const size_t count = sizeof of_pictures / sizeof of_pictures[0];
     for (size_t i = 0; i < count && !asking_given(job->asking, "output"); i++) {
         if (asking_given(job->asking, of_pictures[i])) {

@@ -14,6 +14,7 @@ struct render_input {
     struct analysis_question question;
     struct sensor_value sensor;
     const char *size;                  /* "360x240"; null = 480 pixels wide */
+    const char *crop;                  /* "100:50:64x32"; null = all */
     double distance, field_width;      /* mm; NaN = not given */
     double luminance, time, iso;       /* cd/m^2; s, NaN = not given */
     long blades;                       /* 0 = round */
@@ -49,6 +50,28 @@ struct film_question render_film(const struct render_input *input, const struct 
 /* The object before the first vertex of render_open's case, mm; NaN = that of the lens. */
 double render_object(const struct analysis_case *one);
 
+/* -------- commands/camera/render_frame.c -------- */
+
+/* The pixels of a picture. */
+struct render_frame {
+    size_t columns, rows;    /* of all of it */
+    struct image_area crop;  /* that are wanted, */
+    struct image_area taken; /* and that are needed for them: of a sensor some beside them */
+};
+
+/* Errors: ERROR_USAGE: no size, no crop, one that is not within the picture */
+bool render_frame_read(const struct render_input *input, struct render_frame *frame,
+                       struct error *error);
+
+/*
+ * Leave of a picture what is wanted.
+ *
+ * Given     image   with the pixels that were taken; receives those of the crop
+ * Errors    as image_new
+ */
+bool render_frame_cut(const struct render_frame *frame, struct arena *arena, struct image *image,
+                      struct error *error);
+
 /* -------- commands/camera/render_sensor.c -------- */
 
 extern const struct word render_mosaics[];
@@ -63,10 +86,12 @@ bool render_check_sensor(const struct render_input *input, struct error *error);
  * Expose a sensor, and develop what it saw unless its numbers are wanted.
  *
  * Given     time   of the exposure, s
- *           image  light, lx s; receives linear sRGB with white 1, or numbers over 65535
+ *           frame  of the picture
+ *           image  light of the pixels taken, lx s; receives linear sRGB with white 1, or numbers
+ *                  over 65535
  * Errors    as sensor_open, sensor_expose, demosaic_bilinear and develop_picture
  */
-bool render_sense(const struct render_input *input, double time, struct arena *arena,
+bool render_sense(const struct render_input *input, double time, const struct render_frame *frame,
                   struct image *image, struct growing *remarks, struct error *error);
 
 /* -------- commands/camera/render_rays.c and render_picture.c -------- */

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { USUAL_COLUMNS = 480, USUAL_SAMPLES = 64, MOST_SAMPLES = 1 << 20, USUAL_BITS = 8 };
+enum { USUAL_SAMPLES = 64, MOST_SAMPLES = 1 << 20, USUAL_BITS = 8 };
 
 /* About where the primaries of sRGB lie, um: each channel is traced at one wavelength. */
 static const struct setup_wavelength channels[PHOTOGRAPH_CHANNELS] = {
@@ -21,27 +21,6 @@ static const struct setup_wavelength channels[PHOTOGRAPH_CHANNELS] = {
 #define WHITE_SHARE 0.70710678118654752
 
 /* -------- what is asked -------- */
-
-static bool read_size(const struct render_input *input, size_t *columns, size_t *rows,
-                      struct error *error)
-{
-    const struct sensor *film = &input->sensor.size;
-    if (input->size == NULL) {
-        *columns = USUAL_COLUMNS;
-        *rows = (size_t)fmax(1, round(USUAL_COLUMNS * film->height / film->width));
-        return true;
-    }
-    char *end;
-    const unsigned long across = strtoul(input->size, &end, 10);
-    const bool has_cross = end != input->size && (*end == 'x' || *end == 'X');
-    const unsigned long down = has_cross ? strtoul(end + 1, &end, 10) : 0;
-    *columns = across;
-    *rows = down;
-    return (has_cross && *end == '\0' && across >= 1 && down >= 1 && across <= IMAGE_SIDE_MOST &&
-            down <= IMAGE_SIDE_MOST && strchr(input->size, '-') == NULL) ||
-           fail(error, ERROR_USAGE, "{--size} '%.40s': two whole numbers of 1 to %d, as 360x240",
-                input->size, IMAGE_SIDE_MOST);
-}
 
 /* "chart:edge" or a file with a picture. */
 static bool read_scene(const struct render_input *input, struct arena *arena, struct card *card,
@@ -91,7 +70,7 @@ static bool check_file(const struct artifact_job *job, struct error *error)
 bool render_check_picture(const struct artifact_job *job, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
-    size_t columns, rows;
+    struct render_frame frame;
     if (input->scene == NULL) {
         fail(error, ERROR_USAGE, "what is to be photographed is not said");
         return error_hint(error, "a picture (card.png), or chart:edge, chart:star and the like");
@@ -112,7 +91,7 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
                     "{--wavelength}");
     }
     return check_file(job, error) && render_check_sensor(input, error) &&
-           read_size(input, &columns, &rows, error);
+           render_frame_read(input, &frame, error);
 }
 
 /* -------- exposed -------- */
@@ -168,6 +147,9 @@ static void add_notes(const struct analysis_case *one, const struct render_input
     note(image, arena, "ISO", arena_printf(arena, "%.6g", exposure->iso));
     note(image, arena, "White", arena_printf(arena, "%.6g cd/m2", exposure->luminance));
     note(image, arena, "Seed", arena_printf(arena, "%ld", input->seed));
+    if (input->crop != NULL) {
+        note(image, arena, "Crop", input->crop);
+    }
 }
 
 static void add_remarks(const struct photograph *photograph, const struct exposure *exposure,
@@ -198,6 +180,7 @@ static void add_remarks(const struct photograph *photograph, const struct exposu
 struct picture_job {
     const struct artifact_job *job;
     struct output *sink;
+    struct render_frame frame;
 };
 
 static bool write_image(const struct picture_job *picture, struct image *image,
@@ -216,7 +199,7 @@ static bool write_image(const struct picture_job *picture, struct image *image,
                             .packed = true};
     struct text bytes;
     scale(image, !is_png || senses ? exposure->full : DEVELOP_HEADROOM);
-    if (senses && !render_sense(input, exposure->time, arena, image, remarks, error)) {
+    if (senses && !render_sense(input, exposure->time, &picture->frame, image, remarks, error)) {
         return false;
     }
     for (size_t i = 0; senses && i < note_count; i++) {
@@ -227,7 +210,8 @@ static bool write_image(const struct picture_job *picture, struct image *image,
         way.values = IMAGE_CODES;
     }
     picture->sink->remarks = growing_done(remarks);
-    if (!image_file_bytes(image, type, &way, arena, &bytes, error)) {
+    if (!render_frame_cut(&picture->frame, arena, image, error) ||
+        !image_file_bytes(image, type, &way, arena, &bytes, error)) {
         return false;
     }
     output_text(picture->sink, bytes.start, bytes.length);
@@ -236,10 +220,11 @@ static bool write_image(const struct picture_job *picture, struct image *image,
 
 static bool take_picture(const struct analysis_case *one, void *context, struct error *error)
 {
-    const struct picture_job *picture = context;
+    struct picture_job *picture = context;
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
+    struct render_frame *frame = &picture->frame;
     struct photograph_question question = {
         .film = render_film(input, one),
         .samples = input->samples == 0 ? USUAL_SAMPLES : (size_t)input->samples,
@@ -249,8 +234,13 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
                  .width = isnan(input->field_width) ? 0 : input->field_width},
         .watch = job->run->watch};
     struct photograph photograph;
-    if (!read_size(input, &question.columns, &question.rows, error) ||
-        !read_scene(input, arena, &question.card, error) ||
+    if (!render_frame_read(input, frame, error)) {
+        return false;
+    }
+    question.columns = frame->columns;
+    question.rows = frame->rows;
+    question.crop = frame->taken;
+    if (!read_scene(input, arena, &question.card, error) ||
         !photograph_take(&question, arena, &photograph, error)) {
         return false;
     }
@@ -271,7 +261,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
 bool render_picture(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
-    struct picture_job picture = {job, sink};
+    struct picture_job picture = {.job = job, .sink = sink};
     const struct spectrum_value colours = {"channels", channels, PHOTOGRAPH_CHANNELS};
     const bool one_colour = input->question.wavelength.name != NULL;
     return render_open(input, one_colour ? NULL : &colours, job->run->arena, take_picture, &picture,

@@ -56,7 +56,12 @@ bool render_check_sensor(const struct render_input *input, struct error *error)
                     "{--raw} and {--white} exclude each other: raw numbers "
                     "have no white balance");
     }
-    return read_white(input->white, &way, error);
+    if (!read_white(input->white, &way, error)) {
+        return false;
+    }
+    return way.white != BALANCE_AUTO || input->crop == NULL ||
+           fail(error, ERROR_USAGE,
+                "{--white} auto is the mean of a whole picture, which a {--crop} does not have");
 }
 
 static double or_else(double given, double usual)
@@ -90,17 +95,18 @@ static void add_remarks(const struct sensor_model *model, const struct sensor_ra
     }
 }
 
-bool render_sense(const struct render_input *input, double time, struct arena *arena,
+bool render_sense(const struct render_input *input, double time, const struct render_frame *frame,
                   struct image *image, struct growing *remarks, struct error *error)
 {
-    const struct image_sensor sensor = sensor_of(input, image->width);
+    struct arena *arena = remarks->arena;
+    const struct image_sensor sensor = sensor_of(input, frame->columns);
     const struct sensor_setting setting = {.iso = input->iso,
                                            .gain = NAN,
                                            .time = time,
                                            .temperature = sensor.dark_temperature,
                                            .noiseless = !input->noise && isnan(input->read_noise),
                                            .seed = (uint64_t)input->seed};
-    const struct sensor_place place = {0, 0, image->width};
+    const struct sensor_place place = {frame->taken.left, frame->taken.top, frame->columns};
     struct sensor_model model;
     struct sensor_raw raw;
     struct develop_way way;
@@ -113,7 +119,7 @@ bool render_sense(const struct render_input *input, double time, struct arena *a
     add_remarks(&model, &raw, remarks);
     struct image sensed = raw.image;
     if (input->raw) {
-        sensor_codes(&model, &sensed, arena);
+        sensor_codes(&model, &place, &sensed, arena);
     } else {
         if (sensor.mosaic != MOSAIC_NONE) {
             if (!demosaic_bilinear(&raw.image, sensor.mosaic, &place, arena, &full, error)) {

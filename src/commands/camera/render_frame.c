@@ -1,0 +1,115 @@
+/* commands/camera/render_frame.c - the pixels of a picture: how many, and which of them. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { USUAL_COLUMNS = 480, CROP_NUMBERS = 4 };
+
+/* Around a crop: what is interpolated in a mosaic needs the pixels beside it. */
+enum { MARGIN = 2 };
+
+static bool read_size(const struct render_input *input, struct render_frame *frame,
+                      struct error *error)
+{
+    const struct sensor *film = &input->sensor.size;
+    if (input->size == NULL) {
+        frame->columns = USUAL_COLUMNS;
+        frame->rows = (size_t)fmax(1, round(USUAL_COLUMNS * film->height / film->width));
+        return true;
+    }
+    char *end;
+    const unsigned long across = strtoul(input->size, &end, 10);
+    const bool has_cross = end != input->size && (*end == 'x' || *end == 'X');
+    const unsigned long down = has_cross ? strtoul(end + 1, &end, 10) : 0;
+    frame->columns = across;
+    frame->rows = down;
+    return (has_cross && *end == '\0' && across >= 1 && down >= 1 && across <= IMAGE_SIDE_MOST &&
+            down <= IMAGE_SIDE_MOST && strchr(input->size, '-') == NULL) ||
+           fail(error, ERROR_USAGE, "{--size} '%.40s': two whole numbers of 1 to %d, as 360x240",
+                input->size, IMAGE_SIDE_MOST);
+}
+
+/* "100:50:64x32" */
+static bool read_area(const char *text, struct image_area *area)
+{
+    static const char separators[CROP_NUMBERS] = {':', ':', 'x', '\0'};
+    size_t *const numbers[CROP_NUMBERS] = {&area->left, &area->top, &area->width, &area->height};
+    for (int i = 0; i < CROP_NUMBERS; i++) {
+        char *end;
+        const unsigned long number = strtoul(text, &end, 10);
+        if (!char_is_digit(*text) || number > IMAGE_SIDE_MOST ||
+            (separators[i] == 'x' ? *end != 'x' && *end != 'X' : *end != separators[i])) {
+            return false;
+        }
+        *numbers[i] = number;
+        text = end + 1;
+    }
+    return true;
+}
+
+static bool read_crop(const struct render_input *input, struct render_frame *frame,
+                      struct error *error)
+{
+    struct image_area *crop = &frame->crop;
+    *crop = (struct image_area){0, 0, frame->columns, frame->rows};
+    if (input->crop == NULL) {
+        return true;
+    }
+    if (!read_area(input->crop, crop) || crop->width < 1 || crop->height < 1) {
+        return fail(error, ERROR_USAGE,
+                    "{--crop} '%.40s': pixels to its left and above it, then its size, as "
+                    "100:50:64x32",
+                    input->crop);
+    }
+    return (crop->left + crop->width <= frame->columns &&
+            crop->top + crop->height <= frame->rows) ||
+           fail(error, ERROR_USAGE, "{--crop} %.40s: the picture has %zux%zu pixels", input->crop,
+                frame->columns, frame->rows);
+}
+
+static size_t less(size_t number, size_t by)
+{
+    return number > by ? number - by : 0;
+}
+
+bool render_frame_read(const struct render_input *input, struct render_frame *frame,
+                       struct error *error)
+{
+    if (!read_size(input, frame, error) || !read_crop(input, frame, error)) {
+        return false;
+    }
+    const struct image_area *crop = &frame->crop;
+    const size_t margin = render_senses(input) && !input->raw ? MARGIN : 0;
+    struct image_area *taken = &frame->taken;
+    *taken = (struct image_area){less(crop->left, margin), less(crop->top, margin), 0, 0};
+    const size_t right = crop->left + crop->width + margin;
+    const size_t bottom = crop->top + crop->height + margin;
+    taken->width = (right < frame->columns ? right : frame->columns) - taken->left;
+    taken->height = (bottom < frame->rows ? bottom : frame->rows) - taken->top;
+    return true;
+}
+
+bool render_frame_cut(const struct render_frame *frame, struct arena *arena, struct image *image,
+                      struct error *error)
+{
+    const struct image_area *crop = &frame->crop;
+    struct image cut = *image;
+    cut.width = crop->width;
+    cut.height = crop->height;
+    if (cut.width == image->width && cut.height == image->height) {
+        return true;
+    }
+    if (!image_new(&cut, arena, error)) {
+        return false;
+    }
+    for (size_t y = 0; y < cut.height; y++) {
+        memcpy(image_row(&cut, y),
+               image_row(image, y + crop->top - frame->taken.top) +
+                   (crop->left - frame->taken.left) * image->channels,
+               cut.width * cut.channels * sizeof(float));
+    }
+    *image = cut;
+    return true;
+}
