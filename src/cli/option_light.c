@@ -217,10 +217,14 @@ static bool read_film(const struct reader *reader, const struct option *option, 
     double speed = lensdb_film_speed(&film, text);
     *(struct film_value *)member = (struct film_value){
         .model = model,
-        .name = arena_printf(reader->arena, "%.*s %.*s", (int)film.maker.length, film.maker.start,
-                             (int)film.name.length, film.name.start),
+        .name =
+            arena_printf(reader->arena, "%.*s%s%.*s", (int)film.maker.length, film.maker.start,
+                         film.maker.length > 0 ? " " : "", (int)film.name.length, film.name.start),
         .source = join(reader, film.status, film.source),
         .speed = speed,
+        .type = film.type.length > 0
+                    ? arena_printf(reader->arena, "%.*s", (int)film.type.length, film.type.start)
+                    : NULL,
         .speed_note = !isnan(speed)
                           ? arena_printf(reader->arena, "ISO %.6g, the film's box speed", speed)
                           : join_speeds(reader, film.speeds)};

@@ -21,6 +21,7 @@ struct film_value {
     const struct reciprocity *model; /* null = not given */
     const char *name, *source;
     double speed;           /* ISO, of the box; NaN = several, or not known */
+    const char *type;       /* "panchromatic", "colour negative"; null = not known */
     const char *speed_note; /* "ISO 400, the film's box speed"; of several: which; else null */
 };
 

@@ -27,13 +27,14 @@ enum {
     FILM_SOURCE,
     FILM_NOTE,
     FILM_ISO,
-    FILM_ALIASES
+    FILM_ALIASES,
+    FILM_TYPE
 };
 static const struct layout films = {"films.tsv",
                                     4,
-                                    11,
+                                    12,
                                     {"film", "model", "parameters", "onset_s", "valid_to_s",
-                                     "maker", "status", "source", "note", "iso", "aliases"}};
+                                     "maker", "status", "source", "note", "iso", "aliases", "type"}};
 
 enum { SCENE_NAME, SCENE_EV100, SCENE_SCENE, SCENE_CONFIDENCE, SCENE_SOURCE, SCENE_ALIASES };
 static const struct layout scenes = {
@@ -119,6 +120,7 @@ bool lensdb_films_next(struct lensdb_facts *facts, struct lensdb_film *film, str
                                  .source = cell_of(facts, FILM_SOURCE),
                                  .note = cell_of(facts, FILM_NOTE),
                                  .speeds = cell_of(facts, FILM_ISO),
+                                 .type = cell_of(facts, FILM_TYPE),
                                  .place = facts->place,
                                  .file = facts->tsv.source,
                                  .line = facts->tsv.line};

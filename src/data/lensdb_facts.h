@@ -6,7 +6,7 @@
 #include "data/lensdb.h"
 #include "photo/reciprocity.h"
 
-enum { LENSDB_FACT_COLUMNS = 11 };
+enum { LENSDB_FACT_COLUMNS = 12 };
 
 /* A table of facts being read. */
 struct lensdb_facts {
@@ -23,6 +23,7 @@ struct lensdb_film {
     double onset, valid_to;        /* s; valid_to is NaN where none is stated */
     struct text status, source, note;
     struct text speeds; /* ISO, of the box; several with blanks between; empty where not stated */
+    struct text type;   /* "panchromatic", "colour negative"; empty where not stated */
     enum lensdb_place place;
     const char *file; /* where it stands, for messages */
     long line;

@@ -44,7 +44,7 @@ COLUMNS = {
     "shutters.tsv": "series step label note",
     "iso.tsv": "series step label din note",
     "scenes.tsv": "name aliases ev100 scene confidence source",
-    "films.tsv": "maker film aliases iso model parameters onset_s valid_to_s status source note",
+    "films.tsv": "maker film aliases iso type model parameters onset_s valid_to_s status source note",
     "filters.tsv": "name aliases kind factor stops mired confidence source",
     "lines.tsv": "name nm element note",
     "glass_aliases.tsv": "alias material",
@@ -307,9 +307,14 @@ def aliased(rows, name):
             for word in [row[name]] + ([] if row["aliases"] == "-" else row["aliases"].split(","))]
 
 
+FILM_TYPES = ("panchromatic", "orthochromatic", "colour negative", "colour reversal")
+
+
 def check_films(path, rows):
     for line, row in rows:
         faults = film_faults(row)
+        if row["type"] not in FILM_TYPES:
+            faults.append(f"type '{row['type']}' is none of {', '.join(FILM_TYPES)}")
         onset, last = number(row["onset_s"]), number(row["valid_to_s"])
         if onset is not None and last is not None and last < onset:
             faults.append("valid_to_s is before onset_s")

@@ -19,7 +19,7 @@
     }
 
 struct film_row {
-    const char *film, *maker, *aliases, *speeds, *model, *confidence, *source, *note, *place;
+    const char *film, *maker, *aliases, *speeds, *type, *model, *confidence, *source, *note, *place;
     double onset, longest, at_1, at_10, at_100;
 };
 
@@ -31,6 +31,8 @@ static const struct column film_columns[] = {
      .help = "other names of the film"},
     {COLUMN(struct film_row, speeds), .name = "iso", .flags = COLUMN_BRIEF, .label = "ISO",
      .help = "speed on the box; several where the row is for several films"},
+    {COLUMN(struct film_row, type), .name = "type", .label = "type",
+     .help = "panchromatic, orthochromatic, colour negative or colour reversal"},
     {TIME(struct film_row, onset), .name = "onset", .flags = COLUMN_ECHO, .label = "onset",
      .help = "no correction up to here"},
     {TIME(struct film_row, longest), .name = "longest", .flags = COLUMN_INFINITE | COLUMN_ECHO,
@@ -88,6 +90,7 @@ static bool list_film(struct list *list, const struct lensdb_film *film, struct 
         .maker = list_string(list, film->maker),
         .aliases = list_string(list, film->aliases),
         .speeds = list_string(list, film->speeds),
+        .type = list_string(list, film->type),
         .model = model_words(list, &model),
         .confidence = list_string(list, film->status),
         .source = list_string(list, film->source),
