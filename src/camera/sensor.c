@@ -4,11 +4,15 @@
 
 #include "base/exponential.h"
 #include "base/normal.h"
+#include "base/parallel.h"
 #include "base/poisson.h"
 #include "base/random.h"
 #include "photo/sensitometry.h"
 
 #include <math.h>
+
+/* that a thread takes at once */
+enum { ROWS = 4 };
 
 static const struct colour_matrix unchanged = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
@@ -190,16 +194,28 @@ bool sensor_check_light(const struct image *light, struct error *error)
     return image_check(light, IMAGE_POSITIVE, error);
 }
 
-static void expose_pixel(const struct sensor_model *model, const struct image *light, size_t x,
-                         size_t y, const struct sensor_place *place, struct sensor_raw *raw)
+/* What sensor_expose has in common for all rows. */
+struct exposing {
+    const struct sensor_model *model;
+    const struct image *light;
+    const struct sensor_place *place;
+    const struct image *image; /* receives numbers */
+    struct sensor_sums *rows;  /* and what is counted of each row */
+};
+
+static void expose_pixel(const struct exposing *exposing, size_t x, size_t y)
 {
+    const struct sensor_model *model = exposing->model;
+    const struct sensor_place *place = exposing->place;
+    const struct image *light = exposing->light;
+    struct sensor_sums *sums = &exposing->rows[y];
     const size_t column = place->column + x, row = place->row + y;
     const uint64_t pixel = (uint64_t)row * place->width + column;
     const float *from = image_row(light, y) + x * light->channels;
-    float *to = image_row(&raw->image, y) + x * raw->image.channels;
+    float *to = image_row(exposing->image, y) + x * exposing->image->channels;
     const bool mosaic = model->sensor.mosaic != MOSAIC_NONE;
     const struct sensor_response_traits *response = &sensor_responses[model->sensor.response];
-    for (size_t k = 0; k < raw->image.channels; k++) {
+    for (size_t k = 0; k < exposing->image->channels; k++) {
         const size_t channel =
             mosaic ? sensor_mosaics[model->sensor.mosaic].channel[row % 2][column % 2] : k;
         const double mean =
@@ -207,10 +223,34 @@ static void expose_pixel(const struct sensor_model *model, const struct image *l
             model->electrons[channel];
         bool saturated;
         to[k] = (float)digital(model, mean + model->dark, pixel, (uint32_t)channel, &saturated);
-        raw->values++;
-        raw->saturated += saturated;
-        raw->brightest = fmax(raw->brightest, mean);
+        sums->values++;
+        sums->saturated += saturated;
+        sums->brightest = fmax(sums->brightest, mean);
+        sums->darkest = fmin(sums->darkest, mean);
     }
+}
+
+static void expose_rows(void *context, size_t begin, size_t end)
+{
+    const struct exposing *exposing = context;
+    for (size_t y = begin; y < end; y++) {
+        exposing->rows[y] = (struct sensor_sums){.darkest = (double)INFINITY};
+        for (size_t x = 0; x < exposing->light->width; x++) {
+            expose_pixel(exposing, x, y);
+        }
+    }
+}
+
+static struct sensor_sums add_rows(const struct sensor_sums *rows, size_t count)
+{
+    struct sensor_sums all = {.darkest = (double)INFINITY};
+    for (size_t y = 0; y < count; y++) {
+        all.values += rows[y].values;
+        all.saturated += rows[y].saturated;
+        all.brightest = fmax(all.brightest, rows[y].brightest);
+        all.darkest = fmin(all.darkest, rows[y].darkest);
+    }
+    return all;
 }
 
 bool sensor_expose(const struct sensor_model *model, const struct image *light,
@@ -226,11 +266,13 @@ bool sensor_expose(const struct sensor_model *model, const struct image *light,
     if (!sensor_check_light(light, error) || !image_new(&raw->image, arena, error)) {
         return false;
     }
-    for (size_t y = 0; y < light->height; y++) {
-        for (size_t x = 0; x < light->width; x++) {
-            expose_pixel(model, light, x, y, place, raw);
-        }
-    }
+    struct exposing exposing = {.model = model,
+                                .light = light,
+                                .place = place,
+                                .image = &raw->image,
+                                .rows = ARENA_ARRAY(arena, light->height, struct sensor_sums)};
+    parallel_for(model->setting.threads, light->height, ROWS, expose_rows, &exposing);
+    raw->sums = add_rows(exposing.rows, light->height);
     return true;
 }
 

@@ -77,6 +77,7 @@ struct sensor_setting {
     double temperature; /* of the sensor, deg C */
     bool noiseless;     /* means in place of chance: quantisation stays */
     uint64_t seed;
+    int threads; /* that expose it; no number depends on them */
 };
 
 /* A sensor in use: read-only. */
@@ -112,11 +113,15 @@ struct sensor_place {
     size_t width;       /* of the frame, pixels */
 };
 
-/* What a sensor made; the rest is for warnings. */
+/* What there is to warn of. */
+struct sensor_sums {
+    size_t values, saturated;  /* numbers made; those that are the largest, or of a full well */
+    double brightest, darkest; /* largest and smallest mean of electrons made by light */
+};
+
 struct sensor_raw {
     struct image image;
-    size_t values, saturated; /* numbers made; those that are the largest, or of a full well */
-    double brightest;         /* largest mean of electrons made by light */
+    struct sensor_sums sums;
 };
 
 /*

@@ -97,21 +97,22 @@ static void test_numbers(void)
           sensor_expose(&model, &light, &whole, arena, &raw, &error));
     /* 200 + 0.25 5113.3355 = 1478.3339 */
     CHECK(raw.image.channels == 1 && raw.image.pixels[0] == 1478 && raw.image.pixels[15] == 1478);
-    CHECK(raw.values == 16 && raw.saturated == 0);
-    CHECK_RELATIVE(raw.brightest, 5113.335494, 1e-6, "brightest");
+    CHECK(raw.sums.values == 16 && raw.sums.saturated == 0);
+    CHECK_RELATIVE(raw.sums.brightest, 5113.335494, 1e-6, "brightest");
+    CHECK_RELATIVE(raw.sums.darkest, 5113.335494, 1e-6, "darkest");
     light = even(4, 4, 2, 2, 2); /* 102267 electrons: beyond 14 bits */
     CHECK(sensor_expose(&model, &light, &whole, arena, &raw, &error));
-    CHECK(raw.image.pixels[0] == 16383 && raw.saturated == 16);
+    CHECK(raw.image.pixels[0] == 16383 && raw.sums.saturated == 16);
     sensor.full_well = 30000;
     CHECK(sensor_open(&sensor, &setting, &model, &error) &&
           sensor_expose(&model, &light, &whole, arena, &raw, &error));
-    CHECK(raw.image.pixels[0] == 7700 && raw.saturated == 16);
+    CHECK(raw.image.pixels[0] == 7700 && raw.sums.saturated == 16);
     CHECK_RELATIVE(model.saturation, 30000 / 51133.35494, 1e-9, "of the full well");
     light = even(4, 4, 3e38, 3e38, 3e38);
     setting.noiseless = false;
     CHECK(sensor_open(&sensor, &setting, &model, &error) &&
           sensor_expose(&model, &light, &whole, arena, &raw, &error));
-    CHECK(raw.image.pixels[7] == 7700 && raw.saturated == 16);
+    CHECK(raw.image.pixels[7] == 7700 && raw.sums.saturated == 16);
     /* luminous exposure of pure red, green, blue: the weights of IEC 61966-2-1 */
     setting.noiseless = true;
     CHECK(sensor_open(&sensor, &setting, &model, &error));
@@ -183,6 +184,10 @@ static void test_places(void)
         }
     }
     CHECK(equal == 105 && equal_seeds < 10 && equal_channels < 10);
+    model.setting.threads = 3;
+    CHECK(sensor_expose(&model, &light, &frame, arena, &reseeded, &error));
+    CHECK(memcmp(raw.image.pixels, reseeded.image.pixels, 3600 * sizeof(float)) == 0);
+    CHECK(raw.sums.values == 3600 && reseeded.sums.values == 3600);
 }
 
 /* Colours by mosaic, from an odd first pixel too, and the file of raw data. */

@@ -86,12 +86,17 @@ static void add_remarks(const struct sensor_model *model, const struct sensor_ra
     growing_format(remarks,
                    "%.4g electrons saturate a pixel of %.4g um, %.3g numbers an electron\n",
                    model->clip, 1000 * model->sensor.pitch, model->gain);
-    if (raw->saturated == raw->values) {
-        growing_format(remarks, "warning: every pixel is saturated\n");
+    const struct sensor_sums *sums = &raw->sums;
+    if (sums->saturated == sums->values) {
+        growing_format(remarks,
+                       "warning: every pixel is saturated: %.3g electrons in the darkest one\n",
+                       sums->darkest + model->dark);
     }
-    if (raw->brightest < 1) {
-        growing_format(remarks, "warning: the brightest pixel has %.2g electrons\n",
-                       raw->brightest);
+    if (sums->brightest < 1 && sums->brightest > 0) {
+        growing_format(remarks,
+                       "warning: the brightest pixel has %.2g electrons: it takes %.3g times the "
+                       "time or the light for one\n",
+                       sums->brightest, 1 / sums->brightest);
     }
 }
 
@@ -105,7 +110,8 @@ bool render_sense(const struct render_input *input, double time, const struct re
                                            .time = time,
                                            .temperature = sensor.dark_temperature,
                                            .noiseless = !input->noise && isnan(input->read_noise),
-                                           .seed = (uint64_t)input->seed};
+                                           .seed = (uint64_t)input->seed,
+                                           .threads = parallel_threads(input->threads)};
     const struct sensor_place place = {frame->taken.left, frame->taken.top, frame->columns};
     struct sensor_model model;
     struct sensor_raw raw;
