@@ -3,9 +3,13 @@
 #include "camera/emulsion.h"
 
 #include "base/normal.h"
+#include "base/parallel.h"
 #include "base/random.h"
 
 #include <math.h>
+
+/* that a thread takes at once */
+enum { ROWS = 4 };
 
 static double density_of(const struct emulsion *film, double H, uint64_t pixel)
 {
@@ -19,6 +23,29 @@ static double density_of(const struct emulsion *film, double H, uint64_t pixel)
     return fmax(0, density + deviation * normal_quantile(random_unit_of(words.w[0], words.w[1])));
 }
 
+/* What emulsion_expose has in common for all rows. */
+struct exposing {
+    const struct emulsion *film;
+    const struct image *light;
+    const struct sensor_place *place;
+    const struct image *density; /* receives densities */
+};
+
+static void expose_rows(void *context, size_t begin, size_t end)
+{
+    const struct exposing *exposing = context;
+    const struct sensor_place *place = exposing->place;
+    const struct image *light = exposing->light;
+    for (size_t y = begin; y < end; y++) {
+        const uint64_t row = (uint64_t)(place->row + y) * place->width + place->column;
+        for (size_t x = 0; x < light->width; x++) {
+            const float *pixel = image_row(light, y) + x * light->channels;
+            const double H = sensor_luminous(pixel, light->channels);
+            image_row(exposing->density, y)[x] = (float)density_of(exposing->film, H, row + x);
+        }
+    }
+}
+
 bool emulsion_expose(const struct emulsion *film, const struct image *light,
                      const struct sensor_place *place, struct arena *arena, struct image *density,
                      struct error *error)
@@ -27,14 +54,8 @@ bool emulsion_expose(const struct emulsion *film, const struct image *light,
     if (!sensor_check_light(light, error) || !image_new(density, arena, error)) {
         return false;
     }
-    for (size_t y = 0; y < light->height; y++) {
-        const uint64_t row = (uint64_t)(place->row + y) * place->width + place->column;
-        for (size_t x = 0; x < light->width; x++) {
-            const float *pixel = image_row(light, y) + x * light->channels;
-            const double H = sensor_luminous(pixel, light->channels);
-            image_row(density, y)[x] = (float)density_of(film, H, row + x);
-        }
-    }
+    struct exposing exposing = {film, light, place, density};
+    parallel_for(film->threads, light->height, ROWS, expose_rows, &exposing);
     return true;
 }
 

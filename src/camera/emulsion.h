@@ -11,6 +11,7 @@ struct emulsion {
     double granularity; /* rms, as characteristic_grain takes it; 0: none */
     double pitch;       /* of the pixels, mm */
     uint64_t seed;
+    int threads; /* that expose it; no density depends on them */
 };
 
 /*

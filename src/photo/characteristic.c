@@ -85,6 +85,11 @@ bool characteristic_open(const struct negative *negative, struct characteristic 
                 negative->base, negative->most, negative->toe);
 }
 
+double characteristic_speed_point(const struct characteristic *curve)
+{
+    return SPEED_CONSTANT / curve->negative.speed;
+}
+
 double characteristic_density(const struct characteristic *curve, double H)
 {
     return H > 0 ? density_at(curve, log10(H)) : curve->negative.base;

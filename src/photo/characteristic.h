@@ -41,6 +41,9 @@ struct characteristic {
 bool characteristic_open(const struct negative *negative, struct characteristic *curve,
                          struct error *error);
 
+/* The exposure of the speed point, 0.8/S, lx s. */
+double characteristic_speed_point(const struct characteristic *curve);
+
 /* Density at an exposure H >= 0, lx s; at 0 the base. */
 double characteristic_density(const struct characteristic *curve, double H);
 

@@ -55,6 +55,9 @@ lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 16x8 --samples 1 
 grep -ao 'CFA pattern.gbrg' raw.png | tr '\0' ' '
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 16x8 --samples 1 --noise -t 1us --iso 100 --pitch 1um -o dark.png 2>&1 | sed 1d
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 16x8 --samples 1 --noise -t 10s --full-well 100 -o full.png 2>&1 | sed 1d
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --samples 1 -t 10s -o bright.pfm 2>&1 | sed 1d
+printf 'Pf\n2 2\n-1.0\n\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0' > black.pfm
+lenscalc render black.pfm --lens double-gauss-50 -s 1m --size 8x8 --samples 1 -o black.png 2>&1 | sed 1d
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --noise -o lost.pfm
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --white blue -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --white auto --raw -o lost.png

@@ -101,7 +101,6 @@ FOR_TESTS = {
     "srgb_encoded": "",
     "blades_area": "the opening of an iris in closed form",
     "blades_aperture": "its shape by itself",
-    "emulsion_expose": "pictures of render on film stand on it next", "emulsion_print": "",
     # what divided runs stand on
     "digest_add": "", "digest_begin": "", "digest_end": "", "digest_item": "",
     "part_parse": "", "part_range": "", "part_read": "", "part_write": "", "parts_order": "",

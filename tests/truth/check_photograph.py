@@ -10,48 +10,19 @@ random numbers let it. Threads change nothing.
 
 import math
 import os
-import struct
-import subprocess
 import sys
 import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
+from photographs import take, write_pfm
 
 DOUBLE_GAUSS = "cs348b-dgauss-50"
 # film radius, mm: E/L with the film at 36.105905 mm, to about 1e-4; and the mean over 36 x 24 mm
 # with the film at 36.3612 mm
 IRRADIANCE = {0: .192512, 5: .167216, 10: .125716, 15: .082428, 18: .057826, 20: .042577}
 MEAN = 0.110853
-
-
-def read_pfm(path):
-    """Rows from the top, each pixel a triple."""
-    with open(path, "rb") as file:
-        kind, size, scale, data = file.read().split(b"\n", 3)
-    width, height = map(int, size.split())
-    assert kind == b"PF" and float(scale) < 0
-    values = struct.unpack(f"<{3 * width * height}f", data)
-    rows = [[values[3 * (y * width + x):3 * (y * width + x) + 3] for x in range(width)]
-            for y in range(height)]
-    return rows[::-1]
-
-
-def write_pfm(path, rows):
-    with open(path, "wb") as file:
-        file.write(f"Pf\n{len(rows[0])} {len(rows)}\n-1.0\n".encode())
-        for row in reversed(rows):
-            file.write(struct.pack(f"<{len(row)}f", *row))
-
-
-def take(program, checks, folder, *words, name="out.pfm"):
-    path = os.path.join(folder, name)
-    result = subprocess.run(program.command + ["render", *words, "-o", path], text=True, cwd=folder,
-                            capture_output=True, env=program.environment())
-    if not checks.check(result.returncode == 0, f"{words}: {result.stderr}"):
-        return None
-    return read_pfm(path)
 
 
 def check_white(checks, program, folder):

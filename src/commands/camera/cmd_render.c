@@ -72,10 +72,15 @@ static const struct option options[] = {
      .help = "light that is white in a PNG: daylight, tungsten, auto, 5600K"},
     {OPTION(struct render_input, raw), .name = "raw",
      .help = "write the numbers of the sensor, as a PNG of 16 bits"},
+    {OPTION(struct render_input, film), .name = "film", .value = "NAME",
+     .help = "expose a film of 'list films', and print it; or densities, as .pfm and .exr"},
+    {OPTION(struct render_input, grain), .name = "grain", .dimension = &dimension_number,
+     .lowest = 0, .highest = 1000, .wants = "film", .value = "NUMBER",
+     .help = "with its grain, by the rms granularity of its maker; default none"},
     {OPTION(struct render_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
      .fallback = "0", .value = "NUMBER", .help = "another one gives other rays"},
     {OPTION(struct render_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
-     .value = "N", .fallback = "1", .help = "threads that trace; 0 = one a core"},
+     .value = "N", .fallback = "1", .help = "threads; 0 = one a core"},
 };
 
 /* -------- the command -------- */
@@ -100,9 +105,9 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "scene",        "field-width", "luminance", "time",  "iso",        "size",
-        "crop",         "bits",        "noise",     "pitch", "read-noise", "full-well",
-        "dark-current", "mosaic",      "white",     "raw",   "threads"};
+        "scene", "field-width", "luminance", "time",       "iso",       "size",         "crop",
+        "bits",  "noise",       "pitch",     "read-noise", "full-well", "dark-current", "mosaic",
+        "white", "raw",         "threads",   "film",       "grain"};
     const size_t count = sizeof of_pictures / sizeof of_pictures[0];
     for (size_t i = 0; i < count && !asking_given(job->asking, "output"); i++) {
         if (asking_given(job->asking, of_pictures[i])) {

@@ -5,6 +5,7 @@
 
 #include "base/image/image.h"
 #include "camera/lens_film.h"
+#include "cli/option_light.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/photo/photo_options.h"
 #include "optics/growing.h"
@@ -25,7 +26,9 @@ struct render_input {
     const char *white;
     double pitch;                               /* mm; NaN = that of the picture */
     double read_noise, full_well, dark_current; /* electrons, and a second; NaN = not given */
-    long samples, seed, threads, bits;          /* samples, bits: 0 = not given */
+    struct film_value film;
+    double grain; /* rms granularity, as characteristic_grain takes it; NaN = none */
+    long samples, seed, threads, bits; /* samples, bits: 0 = not given */
 };
 
 /* -------- commands/camera/render_case.c -------- */
@@ -93,6 +96,42 @@ bool render_check_sensor(const struct render_input *input, struct error *error);
  */
 bool render_sense(const struct render_input *input, double time, const struct render_frame *frame,
                   struct image *image, struct growing *remarks, struct error *error);
+
+/* -------- commands/camera/render_emulsion.c -------- */
+
+/* Is it a film that is exposed, rather than a sensor? */
+static inline bool render_is_film(const struct render_input *input)
+{
+    return input->film.model != NULL;
+}
+
+/* Errors: ERROR_USAGE and ERROR_DOMAIN: a film without a curve or speed; what films do not have */
+bool render_check_film(const struct artifact_job *job, struct error *error);
+
+/* ISO, of the film or as asked for. */
+double render_speed(const struct render_input *input);
+
+/*
+ * What a film needs longer, or loses, in long exposures; a sensor nothing.
+ *
+ * Given     time     of the exposure, s, or NaN: receives it
+ *           metered  of which nothing is lost, s: receives it unless `time` is NaN
+ * Errors    as reciprocity_corrected and reciprocity_metered
+ */
+bool render_film_time(const struct render_input *input, double *time, double *metered,
+                      struct error *error);
+
+/*
+ * Expose a film and develop it.
+ *
+ * Given     is_print  print the negative
+ *           frame     of the picture
+ *           image     light of the pixels taken, lx s; receives the light of a print, white 1, or densities
+ * Errors    as characteristic_open and emulsion_expose
+ */
+bool render_develop(const struct render_input *input, bool is_print,
+                    const struct render_frame *frame, struct image *image, struct growing *remarks,
+                    struct error *error);
 
 /* -------- commands/camera/render_rays.c and render_picture.c -------- */
 

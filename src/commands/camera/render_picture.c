@@ -91,7 +91,7 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
                     "{--wavelength}");
     }
     return check_file(job, error) && render_check_sensor(input, error) &&
-           render_frame_read(input, &frame, error);
+           render_check_film(job, error) && render_frame_read(input, &frame, error);
 }
 
 /* -------- exposed -------- */
@@ -99,32 +99,39 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
 struct exposure {
     double luminance; /* of white, cd/m^2 */
     double time, iso; /* s */
+    double metered;   /* s, of which a film loses nothing: the light that counts */
     double full;      /* what saturates, lx s */
     bool is_chosen;   /* nobody gave a time */
 };
 
-static struct exposure expose(const struct render_input *input, double axis)
+static bool expose(const struct render_input *input, double axis, struct exposure *exposure,
+                   struct error *error)
 {
-    struct exposure exposure = {.luminance = input->luminance,
-                                .time = input->time,
-                                .iso = input->iso,
-                                .full = saturation_exposure(input->iso),
-                                .is_chosen = isnan(input->time)};
-    if (exposure.is_chosen) {
-        exposure.time = WHITE_SHARE * exposure.full / (exposure.luminance * axis);
-    }
-    return exposure;
+    const double iso = render_speed(input), full = saturation_exposure(iso);
+    *exposure = (struct exposure){.luminance = input->luminance,
+                                  .time = input->time,
+                                  .metered = WHITE_SHARE * full / (input->luminance * axis),
+                                  .iso = iso,
+                                  .full = full,
+                                  .is_chosen = isnan(input->time)};
+    return render_film_time(input, &exposure->time, &exposure->metered, error);
 }
 
-/* Pixels become lx s, or shares of what saturates; the largest of them is returned. */
-static float scale(struct image *image, double by)
+/* The least and the most of a picture's values. */
+struct range {
+    double least, most;
+};
+
+/* Pixels become lx s, or shares of what saturates. */
+static struct range scale(struct image *image, double by)
 {
-    float most = 0;
+    struct range range = {(double)INFINITY, 0};
     for (size_t i = 0; i < image->width * image->height * image->channels; i++) {
         image->pixels[i] = (float)(by * (double)image->pixels[i]);
-        most = image->pixels[i] > most ? image->pixels[i] : most;
+        range.least = fmin(range.least, (double)image->pixels[i]);
+        range.most = fmax(range.most, (double)image->pixels[i]);
     }
-    return most;
+    return range;
 }
 
 /* -------- what is said of it -------- */
@@ -144,6 +151,9 @@ static void add_notes(const struct analysis_case *one, const struct render_input
     note(image, arena, "Aperture", arena_printf(arena, "f/%.4g", setup->first.fnumber));
     note(image, arena, "Image plane", arena_printf(arena, "%.9g mm", setup->image));
     note(image, arena, "Exposure time", arena_printf(arena, "%.6g s", exposure->time));
+    if (render_is_film(input)) {
+        note(image, arena, "Film", input->film.name);
+    }
     note(image, arena, "ISO", arena_printf(arena, "%.6g", exposure->iso));
     note(image, arena, "White", arena_printf(arena, "%.6g cd/m2", exposure->luminance));
     note(image, arena, "Seed", arena_printf(arena, "%ld", input->seed));
@@ -152,27 +162,40 @@ static void add_notes(const struct analysis_case *one, const struct render_input
     }
 }
 
+/* Too much light, or too little, and what would mend it; shares of what saturates. */
+static void add_warnings(const struct range *shares, double iso, struct growing *remarks)
+{
+    if (shares->least > 1) {
+        growing_format(remarks,
+                       "warning: every pixel is saturated: the time or the ISO must be less than "
+                       "1/%.3g of it\n",
+                       shares->least);
+    } else if (shares->most > 1) {
+        growing_format(remarks,
+                       "warning: the brightest pixel has %.3g times what saturates at ISO %.4g\n",
+                       shares->most, iso);
+    }
+    if (shares->most == 0) {
+        growing_format(remarks, "warning: no light: all is black\n");
+    } else if (shares->most < 1.0 / 4096) {
+        growing_format(remarks,
+                       "warning: all is black: it takes %.3g times the time or the ISO until the "
+                       "brightest pixel saturates\n",
+                       1 / shares->most);
+    }
+}
+
 static void add_remarks(const struct photograph *photograph, const struct exposure *exposure,
-                        float most, struct growing *remarks)
+                        bool is_film, struct growing *remarks)
 {
     char time[64];
     spoken_time(time, exposure->time, 3);
     growing_format(remarks, "%.4g x %.4g mm of the card; white of %.4g cd/m2, %s at ISO %.4g%s\n",
                    photograph->card.width, photograph->card.height, exposure->luminance, time,
                    exposure->iso,
-                   exposure->is_chosen ? ": white half a stop below saturation" : "");
-    if (most > 1) {
-        growing_format(remarks,
-                       "warning: the brightest pixel has %.3g times what saturates at ISO %.4g\n",
-                       (double)most, exposure->iso);
-    }
-    if (most < 1.0F / 4096) {
-        growing_format(
-            remarks,
-            "warning: the brightest pixel has %.2g of what saturates at ISO %.4g: all is "
-            "black\n",
-            (double)most, exposure->iso);
-    }
+                   !exposure->is_chosen ? ""
+                   : is_film            ? ": 18 % grey as a meter exposes it"
+                                        : ": white half a stop below saturation");
 }
 
 /* -------- the picture -------- */
@@ -192,25 +215,27 @@ static bool write_image(const struct picture_job *picture, struct image *image,
     struct arena *arena = job->run->arena;
     const struct file_type *type = job->type != NULL ? job->type : image_file_types(0);
     const bool senses = render_senses(input), is_png = strcmp(type->ending, ".png") == 0;
-    const struct image_note *notes = image->notes;
-    const size_t note_count = image->note_count;
+    const bool is_film = render_is_film(input);
+    const struct image light = *image;
     struct image_way way = {.bits = input->bits == 0 ? USUAL_BITS : (int)input->bits,
                             .values = IMAGE_LIGHT,
                             .packed = true};
+    const struct render_frame *frame = &picture->frame;
     struct text bytes;
-    scale(image, !is_png || senses ? exposure->full : DEVELOP_HEADROOM);
-    if (senses && !render_sense(input, exposure->time, &picture->frame, image, remarks, error)) {
+    scale(image, !is_png || senses || is_film ? exposure->full : DEVELOP_HEADROOM);
+    if ((senses && !render_sense(input, exposure->time, frame, image, remarks, error)) ||
+        (is_film && !render_develop(input, is_png, frame, image, remarks, error))) {
         return false;
     }
-    for (size_t i = 0; senses && i < note_count; i++) {
-        note(image, arena, notes[i].key, notes[i].value);
+    for (size_t i = 0; (senses || is_film) && i < light.note_count; i++) {
+        note(image, arena, light.notes[i].key, light.notes[i].value);
     }
     if (input->raw) {
         way.bits = 16;
         way.values = IMAGE_CODES;
     }
     picture->sink->remarks = growing_done(remarks);
-    if (!render_frame_cut(&picture->frame, arena, image, error) ||
+    if (!render_frame_cut(frame, arena, image, error) ||
         !image_file_bytes(image, type, &way, arena, &bytes, error)) {
         return false;
     }
@@ -244,10 +269,17 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
         !photograph_take(&question, arena, &photograph, error)) {
         return false;
     }
-    const struct exposure exposure = expose(input, photograph.axis);
+    struct exposure exposure;
+    if (!expose(input, photograph.axis, &exposure, error)) {
+        return false;
+    }
     struct growing remarks = {.arena = arena};
-    const float most = scale(&photograph.image, exposure.luminance * exposure.time / exposure.full);
-    add_remarks(&photograph, &exposure, most, &remarks);
+    const struct range shares =
+        scale(&photograph.image, exposure.luminance * exposure.metered / exposure.full);
+    add_remarks(&photograph, &exposure, render_is_film(input), &remarks);
+    if (!render_is_film(input)) {
+        add_warnings(&shares, exposure.iso, &remarks);
+    }
     render_doubts(one, photograph.largest, photograph.corner, &remarks);
     add_notes(one, input, &exposure, &photograph.image, arena);
     if (photograph.is_incomplete) {
