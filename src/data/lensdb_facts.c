@@ -34,7 +34,8 @@ static const struct layout films = {"films.tsv",
                                     4,
                                     12,
                                     {"film", "model", "parameters", "onset_s", "valid_to_s",
-                                     "maker", "status", "source", "note", "iso", "aliases", "type"}};
+                                     "maker", "status", "source", "note", "iso", "aliases",
+                                     "type"}};
 
 enum { SCENE_NAME, SCENE_EV100, SCENE_SCENE, SCENE_CONFIDENCE, SCENE_SOURCE, SCENE_ALIASES };
 static const struct layout scenes = {

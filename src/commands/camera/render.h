@@ -126,7 +126,8 @@ bool render_film_time(const struct render_input *input, double *time, double *me
  *
  * Given     is_print  print the negative
  *           frame     of the picture
- *           image     light of the pixels taken, lx s; receives the light of a print, white 1, or densities
+ *           image     light of the pixels taken, lx s; receives the light of a print,
+ *                     white 1, or densities
  * Errors    as characteristic_open and emulsion_expose
  */
 bool render_develop(const struct render_input *input, bool is_print,

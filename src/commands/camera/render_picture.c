@@ -206,6 +206,28 @@ struct picture_job {
     struct render_frame frame;
 };
 
+/* Light becomes what the file shall hold: lx s, shares of white, numbers, densities. */
+static bool receive_light(const struct picture_job *picture, bool is_png,
+                          const struct exposure *exposure, struct image *image,
+                          struct growing *remarks, struct error *error)
+{
+    const struct render_input *input = picture->job->inputs[0];
+    const bool senses = render_senses(input), is_film = render_is_film(input);
+    const struct image light = *image;
+    scale(image, !is_png || senses || is_film ? exposure->full : DEVELOP_HEADROOM);
+    if (!senses && !is_film) {
+        return true;
+    }
+    if (!(is_film ? render_develop(input, is_png, &picture->frame, image, remarks, error)
+                  : render_sense(input, exposure->time, &picture->frame, image, remarks, error))) {
+        return false;
+    }
+    for (size_t i = 0; i < light.note_count; i++) {
+        note(image, remarks->arena, light.notes[i].key, light.notes[i].value);
+    }
+    return true;
+}
+
 static bool write_image(const struct picture_job *picture, struct image *image,
                         const struct exposure *exposure, struct growing *remarks,
                         struct error *error)
@@ -214,28 +236,20 @@ static bool write_image(const struct picture_job *picture, struct image *image,
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
     const struct file_type *type = job->type != NULL ? job->type : image_file_types(0);
-    const bool senses = render_senses(input), is_png = strcmp(type->ending, ".png") == 0;
-    const bool is_film = render_is_film(input);
-    const struct image light = *image;
+    const bool is_png = strcmp(type->ending, ".png") == 0;
     struct image_way way = {.bits = input->bits == 0 ? USUAL_BITS : (int)input->bits,
                             .values = IMAGE_LIGHT,
                             .packed = true};
-    const struct render_frame *frame = &picture->frame;
     struct text bytes;
-    scale(image, !is_png || senses || is_film ? exposure->full : DEVELOP_HEADROOM);
-    if ((senses && !render_sense(input, exposure->time, frame, image, remarks, error)) ||
-        (is_film && !render_develop(input, is_png, frame, image, remarks, error))) {
+    if (!receive_light(picture, is_png, exposure, image, remarks, error)) {
         return false;
-    }
-    for (size_t i = 0; (senses || is_film) && i < light.note_count; i++) {
-        note(image, arena, light.notes[i].key, light.notes[i].value);
     }
     if (input->raw) {
         way.bits = 16;
         way.values = IMAGE_CODES;
     }
     picture->sink->remarks = growing_done(remarks);
-    if (!render_frame_cut(frame, arena, image, error) ||
+    if (!render_frame_cut(&picture->frame, arena, image, error) ||
         !image_file_bytes(image, type, &way, arena, &bytes, error)) {
         return false;
     }
