@@ -95,7 +95,8 @@ enum setup_which {
     SETUP_REVERSED = 2,
     SETUP_PATH = 4,
     SETUP_IMAGE = 8, /* with the image plane, if there is one */
-    SETUP_SYSTEMS = 16
+    SETUP_PARAXIAL = 16,
+    SETUP_SYSTEMS = 32
 };
 
 /*

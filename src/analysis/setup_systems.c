@@ -28,6 +28,7 @@ static bool compile(const struct setup *setup, const struct lens *lens, double w
     options.reverse = (which & SETUP_REVERSED) != 0;
     options.path = (which & SETUP_PATH) != 0;
     options.image = (which & SETUP_IMAGE) != 0 ? setup->image : (double)NAN;
+    options.paraxial = (which & SETUP_PARAXIAL) != 0;
     options.stop_radius = setup->first.stop_radius;
     return system_compile(lens, wavelength, &options, setup->arena, system, error);
 }

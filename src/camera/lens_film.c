@@ -2,10 +2,37 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/lens_film.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 
+/* All through the middle of the hole, whatever u and v. */
+static void start_pinhole(const struct lens_film *film, struct film_samples *samples,
+                          struct ray_block *block)
+{
+    const double z = film->hole - film->region.film, n = film->region.index;
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        const double x = samples->x[i], y = samples->y[i], p2 = x * x + y * y + z * z;
+        const double over = n / sqrt(p2);
+        block->x[i] = x;
+        block->y[i] = y;
+        block->z[i] = film->region.film;
+        block->p[i] = -x * over;
+        block->q[i] = -y * over;
+        block->r[i] = z * over;
+        block->path[i] = block->lost[i] = 0;
+        samples->weight[i] = film->hole_area * (z * z) / (p2 * p2);
+    }
+}
+
+static void start_in_region(const struct lens_film *film, struct film_samples *samples,
+                            struct ray_block *block)
+{
+    film_rays_start(&film->region, samples, SET_BEST, block);
+}
+
 /* The same systems behind blades: their pupils lie within those of the round stop. */
-static bool put_blades(const struct film_question *question, struct arena *arena,
+static bool put_blades(const struct film_question *question, unsigned which, struct arena *arena,
                        struct lens_film *film, struct error *error)
 {
     const struct setup *setup = question->setup;
@@ -16,7 +43,7 @@ static bool put_blades(const struct film_question *question, struct arena *arena
     }
     for (size_t w = 0; w < setup->wavelength_count; w++) {
         struct system *system = ARENA_NEW(arena, struct system);
-        if (!setup_compile(setup, bladed, w, SETUP_CLIPPED | SETUP_REVERSED, system, error)) {
+        if (!setup_compile(setup, bladed, w, which, system, error)) {
             return false;
         }
         film->systems[w] = system;
@@ -28,8 +55,13 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error)
 {
     const struct setup *setup = question->setup;
+    const unsigned which =
+        SETUP_CLIPPED | SETUP_REVERSED | (question->model == MODEL_PARAXIAL ? SETUP_PARAXIAL : 0);
     film->systems = ARENA_ARRAY(arena, setup->wavelength_count, const struct system *);
     film->corner = hypot(question->width, question->height) / 2;
+    if (question->model == MODEL_PINHOLE && question->blades.count > 0) {
+        return fail(error, ERROR_DOMAIN, "a pinhole has no shape: blades do nothing to it");
+    }
     if (isnan(setup->image)) {
         fail(error, ERROR_DOMAIN, "the image of the lens lies at infinity: there is no film");
         return error_hint(error, "say with {focus} how far behind the last vertex it is");
@@ -40,7 +72,7 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
         return error_hint(error, "give an f-number, or a diameter in the file");
     }
     for (size_t w = 0; w < setup->wavelength_count; w++) {
-        film->systems[w] = setup_system(setup, w, SETUP_CLIPPED | SETUP_REVERSED, error);
+        film->systems[w] = setup_system(setup, w, which, error);
         if (film->systems[w] == NULL) {
             return false;
         }
@@ -59,5 +91,11 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
     if (film->region.largest == 0) {
         return fail(error, ERROR_DOMAIN, "no light reaches the film at %.6g mm", setup->image);
     }
-    return question->blades.count == 0 || put_blades(question, arena, film, error);
+    film->start = start_in_region;
+    if (question->model == MODEL_PINHOLE) {
+        film->start = start_pinhole;
+        film->hole = setup->first.exit_pupil;
+        film->hole_area = PI / 4 * setup->first.exit_diameter * setup->first.exit_diameter;
+    }
+    return question->blades.count == 0 || put_blades(question, which, arena, film, error);
 }

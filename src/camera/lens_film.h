@@ -8,13 +8,19 @@
 #include "base/error.h"
 #include "base/sobol.h"
 #include "camera/film_rays.h"
+#include "camera/lens_model.h"
 #include "optics/blades.h"
 
 struct lens_film {
+    /* starts a block of rays on the film, as film_rays_start has it */
+    void (*start)(const struct lens_film *film, struct film_samples *samples,
+                  struct ray_block *block);
     const struct system **systems; /* one a wavelength of the setup */
     struct film_region region;
     struct sobol sobol[FILM_DIMENSIONS];
     double corner; /* how far from the axis the film goes, mm */
+    /* of a pinhole: behind the last vertex, mm; its area, mm^2 */
+    double hole, hole_area;
 };
 
 /* A film, and what the lens has for a stop. */
@@ -22,11 +28,14 @@ struct film_question {
     const struct setup *setup; /* round, with its image plane and the wavelengths that count */
     double width, height;      /* of the film, mm */
     struct blades blades;      /* count 0: the stop is round */
+    enum lens_model model;     /* the setup's lens is that of it */
 };
 
 /*
- * Errors    ERROR_DOMAIN: as film_region_open and blades_stop; no stop, or none with a diameter; no
- *           image plane; no light reaches the film; as setup_system
+ * Formula   a pinhole of area A, z before the film: p = sqrt(x^2 + y^2 + z^2), weight A z^2/p^4
+ *           wherever in the pupil; cos(theta) = z/p at both ends [BornWolf99] 4.8
+ * Errors    ERROR_DOMAIN: blades of a pinhole; as film_region_open and blades_stop; no stop, or
+ *           none with a diameter; no image plane; no light reaches the film; as setup_system
  */
 bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error);

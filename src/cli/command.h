@@ -23,7 +23,9 @@ struct run {
     void *driver; /* the driver's own */
     /* What is printed, where no more is made of the rows: run_shows; null: they are used whole. */
     const struct report *report;
-    struct doubts *doubts;  /* what is doubtful about the answer, see report/doubts.h; or null */
+    struct doubts *doubts; /* what is doubtful about the answer, see report/doubts.h; or null */
+    const struct error
+        *no_solver;         /* why the solver that may be needed is missing; null: it is not */
     struct watch *watch;    /* of work on one input that may be long, see base/watch.h; or null */
     struct error shortfall; /* set by a command whose rows stand, but are less than was asked: it is
                                printed beside them, and the question counts as failed */
@@ -104,7 +106,9 @@ struct command {
     const char *plot; /* columns to plot, separated by commas; further choices by '|' */
     const char *cell; /* columns in the cells of --table */
     unsigned reads;   /* enum reads: data that `run` uses beside what its options read */
-    bool needs_ceres; /* runs in lenscalc-ceres, the program with the solver */
+    /* When it runs in lenscalc-ceres, the program with the solver: always (""), with an option's
+       word ("model=fitted"); null: never */
+    const char *needs_ceres;
     /* Another question by the same name, asked with the flag that is its first option; or null. */
     const struct command *other;
 };

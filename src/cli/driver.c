@@ -379,6 +379,18 @@ static int compute(struct driver *driver, const struct error *missing)
     return status_of(driver);
 }
 
+/* Does the question need the solver, as far as words tell before anything is read? */
+static bool needs_solver(const struct driver *driver)
+{
+    const char *when = driver->command->needs_ceres;
+    if (when == NULL || *when == '\0') {
+        return when != NULL;
+    }
+    const char *word = strchr(when, '=');
+    const struct argument *argument = arguments_find(&driver->arguments, text_between(when, word));
+    return argument->is_given && text_same(argument->text, word + 1);
+}
+
 int command_execute(const struct command *command, int argc, char **argv, const char *database)
 {
     struct driver driver = {.command = command, .database = database};
@@ -392,7 +404,8 @@ int command_execute(const struct command *command, int argc, char **argv, const 
     } else if (columns_are_asked(&driver.common)) {
         status = columns_print(command, &driver.common, &driver.arena);
     } else {
-        bool lacks = command->needs_ceres && !relay_to_ceres(argv, &driver.arena, &missing);
+        const bool lacks = needs_solver(&driver) && !relay_to_ceres(argv, &driver.arena, &missing);
+        driver.run.no_solver = lacks ? &missing : NULL;
         status = command->run == NULL ? answer_without_rows(&driver)
                                       : compute(&driver, lacks ? &missing : NULL);
         print_remark(driver.db.losses.data, driver.db.losses.length); /* of --lossy */

@@ -28,12 +28,13 @@ INLINE void plane(struct ray_block *block, const struct step *s, bool path, bool
     }
 }
 
-/* In the plane of H: the slopes of the collineation, and on in the plane of H'. */
+/* In the plane of H: the slopes of the collineation, and on in the plane of H', or back. */
 INLINE void thick(struct ray_block *block, const struct step *s)
 {
     const double near = s->near_object, ratio = s->ratio, bend = s->bend;
     const double d1 = s->coefficient[0], d2 = s->coefficient[1], d3 = s->coefficient[2];
-    const double forward = s->direction * sqrt(s->n22);
+    const double onward = s->action == ACTION_REFLECT ? -s->direction : s->direction;
+    const double forward = onward * sqrt(s->n22);
     for (int i = 0; i < KERNEL_LANES; i++) {
         double u = block->p[i] / block->r[i], v = block->q[i] / block->r[i];
         double wu = u - block->x[i] * near, wv = v - block->y[i] * near;

@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 /* Rays aimed at the edge of the stop pass, in spite of rounding. */
 static const double stop_slack = 1 + 1e-13;
@@ -242,6 +243,19 @@ static void set_thick(struct step *step, const struct system *system, size_t i)
     }
 }
 
+/* As the matrix [1 0; -P 1] has it, for heights and slopes of any size; a mirror turns slopes. */
+static void set_paraxial(struct step *step, const struct system *system, size_t i)
+{
+    const bool reverse = system->options.reverse, reflects = step->action == ACTION_REFLECT;
+    const double c = surface_curvature(&system->lens->surfaces[i], SECTION_Y).hi;
+    const double before = system->n[i].hi, after = system->n[i + 1].hi;
+    const double behind = reverse ? before : after, power = (after - before) * c;
+    step->kind = STEP_THICK;
+    step->ratio = reflects ? -1 : (reverse ? after : before) / behind;
+    step->bend = reflects ? 2 * c : (reverse ? -power : power) / behind;
+    memset(step->coefficient, 0, sizeof step->coefficient);
+}
+
 static void put_surface(struct writing *writing, size_t place)
 {
     const struct system *system = writing->system;
@@ -273,6 +287,8 @@ static void put_surface(struct writing *writing, size_t place)
     }
     if (surface_has(surface, SURFACE_HAS_FOCAL)) {
         set_thick(step, system, i);
+    } else if (system->options.paraxial && step->action != ACTION_PASS) {
+        set_paraxial(step, system, i);
     }
     step->hop = place == 0 || writing->count - before > 1 || !(fabs(step->c * t) <= 1);
     if (surface->decentre != NULL) {
@@ -337,6 +353,36 @@ static size_t most_steps(const struct lens *lens)
     return count;
 }
 
+static bool has_distortion(const struct surface *surface)
+{
+    bool has = false;
+    for (int k = 0; k < 3; k++) {
+        has = has || surface->distortion[k].value.hi != 0;
+    }
+    return has && surface_has(surface, SURFACE_HAS_FOCAL);
+}
+
+/* Can all surfaces be traced in the way that is asked for? */
+static bool check_way(const struct lens *lens, const struct system_options *options,
+                      struct error *error)
+{
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        if (options->reverse && has_distortion(surface)) {
+            return fail(error, ERROR_DOMAIN,
+                        "surface %zu: a thick lens with distortion cannot be traced backwards",
+                        i + 1);
+        }
+        if (options->paraxial && !surface_is_round(surface)) {
+            return fail(error, ERROR_DOMAIN,
+                        "surface %zu is not the same all around: it has paraxial rays in its two "
+                        "sections only",
+                        i + 1);
+        }
+    }
+    return true;
+}
+
 bool system_compile(const struct lens *lens, double wavelength,
                     const struct system_options *options, struct arena *arena,
                     struct system *system, struct error *error)
@@ -349,15 +395,8 @@ bool system_compile(const struct lens *lens, double wavelength,
         !find_stop_radius(lens, arena, system, error) || !add_clips(arena, system, error)) {
         return false;
     }
-    for (size_t i = 0; i < count && options->reverse; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        if (surface_has(surface, SURFACE_HAS_FOCAL) &&
-            (surface->distortion[0].value.hi != 0 || surface->distortion[1].value.hi != 0 ||
-             surface->distortion[2].value.hi != 0)) {
-            return fail(error, ERROR_DOMAIN,
-                        "surface %zu: a thick lens with distortion cannot be traced backwards",
-                        i + 1);
-        }
+    if (!check_way(lens, options, error)) {
+        return false;
     }
     system->index_first = n[options->reverse ? count : 0].hi;
     system->index_last = n[options->reverse ? 0 : count].hi;

@@ -53,6 +53,8 @@
  *           that it loses
  *           a thick lens: see optics/thick_lens; the ray goes on in the plane of H', which lies at
  *           z = hiatus in the frame of that surface; the path from H to H' is not counted
+ *           paraxial: every surface is a thick lens without thickness, of power (n' - n) c at its
+ *           vertex plane: n' u' = n u - P h with tangents u, h, as [Smith05] has it for y and n u
  * Source    [Welford86] chapter "Finite raytracing", in a form without angles; the hop to the
  *           vertex plane and F are derived in lenscalc.7
  * Limits    the intersection is the one where light meets the front of the surface (N.p s > 0),
@@ -63,6 +65,7 @@ struct system_options {
     bool unobstructed;  /* what blocks loses none, and what passes counts as convex */
     bool path;          /* count the optical path */
     bool reverse;       /* light from the image side */
+    bool paraxial;      /* surfaces do to all rays what they do to those near the axis */
     double image;       /* a plane this far behind the last vertex, mm; NaN = none */
     double stop_radius; /* mm; NaN = what the lens says of its aperture */
 };
@@ -104,7 +107,8 @@ struct system_options system_options_default(void);
  * Result    system.stop_radius: options.stop_radius; else half the stop's diameter; else the
  *           paraxial radius for the f-number, pupil diameter or numerical aperture of the lens at
  *           its primary wavelength. With clip, a clear diameter given for the stop limits too
- * Errors    as medium_index; ERROR_DOMAIN: an aperture that the lens cannot have
+ * Errors    as medium_index; ERROR_DOMAIN: an aperture that the lens cannot have; paraxial with a
+ *           surface that is not round
  */
 bool system_compile(const struct lens *lens, double wavelength,
                     const struct system_options *options, struct arena *arena,

@@ -1,9 +1,9 @@
 /* tests/unit/test_thick_element.c - the thick lens in place of a lens has its first-order data. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "design/thick_element.h"
 #include "file/lens_file.h"
 #include "optics/first_order.h"
+#include "optics/thick_element.h"
 
 static const char *const text =
     "lens a title\nunit cm\nwavelength d F\nobject 90\nfield height 0 1.2\nmedium 1.33\n"

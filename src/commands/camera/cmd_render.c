@@ -39,6 +39,15 @@ static const struct option options[] = {
      .value = "NUMBER", .help = "curvature of the blades: 0 straight to 1 a circle"},
     LENS_POSITION_OPTION(struct render_input, question),
     ANALYSIS_PLANE_OPTIONS(struct render_input, question),
+    {OPTION(struct render_input, focus_at), .name = "focus-at", .words = render_focus_ats,
+     .fallback = "thick", .value = "IMAGE", .wants = "distance", .excludes = "focus",
+     .help = "what of the card's image comes onto the film"},
+    {OPTION(struct render_input, gap), .name = "gap", .value = "GAPS", .wants = "distance",
+     .excludes = "focus",
+     .help = "focus by these gaps, the film standing still: variables or surface numbers, each "
+             "with a weight: d5,10:-1; default the whole lens moves"},
+    {OPTION(struct render_input, model), .name = "model", .words = lens_models, .fallback = "exact",
+     .value = "MODEL", .help = "what of the lens the rays see"},
     OPTION_SENSOR(struct render_input, sensor),
     {OPTION(struct render_input, luminance), .name = "luminance", .dimension = &dimension_luminance,
      .unit = "cd_m2", .lowest = 0, .highest = INFINITY, .fallback = "1000",
@@ -142,4 +151,5 @@ const struct command command_render = {
     .summary = "photographs through exact lenses",
     COMMAND_ASKS(struct render_input),
     COMMAND_MAKES(artifacts),
+    .needs_ceres = "model=fitted",
 };

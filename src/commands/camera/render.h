@@ -21,6 +21,8 @@ struct render_input {
     long blades;                       /* 0 = round */
     double blade_turn, blade_rounding; /* rad; 0..1 */
     int from;                          /* enum distance_from */
+    int model, focus_at;               /* enum lens_model; enum render_focus_at */
+    const char *gap;                   /* "d5,10:-1"; null = the whole lens moves */
     bool noise, raw;                   /* of a sensor */
     int mosaic;                        /* enum sensor_mosaic */
     const char *white;
@@ -31,17 +33,51 @@ struct render_input {
     long samples, seed, threads, bits; /* samples, bits: 0 = not given */
 };
 
+/* -------- commands/camera/render_focus.c -------- */
+
+/* What is brought onto the film. */
+enum render_focus_at { FOCUS_AT_THICK, FOCUS_AT_SHARPEST };
+extern const struct word render_focus_ats[];
+
+/*
+ * The lens focused on the distance: the object, and where the film stands.
+ *
+ * Given     question  of the lens; receives object and focus, and with --gap the lens itself, in
+ *                     its position, and no position any more
+ * Errors    a distance that the lens cannot focus on; as focus_gaps_read and focus_solve
+ */
+bool render_focus(const struct render_input *input, struct arena *arena,
+                  struct analysis_question *question, struct error *error);
+
+/* -------- commands/camera/render_model.c -------- */
+
+/* Who looks at the lens that a question is about. */
+struct render_opening {
+    const struct render_input *input;
+    struct run *run;
+    analysis_visit *visit;
+    void *context;
+};
+
+/*
+ * The same visit of the model of the lens that is asked for.
+ *
+ * Errors    as lens_model_lens, fit_job_run and the visit
+ */
+bool render_model(const struct render_opening *opening, const struct analysis_case *one,
+                  const struct analysis_policy *policy, struct error *error);
+
 /* -------- commands/camera/render_case.c -------- */
 
 /*
- * A visit of the only case that is asked for: focused on the distance, if there is one.
+ * A visit of the only case that is asked for: focused on the distance, if there is one, with the
+ * model of the lens.
  *
  * Given     channels  wavelengths in place of those asked for; null: these
- * Errors    ERROR_USAGE: several positions; as analysis_each and `visit`; a distance that the lens
- *           cannot focus on
+ * Errors    ERROR_USAGE: several positions; as analysis_each, render_focus and render_model
  */
 bool render_open(const struct render_input *input, const struct spectrum_value *channels,
-                 struct arena *arena, analysis_visit *visit, void *context, struct error *error);
+                 struct run *run, analysis_visit *visit, void *context, struct error *error);
 
 /* What is doubtful: of the lens; that the corners of the film stay dark. */
 void render_doubts(const struct analysis_case *one, double largest, double corner,

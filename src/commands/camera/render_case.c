@@ -1,64 +1,28 @@
 /* commands/camera/render_case.c - the lens of a picture, focused. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/camera/render.h"
-#include "commands/photo/photo_lens.h"
-#include "optics/conjugates.h"
 
-/*
- * What the distance says: from the first vertex, mm.
- *
- * Errors    ERROR_DOMAIN: no stop, a card within the focal length; as photo_lens_single,
- *           distance_to_principal and conjugates_working_distance
- */
-static bool find_object(const struct render_input *input, struct arena *arena, double *object,
-                        struct error *error)
+static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL,
+                                              .fields = FIELDS_LARGEST};
+
+static bool take_model(const struct analysis_case *one, void *context, struct error *error)
 {
-    const struct photo_lens_question question = {.lens = input->question.lens,
-                                                 .position = input->question.position,
-                                                 .focal = NAN,
-                                                 .wavelength = NAN,
-                                                 .fnumber = NAN,
-                                                 .pupil = NAN,
-                                                 .from = input->from};
-    struct photo_lens lens;
-    double s;
-    if (input->question.lens.lens->stop == LENS_NONE) {
-        return fail(error, ERROR_DOMAIN, "the lens has no stop: how much light comes is not known");
-    }
-    if (!photo_lens_single(&question, 0, arena, &lens, error) ||
-        !distance_to_principal(lens.f, lens.P, input->distance, &lens.measuring, &s, error)) {
-        return false;
-    }
-    if (s <= lens.f) {
-        return fail(error, ERROR_DOMAIN,
-                    "the card lies %.6g mm before the front principal plane: that must be more "
-                    "than the focal length, %.6g mm",
-                    s, lens.f);
-    }
-    return conjugates_working_distance(s, lens.measuring.front, object, error);
+    return render_model(context, one, &policy, error);
 }
 
 bool render_open(const struct render_input *input, const struct spectrum_value *channels,
-                 struct arena *arena, analysis_visit *visit, void *context, struct error *error)
+                 struct run *run, analysis_visit *visit, void *context, struct error *error)
 {
-    static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL,
-                                                  .fields = FIELDS_LARGEST};
-    struct analysis_question *question = ARENA_NEW(arena, struct analysis_question);
+    struct render_opening opening = {input, run, visit, context};
+    struct analysis_question *question = ARENA_NEW(run->arena, struct analysis_question);
     *question = input->question;
     question->field = question->field_x = question->height = question->height_x = NAN;
     question->object = NAN;
     if (channels != NULL) {
         question->spectrum = *channels;
     }
-    if (!isnan(input->distance)) {
-        if (!find_object(input, arena, &question->object, error)) {
-            return false;
-        }
-        if (question->focus.kind == PLANE_OF_LENS) {
-            question->focus.kind = PLANE_PARAXIAL;
-        }
-    }
-    return analysis_each(question, &policy, arena, visit, context, error);
+    return (isnan(input->distance) || render_focus(input, run->arena, question, error)) &&
+           analysis_each(question, &policy, run->arena, take_model, &opening, error);
 }
 
 double render_object(const struct analysis_case *one)
@@ -87,5 +51,6 @@ struct film_question render_film(const struct render_input *input, const struct 
                                   .height = input->sensor.size.height,
                                   .blades = {.count = (unsigned)input->blades,
                                              .turn = input->blade_turn,
-                                             .rounding = input->blade_rounding}};
+                                             .rounding = input->blade_rounding},
+                                  .model = (enum lens_model)input->model};
 }

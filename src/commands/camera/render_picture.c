@@ -149,6 +149,7 @@ static void add_notes(const struct analysis_case *one, const struct render_input
     note(image, arena, "Scene", input->scene);
     note(image, arena, "Lens", setup->lens->title != NULL ? setup->lens->title : "");
     note(image, arena, "Aperture", arena_printf(arena, "f/%.4g", setup->first.fnumber));
+    note(image, arena, "Lens model", lens_models[input->model].word);
     note(image, arena, "Image plane", arena_printf(arena, "%.9g mm", setup->image));
     note(image, arena, "Exposure time", arena_printf(arena, "%.6g s", exposure->time));
     if (render_is_film(input)) {
@@ -310,6 +311,6 @@ bool render_picture(const struct artifact_job *job, struct output *sink, struct 
     struct picture_job picture = {.job = job, .sink = sink};
     const struct spectrum_value colours = {"channels", channels, PHOTOGRAPH_CHANNELS};
     const bool one_colour = input->question.wavelength.name != NULL;
-    return render_open(input, one_colour ? NULL : &colours, job->run->arena, take_picture, &picture,
+    return render_open(input, one_colour ? NULL : &colours, job->run, take_picture, &picture,
                        error);
 }

@@ -127,5 +127,5 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
 bool render_rays(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct rays_job rays_job = {job, sink};
-    return render_open(job->inputs[0], NULL, job->run->arena, send_rays, &rays_job, error);
+    return render_open(job->inputs[0], NULL, job->run, send_rays, &rays_job, error);
 }

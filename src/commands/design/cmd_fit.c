@@ -285,5 +285,5 @@ const struct command command_fit = {
     .explanations = explanations,
     .plot = "rms_um|distance_um|index",
     .cell = "efl_mm",
-    .needs_ceres = true,
+    .needs_ceres = "",
 };

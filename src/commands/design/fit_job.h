@@ -38,6 +38,9 @@ static inline double fit_field(const struct fit_job *job, size_t i)
 /* Trace and fit. */
 bool fit_job_run(struct fit_job *job, struct error *error);
 
+/* The thick lens that was found, in place of the lens: optics/thick_element.h. */
+struct lens fit_equal_lens(const struct fit_job *job);
+
 /* The fields of which no ray came through, as a sentence; null = none. */
 const char *fit_missing_fields(const struct fit_job *job);
 

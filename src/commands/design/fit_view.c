@@ -1,10 +1,10 @@
 /* commands/design/fit_view.c - what a fit found, as rows and files. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit_job.h"
-#include "design/thick_element.h"
 #include "draw/ray_map.h"
 #include "draw/svg.h"
 #include "file/lens_file.h"
+#include "optics/thick_element.h"
 
 #include "base/constants.h"
 
@@ -235,9 +235,8 @@ bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct
     return ray_map_draw(&map, &svg, error) && drawing_write(wanted, &svg, sink, error);
 }
 
-bool fit_save_lens(const struct artifact_job *wanted, struct output *sink, struct error *error)
+struct lens fit_equal_lens(const struct fit_job *job)
 {
-    const struct fit_job *job = wanted->run->state;
     struct arena *arena = job->run->arena;
     const struct thick_stand_in stand_in = {
         .thick = job->fit.lenses[0],
@@ -254,8 +253,13 @@ bool fit_save_lens(const struct artifact_job *wanted, struct output *sink, struc
             arena_printf(arena, "fitted by lenscalc to %zu exact rays, rms %.4g um in the image",
                          job->ray_data.rays.count, 1000 * job->fit.rms),
     };
-    const struct lens lens = thick_element_lens(job->setup->lens, &stand_in, arena);
-    struct text text = lens_write(&lens, arena);
+    return thick_element_lens(job->setup->lens, &stand_in, arena);
+}
+
+bool fit_save_lens(const struct artifact_job *wanted, struct output *sink, struct error *error)
+{
+    const struct lens lens = fit_equal_lens(wanted->run->state);
+    struct text text = lens_write(&lens, wanted->run->arena);
     (void)error;
     output_text(sink, text.start, text.length);
     return true;

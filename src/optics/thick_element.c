@@ -1,6 +1,6 @@
-/* design/thick_element.c - a prescription with a thick lens in place of a real one. */
+/* optics/thick_element.c - a prescription with a thick lens in place of a real one. */
 /* SPDX-License-Identifier: MIT */
-#include "design/thick_element.h"
+#include "optics/thick_element.h"
 
 #include <math.h>
 #include <string.h>

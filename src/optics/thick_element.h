@@ -1,7 +1,7 @@
-/* design/thick_element.h - a prescription with a thick lens in place of a real one. */
+/* optics/thick_element.h - a prescription with a thick lens in place of a real one. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_DESIGN_THICK_ELEMENT_H
-#define LENSCALC_DESIGN_THICK_ELEMENT_H
+#ifndef LENSCALC_OPTICS_THICK_ELEMENT_H
+#define LENSCALC_OPTICS_THICK_ELEMENT_H
 
 #include "base/arena.h"
 #include "optics/lens.h"

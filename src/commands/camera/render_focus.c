@@ -1,0 +1,213 @@
+/* commands/camera/render_focus.c - a lens focused on a distance, as a whole or by its gaps. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render.h"
+#include "commands/lens/focus_gaps.h"
+#include "commands/photo/photo_lens.h"
+#include "optics/conjugates.h"
+#include "optics/focusing.h"
+#include "trace/focus.h"
+
+const struct word render_focus_ats[] = {
+    [FOCUS_AT_THICK] = {"thick", "the image of the thick lens, by rays near the axis"},
+    [FOCUS_AT_SHARPEST] = {"sharpest", "the sharpest real image on the axis"},
+    {NULL, NULL},
+};
+
+/* -------- the whole lens -------- */
+
+/*
+ * What the distance says: from the first vertex, mm.
+ *
+ * Errors    ERROR_DOMAIN: no stop, a card within the focal length; as photo_lens_single,
+ *           distance_to_principal and conjugates_working_distance
+ */
+static bool find_object(const struct render_input *input, struct arena *arena, double *object,
+                        struct error *error)
+{
+    const struct photo_lens_question question = {.lens = input->question.lens,
+                                                 .position = input->question.position,
+                                                 .focal = NAN,
+                                                 .wavelength = NAN,
+                                                 .fnumber = NAN,
+                                                 .pupil = NAN,
+                                                 .from = input->from};
+    struct photo_lens lens;
+    double s;
+    if (input->question.lens.lens->stop == LENS_NONE) {
+        return fail(error, ERROR_DOMAIN, "the lens has no stop: how much light comes is not known");
+    }
+    if (!photo_lens_single(&question, 0, arena, &lens, error) ||
+        !distance_to_principal(lens.f, lens.P, input->distance, &lens.measuring, &s, error)) {
+        return false;
+    }
+    if (s <= lens.f) {
+        return fail(error, ERROR_DOMAIN,
+                    "the card lies %.6g mm before the front principal plane: that must be more "
+                    "than the focal length, %.6g mm",
+                    s, lens.f);
+    }
+    return conjugates_working_distance(s, lens.measuring.front, object, error);
+}
+
+/* -------- gaps -------- */
+
+/* A lens that is focused by its gaps, and what of it is asked for. */
+struct moving {
+    struct focusing focusing;
+    struct conjugate_question question;
+    double fnumber; /* NaN = that of the lens */
+    struct arena *arena;
+};
+
+/* A state of it. */
+struct state {
+    struct focused focused;
+    double object;     /* before the first vertex, mm */
+    double aberration; /* from the paraxial to the sharpest image, mm */
+};
+
+static bool find_aberration(const struct moving *moving, struct state *state, struct error *error)
+{
+    const struct setup_question question = {.lens = state->focused.lens,
+                                            .object = &state->object,
+                                            .wavelength = NAN,
+                                            .wavelengths = WAVELENGTHS_PRIMARY,
+                                            .fnumber = moving->fnumber};
+    const struct plane_value best = {.kind = PLANE_BEST};
+    struct setup setup;
+    if (!setup_open(&question, moving->arena, &setup, error) ||
+        !setup_place_image(&setup, &best, error)) {
+        return false;
+    }
+    state->aberration = setup.image - setup.first.image;
+    return true;
+}
+
+/*
+ * Bring the paraxial image to a plane `shift` before that of the film.
+ *
+ * Errors    as focus_solve; ERROR_DOMAIN: an object that is not before the lens
+ */
+static bool move_gaps(const struct moving *moving, double shift, struct state *state,
+                      struct error *error)
+{
+    struct focusing focusing = moving->focusing;
+    struct conjugate_question question = moving->question;
+    struct paraxial_system system;
+    struct paraxial_trace trace;
+    struct conjugate_ray ray;
+    struct focused *solutions = ARENA_ARRAY(moving->arena, FOCUS_SOLUTIONS, struct focused);
+    focusing.image_plane = pair_add(focusing.image_plane, pair_of(-shift));
+    question.distance -= question.from == CONJUGATE_FROM_SENSOR ? shift : 0;
+    if (focus_solve(&focusing, &question, moving->arena, solutions, error) == 0) {
+        return false;
+    }
+    state->focused = solutions[0];
+    if (!paraxial_compile(state->focused.lens, focusing.wavelength, focusing.section, moving->arena,
+                          &system, error)) {
+        return false;
+    }
+    paraxial_trace(&system, &trace);
+    if (!focus_object(&state->focused, &system, &trace, &question, &ray, error)) {
+        return false;
+    }
+    state->object = system.index[0].hi * pair_divide(ray.y, ray.v).hi;
+    state->focused.image_plane = pair_add(state->focused.image_plane, pair_of(shift));
+    return state->object > 0 ||
+           fail(error, ERROR_DOMAIN, "the card lies %.6g mm behind the first vertex",
+                -state->object);
+}
+
+/* The sharpest image in the film: aberrations change little from one turn to the next. */
+static bool sharpen(const struct moving *moving, struct state *state, struct error *error)
+{
+    enum { TURNS = 30 };
+    const double enough = 1e-9; /* mm */
+    double shift = 0;
+    for (int turn = 0; turn < TURNS; turn++) {
+        if (!find_aberration(moving, state, error)) {
+            return false;
+        }
+        if (fabs(state->aberration - shift) < enough) {
+            return true;
+        }
+        shift = state->aberration;
+        if (!move_gaps(moving, shift, state, error)) {
+            return error_prefix(error, "the sharpest image: ");
+        }
+    }
+    return fail(error, ERROR_DOMAIN,
+                "no movement of the gaps was found that brings the sharpest "
+                "image to the film");
+}
+
+/* The lens in the only position that is asked for. */
+static bool find_lens(const struct render_input *input, struct arena *arena,
+                      const struct lens **lens, struct error *error)
+{
+    const size_t *positions;
+    size_t count;
+    if (!lens_positions(input->question.lens.lens, input->question.position, arena, &positions,
+                        &count, error)) {
+        return false;
+    }
+    *lens = lens_at_position(input->question.lens.lens, positions[0], arena);
+    return true;
+}
+
+static bool focus_by_gaps(const struct render_input *input, struct arena *arena,
+                          struct analysis_question *question, struct error *error)
+{
+    static const enum conjugate_from froms[] = {[FROM_PRINCIPAL] = CONJUGATE_FROM_PRINCIPAL,
+                                                [FROM_SENSOR] = CONJUGATE_FROM_SENSOR,
+                                                [FROM_ENTRANCE] = CONJUGATE_FROM_ENTRANCE,
+                                                [FROM_FRONT] = CONJUGATE_FROM_FRONT};
+    struct named_gap named[FOCUS_GAPS];
+    struct focus_gap gaps[FOCUS_GAPS];
+    struct moving moving = {.focusing = {.section = SECTION_Y, .gaps = gaps},
+                            .question = {CONJUGATE_OBJECT, froms[input->from], input->distance, 0},
+                            .fnumber = question->fnumber,
+                            .arena = arena};
+    struct first_order first;
+    struct state state;
+    const struct lens *lens;
+    size_t count;
+    if (!focus_gaps_read(text_of(input->gap), input->question.lens.lens, named, &count, error) ||
+        !find_lens(input, arena, &lens, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        gaps[i] = named[i].gap;
+    }
+    moving.focusing.gap_count = count;
+    moving.focusing.lens = lens;
+    moving.focusing.wavelength = lens_primary_wavelength(lens);
+    if (!first_order_of_lens(lens, moving.focusing.wavelength, SECTION_Y, arena, &first, error)) {
+        return false;
+    }
+    moving.focusing.image_plane = setup_paraxial_image(lens, &first);
+    if (!move_gaps(&moving, 0, &state, error) ||
+        (input->focus_at == FOCUS_AT_SHARPEST && !sharpen(&moving, &state, error))) {
+        return false;
+    }
+    question->lens.lens = state.focused.lens;
+    question->position = NULL;
+    question->object = state.object;
+    question->focus =
+        (struct plane_value){.kind = PLANE_AT, .distance = state.focused.image_plane.hi};
+    return true;
+}
+
+bool render_focus(const struct render_input *input, struct arena *arena,
+                  struct analysis_question *question, struct error *error)
+{
+    if (input->gap != NULL) {
+        return focus_by_gaps(input, arena, question, error);
+    }
+    if (input->focus_at == FOCUS_AT_SHARPEST) {
+        question->focus.kind = PLANE_BEST;
+    } else if (question->focus.kind == PLANE_OF_LENS) {
+        question->focus.kind = PLANE_PARAXIAL;
+    }
+    return find_object(input, arena, &question->object, error);
+}

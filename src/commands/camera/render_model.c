@@ -1,0 +1,128 @@
+/* commands/camera/render_model.c - the model of a lens in its place. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render.h"
+#include "commands/design/fit_job.h"
+
+/* Is it one already, as `fit -o` writes them: no power but that of thick lenses? */
+static bool is_thick(const struct lens *lens)
+{
+    size_t thick = 0, others = 0;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        thick += surface->kind == SURFACE_THICK;
+        others += surface->kind != SURFACE_THICK && surface_profile(surface) != PROFILE_PLANE;
+    }
+    return thick == 1 && others == 0;
+}
+
+struct fitting {
+    struct run *run;
+    struct lens *lens;
+};
+
+static bool fit(const struct setup *setup, const char *warning, void *context, struct error *error)
+{
+    const struct fitting *fitting = context;
+    /* without what `answer` adds, the fit of twice the rays */
+    const struct fit_input input = {.object = NAN,
+                                    .distortion = 0,
+                                    .show = FIT_PARAMETERS,
+                                    .match = FIT_IMAGE,
+                                    .pattern = PATTERN_GAUSS,
+                                    .rays = 72};
+    struct fit_job job = {.input = &input, .run = fitting->run, .setup = setup, .warning = warning};
+    if (!setup_light(setup, 0, &job.light, error) || !fit_job_run(&job, error)) {
+        return false;
+    }
+    *fitting->lens = fit_equal_lens(&job);
+    return true;
+}
+
+/* By eighths as far as the film goes, for a lens that states no fields. */
+static struct fields_value fields_of_film(const struct render_opening *opening,
+                                          const struct setup *setup)
+{
+    enum { STEPS = 8 };
+    const struct sensor *film = &opening->input->sensor.size;
+    const double corner = hypot(film->width, film->height) / 2;
+    struct field_item *items = ARENA_ARRAY(opening->run->arena, STEPS + 1, struct field_item);
+    for (int i = 0; i <= STEPS; i++) {
+        const double height = corner * i / STEPS;
+        items[i] = (struct field_item){.angle = atan(height / fabs(setup->first.efl)),
+                                       .height = height / fabs(setup->first.magnification),
+                                       .weight = 1};
+    }
+    return (struct fields_value){"to the corner of the film", items, STEPS + 1};
+}
+
+/* Fitted as `lenscalc fit --distortion 0` does, to rays from the object of the picture. */
+static bool fit_lens_of(const struct render_opening *opening, const struct analysis_case *one,
+                        struct lens *stand_in, struct error *error)
+{
+    struct run *run = opening->run;
+    static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_ALL,
+                                              .fields = FIELDS_SPREAD};
+    struct lens *lens = ARENA_NEW(run->arena, struct lens);
+    if (run->no_solver != NULL) {
+        *error = *run->no_solver;
+        return false;
+    }
+    struct fitting fitting = {run, stand_in};
+    *lens = *one->setup->lens;
+    lens->object = (struct figure){one->setup->object.distance, {NULL, 0}, LENS_NONE};
+    lens->object_is_infinite = one->setup->object.is_infinite;
+    lens->objects = NULL;
+    struct lens_question question = {.lens = one->question->lens,
+                                     .fnumber = one->question->fnumber,
+                                     .field = NAN,
+                                     .field_x = NAN};
+    question.lens.lens = lens;
+    if (lens->field_count == 0) {
+        question.fields = fields_of_film(opening, one->setup);
+    }
+    return lens_each_setup(&question, &policy, run->arena, fit, &fitting, error) ||
+           error_prefix(error, "no thick lens could be fitted: ");
+}
+
+/* Where the film of a model stands: in its own image if that is what was asked for. */
+static struct plane_value plane_of(const struct analysis_case *one, enum lens_model model)
+{
+    const struct plane_value *asked = &one->question->focus;
+    const enum focus_kind own = one->setup->lens->focus;
+    const bool is_of_lens = asked->kind == PLANE_OF_LENS;
+    const double defocus = isnan(one->question->defocus) ? 0 : one->question->defocus;
+    if (asked->kind == PLANE_TABLE || (is_of_lens && own == FOCUS_TABLE)) {
+        return (struct plane_value){.kind = PLANE_AT, .distance = one->setup->image - defocus};
+    }
+    if (model == MODEL_PARAXIAL &&
+        (asked->kind == PLANE_BEST || (is_of_lens && own == FOCUS_BEST))) {
+        return (struct plane_value){.kind = PLANE_PARAXIAL};
+    }
+    return *asked;
+}
+
+bool render_model(const struct render_opening *opening, const struct analysis_case *one,
+                  const struct analysis_policy *policy, struct error *error)
+{
+    const enum lens_model model = (enum lens_model)opening->input->model;
+    const struct setup *setup = one->setup;
+    struct run *run = opening->run;
+    if (model == MODEL_EXACT || (model == MODEL_FITTED && is_thick(setup->lens))) {
+        return opening->visit(one, opening->context, error);
+    }
+    struct analysis_question *question = ARENA_NEW(run->arena, struct analysis_question);
+    *question = *one->question;
+    question->focus = plane_of(one, model);
+    if (lens_model_replaces(model)) {
+        struct lens *stand_in = ARENA_NEW(run->arena, struct lens);
+        const bool good = model == MODEL_FITTED ? fit_lens_of(opening, one, stand_in, error)
+                                                : lens_model_lens(model, setup->lens, &setup->first,
+                                                                  run->arena, stand_in, error);
+        if (!good) {
+            return false;
+        }
+        question->lens.lens = stand_in;
+        question->position = NULL;
+    }
+    return analysis_each(question, policy, run->arena, opening->visit, opening->context, error);
+}
