@@ -6,6 +6,7 @@
 #include "camera/lens_film.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <string.h>
 
 enum { ACROSS = PHOTOGRAPH_ACROSS, DOWN = PHOTOGRAPH_DOWN, PIXELS = PHOTOGRAPH_PIXELS };
@@ -15,10 +16,12 @@ struct work {
     const struct photograph_question *question;
     const struct lens_film *film;
     struct card card;
+    const struct relief *relief; /* null: the card is flat */
     struct image *image;
-    unsigned char *done; /* of each tile */
-    double scale;        /* (n'/n)^2, n of the scene */
-    size_t passes;       /* one for all channels where nothing disperses, or one a channel */
+    unsigned char *done;   /* of each tile */
+    atomic_ullong *sights; /* how many rays found out how much, RELIEF_SIGHTS of them */
+    double scale;          /* (n'/n)^2, n of the scene */
+    size_t passes;         /* one for all channels where nothing disperses, or one a channel */
 };
 
 /* What one thread traces in. */
@@ -26,6 +29,7 @@ struct room {
     struct film_samples samples;
     struct rays rays;
     double sums[PIXELS][PHOTOGRAPH_CHANNELS];
+    unsigned long long sights[RELIEF_SIGHTS]; /* how many rays found out how much */
 };
 
 static struct room *room_of(struct arena *arena)
@@ -64,6 +68,29 @@ static bool meet(const struct ray_block *rays, size_t i, double distance, double
     at[0] = rays->x[i] + way * rays->p[i];
     at[1] = rays->y[i] + way * rays->q[i];
     return rays->lost[i] == 0 && way > 0;
+}
+
+/* What a ray sees that has left the lens; false: nothing. */
+static bool see(const struct work *work, struct room *room, size_t i, struct card_light *light)
+{
+    const struct ray_block *rays = room->rays.blocks;
+    double at[2];
+    if (work->relief == NULL) {
+        const bool meets = meet(rays, i, work->card.distance, at);
+        *light = meets ? card_look(&work->card, at[0], at[1]) : (struct card_light){{0, 0, 0}};
+        return meets;
+    }
+    if (rays->lost[i] != 0 || !(rays->r[i] < 0)) {
+        return false;
+    }
+    const double way = work->relief->pupil - rays->z[i];
+    const double slope[2] = {rays->p[i] / rays->r[i], rays->q[i] / rays->r[i]};
+    const struct relief_ray ray = {.x = {rays->x[i] + way * slope[0], rays->y[i] + way * slope[1]},
+                                   .slope = {slope[0], slope[1]}};
+    enum relief_sight sight;
+    *light = relief_look(work->relief, &ray, &sight);
+    room->sights[sight]++;
+    return true;
 }
 
 /* -------- which tiles -------- */
@@ -156,11 +183,11 @@ static void add_ray(const struct work *work, const struct film_plan *plan, size_
     const double across = (samples->x[i] - plan->left) / plan->width * ACROSS;
     const double down = (samples->y[i] - plan->bottom) / plan->height * DOWN;
     const size_t column = (size_t)fmin(across, ACROSS - 1), row = (size_t)fmin(down, DOWN - 1);
-    double at[2], *sums = room->sums[row * ACROSS + (ACROSS - 1 - column)];
-    if (!meet(room->rays.blocks, i, work->card.distance, at)) {
+    double *sums = room->sums[row * ACROSS + (ACROSS - 1 - column)];
+    struct card_light light;
+    if (!see(work, room, i, &light)) {
         return;
     }
-    const struct card_light light = card_look(&work->card, at[0], at[1]);
     const size_t end = work->passes == 1 ? PHOTOGRAPH_CHANNELS : pass + 1;
     for (size_t channel = pass; channel < end; channel++) {
         sums[channel] += samples->weight[i] * (double)light.of[channel];
@@ -222,6 +249,9 @@ static void take_tiles(void *context, const struct parallel_piece *piece)
             watch_add(watch, PIXELS);
         }
     }
+    for (int i = 0; i < RELIEF_SIGHTS; i++) {
+        atomic_fetch_add(&work->sights[i], room->sights[i]);
+    }
     arena_reset(piece->arena, mark);
 }
 
@@ -259,9 +289,8 @@ static bool size_card(const struct work *work, struct room *room, struct card *c
 {
     const struct photograph_question *question = work->question;
     const double w = question->film.width / 2, h = question->film.height / 2;
-    const double proportion = card->picture != NULL
-                                  ? (double)card->picture->width / (double)card->picture->height
-                                  : w / h;
+    const struct image *shape = card->picture != NULL ? card->picture : question->depths.map;
+    const double proportion = shape != NULL ? (double)shape->width / (double)shape->height : w / h;
     if (card->width == 0) {
         const double from[3][2] = {{w, 0}, {0, h}, {w, h}};
         for (int i = 0; i < 3; i++) {
@@ -301,6 +330,39 @@ static bool check_card(const struct photograph_question *question, struct error 
                 distance > 0 ? "at infinity: it needs a {distance}" : "within the lens");
 }
 
+/* The card becomes the relief that it shows. */
+static bool open_relief(struct work *work, struct arena *arena, struct error *error)
+{
+    const struct photograph_question *question = work->question;
+    const struct setup *setup = question->film.setup;
+    if (question->depths.map == NULL) {
+        return true;
+    }
+    struct relief *relief = ARENA_NEW(arena, struct relief);
+    work->relief = relief;
+    const struct relief_question asked = {.depths = question->depths.map,
+                                          .name = question->depths.name,
+                                          .hidden = question->depths.hidden,
+                                          .card = work->card,
+                                          .is_endless = question->card.width == 0,
+                                          .sensor = setup->first.length + setup->image,
+                                          .pupil = setup->first.entrance_pupil,
+                                          .radius = fabs(setup->first.entrance_diameter) / 2};
+    return relief_open(&asked, arena, relief, error);
+}
+
+/* Shares of the rays that looked at the relief. */
+static void share_sights(const struct work *work, double shares[RELIEF_SIGHTS])
+{
+    double all = 0;
+    for (int i = 0; i < RELIEF_SIGHTS; i++) {
+        all += (double)atomic_load(&work->sights[i]);
+    }
+    for (int i = 0; i < RELIEF_SIGHTS; i++) {
+        shares[i] = all > 0 ? (double)atomic_load(&work->sights[i]) / all : 0;
+    }
+}
+
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
                      struct photograph *photograph, struct error *error)
 {
@@ -322,6 +384,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                         .film = &film,
                         .card = question->card,
                         .image = &photograph->image,
+                        .sights = ARENA_ARRAY(arena, RELIEF_SIGHTS, atomic_ullong),
                         .scale = n * n,
                         .passes = is_alike(&film, wavelengths) ? 1 : PHOTOGRAPH_CHANNELS};
     struct room *room = room_of(arena);
@@ -330,6 +393,9 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
         return false;
     }
     work.card = photograph->card;
+    if (!open_relief(&work, arena, error)) {
+        return false;
+    }
     work.done = question->done != NULL ? question->done : ARENA_ARRAY(arena, tiles, unsigned char);
     photograph->axis = axis_light(&work, room);
     watch_begin(question->watch, "pixels", PIXELS * count_missing(&work, tiles));
@@ -337,6 +403,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     parallel->threads = question->threads;
     parallel_pieces(parallel, tiles, 4, take_tiles, &work);
     parallel_free(parallel);
+    share_sights(&work, photograph->sights);
     photograph->is_incomplete = count_missing(&work, tiles) > 0;
     return true;
 }

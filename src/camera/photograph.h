@@ -9,6 +9,7 @@
 #include "base/watch.h"
 #include "camera/card.h"
 #include "camera/lens_film.h"
+#include "camera/relief.h"
 
 #include <stdint.h>
 
@@ -17,6 +18,13 @@ enum {
     PHOTOGRAPH_ACROSS = 16, /* pixels of a tile: of 128 points of a net in base 2 each has one */
     PHOTOGRAPH_DOWN = 8,
     PHOTOGRAPH_PIXELS = PHOTOGRAPH_ACROSS * PHOTOGRAPH_DOWN
+};
+
+/* The depths of a picture: as camera/relief.h has them. */
+struct photograph_depths {
+    const struct image *map; /* null: all in the plane of the card */
+    const char *name;        /* of its file */
+    enum relief_hidden hidden;
 };
 
 struct photograph_question {
@@ -28,6 +36,7 @@ struct photograph_question {
     int threads;
     /* width 0: as large as the film's corners see; height 0: by its own proportions */
     struct card card;
+    struct photograph_depths depths; /* of what the card shows; no map: it is flat */
     /* One a tile of the crop, in rows from its top left: those that are not 0 are left out, black;
        others become 1 when they are taken. Null: all are taken */
     unsigned char *done;
@@ -35,11 +44,12 @@ struct photograph_question {
 };
 
 struct photograph {
-    struct image image;     /* of the crop: E/L, sr, of the white of the card; upright */
-    struct card card;       /* with its size */
-    double axis;            /* that of a white scene in the middle of the film */
-    double largest, corner; /* how far from the axis light arrives, and the film goes, mm */
-    bool is_incomplete;     /* the watch has ended it: tiles are missing, and black */
+    struct image image;           /* of the crop: E/L, sr, of the white of the card; upright */
+    struct card card;             /* with its size */
+    double axis;                  /* that of a white scene in the middle of the film */
+    double sights[RELIEF_SIGHTS]; /* shares of the rays that arrive, of a picture with depths */
+    double largest, corner;       /* how far from the axis light arrives, and the film goes, mm */
+    bool is_incomplete;           /* the watch has ended it: tiles are missing, and black */
 };
 
 /*
@@ -49,9 +59,9 @@ struct photograph {
  *           relative to the luminance of its white; every channel by rays of its wavelength
  * Formula   for 16 x 8 pixels at once the first 128 n points of a scrambled Sobol' sequence, of
  *           which each pixel has n where that is a power of two; rays as camera/film_rays.h,
- *           traced exactly, to the plane of the card
+ *           traced exactly, to the plane of the card, or to the relief that it is
  *           No number depends on the threads, the crop, or what is done already
- * Errors    ERROR_DOMAIN: as lens_film_open; the card within the lens
+ * Errors    ERROR_DOMAIN: as lens_film_open; the card within the lens; as relief_open
  */
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
                      struct photograph *photograph, struct error *error);

@@ -24,6 +24,15 @@ static const struct option options[] = {
     {ANALYSIS_LENGTH(struct render_input, field_width), .name = "field-width", .lowest = 0,
      .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
      .help = "width of the card; default as much as the film sees"},
+    {OPTION(struct render_input, depth_map), .name = "depth-map", .value = "FILE",
+     .flags = OPTION_FILE,
+     .help = "how far from the sensor each pixel of the card is: .pfm or .exr in m, or .png"},
+    {OPTION(struct render_input, depth), .name = "depth", .dimension = &dimension_length,
+     .unit = "m", .wants = "depth-map", .value = "NEAR..FAR",
+     .help = "distances that are white and black in a .png, linear in 1/distance"},
+    {OPTION(struct render_input, hidden), .name = "hidden", .words = render_hidden,
+     .fallback = "nearby", .wants = "depth-map", .value = "NAME",
+     .help = "what rays see that pass behind edges of the depth map"},
     LENS_WAVELENGTH_OPTION(struct render_input, question,
                            "611, 549 and 464 nm for red, green and blue; for rays all of the lens"),
     ANALYSIS_SPECTRUM_OPTION(struct render_input, question),
@@ -114,9 +123,10 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "scene", "field-width", "luminance", "time",       "iso",       "size",         "crop",
-        "bits",  "noise",       "pitch",     "read-noise", "full-well", "dark-current", "mosaic",
-        "white", "raw",         "threads",   "film",       "grain"};
+        "scene", "depth-map",  "field-width", "luminance",    "time",
+        "iso",   "size",       "crop",        "bits",         "noise",
+        "pitch", "read-noise", "full-well",   "dark-current", "mosaic",
+        "white", "raw",        "threads",     "film",         "grain"};
     const size_t count = sizeof of_pictures / sizeof of_pictures[0];
     for (size_t i = 0; i < count && !asking_given(job->asking, "output"); i++) {
         if (asking_given(job->asking, of_pictures[i])) {

@@ -4,7 +4,7 @@
 #define LENSCALC_COMMANDS_CAMERA_RENDER_H
 
 #include "base/image/image.h"
-#include "camera/lens_film.h"
+#include "camera/photograph.h"
 #include "cli/option_light.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/photo/photo_options.h"
@@ -26,6 +26,9 @@ struct render_input {
     bool noise, raw;                   /* of a sensor */
     int mosaic;                        /* enum sensor_mosaic */
     const char *white;
+    const char *depth_map;                      /* null: the card is flat */
+    struct interval_value depth;                /* mm, of a PNG; NaN: not given */
+    int hidden;                                 /* enum relief_hidden */
     double pitch;                               /* mm; NaN = that of the picture */
     double read_noise, full_well, dark_current; /* electrons, and a second; NaN = not given */
     struct film_value film;
@@ -169,6 +172,26 @@ bool render_film_time(const struct render_input *input, double *time, double *me
 bool render_develop(const struct render_input *input, bool is_print,
                     const struct render_frame *frame, struct image *image, struct growing *remarks,
                     struct error *error);
+
+/* -------- commands/camera/render_depth.c -------- */
+
+extern const struct word render_hidden[];
+
+/* Errors: ERROR_USAGE: no two distances above 0 */
+bool render_check_depths(const struct render_input *input, struct error *error);
+
+/*
+ * The depth map that is asked for, if any.
+ *
+ * Given     picture  that it lies beside; null: a chart
+ * Errors    as depth_file_read; ERROR_DATA: sides in another proportion than the picture's
+ */
+bool render_depths(const struct render_input *input, const struct image *picture,
+                   struct arena *arena, struct photograph_depths *depths, struct error *error);
+
+/* What is to be known of a picture with depths. */
+void render_say_depths(const struct render_input *input, const struct photograph *photograph,
+                       struct growing *remarks);
 
 /* -------- commands/camera/render_rays.c and render_picture.c -------- */
 

@@ -91,7 +91,8 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
                     "{--wavelength}");
     }
     return check_file(job, error) && render_check_sensor(input, error) &&
-           render_check_film(job, error) && render_frame_read(input, &frame, error);
+           render_check_film(job, error) && render_check_depths(input, error) &&
+           render_frame_read(input, &frame, error);
 }
 
 /* -------- exposed -------- */
@@ -281,6 +282,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     question.rows = frame->rows;
     question.crop = frame->taken;
     if (!read_scene(input, arena, &question.card, error) ||
+        !render_depths(input, question.card.picture, arena, &question.depths, error) ||
         !photograph_take(&question, arena, &photograph, error)) {
         return false;
     }
@@ -295,6 +297,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     if (!render_is_film(input)) {
         add_warnings(&shares, exposure.iso, &remarks);
     }
+    render_say_depths(input, &photograph, &remarks);
     render_doubts(one, photograph.largest, photograph.corner, &remarks);
     add_notes(one, input, &exposure, &photograph.image, arena);
     if (photograph.is_incomplete) {

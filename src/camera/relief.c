@@ -1,0 +1,301 @@
+/* camera/relief.c - lines of sight over a map of 1/distance. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/relief.h"
+
+#include <math.h>
+
+enum { X, Y, AXES };
+
+#define MM_PER_M 1000.0
+
+/* -------- made of a map -------- */
+
+static size_t halved(size_t count, int level)
+{
+    return ((count - 1) >> level) + 1;
+}
+
+/* 1/distance of every pixel. */
+static bool find_nearest(const struct relief_question *question, double *nearest,
+                         struct error *error)
+{
+    const struct image *depths = question->depths;
+    for (size_t i = 0; i < depths->width * depths->height; i++) {
+        const double depth = (double)depths->pixels[i];
+        const double before = depth * MM_PER_M - question->sensor;
+        const size_t column = i % depths->width + 1, row = i / depths->width + 1;
+        if (!(depth > 0)) {
+            return fail(error, ERROR_DATA,
+                        "%.200s: the depth in column %zu, row %zu is %g m: it must be above 0",
+                        question->name, column, row, depth);
+        }
+        if (!(before > 0 && before + question->pupil > 0)) {
+            return fail(error, ERROR_DATA,
+                        "%.200s: the depth in column %zu, row %zu, %.6g m, lies within the lens, "
+                        "which reaches to %.6g m before the sensor",
+                        question->name, column, row, depth,
+                        fmax(question->sensor, question->sensor - question->pupil) / MM_PER_M);
+        }
+        nearest[i] = 1 / (before + question->pupil);
+    }
+    return true;
+}
+
+/* Of four squares each, or fewer at the border. */
+static void merge_level(const struct relief *relief, int level)
+{
+    const size_t columns = halved(relief->columns, level), rows = halved(relief->rows, level);
+    const size_t below = halved(relief->columns, level - 1);
+    const size_t last[AXES] = {below - 1, halved(relief->rows, level - 1) - 1};
+    const double *from = relief->nearest[level - 1];
+    for (size_t j = 0; j < rows; j++) {
+        for (size_t i = 0; i < columns; i++) {
+            const size_t right = 2 * i < last[X] ? 2 * i + 1 : 2 * i;
+            const size_t down = 2 * j < last[Y] ? 2 * j + 1 : 2 * j;
+            const double upper = fmax(from[2 * j * below + 2 * i], from[2 * j * below + right]);
+            const double lower = fmax(from[down * below + 2 * i], from[down * below + right]);
+            relief->nearest[level][j * columns + i] = fmax(upper, lower);
+        }
+    }
+}
+
+bool relief_open(const struct relief_question *question, struct arena *arena, struct relief *relief,
+                 struct error *error)
+{
+    const struct card *card = &question->card;
+    const size_t columns = question->depths->width, rows = question->depths->height;
+    *relief = (struct relief){.card = *card,
+                              .is_endless = question->is_endless,
+                              .hidden = question->hidden,
+                              .columns = columns,
+                              .rows = rows,
+                              .pupil = question->pupil,
+                              .frame = question->pupil + card->distance,
+                              .levels = 1};
+    if (!isfinite(question->pupil)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the entrance pupil lies at infinity: no depth map is seen from there");
+    }
+    if (!(relief->frame > 0)) {
+        return fail(error, ERROR_DOMAIN, "the card lies behind the entrance pupil");
+    }
+    relief->parallax = question->radius * relief->frame * (double)columns / card->width;
+    if (card->picture != NULL) {
+        relief->rim[X] = 0.5 * (double)columns / (double)card->picture->width;
+        relief->rim[Y] = 0.5 * (double)rows / (double)card->picture->height;
+    }
+    while (halved(columns, relief->levels - 1) > 1 || halved(rows, relief->levels - 1) > 1) {
+        relief->levels++;
+    }
+    relief->nearest = ARENA_ARRAY(arena, (size_t)relief->levels, double *);
+    for (int level = 0; level < relief->levels; level++) {
+        const size_t count = halved(columns, level) * halved(rows, level);
+        relief->nearest[level] = ARENA_ARRAY(arena, count, double);
+        if (level == 0 && !find_nearest(question, relief->nearest[0], error)) {
+            return false;
+        }
+        if (level > 0) {
+            merge_level(relief, level);
+        }
+    }
+    return true;
+}
+
+/* -------- a ray over it -------- */
+
+/* A pixel of the map; those beyond its frame are told from the others. */
+struct place {
+    long at[AXES];
+};
+
+struct walk {
+    const struct relief *relief;
+    double from[AXES], per_w[AXES]; /* the place is from + per_w w, in pixels */
+    double w;                       /* where it has come to, 1/mm */
+    struct place here, before;      /* before the border that it crossed last */
+};
+
+/* Rounded down also below 0: all places lie within so many pixels of the frame. */
+static long square_of(long at, int level)
+{
+    const long shift = 1L << 40;
+    return ((at + shift) >> level) - (shift >> level);
+}
+
+static long clamped(long at, size_t count)
+{
+    return at < 0 ? 0 : at >= (long)count ? (long)count - 1 : at;
+}
+
+static bool is_within(const struct relief *relief, struct place place)
+{
+    return place.at[X] >= 0 && place.at[X] < (long)relief->columns && place.at[Y] >= 0 &&
+           place.at[Y] < (long)relief->rows;
+}
+
+/* The nearest in a square: beyond the frame no more than on its border, or nothing. */
+static double nearest_in(const struct relief *relief, struct place place, int level)
+{
+    if (!relief->is_endless && level == 0 && !is_within(relief, place)) {
+        return 0;
+    }
+    const size_t columns = halved(relief->columns, level), rows = halved(relief->rows, level);
+    const long column = clamped(square_of(place.at[X], level), columns);
+    const long row = clamped(square_of(place.at[Y], level), rows);
+    return relief->nearest[level][(size_t)row * columns + (size_t)column];
+}
+
+/* Where it leaves the square: w, and across which axis. */
+static double leaving(const struct walk *walk, int level, int *axis)
+{
+    double w = 0;
+    *axis = X;
+    for (int k = X; k < AXES; k++) {
+        const long square = square_of(walk->here.at[k], level);
+        const long border = (walk->per_w[k] > 0 ? square : square + 1) * (1L << level);
+        const double at = ((double)border - walk->from[k]) / walk->per_w[k];
+        if (walk->per_w[k] != 0 && at > w) {
+            w = at;
+            *axis = k;
+        }
+    }
+    return fmin(w, walk->w);
+}
+
+/* Over the border of the square, into the pixel behind it. */
+static void cross(struct walk *walk, int level, double w, int axis)
+{
+    const int other = axis == X ? Y : X;
+    const long size = 1L << level;
+    const long square = square_of(walk->here.at[axis], level) * size;
+    const long beside = square_of(walk->here.at[other], level) * size;
+    const long along = (long)floor(walk->from[other] + walk->per_w[other] * w);
+    const bool down = walk->per_w[axis] > 0; /* w falls */
+    walk->here.at[axis] = down ? square - 1 : square + size;
+    walk->here.at[other] = along < beside           ? beside
+                           : along >= beside + size ? beside + size - 1
+                                                    : along;
+    walk->before = walk->here;
+    walk->before.at[axis] += down ? 1 : -1;
+    walk->w = w;
+}
+
+/* Do rays of the pupil's rim pass between neighbours? Beside a card they always do. */
+static bool is_edge(const struct relief *relief, struct place place, struct place other)
+{
+    const double step = nearest_in(relief, place, 0) - nearest_in(relief, other, 0);
+    const bool goes_on = relief->is_endless || is_within(relief, place) == is_within(relief, other);
+    return !goes_on || fabs(step) * relief->parallax > 1;
+}
+
+/* A pixel's place at w along an axis, without what its neighbours beyond an edge would mix in. */
+static double kept_within(const struct walk *walk, struct place pixel, int axis, double w)
+{
+    const struct relief *relief = walk->relief;
+    const double begin = (double)pixel.at[axis], rim = relief->rim[axis];
+    double low = begin, high = begin + 1;
+    struct place beside = pixel;
+    beside.at[axis]--;
+    low += is_edge(relief, pixel, beside) ? rim : 0;
+    beside.at[axis] += 2;
+    high -= is_edge(relief, pixel, beside) ? rim : 0;
+    const double at = walk->from[axis] + walk->per_w[axis] * w;
+    return low > high ? begin + 0.5 : fmin(fmax(at, low), high);
+}
+
+/* The light of a pixel, which the ray meets at w. */
+static struct card_light light_at(const struct walk *walk, struct place pixel, double w)
+{
+    const struct relief *relief = walk->relief;
+    const struct card *card = &relief->card;
+    pixel.at[X] = relief->is_endless ? clamped(pixel.at[X], relief->columns) : pixel.at[X];
+    pixel.at[Y] = relief->is_endless ? clamped(pixel.at[Y], relief->rows) : pixel.at[Y];
+    if (!is_within(relief, pixel)) {
+        return (struct card_light){{0, 0, 0}};
+    }
+    const double x = kept_within(walk, pixel, X, w) / (double)relief->columns - 0.5;
+    const double y = 0.5 - kept_within(walk, pixel, Y, w) / (double)relief->rows;
+    return card_look(card, x * card->width, y * card->height);
+}
+
+/*
+ * Go on behind an edge.
+ *
+ * Result    true: it ends there, at the distance of the pixel that it was before; false: it has
+ *           come out again
+ */
+static bool goes_behind(struct walk *walk, struct place *last)
+{
+    const double w = nearest_in(walk->relief, walk->before, 0);
+    *last = walk->before;
+    while (walk->w < nearest_in(walk->relief, walk->here, 0)) {
+        int axis;
+        const double end = leaving(walk, 0, &axis);
+        if (end <= w) {
+            walk->w = w;
+            return true;
+        }
+        cross(walk, 0, end, axis);
+    }
+    return false;
+}
+
+/* That nothing is beside a card is known. */
+static enum relief_sight sight_of(const struct relief *relief, struct place met,
+                                  enum relief_sight within)
+{
+    return is_within(relief, met) ? within : relief->is_endless ? SIGHT_BESIDE : SIGHT_SEEN;
+}
+
+/* What is met, and how; walk->w is where. Every turn goes down a level or crosses a border. */
+static enum relief_sight meet(struct walk *walk, struct place *met)
+{
+    const struct relief *relief = walk->relief;
+    int level = 0;
+    for (;;) {
+        int axis;
+        const double end = leaving(walk, level, &axis),
+                     nearest = nearest_in(relief, walk->here, level);
+        if (end > nearest) {
+            cross(walk, level, end, axis);
+            level += level + 1 < relief->levels ? 1 : 0;
+        } else if (level > 0) {
+            level--;
+        } else if (walk->w >= nearest) {
+            walk->w = nearest;
+            *met = walk->here;
+            return sight_of(relief, *met, SIGHT_SEEN);
+        } else if (!is_edge(relief, walk->here, walk->before)) {
+            *met = walk->here;
+            return sight_of(relief, *met, SIGHT_SEEN);
+        } else if (goes_behind(walk, met)) {
+            return sight_of(relief, *met, SIGHT_BEHIND);
+        }
+    }
+}
+
+struct card_light relief_look(const struct relief *relief, const struct relief_ray *ray,
+                              enum relief_sight *sight)
+{
+    static const double farthest = 1000; /* frames: beyond, nothing is looked for */
+    const double scale[AXES] = {(double)relief->columns / relief->card.width,
+                                -(double)relief->rows / relief->card.height};
+    const double middle[AXES] = {0.5 * (double)relief->columns, 0.5 * (double)relief->rows};
+    struct walk walk = {.relief = relief, .w = relief->nearest[relief->levels - 1][0]};
+    *sight = relief->is_endless ? SIGHT_BESIDE : SIGHT_SEEN;
+    for (int k = X; k < AXES; k++) {
+        walk.from[k] = middle[k] - scale[k] * relief->frame * ray->slope[k];
+        walk.per_w[k] = scale[k] * relief->frame * ray->x[k];
+        const double begin = walk.from[k] + walk.per_w[k] * walk.w;
+        if (!(fabs(walk.from[k] - middle[k]) < farthest * middle[k] &&
+              fabs(begin - middle[k]) < farthest * middle[k])) {
+            return (struct card_light){{0, 0, 0}};
+        }
+        walk.here.at[k] = (long)floor(begin);
+    }
+    walk.before = walk.here;
+    struct place met;
+    *sight = meet(&walk, &met);
+    return *sight == SIGHT_SEEN || relief->hidden == HIDDEN_NEARBY ? light_at(&walk, met, walk.w)
+                                                                   : (struct card_light){{0, 0, 0}};
+}

@@ -1,0 +1,82 @@
+/* camera/relief.h - a picture with its depths: what it shows, seen from beside its camera. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CAMERA_RELIEF_H
+#define LENSCALC_CAMERA_RELIEF_H
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "camera/card.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* What rays see that pass behind an edge of the relief or beside its frame: it knows nothing. */
+enum relief_hidden {
+    HIDDEN_NEARBY, /* what lies next to the edge, as far away as that */
+    HIDDEN_BLACK
+};
+
+struct relief_question {
+    const struct image *depths; /* one channel: m from the sensor, along the axis; or infinite */
+    const char *name;           /* of their file, for messages */
+    struct card card;           /* whose frame, in its distance, the pixels of the map fill */
+    bool is_endless;            /* the frame is all that the film sees: its border goes on */
+    enum relief_hidden hidden;
+    double sensor; /* behind the first vertex, mm */
+    double pupil;  /* the entrance pupil's centre behind the first vertex, mm */
+    double radius; /* of the pupil, mm */
+};
+
+/* Read-only afterwards: threads share it. */
+struct relief {
+    struct card card;
+    bool is_endless;
+    enum relief_hidden hidden;
+    size_t columns, rows;
+    double pupil, frame; /* mm; the frame's distance from the pupil */
+    double parallax;     /* pixels that the rim of the pupil sees a point move, a unit of 1/mm */
+    double rim[2];       /* half a pixel of the picture, in pixels of the map */
+    int levels;
+    double **nearest; /* 1/mm of squares of 2^level pixels: the largest 1/distance from the pupil */
+};
+
+/* How much a ray found out. */
+enum relief_sight {
+    SIGHT_SEEN,
+    SIGHT_BEHIND, /* it went behind an edge */
+    SIGHT_BESIDE, /* it left a frame that goes on */
+    RELIEF_SIGHTS
+};
+
+/*
+ * Make a relief of a depth map: each pixel is a square patch at its distance, across the axis,
+ * along its line of sight from the centre of the entrance pupil.
+ *
+ * Errors    ERROR_DATA: a depth that is no number above 0, or within the lens or its pupil, with
+ *           column and row, from 1 at the top left; ERROR_DOMAIN: the pupil lies at infinity
+ */
+bool relief_open(const struct relief_question *question, struct arena *arena, struct relief *relief,
+                 struct error *error);
+
+/* A ray before the lens: where it passes the plane of the entrance pupil, mm, and x/z, y/z. */
+struct relief_ray {
+    double x[2], slope[2];
+};
+
+/*
+ * Look along a ray.
+ *
+ * Result    light as card_look gives it, where the ray first meets the relief
+ *           Neighbours whose distances differ by less than a pixel of parallax between the middle
+ *           and the rim of the pupil are one surface: rays end at the step between them. Larger
+ *           steps are edges, behind which rays go on until they come out again, or reach the
+ *           distance of the surface that they passed last: SIGHT_BEHIND
+ * Formula   with w = 1/d, d the distance before the pupil, a ray is a straight line over the frame,
+ *           X = F (x w - slope), F the frame's d; lines of sight are upright, planes are planes. It
+ *           is followed from large w to small ones over squares whose largest w it may pass, the
+ *           greater ones first
+ */
+struct card_light relief_look(const struct relief *relief, const struct relief_ray *ray,
+                              enum relief_sight *sight);
+
+#endif

@@ -1,0 +1,67 @@
+/* commands/camera/render_depth.c - a picture's depths: read, and what they do not show. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render.h"
+#include "file/depth_file.h"
+#include "optics/wavelength.h"
+
+#define MM_PER_M 1000.0
+
+const struct word render_hidden[] = {
+    {"nearby", "what lies next to the edge, as far away as that"},
+    {"black", "nothing"},
+    {NULL, NULL},
+};
+
+bool render_check_depths(const struct render_input *input, struct error *error)
+{
+    const struct interval_value *depth = &input->depth;
+    if (isnan(depth->low) != isnan(depth->high) || (!isnan(depth->low) && !(depth->low > 0))) {
+        return fail(error, ERROR_USAGE,
+                    "{--depth} NEAR..FAR: two distances above 0, as 0.5m..20m or 1m..inf");
+    }
+    return true;
+}
+
+bool render_depths(const struct render_input *input, const struct image *picture,
+                   struct arena *arena, struct photograph_depths *depths, struct error *error)
+{
+    const struct depth_range range = {input->depth.low / MM_PER_M, input->depth.high / MM_PER_M};
+    *depths = (struct photograph_depths){.hidden = (enum relief_hidden)input->hidden};
+    if (input->depth_map == NULL) {
+        return true;
+    }
+    struct image *map = ARENA_NEW(arena, struct image);
+    depths->map = map;
+    depths->name = input->depth_map;
+    if (!depth_file_read(input->depth_map, &range, arena, map, error)) {
+        return false;
+    }
+    return picture == NULL || picture->width * map->height == picture->height * map->width ||
+           fail(error, ERROR_DATA,
+                "%.200s has %zu x %zu pixels, the picture %zu x %zu: they must have the same shape",
+                input->depth_map, map->width, map->height, picture->width, picture->height);
+}
+
+void render_say_depths(const struct render_input *input, const struct photograph *photograph,
+                       struct growing *remarks)
+{
+    static const char *const seen[] = {"what lies next to it", "black"};
+    const double behind = 100 * photograph->sights[SIGHT_BEHIND];
+    const double beside = 100 * photograph->sights[SIGHT_BESIDE];
+    if (input->depth_map == NULL) {
+        return;
+    }
+    growing_format(remarks,
+                   "depths seen from the entrance pupil; what stands before the frame or behind "
+                   "edges is missing\n");
+    if (!isnan(input->depth.low)) {
+        growing_format(remarks, "white is %.6g m from the sensor, black %.6g m\n",
+                       input->depth.low / MM_PER_M, input->depth.high / MM_PER_M);
+    }
+    if (behind > 0 || beside > 0) {
+        growing_format(remarks,
+                       "%.2g %% of the rays pass behind an edge of the depth map, %.2g %% beside "
+                       "it: they see %s\n",
+                       behind, beside, seen[input->hidden]);
+    }
+}
