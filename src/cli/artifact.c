@@ -4,6 +4,7 @@
 
 #include "cli/arguments.h"
 #include "cli/sweep.h"
+#include "optics/growing.h"
 #include "report/place.h"
 
 #include <string.h>
@@ -79,6 +80,15 @@ static bool check_scope(const struct artifact_job *job, const struct artifact_se
     if (job->artifact->scope == ARTIFACT_OF_ROWS) {
         return true;
     }
+    if (job->artifact->scope == ARTIFACT_OF_EACH) {
+        if (total > MOST_INPUTS) {
+            return fail(error, ERROR_USAGE, "--%s would be %zu files: at most %d", name, total,
+                        MOST_INPUTS);
+        }
+        return total == 1 || (job->path != NULL && strcmp(job->path, "-") != 0) ||
+               fail(error, ERROR_USAGE, "%zu files do not go to standard output: --%s FILE", total,
+                    name);
+    }
     if (job->artifact->scope == ARTIFACT_OF_SWEEP) {
         if (setting->is_batch) {
             return fail(error, ERROR_USAGE, "--%s works with swept options, not with --batch",
@@ -96,28 +106,59 @@ static bool check_scope(const struct artifact_job *job, const struct artifact_se
            fail(error, ERROR_USAGE, "--%s draws a single row, but this answer has several", name);
 }
 
+/* Of several files the one by this number from 0: "night.png" becomes "night-01.png". */
+static const char *numbered(const struct artifact_job *job, size_t number, struct arena *arena)
+{
+    const char *path = job->path;
+    if (job->files == 1) {
+        return path;
+    }
+    const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
+    const bool has_ending = dot != NULL && (slash == NULL || dot > slash);
+    const char *ending = has_ending ? dot : path + strlen(path);
+    const int digits = job->files > 99 ? 3 : job->files > 9 ? 2 : 1;
+    return arena_printf(arena, "%.*s-%0*zu%s", (int)(ending - path), path, digits, number + 1,
+                        ending);
+}
+
+/* An artifact that writes this file already; null: none does. */
+static const char *other_writer(const struct artifacts *artifacts,
+                                const struct artifact_setting *setting, const char *path)
+{
+    const char *rows = setting->common->output;
+    if (setting->command->run != NULL &&
+        place_is_same(rows != NULL ? rows : "-", path, setting->arena)) {
+        return "output";
+    }
+    for (size_t i = 0; i < artifacts->count; i++) {
+        const struct artifact_job *job = &artifacts->jobs[i];
+        for (size_t k = 0; k < job->files && job->path != NULL; k++) {
+            if (place_is_same(numbered(job, k, setting->arena), path, setting->arena)) {
+                return job->artifact->option.name;
+            }
+        }
+    }
+    return NULL;
+}
+
 /* A file that is there already, and two artifacts in one file. */
 static bool check_place(const struct artifacts *artifacts, const struct artifact_job *job,
                         const struct artifact_setting *setting, struct error *error)
 {
     struct stat found;
-    if (job->artifact->is_kept && !setting->common->force && stat(job->path, &found) == 0 &&
-        S_ISREG(found.st_mode)) {
-        return fail(error, ERROR_IO, "%s already exists: --force overwrites it", job->path);
-    }
-    const char *rows = setting->common->output, *other = NULL;
-    if (setting->command->run != NULL &&
-        place_is_same(rows != NULL ? rows : "-", job->path, setting->arena)) {
-        other = "output";
-    }
-    for (size_t i = 0; i < artifacts->count && other == NULL; i++) {
-        if (artifacts->jobs[i].path != NULL &&
-            place_is_same(artifacts->jobs[i].path, job->path, setting->arena)) {
-            other = artifacts->jobs[i].artifact->option.name;
+    for (size_t i = 0; i < job->files && job->path != NULL; i++) {
+        const char *path = numbered(job, i, setting->arena);
+        if (job->artifact->is_kept && !setting->common->force && stat(path, &found) == 0 &&
+            S_ISREG(found.st_mode)) {
+            return fail(error, ERROR_IO, "%s already exists: --force overwrites it", path);
+        }
+        const char *other = other_writer(artifacts, setting, path);
+        if (other != NULL) {
+            return fail(error, ERROR_USAGE, "--%s and --%s write the same file %s", other,
+                        job->artifact->option.name, path);
         }
     }
-    return other == NULL || fail(error, ERROR_USAGE, "--%s and --%s write the same file %s", other,
-                                 job->artifact->option.name, job->path);
+    return true;
 }
 
 /* The inputs of a sweep, one after the other; the input itself where there is only one. */
@@ -153,26 +194,34 @@ static bool order(struct artifacts *artifacts, const struct artifact_setting *se
     if (!check_scope(&job, setting, error) || !check_terminal(&job, error)) {
         return false;
     }
-    job.count = artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;
+    const bool is_each = artifact->scope == ARTIFACT_OF_EACH;
+    job.count = is_each || artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;
+    job.first = artifacts->files;
+    job.files = is_each ? job.count : 1;
     job.inputs = inputs_of(setting, job.count);
     job.asking = setting->asking;
     job.run = setting->run;
     if (!choose_type(&job, setting->arena, error) ||
         (artifact->check != NULL && !artifact->check(&job, error)) ||
-        (job.path != NULL && !check_place(artifacts, &job, setting, error))) {
+        !check_place(artifacts, &job, setting, error)) {
         return false;
     }
     artifacts->jobs[artifacts->count++] = job;
+    artifacts->files += job.files;
     return true;
 }
 
 static bool open_sinks(struct artifacts *artifacts, struct arena *arena, struct error *error)
 {
-    artifacts->sinks = ARENA_ARRAY(arena, artifacts->count + 1, struct output);
-    for (; artifacts->open < artifacts->count; artifacts->open++) {
-        if (!output_open(&artifacts->sinks[artifacts->open], artifacts->jobs[artifacts->open].path,
-                         arena, error)) {
-            return false;
+    artifacts->sinks = ARENA_ARRAY(arena, artifacts->files + 1, struct output);
+    for (size_t i = 0; i < artifacts->count; i++) {
+        const struct artifact_job *job = &artifacts->jobs[i];
+        for (size_t k = 0; k < job->files; k++) {
+            if (!output_open(&artifacts->sinks[artifacts->open], numbered(job, k, arena), arena,
+                             error)) {
+                return false;
+            }
+            artifacts->open++;
         }
     }
     return true;
@@ -221,7 +270,7 @@ bool artifacts_make(const struct artifacts *artifacts, struct error *error)
     bool done = true;
     for (size_t i = 0; i < artifacts->count && done; i++) {
         const struct artifact_job *job = &artifacts->jobs[i];
-        done = job->artifact->make(job, &artifacts->sinks[i], error);
+        done = job->artifact->make(job, &artifacts->sinks[job->first], error);
     }
     return done;
 }
@@ -239,8 +288,28 @@ bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error
     return done;
 }
 
-struct text artifacts_remarks(const struct artifacts *artifacts)
+/* Is the line one of those of a text? */
+static bool has_line(struct text lines, struct text line)
 {
-    return artifacts->count > 0 ? artifacts->sinks[artifacts->count - 1].remarks
-                                : (struct text){NULL, 0};
+    while (lines.length > 0) {
+        if (text_identical(text_cut(&lines, '\n'), line)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+struct text artifacts_remarks(const struct artifacts *artifacts, struct arena *arena)
+{
+    struct growing remarks = {.arena = arena};
+    for (size_t i = 0; i < artifacts->files && artifacts->sinks != NULL; i++) {
+        struct text rest = artifacts->sinks[i].remarks;
+        while (rest.length > 0) {
+            const struct text line = text_cut(&rest, '\n');
+            if (!has_line(growing_done(&remarks), line)) {
+                growing_format(&remarks, "%.*s\n", (int)line.length, line.start);
+            }
+        }
+    }
+    return growing_done(&remarks);
 }

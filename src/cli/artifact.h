@@ -34,6 +34,7 @@ enum artifact_scope {
     ARTIFACT_OF_ANSWER, /* one input, whatever number of rows it makes */
     ARTIFACT_OF_ROW,    /* one input that makes one row */
     ARTIFACT_OF_SWEEP,  /* all inputs of a sweep, at most 100 */
+    ARTIFACT_OF_EACH,   /* the same, in a file each: NAME.png or NAME-1.png, NAME-2.png ... */
     ARTIFACT_OF_ROWS,   /* the rows of all of them, which the driver keeps and counts */
 };
 
@@ -44,6 +45,7 @@ struct artifact_job {
     const struct file_type *type; /* of artifact->option.types; null if it has none */
     const void *const *inputs;    /* as the options set them; of one answer inputs[0] alone */
     size_t count;
+    size_t first, files; /* of its sinks, and how many it has: one, or `count` */
     const struct asking *asking;
     struct run *run;     /* arena, database, and `state` as the command's `run` left it */
     const void *context; /* the driver's own */
@@ -52,8 +54,9 @@ struct artifact_job {
 struct artifact {
     struct option option; /* "scale", whose value is the file; ARTIFACT_OPTION */
     enum artifact_scope scope;
-    bool is_kept;   /* a file that is there already is replaced with --force only */
-    bool is_binary; /* bytes that are not shown on a terminal */
+    const char *varies; /* ARTIFACT_OF_EACH: options that may be swept, separated by blanks */
+    bool is_kept;       /* a file that is there already is replaced with --force only */
+    bool is_binary;     /* bytes that are not shown on a terminal */
     /* The type that the input asks for, whatever the file is called; null: its name decides. */
     const struct file_type *(*choose)(const void *input);
     const char *chooser; /* the option that does that */
@@ -64,7 +67,8 @@ struct artifact {
      *
      * Given     job   after `run` has answered, if the command has one: what that allocated in
      *                 run->arena is still there
-     *           sink  takes any bytes; what it got is kept only if all goes well
+     *           sink  takes any bytes; what it got is kept only if all goes well;
+     *                 ARTIFACT_OF_EACH: an array of job->count
      */
     bool (*make)(const struct artifact_job *job, struct output *sink, struct error *error);
 };
@@ -96,8 +100,9 @@ bool drawing_write(const struct artifact_job *job, const struct svg *drawing, st
 /* The artifacts of one question. */
 struct artifacts {
     struct artifact_job *jobs;
-    struct output *sinks; /* of each */
-    size_t count, open;
+    size_t count;
+    struct output *sinks; /* of each job its own, one after the other */
+    size_t files, open;
 };
 
 /* The driver's part of every job. */
@@ -135,7 +140,7 @@ bool artifacts_make(const struct artifacts *artifacts, struct error *error);
  */
 bool artifacts_close(struct artifacts *artifacts, bool keep, struct error *error);
 
-/* What the one that was made last has to say on standard error. */
-struct text artifacts_remarks(const struct artifacts *artifacts);
+/* What they have to say on standard error: of lines that are alike the first. */
+struct text artifacts_remarks(const struct artifacts *artifacts, struct arena *arena);
 
 #endif

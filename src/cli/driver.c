@@ -308,7 +308,7 @@ static bool answer(struct driver *driver, struct error *error)
 static bool close_artifacts(struct driver *driver, bool done, struct error *error)
 {
     done = artifacts_close(&driver->artifacts, done && driver->answered, error) && done;
-    struct text remarks = artifacts_remarks(&driver->artifacts);
+    struct text remarks = artifacts_remarks(&driver->artifacts, &driver->arena);
     if (done) {
         print_remark(remarks.start, remarks.length);
     }
@@ -332,7 +332,7 @@ static int answer_without_rows(struct driver *driver)
     bool done =
         sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false, driver->input,
                     &error) &&
-        sweep_check_single(&driver->sweep, driver->command->name, &error) &&
+        sweep_check_single(&driver->sweep, driver->command, &error) &&
         idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, &error) &&
         order_artifacts(driver, &error) && make_artifacts(driver, &error);
     driver->answered = done;

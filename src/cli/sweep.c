@@ -524,10 +524,32 @@ bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
     return true;
 }
 
-bool sweep_check_single(const struct sweep *sweep, const char *command, struct error *error)
+/* Does one of its artifacts have a file for each value of the option? */
+static bool may_vary(const struct command *command, const char *option)
 {
-    return sweep->total == 1 || fail(error, ERROR_USAGE, "--%s has several values: %s takes one",
-                                     sweep->axes[0].option->name, command);
+    for (size_t i = 0; i < command->artifact_count; i++) {
+        struct text rest =
+            text_of(command->artifacts[i].varies != NULL ? command->artifacts[i].varies : "");
+        while (rest.length > 0) {
+            if (text_equal(text_cut(&rest, ' '), option)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool sweep_check_single(const struct sweep *sweep, const struct command *command,
+                        struct error *error)
+{
+    for (size_t i = 0; i < sweep->axis_count; i++) {
+        const char *option = sweep->axes[i].option->name;
+        if (!may_vary(command, option)) {
+            return fail(error, ERROR_USAGE, "--%s has several values: %s takes one", option,
+                        command->name);
+        }
+    }
+    return true;
 }
 
 void sweep_set(const struct sweep *sweep, size_t index, void *input)

@@ -29,8 +29,9 @@ struct sweep {
 bool sweep_build(struct sweep *sweep, const struct arguments *arguments,
                  const struct reader *reader, bool force, void *input, struct error *error);
 
-/* A text or a drawing is that of one value of each option. */
-bool sweep_check_single(const struct sweep *sweep, const char *command, struct error *error);
+/* A text or a drawing is that of one value of each option, but those that an artifact varies. */
+bool sweep_check_single(const struct sweep *sweep, const struct command *command,
+                        struct error *error);
 
 /* Put combination `index` (0 .. total - 1) into the input. */
 void sweep_set(const struct sweep *sweep, size_t index, void *input);

@@ -78,4 +78,20 @@ lenscalc render chart:edge --lens double-gauss-50 -s 1m --crop 1:2:0x7 -o lost.p
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --crop 1,2,3x7 -o lost.pfm
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --crop 1:2:3x7 --white auto -o lost.png
 lenscalc render --lens double-gauss-50 --crop 1:2:3x7 --rays lost.csv
+# several exposures, a file each; kinds of files; rays beside a picture
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 40x20 --samples 1 -t 1/100,1/400 --iso 100,200 -o night.d/several.pfm
+mkdir night.d
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 40x20 --samples 1 -t 1/100,1/400 --iso 100,200 -o night.d/several.pfm
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 40x20 --samples 1 -t 1/100..1/400#10 -o night.d/plain 2>&1
+lenscalc render chart:edge --lens fisheye-16 -s 1m --size 16x16 --samples 1 -t 1/100 -o corners.exr --bits 16 --rays corners.csv
+ls night.d corners.*
+lenscalc render chart:edge --lens double-gauss-50 -s 1m -t 1/100,1/400 -o - > lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m -t 1/100,1/400 -o lost.png --rays lost.csv
+lenscalc render chart:edge --lens double-gauss-50 -s 1m -t 1..2#101 -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m -N 2,4 -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --packing none -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --radiance -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --samples 1 --luminance 1e9 -t 1 --bits 16 -o lost.exr 2>&1 | tail -1
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --bits 8 -o lost.exr
+rm -f lost.png
 ls lost.*

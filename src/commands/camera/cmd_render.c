@@ -74,8 +74,12 @@ static const struct option options[] = {
     {OPTION(struct render_input, samples), .name = "samples", .lowest = 1, .highest = 4e9,
      .value = "COUNT",
      .help = "rays of a pixel and colour, a power of two (64); with --rays rays in all (65536)"},
-    {OPTION(struct render_input, bits), .name = "bits", .lowest = 8, .highest = 16, .value = "8|16",
-     .help = "bits of a PNG (8)"},
+    {OPTION(struct render_input, bits), .name = "bits", .lowest = 8, .highest = 32,
+     .value = "8|16|32", .help = "of a number: PNG 8 or 16 (8), OpenEXR 16 or 32 (32)"},
+    {OPTION(struct render_input, packing), .name = "packing", .words = render_packings,
+     .fallback = "zip", .value = "NAME", .help = "how an OpenEXR is packed"},
+    {OPTION(struct render_input, radiance), .name = "radiance",
+     .help = "write cd/m2 of the scene in place of lx s"},
     {OPTION(struct render_input, noise), .name = "noise", .help = "noise of the photons"},
     {ANALYSIS_LENGTH(struct render_input, pitch), .name = "pitch", .lowest = 1e-4, .highest = 100,
      .help = "of the sensor's pixels, for their noise; default that of the picture's"},
@@ -139,8 +143,8 @@ static bool check_rays(const struct artifact_job *job, struct error *error)
 }
 
 static const struct artifact artifacts[] = {
-    {ARTIFACT_ANSWER(image_file_types), .is_binary = true, .check = check_picture,
-     .make = render_picture},
+    {ARTIFACT_ANSWER(image_file_types), .scope = ARTIFACT_OF_EACH, .varies = "time iso",
+     .is_binary = true, .check = check_picture, .make = render_picture},
     {ARTIFACT_OPTION("rays", render_ray_types,
                      "write the rays that leave the lens towards the scene"),
      .check = check_rays, .make = render_rays},

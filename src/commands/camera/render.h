@@ -23,6 +23,8 @@ struct render_input {
     int from;                          /* enum distance_from */
     int model, focus_at;               /* enum lens_model; enum render_focus_at */
     const char *gap;                   /* "d5,10:-1"; null = the whole lens moves */
+    bool radiance;                     /* cd/m^2 in place of lx s */
+    int packing;                       /* of render_packings */
     bool noise, raw;                   /* of a sensor */
     int mosaic;                        /* enum sensor_mosaic */
     const char *white;
@@ -193,12 +195,40 @@ bool render_depths(const struct render_input *input, const struct image *picture
 void render_say_depths(const struct render_input *input, const struct photograph *photograph,
                        struct growing *remarks);
 
+/* -------- commands/camera/render_expose.c -------- */
+
+extern const struct word render_packings[];
+
+/* A picture before it is exposed. */
+struct render_shot {
+    struct render_frame frame;
+    struct photograph photograph; /* with notes of what is the same in all exposures */
+    struct text doubts;           /* lines about the lens */
+};
+
+/* Errors: ERROR_USAGE: something that this kind of file cannot hold */
+bool render_check_file(const struct render_input *input, const struct file_type *type,
+                       struct error *error);
+
+/*
+ * Expose a picture, and write it; several exposures are of one shot, which stays as it is.
+ *
+ * Given     job   of a picture; `which` of its inputs has time, speed and the like
+ *           sink  gets the file, and what is to be said of it
+ * Errors    as render_sense and image_file_bytes
+ */
+bool render_expose(const struct artifact_job *job, size_t which, const struct render_shot *shot,
+                   struct output *sink, struct error *error);
+
+/* Note something in plain words. */
+void render_note(struct image *image, struct arena *arena, const char *key, const char *value);
+
 /* -------- commands/camera/render_rays.c and render_picture.c -------- */
 
 file_types render_ray_types;
 bool render_rays(const struct artifact_job *job, struct output *sink, struct error *error);
 
 bool render_check_picture(const struct artifact_job *job, struct error *error);
-bool render_picture(const struct artifact_job *job, struct output *sink, struct error *error);
+bool render_picture(const struct artifact_job *job, struct output *sinks, struct error *error);
 
 #endif

@@ -1,0 +1,263 @@
+/* commands/camera/render_expose.c - a photograph exposed, and written as files hold it. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/develop.h"
+#include "commands/camera/render.h"
+#include "file/image_file.h"
+#include "photo/sensitometry.h"
+#include "report/spoken.h"
+
+#include <string.h>
+
+/* Where white comes that nobody exposes for: half a stop below what saturates. */
+#define WHITE_SHARE 0.70710678118654752
+
+const struct word render_packings[] = {
+    {"zip", "ZIP, 16 rows at once"}, {"none", "as it is"}, {NULL, NULL}};
+
+/* -------- kinds of files -------- */
+
+/* Bits of a number that a kind of file can have, the usual ones first. */
+static const struct {
+    const char *ending;
+    int bits[2];
+} depths[] = {{".png", {8, 16}}, {".exr", {32, 16}}};
+
+static bool is_a(const struct file_type *type, const char *ending)
+{
+    return strcmp(type->ending, ending) == 0;
+}
+
+/* Those asked for, or the usual ones; 0: the kind has no choice, or not this one. */
+static int bits_of(const struct render_input *input, const struct file_type *type)
+{
+    const int bits = input->raw ? 16 : (int)input->bits;
+    for (size_t i = 0; i < sizeof depths / sizeof depths[0]; i++) {
+        if (is_a(type, depths[i].ending)) {
+            return bits == 0 || bits == depths[i].bits[0] ? depths[i].bits[0]
+                   : bits == depths[i].bits[1]            ? bits
+                                                          : 0;
+        }
+    }
+    return 0;
+}
+
+bool render_check_file(const struct render_input *input, const struct file_type *type,
+                       struct error *error)
+{
+    const bool is_png = is_a(type, ".png");
+    if (input->raw && input->bits != 0 && input->bits != 16) {
+        return fail(error, ERROR_USAGE, "{--bits} %ld: {--raw} numbers take 16", input->bits);
+    }
+    if (render_senses(input) && !is_png) {
+        return fail(error, ERROR_USAGE,
+                    "what a sensor sees is written as .png; %s holds the light itself",
+                    type->ending);
+    }
+    if (input->bits != 0 && bits_of(input, type) == 0) {
+        return fail(error, ERROR_USAGE,
+                    "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
+                    input->bits);
+    }
+    if (input->packing != 0 && !is_a(type, ".exr")) {
+        return fail(error, ERROR_USAGE, "{--packing} %s: only an .exr has a choice",
+                    render_packings[input->packing].word);
+    }
+    if (input->radiance && render_is_film(input)) {
+        return fail(error, ERROR_USAGE, "{--radiance} and {--film} exclude each other");
+    }
+    return !input->radiance || !is_png ||
+           fail(error, ERROR_USAGE, "{--radiance}: a .png holds shares of white, not cd/m2");
+}
+
+/* -------- exposed -------- */
+
+struct exposure {
+    double luminance; /* of white, cd/m^2 */
+    double time, iso; /* s */
+    double metered;   /* s, of which a film loses nothing: the light that counts */
+    double full;      /* what saturates, lx s */
+    bool is_chosen;   /* nobody gave a time */
+};
+
+static bool exposure_of(const struct render_input *input, double axis, struct exposure *exposure,
+                        struct error *error)
+{
+    const double iso = render_speed(input), full = saturation_exposure(iso);
+    *exposure = (struct exposure){.luminance = input->luminance,
+                                  .time = input->time,
+                                  .metered = WHITE_SHARE * full / (input->luminance * axis),
+                                  .iso = iso,
+                                  .full = full,
+                                  .is_chosen = isnan(input->time)};
+    return render_film_time(input, &exposure->time, &exposure->metered, error);
+}
+
+/* What the pixels are of E/L: those of a file, or what sensor and film take. */
+static double unit_of(const struct render_input *input, const struct exposure *exposure,
+                      const struct file_type *type, double axis)
+{
+    const double light = exposure->luminance * exposure->metered;
+    const bool is_received = render_senses(input) || render_is_film(input);
+    return input->radiance                      ? exposure->luminance / axis
+           : is_a(type, ".png") && !is_received ? DEVELOP_HEADROOM * light / exposure->full
+                                                : light;
+}
+
+/* The same picture in other units, in room of its own. */
+static bool scale(const struct image *from, double by, struct arena *arena, struct image *image,
+                  struct error *error)
+{
+    *image = *from;
+    if (!image_new(image, arena, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < image->width * image->height * image->channels; i++) {
+        image->pixels[i] = (float)(by * (double)from->pixels[i]);
+    }
+    return true;
+}
+
+/* The least and the most of a picture's values. */
+struct range {
+    double least, most;
+};
+
+static struct range range_of(const struct image *image, double unit)
+{
+    struct range range = {(double)INFINITY, 0};
+    for (size_t i = 0; i < image->width * image->height * image->channels; i++) {
+        range.least = fmin(range.least, unit * (double)image->pixels[i]);
+        range.most = fmax(range.most, unit * (double)image->pixels[i]);
+    }
+    return range;
+}
+
+/* -------- what is said of it -------- */
+
+void render_note(struct image *image, struct arena *arena, const char *key, const char *value)
+{
+    image_note(image, arena, text_of(key), text_of(value));
+}
+
+static void add_notes(const struct render_input *input, const struct exposure *exposure,
+                      struct image *image, struct arena *arena)
+{
+    render_note(image, arena, "Exposure time", arena_printf(arena, "%.6g s", exposure->time));
+    if (render_is_film(input)) {
+        render_note(image, arena, "Film", input->film.name);
+    }
+    render_note(image, arena, "ISO", arena_printf(arena, "%.6g", exposure->iso));
+    render_note(image, arena, "White", arena_printf(arena, "%.6g cd/m2", exposure->luminance));
+}
+
+/* Too much light, or too little, and what would mend it; shares of what saturates. */
+static void add_warnings(const struct range *shares, double iso, struct growing *remarks)
+{
+    if (shares->least > 1) {
+        growing_format(remarks,
+                       "warning: every pixel is saturated: the time or the ISO must be less than "
+                       "1/%.3g of it\n",
+                       shares->least);
+    } else if (shares->most > 1) {
+        growing_format(remarks,
+                       "warning: the brightest pixel has %.3g times what saturates at ISO %.4g\n",
+                       shares->most, iso);
+    }
+    if (shares->most == 0) {
+        growing_format(remarks, "warning: no light: all is black\n");
+    } else if (shares->most < 1.0 / 4096) {
+        growing_format(remarks,
+                       "warning: all is black: it takes %.3g times the time or the ISO until the "
+                       "brightest pixel saturates\n",
+                       1 / shares->most);
+    }
+}
+
+static void add_remarks(const struct photograph *photograph, const struct exposure *exposure,
+                        bool is_film, struct growing *remarks)
+{
+    char time[64];
+    spoken_time(time, exposure->time, 3);
+    growing_format(remarks, "%.4g x %.4g mm of the card; white of %.4g cd/m2, %s at ISO %.4g%s\n",
+                   photograph->card.width, photograph->card.height, exposure->luminance, time,
+                   exposure->iso,
+                   !exposure->is_chosen ? ""
+                   : is_film            ? ": 18 % grey as a meter exposes it"
+                                        : ": white half a stop below saturation");
+}
+
+/* -------- a file -------- */
+
+/* Light becomes what the file shall hold: numbers, shares of white, densities. */
+static bool receive_light(const struct render_input *input, const struct render_shot *shot,
+                          const struct exposure *exposure, bool is_png, struct image *image,
+                          struct growing *remarks, struct error *error)
+{
+    const struct image light = *image;
+    const bool is_film = render_is_film(input);
+    if (!render_senses(input) && !is_film) {
+        return true;
+    }
+    if (!(is_film ? render_develop(input, is_png, &shot->frame, image, remarks, error)
+                  : render_sense(input, exposure->time, &shot->frame, image, remarks, error))) {
+        return false;
+    }
+    for (size_t i = 0; i < light.note_count; i++) {
+        render_note(image, remarks->arena, light.notes[i].key, light.notes[i].value);
+    }
+    return render_frame_cut(&shot->frame, remarks->arena, image, error);
+}
+
+/* The file, and all that is used for it in the arena of the remarks. */
+static bool expose(const struct render_input *input, const struct render_shot *shot,
+                   const struct file_type *type, struct growing *remarks, struct text *bytes,
+                   struct error *error)
+{
+    const struct photograph *photograph = &shot->photograph;
+    const bool is_png = is_a(type, ".png"), is_film = render_is_film(input);
+    const struct image_way way = {.bits = bits_of(input, type),
+                                  .half = bits_of(input, type) == 16,
+                                  .values = input->raw ? IMAGE_CODES : IMAGE_LIGHT,
+                                  .packed = input->packing == 0};
+    struct exposure exposure;
+    struct image image;
+    if (!exposure_of(input, photograph->axis, &exposure, error)) {
+        return false;
+    }
+    const struct range shares =
+        range_of(&photograph->image, exposure.luminance * exposure.metered / exposure.full);
+    add_remarks(photograph, &exposure, is_film, remarks);
+    if (!is_film) {
+        add_warnings(&shares, exposure.iso, remarks);
+    }
+    growing_text(remarks, shot->doubts);
+    const double unit = unit_of(input, &exposure, type, photograph->axis);
+    if (!scale(&photograph->image, unit, remarks->arena, &image, error)) {
+        return false;
+    }
+    add_notes(input, &exposure, &image, remarks->arena);
+    if (!is_png) {
+        render_note(&image, remarks->arena, "Unit",
+                    is_film           ? "density"
+                    : input->radiance ? "cd/m2"
+                                      : "lx s");
+    }
+    return receive_light(input, shot, &exposure, is_png, &image, remarks, error) &&
+           image_file_bytes(&image, type, &way, remarks->arena, bytes, error);
+}
+
+bool render_expose(const struct artifact_job *job, size_t which, const struct render_shot *shot,
+                   struct output *sink, struct error *error)
+{
+    struct arena scratch = {0};
+    struct growing remarks = {.arena = &scratch}, kept = {.arena = job->run->arena};
+    struct text bytes;
+    const bool done = expose(job->inputs[which], shot, job->type, &remarks, &bytes, error);
+    if (done) {
+        output_text(sink, bytes.start, bytes.length);
+    }
+    growing_text(&kept, growing_done(&remarks));
+    sink->remarks = growing_done(&kept);
+    arena_free(&scratch);
+    return done;
+}
