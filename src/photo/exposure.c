@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/exposure.h"
 
+#include "base/constants.h"
+
 #include <float.h>
 #include <math.h>
 
@@ -243,4 +245,9 @@ bool exposure_rule_ev100(double N, double *ev100, struct error *error)
     }
     *ev100 = log2_of_100 + 2 * log2(N);
     return true;
+}
+
+double exposure_white(double ev100)
+{
+    return EXPOSURE_C * exp2(ev100) / 100 / PI;
 }

@@ -66,6 +66,16 @@ bool exposure_solve(const struct exposure_given *given, struct exposure *x, stru
  */
 bool exposure_deviation(const struct exposure_given *given, double *stops, struct error *error);
 
+/*
+ * Luminance of a white that scatters alike in all directions, in light of an exposure value.
+ *
+ * Given     ev100  at ISO 100
+ * Result    cd/m^2: C/K/pi = 6.4 times what a meter takes for the mean of a scene
+ * Formula   L = E/pi, E = C 2^EV100/100, C = 250
+ * Source    ISO 2720:1974; Lambert's law
+ */
+double exposure_white(double ev100);
+
 /* What the camera is set to. */
 struct camera_setting {
     double N; /* f-number, > 0 */

@@ -4,6 +4,8 @@
 
 #include "photo/given.h"
 
+#include <math.h>
+
 static bool check_temperature(double T, struct error *error)
 {
     return require_within("colour temperature", " K", T, 500, 100000, error);
@@ -24,4 +26,10 @@ bool mired_filtered(double from, double shift, double *to, struct error *error)
                               "filters of %.4g mired make light of %.6g K bluer than any colour "
                               "temperature",
                               shift, from));
+}
+
+double mired_transmittance(double shift, double wavelength)
+{
+    static const double c2 = 14387.77, middle = 0.555;
+    return exp(-1e-6 * shift * c2 * (1 / wavelength - 1 / middle));
 }

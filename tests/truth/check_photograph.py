@@ -96,6 +96,28 @@ def check_threads(checks, program, folder):
     checks.check(one != other, "another seed takes the same picture")
 
 
+def check_light(checks, program, folder):
+    """A Lambertian white in 81920 lx, EV 15; an 85B, 131 mired, by Wien's law at both ends."""
+    write_pfm(os.path.join(folder, "white.pfm"), [[1.0, 1.0], [1.0, 1.0]])
+    common = ["white.pfm", "--lens", DOUBLE_GAUSS, "-s", "10m", "-t", "0.01", "--size", "8x8",
+              "--samples", "1"]
+    plain = take(program, checks, folder, *common)
+    light = take(program, checks, folder, *common, "--ev", "15")
+    amber = take(program, checks, folder, *common, "--filter", "wratten-85b")
+    if None in (plain, light, amber):
+        return
+    kelvin, second = 5500, 0.014387769  # m K
+    warmer = 1e6 / (1e6 / kelvin + 131)
+    for k, wavelength in enumerate((611e-9, 549e-9, 464e-9)):
+        wien = [math.exp(-second / (length * warmer)) / math.exp(-second / (length * kelvin))
+                for length in (wavelength, 555e-9)]
+        through = 2 ** -0.667 * wien[0] / wien[1]
+        found = amber[4][4][k] / plain[4][4][k]
+        checks.check(abs(found / through - 1) < 1e-5, f"85B: {found}, expected {through}")
+        found = light[4][4][k] / plain[4][4][k] * 1000
+        checks.check(abs(found * math.pi / 81920 - 1) < 1e-5, f"white in EV 15: {found} cd/m2")
+
+
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-photograph-") as folder:
@@ -103,6 +125,7 @@ def main():
         check_place(checks, program, folder)
         check_error(checks, program, folder)
         check_threads(checks, program, folder)
+        check_light(checks, program, folder)
     return checks.finish()
 
 

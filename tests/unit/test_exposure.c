@@ -447,8 +447,16 @@ static void test_exact_rule(void)
     }
 }
 
+/* Sunny 16: at f/16 and 1/125 s white comes half a stop below saturation, 78/100 lx s. */
+static void test_white(void)
+{
+    CHECK_RELATIVE(exposure_white(15), 26075.945876176134, 1e-14, "81920 lx/pi");
+    CHECK_NEAR(0.65 * exposure_white(15) / 125 / 256 / 0.78, 0.7071, 0.03, "[IsoSpeed06]");
+}
+
 int main(void)
 {
+    test_white();
     test_exact_rule();
     test_light();
     test_apex();

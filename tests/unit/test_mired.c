@@ -33,6 +33,10 @@ static void test_mired(void)
         CHECK(mired_filtered(shifts[i].from, shift, &back, &error));
         CHECK_RELATIVE(back, shifts[i].to, 1e-14, shifts[i].source);
     }
+    /* 5500 K behind an 85B: what Wien's law has at both temperatures, over the same at 555 nm */
+    CHECK_RELATIVE(mired_transmittance(131, 0.45), 0.4527535029620536, 1e-7, "blue");
+    CHECK_RELATIVE(mired_transmittance(131, 0.65), 1.642703113628989, 1e-7, "red");
+    CHECK_NEAR(mired_transmittance(-131, 0.555), 1, 0, "555 nm");
     double x;
     CHECK(!mired_shift(100, 5500, &x, &error));
     CHECK_TEXT(error.message, "colour temperature 100 K lies outside 500 to 100000 K");

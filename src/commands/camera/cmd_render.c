@@ -11,7 +11,7 @@
                                          .value = "NUMBER"
 
 static const struct option options[] = {
-    {OPTION(struct render_input, scene), .name = "scene", .value = "SCENE",
+    {OPTION(struct render_input, scene), .name = "subject", .value = "SCENE",
      .flags = OPTION_OPERAND | OPTION_FILE,
      .help = "a flat card: a picture (.png, .jpg, .exr, .pfm, .hdr), or chart:edge, star, grid, "
              "checker, bars, wedge, points"},
@@ -61,7 +61,11 @@ static const struct option options[] = {
     {OPTION(struct render_input, luminance), .name = "luminance", .dimension = &dimension_luminance,
      .unit = "cd_m2", .lowest = 0, .highest = INFINITY, .fallback = "1000",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LUMINANCE",
-     .help = "luminance of the card's white"},
+     .excludes = "ev scene", .help = "luminance of the card's white"},
+    OPTION_EV(struct render_input, ev, "light on the card as exposure value at ISO 100"),
+    {OPTION(struct render_input, light), .name = "scene", .value = "NAME", .excludes = "ev",
+     .help = "light on the card as in a typical scene: sunny-16, home-interior; see 'list scenes'"},
+    OPTION_FILTER(struct render_input, filter, NULL),
     OPTION_TIME(struct render_input, time, 0),
     {OPTION(struct render_input, iso), .name = "iso", .quantity = "ISO speed",
      .dimension = &dimension_iso, .lowest = 0, .highest = INFINITY, .fallback = "100",
@@ -127,10 +131,10 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "scene", "depth-map",  "field-width", "luminance",    "time",
-        "iso",   "size",       "crop",        "bits",         "noise",
-        "pitch", "read-noise", "full-well",   "dark-current", "mosaic",
-        "white", "raw",        "threads",     "film",         "grain"};
+        "subject",   "ev",    "scene",      "filter",    "depth-map",    "field-width",
+        "luminance", "time",  "iso",        "size",      "crop",         "bits",
+        "noise",     "pitch", "read-noise", "full-well", "dark-current", "mosaic",
+        "white",     "raw",   "threads",    "film",      "grain"};
     const size_t count = sizeof of_pictures / sizeof of_pictures[0];
     for (size_t i = 0; i < count && !asking_given(job->asking, "output"); i++) {
         if (asking_given(job->asking, of_pictures[i])) {

@@ -14,10 +14,13 @@ struct render_input {
     const char *scene;
     struct analysis_question question;
     struct sensor_value sensor;
-    const char *size;                  /* "360x240"; null = 480 pixels wide */
-    const char *crop;                  /* "100:50:64x32"; null = all */
-    double distance, field_width;      /* mm; NaN = not given */
-    double luminance, time, iso;       /* cd/m^2; s, NaN = not given */
+    const char *size;             /* "360x240"; null = 480 pixels wide */
+    const char *crop;             /* "100:50:64x32"; null = all */
+    double distance, field_width; /* mm; NaN = not given */
+    double luminance, time, iso;  /* cd/m^2; s, NaN = not given */
+    double ev;                    /* of the light on the card, at ISO 100; NaN = not given */
+    struct scene_value light;
+    struct loss_value filter;
     long blades;                       /* 0 = round */
     double blade_turn, blade_rounding; /* rad; 0..1 */
     int from;                          /* enum distance_from */
@@ -115,6 +118,27 @@ bool render_frame_read(const struct render_input *input, struct render_frame *fr
  */
 bool render_frame_cut(const struct render_frame *frame, struct arena *arena, struct image *image,
                       struct error *error);
+
+/* -------- commands/camera/render_light.c -------- */
+
+/* Errors: ERROR_USAGE: a filter whose colour is not known */
+bool render_check_light(const struct render_input *input, struct error *error);
+
+/* Luminance of white, cd/m^2. */
+double render_white(const struct render_input *input);
+
+/*
+ * Put the filter before the lens.
+ *
+ * Given     setup       of the photograph
+ *           photograph  each channel receives less light, the axis as the brightest of them
+ * Formula   2^-stops times mired_transmittance at the wavelength of the channel
+ */
+void render_filter(const struct render_input *input, const struct setup *setup,
+                   struct photograph *photograph);
+
+/* Which light and which filter, if they have names. */
+void render_say_light(const struct render_input *input, struct growing *remarks);
 
 /* -------- commands/camera/render_sensor.c -------- */
 

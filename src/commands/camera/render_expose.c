@@ -83,9 +83,10 @@ static bool exposure_of(const struct render_input *input, double axis, struct ex
                         struct error *error)
 {
     const double iso = render_speed(input), full = saturation_exposure(iso);
-    *exposure = (struct exposure){.luminance = input->luminance,
+    const double white = render_white(input);
+    *exposure = (struct exposure){.luminance = white,
                                   .time = input->time,
-                                  .metered = WHITE_SHARE * full / (input->luminance * axis),
+                                  .metered = WHITE_SHARE * full / (white * axis),
                                   .iso = iso,
                                   .full = full,
                                   .is_chosen = isnan(input->time)};

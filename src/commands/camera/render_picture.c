@@ -61,9 +61,9 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
                     "{--spectrum} is for {--rays}: a picture has three colours, or one "
                     "{--wavelength}");
     }
-    return render_check_file(input, job->type, error) && render_check_sensor(input, error) &&
-           render_check_film(job, error) && render_check_depths(input, error) &&
-           render_frame_read(input, &frame, error);
+    return render_check_file(input, job->type, error) && render_check_light(input, error) &&
+           render_check_sensor(input, error) && render_check_film(job, error) &&
+           render_check_depths(input, error) && render_frame_read(input, &frame, error);
 }
 
 /* -------- the picture -------- */
@@ -80,6 +80,12 @@ static void add_notes(const struct analysis_case *one, const struct render_input
     const struct setup *setup = one->setup;
     render_note(image, arena, "Software", "lenscalc " LENSCALC_VERSION);
     render_note(image, arena, "Scene", input->scene);
+    if (input->light.name != NULL) {
+        render_note(image, arena, "Light", input->light.name);
+    }
+    if (input->filter.name != NULL) {
+        render_note(image, arena, "Filter", input->filter.name);
+    }
     render_note(image, arena, "Lens", setup->lens->title != NULL ? setup->lens->title : "");
     render_note(image, arena, "Aperture", arena_printf(arena, "f/%.4g", setup->first.fnumber));
     render_note(image, arena, "Lens model", lens_models[input->model].word);
@@ -118,12 +124,14 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
         !photograph_take(&question, arena, &shot.photograph, error)) {
         return false;
     }
+    render_filter(input, one->setup, &shot.photograph);
     add_notes(one, input, &shot.photograph.image, arena);
     if (shot.photograph.is_incomplete) {
         render_note(&shot.photograph.image, arena, "Incomplete", "interrupted");
         fail(&job->run->shortfall, ERROR_DOMAIN,
              "interrupted: the picture is incomplete, and black where it is missing");
     }
+    render_say_light(input, &doubts);
     render_say_depths(input, &shot.photograph, &doubts);
     render_doubts(one, shot.photograph.largest, shot.photograph.corner, &doubts);
     shot.doubts = growing_done(&doubts);

@@ -1,0 +1,58 @@
+/* commands/camera/render_light.c - light on the card, and filters before the lens. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render.h"
+#include "photo/exposure.h"
+#include "photo/mired.h"
+
+bool render_check_light(const struct render_input *input, struct error *error)
+{
+    if (input->filter.name != NULL && input->radiance) {
+        return fail(error, ERROR_USAGE,
+                    "{--filter} and {--radiance} exclude each other: light of the scene has passed "
+                    "no filter");
+    }
+    return !isnan(input->filter.mired) ||
+           fail(error, ERROR_USAGE,
+                "{--filter} %s: its colour is not that of a light, and no spectrum of it is known",
+                input->filter.name);
+}
+
+double render_white(const struct render_input *input)
+{
+    const double ev = input->light.name != NULL ? input->light.ev100 : input->ev;
+    return isnan(ev) ? input->luminance : exposure_white(ev);
+}
+
+void render_filter(const struct render_input *input, const struct setup *setup,
+                   struct photograph *photograph)
+{
+    struct image *image = &photograph->image;
+    double through[PHOTOGRAPH_CHANNELS], most = 0;
+    if (input->filter.name == NULL) {
+        return;
+    }
+    for (size_t k = 0; k < PHOTOGRAPH_CHANNELS; k++) {
+        const size_t w = k < setup->wavelength_count ? k : 0;
+        through[k] = exp2(-input->filter.stops) *
+                     mired_transmittance(input->filter.mired, setup->wavelengths[w].wavelength);
+        most = fmax(most, through[k]);
+    }
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        for (size_t k = 0; k < PHOTOGRAPH_CHANNELS; k++) {
+            float *value = &image->pixels[i * PHOTOGRAPH_CHANNELS + k];
+            *value = (float)(through[k] * (double)*value);
+        }
+    }
+    photograph->axis *= most; /* white is exposed by its brightest colour */
+}
+
+void render_say_light(const struct render_input *input, struct growing *remarks)
+{
+    if (input->light.name != NULL) {
+        growing_format(remarks, "light of %s, EV %.4g at ISO 100: %s\n", input->light.name,
+                       input->light.ev100, input->light.source);
+    }
+    if (input->filter.name != NULL) {
+        growing_format(remarks, "filter %s\n", input->filter.name);
+    }
+}
