@@ -1,0 +1,119 @@
+/* base/fft.c - discrete Fourier transforms of lengths 2^a 3^b 5^c. */
+/* SPDX-License-Identifier: MIT */
+#include "base/fft.h"
+
+#include "base/processor.h"
+#include "base/turns.h"
+
+static const size_t radices[] = {4, 2, 3, 5};
+enum { RADICES = sizeof radices / sizeof radices[0] };
+
+bool fft_has(size_t length)
+{
+    size_t rest = length;
+    for (size_t i = 1; i < RADICES && length > 0; i++) {
+        while (rest % radices[i] == 0) {
+            rest /= radices[i];
+        }
+    }
+    return rest == 1 && length <= FFT_MOST;
+}
+
+size_t fft_length_from(size_t length)
+{
+    while (!fft_has(length)) {
+        length++;
+    }
+    return length;
+}
+
+/* Of `left` numbers, `length` parts of `radix`: exp(-2 pi i p k/left), k from 1. */
+static struct fft_pass pass_of(size_t radix, size_t left, struct arena *arena)
+{
+    const size_t length = left / radix, count = length * (radix - 1);
+    double *cosine = ARENA_ARRAY(arena, count, double), *sine = ARENA_ARRAY(arena, count, double);
+    for (size_t i = 0; i < count; i++) {
+        const size_t p = i / (radix - 1), k = i % (radix - 1) + 1;
+        turns_of_ratio(p * k, left, &cosine[i], &sine[i]);
+        sine[i] = -sine[i];
+    }
+    return (struct fft_pass){radix, length, cosine, sine};
+}
+
+struct fft fft_open(size_t length, struct arena *arena)
+{
+    struct fft fft = {.length = length};
+    size_t left = length;
+    for (size_t i = 0; i < RADICES; i++) {
+        for (; left % radices[i] == 0; left /= radices[i]) {
+            fft.passes[fft.count++] = pass_of(radices[i], left, arena);
+        }
+    }
+    return fft;
+}
+
+static kernel_fft *kernel_of(enum fft_set set)
+{
+    if (set == FFT_BEST) {
+        set = processor_has_avx512() ? FFT_AVX512 : processor_has_avx2() ? FFT_AVX2 : FFT_SSE2;
+    }
+    return set == FFT_AVX512 ? kernel_fft_avx512
+           : set == FFT_AVX2 ? kernel_fft_avx2
+                             : kernel_fft_sse2;
+}
+
+/* Number k of every line side by side; where there are fewer lines zeros stand in for them. */
+static void gather(const struct fft_lines *lines, const double *from, size_t length, double *to)
+{
+    const size_t line = lines->line, step = lines->step, here = lines->count;
+    for (size_t k = 0; k < length && here == FFT_LANES; k++, from += step, to += FFT_LANES) {
+        for (size_t i = 0; i < FFT_LANES; i++) {
+            to[i] = from[i * line];
+        }
+    }
+    for (size_t k = 0; k < length && here < FFT_LANES; k++, from += step, to += FFT_LANES) {
+        for (size_t i = 0; i < FFT_LANES; i++) {
+            to[i] = i < here ? from[i * line] : 0;
+        }
+    }
+}
+
+static void scatter(const struct fft_lines *lines, const double *from, size_t length, double *to)
+{
+    const size_t line = lines->line, step = lines->step, here = lines->count;
+    for (size_t k = 0; k < length; k++, from += FFT_LANES, to += step) {
+        for (size_t i = 0; i < here; i++) {
+            to[i * line] = from[i];
+        }
+    }
+}
+
+void fft_transform(const struct fft *fft, bool inverse, const struct fft_lines *lines,
+                   enum fft_set set, struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    const size_t room = fft->length * FFT_LANES;
+    double *work = ARENA_ARRAY(arena, 4 * room, double);
+    kernel_fft *kernel = kernel_of(set);
+    /* the other sign is that of the numbers with their parts exchanged */
+    double *re = inverse ? lines->im : lines->re, *im = inverse ? lines->re : lines->im;
+    for (size_t first = 0; first < lines->count; first += FFT_LANES) {
+        const size_t left = lines->count - first, at = first * lines->line;
+        struct fft_lines few = *lines;
+        few.count = left < FFT_LANES ? left : FFT_LANES;
+        gather(&few, re + at, fft->length, work);
+        gather(&few, im + at, fft->length, work + room);
+        kernel(fft, work, work + room, work + 2 * room, work + 3 * room);
+        scatter(&few, work, fft->length, re + at);
+        scatter(&few, work + room, fft->length, im + at);
+    }
+    arena_reset(arena, mark);
+}
+
+void fft_plane(const struct fft *fft, bool inverse, double *re, double *im, struct arena *arena)
+{
+    const size_t n = fft->length;
+    const struct fft_lines across = {re, im, n, n, 1}, down = {re, im, n, 1, n};
+    fft_transform(fft, inverse, &across, FFT_BEST, arena);
+    fft_transform(fft, inverse, &down, FFT_BEST, arena);
+}
