@@ -309,6 +309,38 @@ static void put_rotation(struct svg *svg, const struct svg_label *label)
     put(svg, ")\"");
 }
 
+/* Three bytes become four letters (RFC 4648). */
+static void put_base64(struct svg *svg, struct text bytes)
+{
+    static const char letters[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i < bytes.length; i += 3) {
+        unsigned group = 0;
+        char four[4];
+        for (size_t k = 0; k < 3; k++) {
+            group = group << 8 |
+                    (i + k < bytes.length ? (unsigned)(unsigned char)bytes.start[i + k] : 0u);
+        }
+        for (size_t k = 0; k < 4; k++) {
+            four[k] = i + k > bytes.length ? '=' : letters[group >> (18 - 6 * k) & 63];
+        }
+        put_bytes(svg, four, sizeof four);
+    }
+}
+
+void svg_image(struct svg *svg, double x, double y, double width, double height, struct text png)
+{
+    put(svg, "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
+    put_attribute(svg, "x", x);
+    put_attribute(svg, "y", y);
+    put_attribute(svg, "width", width);
+    put_attribute(svg, "height", height);
+    put(svg, " preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
+             "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,");
+    put_base64(svg, png);
+    put(svg, "\"/>\n");
+}
+
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
 {
     static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};

@@ -3,6 +3,8 @@
 #ifndef LENSCALC_DRAW_SVG_H
 #define LENSCALC_DRAW_SVG_H
 
+#include "base/text.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -66,6 +68,9 @@ void svg_polygon(struct svg *svg, const double *x, const double *y, size_t count
 
 /* A path in SVG's own words ("M0 0L4 8z"), its origin moved to x, y. */
 void svg_path(struct svg *svg, double x, double y, const char *words);
+
+/* A picture, the bytes of a PNG file, over a rectangle; its pixels stay squares. */
+void svg_image(struct svg *svg, double x, double y, double width, double height, struct text png);
 
 /* Text in UTF-8, escaped; what XML cannot hold is shown as '?'. */
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text);

@@ -1,0 +1,267 @@
+/* draw/raster.c - false-colour maps with their scale, in SVG; or one as a picture. */
+/* SPDX-License-Identifier: MIT */
+#include "draw/raster.h"
+
+#include "base/arena.h"
+#include "base/error.h"
+#include "base/image/png.h"
+#include "base/image/srgb.h"
+#include "draw/svg.h"
+#include "draw/ticks.h"
+
+#include <math.h>
+
+/* px */
+static const double LEFT = 84, TOP = 104, SIDE = 250, ACROSS = 344, DOWN = 358, BOTTOM = 20;
+static const double BAR_GAP = 34, BAR_WIDTH = 18, BAR_ROOM = 110, TICK = 5;
+enum { CHANNELS = 4, BAR_STEPS = 256 };
+
+/* Evenly from the lowest value to the highest; brightness grows with the light. */
+static const unsigned char light[][3] = {{10, 8, 36},   {62, 18, 106},  {142, 36, 106},
+                                         {214, 78, 62}, {248, 154, 34}, {253, 247, 190}};
+static const unsigned char diverging[][3] = {
+    {24, 66, 148}, {104, 160, 210}, {247, 247, 247}, {236, 142, 104}, {158, 24, 38}};
+
+/* A page at work. */
+struct page {
+    const struct rasters *rasters;
+    struct svg *svg;
+    double low, high; /* of the scale; logarithms to the base 10 where it is one */
+};
+
+static double scaled(const struct rasters *rasters, double value)
+{
+    return rasters->colours == RASTER_LOG ? log10(fmax(value, 1e-300)) : value;
+}
+
+/* The highest absolute value; 0: there is none, or all are 0. */
+static bool find_highest(const struct raster_map *map, double *highest)
+{
+    bool any = false;
+    for (size_t i = 0; i < map->size * map->size; i++) {
+        if (isfinite(map->values[i])) {
+            *highest = fmax(*highest, fabs(map->values[i]));
+            any = true;
+        }
+    }
+    return any;
+}
+
+static bool find_scale(const struct rasters *rasters, double *low, double *high,
+                       struct error *error)
+{
+    double highest = 0;
+    bool any = false;
+    for (size_t i = 0; i < rasters->count; i++) {
+        any = find_highest(&rasters->maps[i], &highest) || any;
+    }
+    if (!any) {
+        return fail(error, ERROR_DOMAIN, "there is nothing to draw");
+    }
+    highest = rasters->own_scale ? 1 : fmax(highest, rasters->highest);
+    highest = highest > 0 ? highest : 1;
+    *high = scaled(rasters, highest);
+    *low = rasters->colours == RASTER_LOG      ? *high - rasters->decades
+           : rasters->colours == RASTER_SIGNED ? -*high
+                                               : 0;
+    return true;
+}
+
+/* The colour at a share of the scale, 0..1 a channel. */
+static void colour_at(enum raster_colours colours, double share, double colour[3])
+{
+    const bool is_signed = colours == RASTER_SIGNED;
+    const unsigned char(*list)[3] = is_signed ? diverging : light;
+    const double last = is_signed ? 4 : 5;
+    const double place = fmin(fmax(share, 0), 1) * last;
+    const size_t below = (size_t)fmin(floor(place), last - 1);
+    const double rest = place - (double)below;
+    for (int i = 0; i < 3; i++) {
+        colour[i] = (list[below][i] + rest * (list[below + 1][i] - list[below][i])) / 255;
+    }
+}
+
+static void put_pixel(float *pixel, const double colour[3], bool is_there)
+{
+    for (int i = 0; i < 3; i++) {
+        pixel[i] = (float)(is_there ? srgb_light(colour[i]) : 1);
+    }
+    pixel[3] = is_there ? 1 : 0;
+}
+
+/* The pixels of a map, or of the bar beside it. */
+static bool paint(const struct page *page, const struct raster_map *map, struct arena *arena,
+                  struct text *file, struct error *error)
+{
+    const struct rasters *rasters = page->rasters;
+    const size_t width = map != NULL ? map->size : 1;
+    struct image image = {
+        .width = width, .height = map != NULL ? map->size : BAR_STEPS, .channels = CHANNELS};
+    const struct image_way way = {.bits = 8, .values = IMAGE_LIGHT};
+    double own = 0;
+    if (!image_new(&image, arena, error)) {
+        return false;
+    }
+    if (map != NULL && rasters->own_scale) {
+        find_highest(map, &own);
+    }
+    for (size_t i = 0; i < image.width * image.height; i++) {
+        const size_t row = image.height - 1 - i / width;
+        double share = ((double)row + 0.5) / BAR_STEPS, colour[3];
+        if (map != NULL) {
+            const double value = map->values[row * width + i % width] / (own > 0 ? own : 1);
+            share = (scaled(rasters, value) - page->low) / (page->high - page->low);
+            share = isnan(value) ? (double)NAN : share;
+        }
+        colour_at(rasters->colours, isnan(share) ? 0 : share, colour);
+        put_pixel(image.pixels + CHANNELS * i, colour, !isnan(share));
+    }
+    return png_write(&image, &way, arena, file, error);
+}
+
+static void write_text(const struct page *page, double x, double y, double size,
+                       enum svg_anchor anchor, const char *text)
+{
+    const struct svg_label label = {.x = x, .y = y, .size = size, .anchor = anchor};
+    if (text != NULL) {
+        svg_text(page->svg, &label, text);
+    }
+}
+
+static void write_upwards(const struct page *page, double x, double y, const char *text)
+{
+    const struct svg_label label = {
+        .x = x, .y = y, .size = 12, .rotation = -90, .anchor = SVG_MIDDLE};
+    svg_text(page->svg, &label, text);
+}
+
+static const struct svg_style frame = {.stroke = "#444444"}, nothing = {.fill = "#dddddd"};
+
+/* Ticks from low to high: along x, or upwards with their numbers on one side. */
+struct axis {
+    double low, high, x, y, length;
+    int upwards; /* 0: along x; -1: upwards, numbers on the left; 1: on the right */
+    bool is_log; /* of powers of ten */
+};
+
+static void draw_tick(const struct page *page, const struct axis *axis, double share,
+                      const char *text)
+{
+    const double at = share * axis->length, side = axis->upwards;
+    const double x = side == 0 ? axis->x + at : axis->x, y = side == 0 ? axis->y : axis->y - at;
+    svg_group_begin(page->svg, &frame);
+    svg_line(page->svg, x, y, x + side * TICK, side == 0 ? y + TICK : y);
+    svg_group_end(page->svg);
+    if (axis->upwards == 0) {
+        write_text(page, x, y + 17, 11, SVG_MIDDLE, text);
+    } else {
+        write_text(page, x + 8 * side, y + 4, 11, side < 0 ? SVG_END : SVG_START, text);
+    }
+}
+
+static void draw_axis(const struct page *page, const struct axis *axis)
+{
+    struct ticks ticks;
+    struct arena *arena = page->svg->arena;
+    const double slack = 1e-9 * (axis->high - axis->low);
+    ticks_linear(axis->low, axis->high, &ticks);
+    for (size_t i = 0; i < ticks.count; i++) {
+        const double value = ticks.value[i];
+        const bool between = axis->is_log && fabs(value - round(value)) > slack;
+        if (value >= axis->low - slack && value <= axis->high + slack && !between) {
+            draw_tick(page, axis, (value - axis->low) / (axis->high - axis->low),
+                      axis->is_log ? arena_printf(arena, "1e%.0f", value)
+                                   : ticks_text(arena, &ticks, i));
+        }
+    }
+}
+
+static bool draw_map(const struct page *page, size_t i, struct error *error)
+{
+    const struct rasters *rasters = page->rasters;
+    const struct raster_map *map = &rasters->maps[i];
+    struct text png;
+    const double x = LEFT + ACROSS * (double)(i % rasters->columns);
+    const double y = TOP + DOWN * (double)(i / rasters->columns);
+    if (!paint(page, map, page->svg->arena, &png, error)) {
+        return false;
+    }
+    svg_group_begin(page->svg, &nothing);
+    svg_rect(page->svg, x, y, SIDE, SIDE);
+    svg_group_end(page->svg);
+    svg_image(page->svg, x, y, SIDE, SIDE, png);
+    svg_group_begin(page->svg, &frame);
+    svg_rect(page->svg, x, y, SIDE, SIDE);
+    svg_group_end(page->svg);
+    const struct axis along = {-map->half, map->half, x, y + SIDE, SIDE, 0, false};
+    const struct axis up = {-map->half, map->half, x, y + SIDE, SIDE, -1, false};
+    draw_axis(page, &along);
+    draw_axis(page, &up);
+    write_text(page, x + SIDE / 2, y - 10, 13, SVG_MIDDLE, map->title);
+    write_text(page, x + SIDE / 2, y + SIDE + 34, 12, SVG_MIDDLE, rasters->x_label);
+    write_upwards(page, x - 48, y + SIDE / 2, rasters->y_label);
+    write_text(page, x + SIDE / 2, y + SIDE + 54, 12, SVG_MIDDLE, map->note);
+    return true;
+}
+
+static bool draw_bar(const struct page *page, double x, struct error *error)
+{
+    struct text png;
+    if (!paint(page, NULL, page->svg->arena, &png, error)) {
+        return false;
+    }
+    svg_image(page->svg, x, TOP, BAR_WIDTH, SIDE, png);
+    svg_group_begin(page->svg, &frame);
+    svg_rect(page->svg, x, TOP, BAR_WIDTH, SIDE);
+    svg_group_end(page->svg);
+    const struct axis up = {page->low,
+                            page->high,
+                            x + BAR_WIDTH,
+                            TOP + SIDE,
+                            SIDE,
+                            1,
+                            page->rasters->colours == RASTER_LOG};
+    draw_axis(page, &up);
+    write_upwards(page, x + BAR_WIDTH + 62, TOP + SIDE / 2, page->rasters->scale_label);
+    return true;
+}
+
+bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *error)
+{
+    struct page page = {.rasters = rasters, .svg = svg};
+    if (rasters->count > RASTER_MAPS_MOST) {
+        return fail(error, ERROR_USAGE, "a page has room for %d maps, not for %zu",
+                    RASTER_MAPS_MOST, rasters->count);
+    }
+    if (!find_scale(rasters, &page.low, &page.high, error)) {
+        return false;
+    }
+    const size_t columns = rasters->count < rasters->columns ? rasters->count : rasters->columns;
+    const size_t rows = (rasters->count + rasters->columns - 1) / rasters->columns;
+    const double bar = LEFT + ACROSS * (double)(columns - 1) + SIDE + BAR_GAP;
+    const double width = bar + BAR_ROOM;
+    svg_begin(svg, width, TOP + DOWN * (double)rows - 30 + BOTTOM, rasters->title);
+    const struct svg_label title = {
+        .x = 24, .y = 32, .size = 16, .width = 0.93 * (width - 48), .bold = true};
+    svg_text(svg, &title, rasters->title);
+    const struct svg_label subtitle = {.x = 24, .y = 54, .size = 12, .width = width - 48};
+    svg_text(svg, &subtitle, rasters->subtitle);
+    for (size_t i = 0; i < rasters->count; i++) {
+        if (!draw_map(&page, i, error)) {
+            return false;
+        }
+    }
+    if (!draw_bar(&page, bar, error)) {
+        return false;
+    }
+    svg_end(svg);
+    return true;
+}
+
+bool raster_png(const struct rasters *rasters, size_t map, struct arena *arena, struct text *file,
+                struct error *error)
+{
+    struct page page = {.rasters = rasters};
+    return find_scale(rasters, &page.low, &page.high, error) &&
+           paint(&page, &rasters->maps[map], arena, file, error);
+}
