@@ -4,6 +4,7 @@
 #define LENSCALC_ANALYSIS_FAN_H
 
 #include "analysis/bundle.h"
+#include "analysis/wave_reference.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -11,16 +12,9 @@
 /* The plane that holds the axis and the field point, and the one across it. */
 enum fan_section { FAN_TANGENTIAL, FAN_SAGITTAL, FAN_SECTIONS };
 
-/* What aberrations are counted from. */
-enum fan_about {
-    FAN_CHIEF,    /* the chief ray */
-    FAN_CENTROID, /* the centroid of the spot */
-    FAN_BEST      /* the centre of the sphere that fits the wave front best */
-};
-
 struct fan_question {
     struct bundle_question bundle; /* its wavelength and pattern are not used */
-    enum fan_about about;
+    enum wave_about about;
     size_t points; /* in each section, 2 and more; odd: the middle of the pupil is one of them */
 };
 
@@ -44,7 +38,7 @@ struct fan_ends {
 struct fan {
     bool is_angular;     /* the image lies infinitely far away */
     double along[2];     /* unit: the tangential section in the pupil, and in the image */
-    double reference[3]; /* in the frame of the image plane, mm; z is not 0 of FAN_BEST alone */
+    double reference[3]; /* in the frame of the image plane, mm; z is not 0 of WAVE_BEST alone */
     double radius;       /* of the reference sphere, mm; infinite: a plane */
     const char *no_opd;  /* why there are no optical path differences; null: there are */
     const struct fan_ray *rays; /* [wavelength][section][point] */
@@ -69,7 +63,7 @@ struct fan {
  *           exit pupil; without a stop their radius is infinite. Angular: sines of angles from the
  *           chief ray along spot_axes, and a plane wave across the reference
  * Source    [Welford86]; W and places tested against a program of 50 digits
- * Errors    as bundle_open and spot_find; ERROR_DOMAIN: the chief ray is lost, FAN_BEST of an image
+ * Errors    as bundle_open and spot_find; ERROR_DOMAIN: the chief ray is lost, WAVE_BEST of an image
  *           infinitely far away, no ray of the fans arrives
  */
 bool fan_trace(const struct fan_question *question, struct arena *arena, struct fan *fan,

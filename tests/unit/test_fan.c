@@ -42,7 +42,7 @@ static struct setup open_setup(const char *text, double image, struct arena *are
 }
 
 static struct fan_question question_of(const struct setup *setup, const struct field_point *field,
-                                       enum fan_about about)
+                                       enum wave_about about)
 {
     return (struct fan_question){
         .bundle = {.setup = setup, .field = field, .clip = true}, .about = about, .points = 9};
@@ -66,7 +66,7 @@ static const struct fan_ray *ray_at(const struct fan *fan, size_t g, size_t sect
 }
 
 /* A round lens has the same fans at every azimuth, about every reference. */
-static void test_azimuths(enum fan_about about)
+static void test_azimuths(enum wave_about about)
 {
     struct arena arena = {0};
     struct setup setup = open_setup(GAUSS("50.4", "40"), NAN, &arena);
@@ -79,7 +79,7 @@ static void test_azimuths(enum fan_about about)
     struct fan_question question = question_of(&setup, &fields[0], about);
     struct fan up = trace(&question, &arena);
     /* the others are integrals over the clear pupil, whose edge is looked for along x and y */
-    double place = about == FAN_CHIEF ? 1e-10 : 1e-7, path = about == FAN_CHIEF ? 1e-12 : 3e-8;
+    double place = about == WAVE_CHIEF ? 1e-10 : 1e-7, path = about == WAVE_CHIEF ? 1e-12 : 3e-8;
     for (size_t f = 1; f < 3 && up.rays != NULL; f++) {
         question.bundle.field = &fields[f];
         struct fan other = trace(&question, &arena);
@@ -117,7 +117,7 @@ static void test_lost(void)
     struct arena arena = {0};
     const struct field_point field = {FIELD_ANGLE, {0, 14 * degree}};
     struct setup setup = open_setup(GAUSS("50.4", "40"), NAN, &arena);
-    struct fan_question question = question_of(&setup, &field, FAN_CHIEF);
+    struct fan_question question = question_of(&setup, &field, WAVE_CHIEF);
     struct fan fan = trace(&question, &arena);
     const struct fan_ray *low = ray_at(&fan, 0, FAN_TANGENTIAL, 0);
     CHECK(low->status == RAY_CLIPPED && low->surface == 1);
@@ -129,7 +129,7 @@ static void test_lost(void)
         CHECK(fan.rays[k].status == RAY_OK);
     }
     setup = open_setup(GAUSS("-", "-"), NAN, &arena);
-    question = question_of(&setup, &field, FAN_CHIEF);
+    question = question_of(&setup, &field, WAVE_CHIEF);
     fan = trace(&question, &arena);
     for (size_t k = 0; k < 3 * FAN_SECTIONS * fan.points; k++) {
         CHECK(fan.rays[k].status == RAY_OK);
@@ -143,7 +143,7 @@ static void test_colours(void)
     struct arena arena = {0};
     const struct field_point field = {FIELD_ANGLE, {0, 14 * degree}};
     struct setup setup = open_setup(GAUSS("-", "-"), NAN, &arena);
-    struct fan_question question = question_of(&setup, &field, FAN_CHIEF);
+    struct fan_question question = question_of(&setup, &field, WAVE_CHIEF);
     struct fan fan = trace(&question, &arena);
     /* chief rays of d, F, C by a program of 50 digits: double_gauss of ../shared/reference/truth */
     static const double heights[] = {24.99567298304572989117, 24.99839617537574822596,
@@ -154,7 +154,7 @@ static void test_colours(void)
         CHECK_NEAR(middle->off[1], heights[g] - heights[0], 1e-13, "colour");
     }
     /* about the centroid all move by the same, and that is where spot has it */
-    struct fan_question other = question_of(&setup, &field, FAN_CENTROID);
+    struct fan_question other = question_of(&setup, &field, WAVE_CENTROID);
     struct fan about = trace(&other, &arena);
     struct spot_question asked = {.bundle = question.bundle, .error = 1e-6, .energy = NAN};
     struct spot spot;
@@ -177,7 +177,7 @@ static void test_mirror(void)
     struct arena arena = {0};
     const struct field_point axis = {FIELD_NONE, {0, 0}};
     struct setup setup = open_setup(MIRROR, -101, &arena);
-    struct fan_question question = question_of(&setup, &axis, FAN_CHIEF);
+    struct fan_question question = question_of(&setup, &axis, WAVE_CHIEF);
     struct fan fan = trace(&question, &arena);
     CHECK_NEAR(fan.radius, 101, 1e-12, "radius");
     for (size_t i = 0; i < fan.points; i++) {
@@ -189,7 +189,7 @@ static void test_mirror(void)
         double back = -cosine + sqrt(cosine * cosine + 101 * 101 - 1);
         CHECK_NEAR(ray->opd, -(100 - back), 1e-11, "W of a defocus");
     }
-    question.about = FAN_BEST;
+    question.about = WAVE_BEST;
     fan = trace(&question, &arena);
     CHECK_NEAR(fan.reference[2], 1, 1e-9, "the focus before the plane");
     for (size_t k = 0; k < FAN_SECTIONS * fan.points; k++) {
@@ -198,11 +198,11 @@ static void test_mirror(void)
     }
     /* a plane in the pupil has no sphere, but rays arrive */
     setup = open_setup(MIRROR, 0, &arena);
-    question = question_of(&setup, &axis, FAN_CHIEF);
+    question = question_of(&setup, &axis, WAVE_CHIEF);
     struct error error;
     CHECK(fan_trace(&question, &arena, &fan, &error));
     CHECK(fan.no_opd != NULL && isnan(fan.rays[0].opd) && isfinite(fan.rays[0].off[1]));
-    question.about = FAN_BEST;
+    question.about = WAVE_BEST;
     CHECK(!fan_trace(&question, &arena, &fan, &error) && error.code == ERROR_DOMAIN);
     arena_free(&arena);
 }
@@ -213,7 +213,7 @@ static void test_afocal(void)
     struct arena arena = {0};
     const struct field_point axis = {FIELD_NONE, {0, 0}}, field = {FIELD_ANGLE, {0, 0.1 * degree}};
     struct setup setup = open_setup(MERSENNE, NAN, &arena);
-    struct fan_question question = question_of(&setup, &axis, FAN_CHIEF);
+    struct fan_question question = question_of(&setup, &axis, WAVE_CHIEF);
     struct fan fan = trace(&question, &arena);
     CHECK(fan.is_angular && isinf(fan.radius));
     for (size_t k = 0; k < FAN_SECTIONS * fan.points; k++) {
@@ -230,10 +230,10 @@ static void test_afocal(void)
         double scale = fabs(ray_at(&fan, 0, FAN_TANGENTIAL, 90)->off[1]);
         CHECK_NEAR(fabs(rise), fabs(ray->off[1] / 2), 0.02 * scale, "slope of W");
     }
-    question.about = FAN_BEST;
+    question.about = WAVE_BEST;
     struct error error;
     CHECK(!fan_trace(&question, &arena, &fan, &error) && error.code == ERROR_DOMAIN);
-    question.about = FAN_CENTROID;
+    question.about = WAVE_CENTROID;
     fan = trace(&question, &arena);
     arena_free(&arena);
 }
@@ -251,7 +251,7 @@ static void test_ends(void)
                                     "surface - 10 air 10 stop\n"
                                     "surface - 10 air 8\nblock circle 2\n",
                                     NAN, &arena);
-    struct fan_question question = question_of(&setup, &field, FAN_CHIEF);
+    struct fan_question question = question_of(&setup, &field, WAVE_CHIEF);
     const struct fan fan = trace(&question, &arena);
     const double outer = sqrt(16 - rise * rise) / 5, inner = sqrt(1 - rise * rise) / 5;
     const double expected[FAN_SECTIONS][4] = {
@@ -276,9 +276,9 @@ static void test_ends(void)
 int main(void)
 {
     test_ends();
-    test_azimuths(FAN_CHIEF);
-    test_azimuths(FAN_CENTROID);
-    test_azimuths(FAN_BEST);
+    test_azimuths(WAVE_CHIEF);
+    test_azimuths(WAVE_CENTROID);
+    test_azimuths(WAVE_BEST);
     test_lost();
     test_colours();
     test_mirror();

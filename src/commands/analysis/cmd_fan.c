@@ -9,9 +9,9 @@ static const struct word shows[] = {
 };
 
 static const struct word references[] = {
-    [FAN_CHIEF] = {"chief", "the chief ray, of the first wavelength where there are several"},
-    [FAN_CENTROID] = {"centroid", "the centroid of all rays and wavelengths by their weights"},
-    [FAN_BEST] = {"best", "the centre of the sphere that fits the wave fronts best"},
+    [WAVE_CHIEF] = {"chief", "the chief ray, of the first wavelength where there are several"},
+    [WAVE_CENTROID] = {"centroid", "the centroid of all rays and wavelengths by their weights"},
+    [WAVE_BEST] = {"best", "the centre of the sphere that fits the wave fronts best"},
     {NULL, NULL},
 };
 
@@ -131,7 +131,7 @@ static struct row row_of_fan(const struct analysis_case *one, size_t field, cons
 {
     struct analysis_point point = analysis_point_of(one, field);
     struct arena *arena = asked->run->arena;
-    if (asked->input->reference == FAN_CHIEF) {
+    if (asked->input->reference == WAVE_CHIEF) {
         point.spectrum = NULL; /* their weights are not used */
     }
     point.warning = lens_warnings_join(point.warning, fan->no_opd, arena);

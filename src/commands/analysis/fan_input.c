@@ -12,7 +12,7 @@ bool fan_of_case(const struct analysis_case *one, size_t field, const struct fan
                    .field = &one->setup->fields[field].point,
                    .clip = one->clip,
                    .from_entrance = input->question.aim == ANALYSIS_AIM_ENTRANCE},
-        .about = (enum fan_about)input->reference,
+        .about = (enum wave_about)input->reference,
         .points = (size_t)input->points};
     return fan_trace(&question, arena, fan, error);
 }
@@ -23,9 +23,9 @@ const char *fan_reference_words(const struct analysis_case *one, const struct fa
     const struct setup *setup = one->setup;
     bool one_wavelength = setup->wavelength_count == 1;
     double wavelength = 1000 * setup->wavelengths[0].wavelength;
-    return input->reference == FAN_CENTROID
+    return input->reference == WAVE_CENTROID
                ? one_wavelength ? "the centroid" : "the centroid of all wavelengths"
-           : input->reference == FAN_BEST
+           : input->reference == WAVE_BEST
                ? one_wavelength ? "the best-fitting sphere"
                                 : "the best-fitting sphere of all wavelengths"
                : arena_printf(arena, "the chief ray at %.4g nm", wavelength);

@@ -1,7 +1,7 @@
-/* analysis/fan_sphere.h - the wavelengths of a fan, and the sphere that fits their wave fronts. */
+/* analysis/wave_sphere.h - the wavelengths of a field, and the sphere that fits their wave fronts. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_ANALYSIS_FAN_SPHERE_H
-#define LENSCALC_ANALYSIS_FAN_SPHERE_H
+#ifndef LENSCALC_ANALYSIS_WAVE_SPHERE_H
+#define LENSCALC_ANALYSIS_WAVE_SPHERE_H
 
 #include "analysis/bundle.h"
 #include "analysis/opd.h"
@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 /* One wavelength. Its source points into it. */
-struct fan_light {
+struct wave_light {
     double wavelength, weight; /* um */
     struct bundle_question question;
     struct bundle_source source;
@@ -18,14 +18,14 @@ struct fan_light {
     struct ray chief;            /* where it arrives */
 };
 
-struct fan_lights {
-    struct fan_light *list;
+struct wave_lights {
+    struct wave_light *list;
     size_t count;
 };
 
 /* One ray from its start through a system. */
-struct ray fan_light_trace(const struct system *system, const struct ray *start,
-                           struct arena *arena);
+struct ray wave_light_trace(const struct system *system, const struct ray *start,
+                            struct arena *arena);
 
 /*
  * The reference sphere that fits the wave fronts best.
@@ -38,7 +38,7 @@ struct ray fan_light_trace(const struct system *system, const struct ray *start,
  *           step is all but exact, after 8 steps
  * Errors    ERROR_DOMAIN: no ray arrives
  */
-bool fan_sphere_fit(const struct fan_lights *lights, double pupil, struct arena *arena,
-                    struct opd_reference *reference, struct error *error);
+bool wave_sphere_fit(const struct wave_lights *lights, double pupil, struct arena *arena,
+                     struct opd_reference *reference, struct error *error);
 
 #endif

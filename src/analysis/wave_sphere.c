@@ -1,6 +1,6 @@
-/* analysis/fan_sphere.c - the sphere that fits the wave fronts of a fan best. */
+/* analysis/wave_sphere.c - the sphere that fits the wave fronts of a field best. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/fan_sphere.h"
+#include "analysis/wave_sphere.h"
 
 #include "analysis/quadrature.h"
 #include "base/linear.h"
@@ -18,8 +18,8 @@ struct sheaf {
     size_t count;
 };
 
-struct ray fan_light_trace(const struct system *system, const struct ray *start,
-                           struct arena *arena)
+struct ray wave_light_trace(const struct system *system, const struct ray *start,
+                            struct arena *arena)
 {
     struct rays one = rays_new(arena, 1);
     rays_set(&one, 0, system->index_first, start);
@@ -27,10 +27,10 @@ struct ray fan_light_trace(const struct system *system, const struct ray *start,
     return rays_get(&one, 0, system->index_last);
 }
 
-static void add_light(const struct fan_lights *lights, size_t g, struct quadrature *all,
+static void add_light(const struct wave_lights *lights, size_t g, struct quadrature *all,
                       struct sheaf *sheaf)
 {
-    const struct fan_light *light = &lights->list[g];
+    const struct wave_light *light = &lights->list[g];
     rays_trace(light->system, &all->rays, NULL);
     for (size_t i = 0; i < all->sample.count; i++) {
         struct ray ray = rays_get(&all->rays, i, light->system->index_last);
@@ -43,7 +43,7 @@ static void add_light(const struct fan_lights *lights, size_t g, struct quadratu
     }
 }
 
-static bool collect(const struct fan_lights *lights, struct arena *arena, struct sheaf *sheaf,
+static bool collect(const struct wave_lights *lights, struct arena *arena, struct sheaf *sheaf,
                     struct error *error)
 {
     struct quadrature *all = ARENA_ARRAY(arena, lights->count, struct quadrature);
@@ -94,10 +94,10 @@ static bool step(const struct sheaf *sheaf, size_t lights, const struct opd_refe
     return true;
 }
 
-bool fan_sphere_fit(const struct fan_lights *lights, double pupil, struct arena *arena,
-                    struct opd_reference *reference, struct error *error)
+bool wave_sphere_fit(const struct wave_lights *lights, double pupil, struct arena *arena,
+                     struct opd_reference *reference, struct error *error)
 {
-    const struct fan_light *first = &lights->list[0];
+    const struct wave_light *first = &lights->list[0];
     struct sheaf sheaf;
     double size = INFINITY;
     if (!collect(lights, arena, &sheaf, error)) {
