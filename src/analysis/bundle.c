@@ -29,6 +29,7 @@ static bool open_systems(struct bundle_source *source, struct error *error)
 {
     const struct bundle_question *question = source->question;
     source->system = system_of(question, question->clip, error);
+    source->through = source->system;
     source->open = source->system != NULL ? system_of(question, false, error) : NULL;
     return source->open != NULL;
 }
@@ -210,7 +211,7 @@ bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, st
     if (!fill(source, rays, arena, bundle, error)) {
         return false;
     }
-    rays_trace_part(source->system, 0, to, &bundle->rays, NULL);
+    rays_trace_part(source->through, 0, to, &bundle->rays, NULL);
     for (size_t i = 0; i < bundle->count; i++) {
         const struct ray_block *block = &bundle->rays.blocks[i / RAYS_BLOCK];
         bool arrives = ray_block_status(block, i % RAYS_BLOCK) == RAY_OK;

@@ -28,8 +28,10 @@ struct bundle_question {
 /* A field point made ready: it may be filled with rays again and again. It points into itself. */
 struct bundle_source {
     const struct bundle_question *question;
-    const struct system *system; /* to the image plane, where there is one */
-    const struct system *open;   /* the same, but nothing is clipped */
+    const struct system *system;  /* to the image plane, where there is one */
+    const struct system *open;    /* the same, but nothing is clipped */
+    const struct system *through; /* what bundle_trace traces through: system, unless it is set to
+                                     one with paths */
     struct beam beam;
     struct aim aim; /* where the lens has a stop */
     struct stop_beam pupil;

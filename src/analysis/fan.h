@@ -55,16 +55,10 @@ struct fan {
  *           Ends lie within 1e-9 of the edge of what arrives; not found are those beyond FAN_ENDS
  *           in a section, and gaps between neighbours that both arrive
  * Formula   Every wavelength aims for itself at the same stop radius, and its chief ray has W = 0;
- *           all have one reference: the chief ray of the first wavelength, or the centroid of all
- *           by their weights (spot_find to 1e-6), or the sphere with the least weighted mean square
- *           of W/wavelength, its piston for each wavelength free: Gauss and Newton's method in its
- *           centre, over a quadrature of the clear pupil.
- *           Spheres go through the crossing of the first wavelength's chief ray and its paraxial
- *           exit pupil; without a stop their radius is infinite. Angular: sines of angles from the
- *           chief ray along spot_axes, and a plane wave across the reference
+ *           all have one reference (wave_reference_find). Angular: sines of angles from the chief
+ *           ray along spot_axes
  * Source    [Welford86]; W and places tested against a program of 50 digits
- * Errors    as bundle_open and spot_find; ERROR_DOMAIN: the chief ray is lost, WAVE_BEST of an image
- *           infinitely far away, no ray of the fans arrives
+ * Errors    as wave_open and wave_reference_find; ERROR_DOMAIN: no ray of the fans arrives
  */
 bool fan_trace(const struct fan_question *question, struct arena *arena, struct fan *fan,
                struct error *error);

@@ -31,6 +31,7 @@ bool wave_open(const struct bundle_question *bundle, struct arena *arena,
         if (light->open == NULL || light->system == NULL) {
             return false;
         }
+        light->source.through = light->system;
         light->chief = wave_light_trace(light->open, &light->source.chief, arena);
         if (light->chief.status != RAY_OK) {
             return fail(error, ERROR_DOMAIN, "the chief ray is lost at surface %zu (%s)",

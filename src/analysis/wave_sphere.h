@@ -1,4 +1,4 @@
-/* analysis/wave_sphere.h - the wavelengths of a field, and the sphere that fits their wave fronts. */
+/* analysis/wave_sphere.h - a field by wavelengths, and the sphere that fits its waves. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_ANALYSIS_WAVE_SPHERE_H
 #define LENSCALC_ANALYSIS_WAVE_SPHERE_H

@@ -55,6 +55,7 @@ ASKED = {
     "illumination": ("double-gauss -N 5.6 --height 5", ("N", "4,8", "height", "5,10"),
                      "height\n5\n10\n"),
     "color": ("double-gauss -N 5.6 --field 5 --spectrum F,d,C", None, "field\n5\n10\n"),
+    "wavefront": ("double-gauss -N 5.6 --field 0", None, "N\n5.6\n8\n"),
     "fan": ("double-gauss -N 5.6 --field 0 -w d --points 3", None, "N\n4\n8\n"),
     "distortion": ("double-gauss --field 10", ("field", "5,10", "w", "486,587"),
                    "field\n5\n10\n"),

@@ -182,6 +182,28 @@ struct analysis_point analysis_point_of(const struct analysis_case *one, size_t 
     return point;
 }
 
+struct bundle_question analysis_bundle(const struct analysis_case *one, size_t field)
+{
+    const struct analysis_question *asked = one->question;
+    return (struct bundle_question){.setup = one->setup,
+                                    .field = &one->setup->fields[field].point,
+                                    .clip = one->clip,
+                                    .from_entrance = asked->aim == ANALYSIS_AIM_ENTRANCE,
+                                    .weight = asked->weight == ANALYSIS_WEIGHT_BEAM ? WEIGHT_BEAM
+                                                                                    : WEIGHT_PUPIL,
+                                    .pattern = (enum pattern)asked->pattern,
+                                    .seed = (uint64_t)asked->seed};
+}
+
+const char *analysis_weight_words(const struct analysis_question *question)
+{
+    static const char *const words[2][2] = {
+        {"equal areas of the stop", "equal areas of the entrance pupil"},
+        {"equal areas of the entering beam, out to the stop",
+         "equal areas of the entering beam, out to the entrance pupil"}};
+    return words[question->weight][question->aim];
+}
+
 /* What answers a case. */
 struct answering {
     struct run *run;

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_OPTIONS_H
 #define LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_OPTIONS_H
 
+#include "analysis/bundle.h"
 #include "base/parallel.h"
 #include "commands/lens/lens_options.h"
 
@@ -260,6 +261,12 @@ bool analysis_each(const struct analysis_question *question, const struct analys
 
 /* What the rows of a field say of it; `field` is its place in the setup. */
 struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field);
+
+/* The rays of one field of a case, at its first wavelength, as the options fill the pupil. */
+struct bundle_question analysis_bundle(const struct analysis_case *one, size_t field);
+
+/* What the rays count by, in words. */
+const char *analysis_weight_words(const struct analysis_question *question);
 
 /* Who answers field by field. */
 struct analysis_answers {

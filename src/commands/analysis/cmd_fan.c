@@ -1,17 +1,11 @@
 /* commands/analysis/cmd_fan.c - lenscalc fan: aberrations along two sections of the pupil. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/fan_input.h"
+#include "commands/analysis/wavefront_input.h"
 
 static const struct word shows[] = {
     [FAN_TRANSVERSE] = {"transverse", "where rays arrive, from the reference"},
     [FAN_OPD] = {"opd", "optical path differences to the reference sphere"},
-    {NULL, NULL},
-};
-
-static const struct word references[] = {
-    [WAVE_CHIEF] = {"chief", "the chief ray, of the first wavelength where there are several"},
-    [WAVE_CENTROID] = {"centroid", "the centroid of all rays and wavelengths by their weights"},
-    [WAVE_BEST] = {"best", "the centre of the sphere that fits the wave fronts best"},
     {NULL, NULL},
 };
 
@@ -21,7 +15,7 @@ static const struct option options[] = {
     ANALYSIS_SPECTRUM_OPTION(struct fan_input, question),
     {OPTION(struct fan_input, show), .name = "show", .words = shows, .fallback = "transverse",
      .value = "WHAT", .help = "what text and --plot show"},
-    {OPTION(struct fan_input, reference), .name = "reference", .words = references,
+    {OPTION(struct fan_input, reference), .name = "reference", .words = wave_references,
      .fallback = "chief", .value = "WHAT", .help = "reference point of the aberrations"},
     {OPTION(struct fan_input, points), .name = "points", .lowest = 3, .highest = 100001,
      .fallback = "21", .value = "COUNT",
@@ -138,7 +132,7 @@ static struct row row_of_fan(const struct analysis_case *one, size_t field, cons
     point.warning =
         lens_warnings_join(point.warning, lens_island_warning(&fan->islands, arena), arena);
     struct row row = row_of(&point);
-    row.reference = fan_reference_words(one, asked->input, arena);
+    row.reference = wave_reference_words(one, (enum wave_about)asked->input->reference, arena);
     if (!fan->is_angular) {
         row.at_x = fan->reference[0];
         row.at_y = fan->reference[1];

@@ -137,16 +137,6 @@ static struct row row_of(const struct analysis_point *point)
     return row;
 }
 
-/* What the rays count by, in words. */
-static const char *weight_words(const struct analysis_question *question)
-{
-    static const char *const words[2][2] = {
-        {"equal areas of the stop", "equal areas of the entrance pupil"},
-        {"equal areas of the entering beam, out to the stop",
-         "equal areas of the entering beam, out to the entrance pupil"}};
-    return words[question->weight][question->aim];
-}
-
 static void fill(const struct spot *spot, struct row *row)
 {
     const double values[] = {spot->rms,           spot->rms_x,        spot->rms_y,
@@ -207,7 +197,7 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
     struct row row = row_of(&point);
     fill(&spot, &row);
     row.energy = asked->input->energy;
-    row.weight = weight_words(&asked->input->question);
+    row.weight = analysis_weight_words(&asked->input->question);
     row.point.warning =
         lens_warnings_join(row.point.warning, lens_island_warning(&spot.islands, asked->run->arena),
                            asked->run->arena);

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/fan_input.h"
 
+#include "commands/analysis/wavefront_input.h"
+
 #include "draw/panels.h"
 
 #include <string.h>
@@ -120,7 +122,8 @@ static bool add_fan(const struct analysis_case *one, size_t field, void *context
     }
     const char *label = label_of(painter, &setup->fields[field].point, setup->position);
     painter->title = setup->lens->title;
-    const char *reference = fan_reference_words(one, &painter->input, painter->arena);
+    const char *reference =
+        wave_reference_words(one, (enum wave_about)painter->input.reference, painter->arena);
     bool differs = painter->reference != NULL && strcmp(painter->reference, reference) != 0;
     painter->reference = differs ? "the chief ray of each wavelength" : reference;
     painter->is_angular = fan.is_angular;

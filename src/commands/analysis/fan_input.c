@@ -16,17 +16,3 @@ bool fan_of_case(const struct analysis_case *one, size_t field, const struct fan
         .points = (size_t)input->points};
     return fan_trace(&question, arena, fan, error);
 }
-
-const char *fan_reference_words(const struct analysis_case *one, const struct fan_input *input,
-                                struct arena *arena)
-{
-    const struct setup *setup = one->setup;
-    bool one_wavelength = setup->wavelength_count == 1;
-    double wavelength = 1000 * setup->wavelengths[0].wavelength;
-    return input->reference == WAVE_CENTROID
-               ? one_wavelength ? "the centroid" : "the centroid of all wavelengths"
-           : input->reference == WAVE_BEST
-               ? one_wavelength ? "the best-fitting sphere"
-                                : "the best-fitting sphere of all wavelengths"
-               : arena_printf(arena, "the chief ray at %.4g nm", wavelength);
-}

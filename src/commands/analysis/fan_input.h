@@ -20,10 +20,6 @@ extern const struct analysis_policy fan_policy;
 bool fan_of_case(const struct analysis_case *one, size_t field, const struct fan_input *input,
                  struct arena *arena, struct fan *fan, struct error *error);
 
-/* "the chief ray at 587.6 nm" */
-const char *fan_reference_words(const struct analysis_case *one, const struct fan_input *input,
-                                struct arena *arena);
-
 /* The drawing of --plot: a row of panels for each field, the wavelengths overlaid. */
 bool fan_figure(const struct artifact_job *job, struct output *sink, struct error *error);
 

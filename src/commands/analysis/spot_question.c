@@ -10,13 +10,7 @@ bool spot_question_of(const struct analysis_case *one, size_t field, const struc
     const struct analysis_question *asked = &input->question;
     const size_t surfaces = one->setup->lens->surface_count;
     *question = (struct spot_question){
-        .bundle = {.setup = one->setup,
-                   .field = &one->setup->fields[field].point,
-                   .clip = one->clip,
-                   .from_entrance = asked->aim == ANALYSIS_AIM_ENTRANCE,
-                   .weight = asked->weight == ANALYSIS_WEIGHT_BEAM ? WEIGHT_BEAM : WEIGHT_PUPIL,
-                   .pattern = (enum pattern)asked->pattern,
-                   .seed = (uint64_t)asked->seed},
+        .bundle = analysis_bundle(one, field),
         .rays = asked->rays != NO_INTEGER && asked->rays > 0 ? (size_t)asked->rays : 0,
         .error = asked->error,
         .to = input->to > 0 ? (size_t)input->to : 0,

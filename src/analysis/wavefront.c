@@ -1,0 +1,316 @@
+/* analysis/wavefront.c - the wave front of a field at one wavelength, against its reference. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/wavefront.h"
+
+#include "base/constants.h"
+#include "base/linear.h"
+#include "base/turns.h"
+#include "trace/dispatch.h"
+
+#include <math.h>
+
+enum { FIRST_RAYS = 130, MOST_RAYS = 1 << 17, RAYS_A_TERM = 8 };
+
+/* What rounding of paths leaves, wavelengths. */
+static const double least = 1e-9;
+/* Rays at the edge lie so far within it that rounding does not clip them. */
+static const double edge = 1 - 1e-12;
+
+bool wavefront_open(const struct wavefront_question *question, struct arena *arena,
+                    struct wavefront_source *source, struct error *error)
+{
+    *source = (struct wavefront_source){.question = question};
+    if (!wave_open(&question->bundle, arena, &source->lights, error) ||
+        !wave_reference_find(&source->lights, question->about, arena, &source->reference, error)) {
+        return false;
+    }
+    const struct wave_light *light = &source->lights.list[0];
+    source->zero = opd_path(&source->reference.opd, &light->chief);
+    source->waves = 1000 / light->wavelength;
+    return source->reference.no_opd == NULL ||
+           fail(error, ERROR_DOMAIN, "%s", source->reference.no_opd);
+}
+
+/* W of a ray that arrives, wavelengths; NaN: it is lost. */
+static double wave_of(const struct wavefront_source *source, const struct rays *rays, size_t i)
+{
+    const struct ray ray = rays_get(rays, i, source->lights.list[0].system->index_last);
+    return ray.status == RAY_OK
+               ? (source->zero - opd_path(&source->reference.opd, &ray)) * source->waves
+               : (double)NAN;
+}
+
+/* Values with their weights. */
+struct values {
+    double *waves;
+    const struct pupil_point *points;
+    size_t count;
+    double clear;
+};
+
+static bool find_values(const struct wavefront_source *source, size_t rays, struct arena *arena,
+                        struct values *values, struct error *error)
+{
+    const struct bundle_source *from = &source->lights.list[0].source;
+    struct bundle bundle;
+    if (!bundle_trace(from, rays, from->system->places, arena, &bundle, error)) {
+        return false;
+    }
+    *values = (struct values){.waves = ARENA_ARRAY(arena, bundle.count, double),
+                              .points = bundle.points,
+                              .count = bundle.count,
+                              .clear = bundle.clear};
+    for (size_t i = 0; i < bundle.count; i++) {
+        values->waves[i] = wave_of(source, &bundle.rays, i);
+    }
+    return true;
+}
+
+/* -------- means -------- */
+
+static void sum_up(const struct values *values, struct wavefront *wavefront)
+{
+    double weight = 0, mean = 0, square = 0, re = 0, im = 0;
+    for (size_t i = 0; i < values->count; i++) {
+        if (!isnan(values->waves[i])) {
+            weight += values->points[i].weight;
+            mean += values->points[i].weight * values->waves[i];
+        }
+    }
+    mean /= weight;
+    for (size_t i = 0; i < values->count; i++) {
+        const double wave = values->waves[i] - mean;
+        if (!isnan(wave)) {
+            const double w = values->points[i].weight;
+            double c, s;
+            turns_of(wave, &c, &s);
+            square += w * wave * wave;
+            re += w * c;
+            im += w * s;
+        }
+    }
+    wavefront->mean = mean;
+    wavefront->rms = sqrt(square / weight);
+    wavefront->strehl = (re * re + im * im) / (weight * weight);
+    const double turn = 2 * PI * wavefront->rms;
+    wavefront->marechal = exp(-turn * turn);
+    wavefront->clear = values->clear;
+    wavefront->rays = values->count;
+}
+
+static bool measure(const struct wavefront_source *source, size_t rays, struct arena *arena,
+                    struct wavefront *wavefront, struct error *error)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    struct values values;
+    const bool found = find_values(source, rays, arena, &values, error);
+    if (found) {
+        sum_up(&values, wavefront);
+    }
+    arena_reset(arena, mark);
+    return found;
+}
+
+/* -------- extremes -------- */
+
+enum { DIRECTIONS = 64, RINGS = 12, BESIDE = 5, LOOKS = 12 };
+
+/* A place of the clear part: an angle of its star and a share of the way to the edge. */
+struct place {
+    double angle, share, wave;
+};
+
+/* Look at places of some angles times some shares; keep the highest and the lowest. */
+static void look(const struct wavefront_source *source, const double *angles, size_t angle_count,
+                 const double *shares, size_t share_count, struct arena *arena,
+                 struct place extremes[2])
+{
+    const struct arena_mark mark = arena_mark(arena);
+    const struct wave_light *light = &source->lights.list[0];
+    const struct quadrature_region *region = light->source.region;
+    const struct quadrature_rim rim = quadrature_edge(region, angles, angle_count, arena);
+    struct rays rays = rays_new(arena, angle_count);
+    for (size_t k = 0; k < share_count; k++) {
+        if (!(shares[k] >= 0 && shares[k] <= 1)) {
+            continue;
+        }
+        quadrature_rays_within(region, &rim, shares[k] * edge, arena, &rays);
+        rays_trace(light->system, &rays, NULL);
+        for (size_t i = 0; i < angle_count; i++) {
+            const double wave = wave_of(source, &rays, i);
+            if (wave > extremes[0].wave) {
+                extremes[0] = (struct place){angles[i], shares[k], wave};
+            }
+            if (wave < extremes[1].wave) {
+                extremes[1] = (struct place){angles[i], shares[k], wave};
+            }
+        }
+    }
+    arena_reset(arena, mark);
+}
+
+/* Highest less lowest. */
+static double find_extremes(const struct wavefront_source *source, struct arena *arena)
+{
+    const struct star *star = quadrature_star(source->lights.list[0].source.region, arena);
+    double angles[DIRECTIONS + STAR_CORNERS], shares[RINGS];
+    size_t count = 0;
+    struct place extremes[2] = {{.wave = -INFINITY}, {.wave = INFINITY}};
+    if (star == NULL) {
+        return NAN;
+    }
+    for (; count < DIRECTIONS; count++) {
+        angles[count] = 2 * PI * (double)count / DIRECTIONS;
+    }
+    for (size_t i = 0; i < star->corner_count; i++) {
+        angles[count++] = star->corners[i];
+    }
+    for (size_t k = 0; k < RINGS; k++) {
+        shares[k] = (double)k / (RINGS - 1);
+    }
+    look(source, angles, count, shares, RINGS, arena, extremes);
+    for (size_t k = 0; k < 2; k++) {
+        double turn = PI / DIRECTIONS, way = 0.5 / (RINGS - 1);
+        for (size_t i = 0; i < LOOKS; i++, turn /= 2, way /= 2) {
+            const struct place at = extremes[k];
+            for (size_t j = 0; j < BESIDE; j++) {
+                const double off = (double)j - BESIDE / 2;
+                angles[j] = at.angle + turn * off;
+                shares[j] = fmin(at.share + way * off, 1);
+            }
+            look(source, angles, BESIDE, shares, BESIDE, arena, extremes);
+        }
+    }
+    return extremes[0].wave - extremes[1].wave;
+}
+
+/* Of patterns that fill no region: of their rays. */
+static bool find_span(const struct wavefront_source *source, size_t rays, struct arena *arena,
+                      double *span, struct error *error)
+{
+    struct values values;
+    double low = INFINITY, high = -INFINITY;
+    if (!find_values(source, rays, arena, &values, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < values.count; i++) {
+        low = fmin(low, values.waves[i]);
+        high = fmax(high, values.waves[i]);
+    }
+    *span = high - low;
+    return true;
+}
+
+/* -------- the whole -------- */
+
+static bool converge(const struct wavefront_source *source, struct arena *arena,
+                     struct wavefront *wavefront, struct error *error)
+{
+    const struct wavefront_question *question = source->question;
+    size_t rays = question->rays > 0 ? question->rays : FIRST_RAYS;
+    struct wavefront finer = *wavefront;
+    if (!measure(source, rays, arena, wavefront, error)) {
+        return false;
+    }
+    for (bool done = false; !done; rays *= 2) {
+        if (!measure(source, 2 * rays, arena, &finer, error)) {
+            return false;
+        }
+        struct wavefront here = question->rays > 0 ? *wavefront : finer;
+        here.error = fmax(2 * fabs(finer.rms - wavefront->rms), least);
+        here.strehl_error = fmax(2 * fabs(finer.strehl - wavefront->strehl), least);
+        here.has_converged = here.error <= question->error * here.rms + least &&
+                             here.strehl_error <= question->error + least;
+        done = question->rays > 0 || here.has_converged || 2 * rays >= MOST_RAYS;
+        *wavefront = here;
+    }
+    return true;
+}
+
+bool wavefront_find(const struct wavefront_source *source, bool wants_pv, struct arena *arena,
+                    struct wavefront *wavefront, struct error *error)
+{
+    const struct wavefront_question *question = source->question;
+    const struct bundle_source *from = &source->lights.list[0].source;
+    const bool orderly = question->bundle.pattern == PATTERN_GAUSS;
+    double span = NAN;
+    *wavefront = (struct wavefront){.rms = NAN};
+    if (!converge(source, arena, wavefront, error) ||
+        (wants_pv && !orderly && !find_span(source, wavefront->rays, arena, &span, error))) {
+        return false;
+    }
+    wavefront->pv = !wants_pv ? (double)NAN : orderly ? find_extremes(source, arena) : span;
+    wavefront->radius = source->reference.opd.is_plane ? INFINITY : source->reference.opd.radius;
+    wavefront->islands = bundle_islands(from, arena);
+    return true;
+}
+
+bool wavefront_fit(const struct wavefront_source *source, enum zernike_kind kind, size_t terms,
+                   struct arena *arena, struct wavefront_fit *fit, struct error *error)
+{
+    struct values values;
+    const size_t asked = source->question->rays;
+    const size_t enough = asked > 0 ? asked : RAYS_A_TERM * terms + 4 * FIRST_RAYS;
+    if (!find_values(source, enough, arena, &values, error)) {
+        return false;
+    }
+    double *a = ARENA_ARRAY(arena, values.count * terms, double);
+    double *b = ARENA_ARRAY(arena, values.count, double);
+    double *x = ARENA_ARRAY(arena, terms, double);
+    size_t rows = 0;
+    for (size_t i = 0; i < values.count; i++) {
+        const struct pupil_point *point = &values.points[i];
+        if (isnan(values.waves[i]) || !(point->weight > 0)) {
+            continue;
+        }
+        const double root = sqrt(point->weight / values.clear);
+        zernike_fill(kind, terms, point->x, point->y, a + rows * terms);
+        for (size_t k = 0; k < terms; k++) {
+            a[rows * terms + k] *= root;
+        }
+        b[rows++] = root * values.waves[i];
+    }
+    const struct linear_factors factors = linear_factor(a, rows, terms, 1e-9, arena);
+    if (factors.rank < terms) {
+        return fail(error, ERROR_DOMAIN,
+                    "%zu rays through what is clear of the pupil tell no more than %zu of %zu "
+                    "terms apart: fewer {terms}",
+                    rows, factors.rank, terms);
+    }
+    linear_reflect(&factors, b);
+    double left = 0;
+    for (size_t i = factors.rank; i < rows; i++) {
+        left += b[i] * b[i];
+    }
+    linear_substitute(&factors, b, x);
+    for (size_t i = 0; i < terms; i++) {
+        x[i] = fabs(x[i]) < least ? 0 : x[i]; /* what symmetry makes 0 but for rounding */
+    }
+    *fit = (struct wavefront_fit){x, sqrt(left), rows};
+    return true;
+}
+
+const double *wavefront_map(const struct wavefront_source *source, size_t size, struct arena *arena)
+{
+    const struct wave_light *light = &source->lights.list[0];
+    const size_t count = size * size;
+    struct pupil_point *points = ARENA_ARRAY(arena, count, struct pupil_point);
+    size_t *place = ARENA_ARRAY(arena, count, size_t), within = 0;
+    double *values = ARENA_ARRAY(arena, count, double);
+    for (size_t i = 0; i < count; i++) {
+        const double x = (2 * (double)(i % size) + 1) / (double)size - 1;
+        const double y = (2 * (double)(i / size) + 1) / (double)size - 1;
+        values[i] = NAN;
+        if (x * x + y * y <= 1) {
+            points[within] = (struct pupil_point){x, y, 1};
+            place[within++] = i;
+        }
+    }
+    struct rays rays = rays_new(arena, within);
+    bundle_aim(&light->source, points, within, &rays);
+    rays_trace(light->system, &rays, NULL);
+    for (size_t i = 0; i < within; i++) {
+        values[place[i]] = wave_of(source, &rays, i);
+    }
+    return values;
+}

@@ -1,0 +1,284 @@
+/* commands/analysis/cmd_wavefront.c - lenscalc wavefront: figures, Zernike's polynomials. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_map.h"
+#include "commands/analysis/wavefront_input.h"
+
+enum { NO_ZERNIKE };
+static const struct word orders[] = {
+    [NO_ZERNIKE] = {"none", "figures of the whole"},
+    [ZERNIKE_NOLL + 1] = {"noll", "from 1, orthonormal [Noll76]"},
+    [ZERNIKE_FRINGE + 1] = {"fringe", "from 1, by n + |m|, each 1 at the edge"},
+    [ZERNIKE_ANSI + 1] = {"ansi", "from 0, orthonormal [ISO24157]"},
+    {NULL, NULL},
+};
+
+static const struct option options[] = {
+    ANALYSIS_OPTIONS(struct wavefront_input, question, "the primary one"),
+    ANALYSIS_FIELD_OPTIONS(struct wavefront_input, question),
+    {OPTION(struct wavefront_input, reference), .name = "reference", .words = wave_references,
+     .fallback = "chief", .value = "WHAT", .help = "centre of the reference sphere"},
+    {OPTION(struct wavefront_input, zernike), .name = "zernike", .words = orders,
+     .fallback = "none", .value = "ORDER", .help = "coefficients of Zernike's polynomials"},
+    {OPTION(struct wavefront_input, terms), .name = "terms", .lowest = 1, .highest = ZERNIKE_MOST,
+     .fallback = "36", .value = "COUNT", .wants = "zernike!=none", .help = "how many of them"},
+    {OPTION(struct wavefront_input, size), .name = "size", .lowest = 8, .highest = 2048,
+     .fallback = "128", .value = "COUNT", .wants = "plot|map", .help = "points across a map"},
+    ANALYSIS_PUPIL_OPTIONS(struct wavefront_input, question),
+};
+
+struct row {
+    struct analysis_point point;
+    double rms, pv, strehl, marechal, error, strehl_error, mean, clear, radius;
+    double coefficient, residual;
+    long rays, index, n, m;
+    const char *reference, *weight, *order;
+};
+
+#define PLAIN(member_name, more) COLUMN(struct row, member_name), .flags = (more)
+#define SHARED_COLUMNS                                                                             \
+    ANALYSIS_POINT_COLUMNS(struct row, point), ANALYSIS_DEFOCUS_COLUMN(struct row, point),         \
+        ANALYSIS_WAVELENGTH_COLUMN(struct row, point)
+#define RADIUS_COLUMN                                                                              \
+    {                                                                                              \
+        PLAIN(radius, COLUMN_HIDDEN | COLUMN_INFINITE),                                            \
+            .name = "sphere", .dimension = &dimension_length, .unit = "mm", .label = "sphere",     \
+            .help = "radius of the reference sphere"                                               \
+    }
+#define TAIL_COLUMNS                                                                               \
+    {PLAIN(reference, COLUMN_ASSUMED), .name = "reference",                                        \
+     .depends = "reference lens wavelength", .label = "reference",                                 \
+     .help = "centre of the reference sphere"},                                                    \
+        {PLAIN(weight, COLUMN_ASSUMED), .name = "weights",                                         \
+         .depends = "weight aim pattern clip no-clip", .label = "rays weighted by",                \
+         .help = "where equal weights mean equal areas"},                                          \
+        ANALYSIS_TAIL_COLUMNS(struct row, point)
+
+static const struct column figure_columns[] = {
+    SHARED_COLUMNS,
+    {PLAIN(rms, COLUMN_BRIEF), .name = "rms_waves", .label = "RMS, waves", .symbol = "rms",
+     .help = "root mean square of the optical path differences about their mean, in wavelengths"},
+    {PLAIN(pv, COLUMN_BRIEF), .name = "pv_waves", .label = "PV, waves",
+     .help = "the highest less the lowest in the clear pupil, its edge included"},
+    {PLAIN(strehl, COLUMN_BRIEF), .name = "strehl", .label = "Strehl ratio", .symbol = "S",
+     .help = "light at the reference over that of a perfect wave front, exactly"},
+    {PLAIN(marechal, COLUMN_BRIEF), .name = "strehl_marechal",
+     .label = "Strehl, Mar\xc3\xa9"
+              "chal",
+     .symbol = "Sm", .help = "the estimate by the RMS alone, for small ones"},
+    {PLAIN(error, COLUMN_BRIEF), .name = "error_waves", .label = "error, waves",
+     .help = "what the RMS may be off: twice what twice the rays change of it"},
+    {PLAIN(strehl_error, COLUMN_HIDDEN), .name = "strehl_error",
+     .label = "error of the Strehl ratio", .help = "what the exact Strehl ratio may be off"},
+    {PLAIN(mean, COLUMN_HIDDEN), .name = "mean_waves", .label = "mean, waves",
+     .help = "the mean, against the chief ray: the piston"},
+    RADIUS_COLUMN,
+    {PLAIN(clear, 0), .name = "clear", .label = "clear share",
+     .help = "of the area of the pupil that is not vignetted"},
+    {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .label = "rays", .help = "that these stand on"},
+    TAIL_COLUMNS,
+};
+
+static const struct column coefficient_columns[] = {
+    SHARED_COLUMNS,
+    {PLAIN(index, COLUMN_BRIEF), .name = "index", .label = "index",
+     .help = "number of the polynomial, as its order counts"},
+    {PLAIN(n, COLUMN_BRIEF), .name = "n", .label = "n", .help = "radial order"},
+    {PLAIN(m, COLUMN_BRIEF), .name = "m", .label = "m",
+     .help = "of the angle from +x: cos(m angle), or sin(|m| angle) where it is below 0"},
+    {PLAIN(coefficient, COLUMN_BRIEF), .name = "coefficient_waves", .label = "coefficient, waves",
+     .symbol = "c", .help = "in wavelengths"},
+    {PLAIN(residual, COLUMN_BRIEF), .name = "residual_waves", .label = "residual, waves",
+     .help = "root mean square that all of them leave"},
+    RADIUS_COLUMN,
+    {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .label = "rays", .help = "that are fitted"},
+    {PLAIN(order, COLUMN_ASSUMED), .name = "order", .depends = "zernike", .label = "polynomials",
+     .help = "their order and what has the size 1"},
+    TAIL_COLUMNS,
+};
+
+static const struct sheet figure_sheet = SHEET(figure_columns, struct row);
+static const struct sheet coefficient_sheet = SHEET(coefficient_columns, struct row);
+static const struct sheet *const sheets[] = {&figure_sheet, &coefficient_sheet, NULL};
+
+static const struct sheet *choose_sheet(const void *data, const struct asking *asking)
+{
+    (void)asking;
+    return ((const struct wavefront_input *)data)->zernike == NO_ZERNIKE ? &figure_sheet
+                                                                         : &coefficient_sheet;
+}
+
+/* Where the rows go. */
+struct asked {
+    const struct wavefront_input *input;
+    struct run *run;
+};
+
+static struct row row_of(const struct analysis_point *point)
+{
+    return (struct row){.point = *point,
+                        .rms = NAN,
+                        .pv = NAN,
+                        .strehl = NAN,
+                        .marechal = NAN,
+                        .error = NAN,
+                        .strehl_error = NAN,
+                        .mean = NAN,
+                        .clear = NAN,
+                        .radius = NAN,
+                        .coefficient = NAN,
+                        .residual = NAN,
+                        .rays = NO_INTEGER,
+                        .index = NO_INTEGER,
+                        .n = NO_INTEGER,
+                        .m = NO_INTEGER};
+}
+
+static void warn(const struct asked *asked, struct row *row, const char *words)
+{
+    row->point.warning = lens_warnings_join(row->point.warning, words, asked->run->arena);
+}
+
+static bool answer_figures(const struct asked *asked, const struct wavefront_source *source,
+                           struct row *row, struct error *error)
+{
+    const bool wants_pv = run_shows(asked->run, offsetof(struct row, pv));
+    struct wavefront wavefront;
+    if (!wavefront_find(source, wants_pv, asked->run->arena, &wavefront, error)) {
+        return false;
+    }
+    row->rms = wavefront.rms;
+    row->pv = wavefront.pv;
+    row->strehl = wavefront.strehl;
+    row->marechal = wavefront.marechal;
+    row->error = wavefront.error;
+    row->strehl_error = wavefront.strehl_error;
+    row->mean = wavefront.mean;
+    row->clear = wavefront.clear;
+    row->rays = (long)wavefront.rays;
+    warn(asked, row, lens_island_warning(&wavefront.islands, asked->run->arena));
+    if (source->question->rays == 0 && !wavefront.has_converged) {
+        warn(asked, row, "the wave front has not converged: see its errors");
+    }
+    return run_emit(asked->run, row);
+}
+
+static bool answer_coefficients(const struct asked *asked, const struct wavefront_source *source,
+                                struct row *row, struct error *error)
+{
+    static const char *const words[] = {
+        [ZERNIKE_NOLL] = "noll, orthonormal over the pupil",
+        [ZERNIKE_FRINGE] = "fringe, each 1 at the edge of the pupil",
+        [ZERNIKE_ANSI] = "ansi (ISO 24157), orthonormal over the pupil"};
+    const enum zernike_kind kind = (enum zernike_kind)(asked->input->zernike - 1);
+    const size_t terms = (size_t)asked->input->terms;
+    struct wavefront_fit fit;
+    if (!wavefront_fit(source, kind, terms, asked->run->arena, &fit, error)) {
+        return false;
+    }
+    row->order = words[kind];
+    row->residual = fit.residual;
+    row->rays = (long)fit.rays;
+    for (size_t i = 0; i < terms; i++) {
+        const struct zernike_term term = zernike_term(kind, i);
+        row->index = term.index;
+        row->n = term.n;
+        row->m = term.m;
+        row->coefficient = fit.coefficients[i];
+        if (!run_emit(asked->run, row)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool answer(const struct analysis_case *one, size_t field, void *context,
+                   struct error *error)
+{
+    const struct asked *asked = context;
+    struct arena *arena = asked->run->arena;
+    struct wavefront_source source;
+    if (!wavefront_of_case(one, field, asked->input, arena, &source, error)) {
+        return false;
+    }
+    const struct analysis_point point = analysis_point_of(one, field);
+    struct row row = row_of(&point);
+    row.reference = wave_reference_words(one, (enum wave_about)asked->input->reference, arena);
+    row.weight = analysis_weight_words(&asked->input->question);
+    row.radius = source.reference.opd.is_plane ? INFINITY : source.reference.opd.radius;
+    return asked->input->zernike == NO_ZERNIKE ? answer_figures(asked, &source, &row, error)
+                                               : answer_coefficients(asked, &source, &row, error);
+}
+
+static bool lost(const struct analysis_point *point, void *context)
+{
+    const struct asked *asked = context;
+    struct row row = row_of(point);
+    return run_emit(asked->run, &row);
+}
+
+static const struct analysis_answers answers = {answer, lost};
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct wavefront_input *input = data;
+    struct asked asked = {input, run};
+    return analysis_each_field(&input->question, &wavefront_policy, run, &answers, &asked, error);
+}
+
+static bool makes_many(const void *data)
+{
+    const struct wavefront_input *input = data;
+    return (input->zernike != NO_ZERNIKE && input->terms > 1) ||
+           analysis_makes_many(&input->question, &wavefront_policy);
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types, "draw the wave fronts over the pupil, by field"),
+     .scope = ARTIFACT_OF_SWEEP, .make = wavefront_page},
+    {ARTIFACT_OPTION("map", map_types,
+                     "write the map of one field: colours, or numbers in wavelengths"),
+     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .make = wavefront_file},
+};
+
+static const struct explanation explanations[] = {
+    {"rms_waves",
+     "{rms}^2 = mean of (W - mean of W)^2 over the clear pupil, W = OPL(chief ray) - OPL(ray) to "
+     "the reference sphere",
+     "[Welford86]", "weights of the rays as --weight says; no tilt or focus is taken out"},
+    {"strehl", "{S} = |mean of exp(2 pi i W)|^2 over the clear pupil", "[BornWolf99] 9.1.3",
+     "at the reference itself; the highest point of the image may lie beside it: psf"},
+    {"strehl_marechal", "{Sm} = exp(-(2 pi {rms})^2)", "[Mahajan83]",
+     "to some percent above 0.3; below that only the exact one holds"},
+    {"coefficient_waves", "W = sum of {c} Z over the clear pupil, least squares",
+     "[Noll76], [ISO24157]; polynomials by [Kintner76]",
+     "of a vignetted pupil the polynomials are not orthogonal, and depend on how many there are"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"wavefront double-gauss -N 5.6", "how good the images of all fields are"},
+    {"wavefront double-gauss -N 5.6 --zernike fringe --terms 9 --field 14deg",
+     "what aberrations they are of"},
+    {"wavefront questar-35 --plot wavefronts.svg", "a telescope with its obstruction, drawn"},
+    {"wavefront double-gauss --field 0deg --map wavefront.pfm --size 256",
+     "the numbers for another program"},
+    {NULL, NULL},
+};
+
+const struct command command_wavefront = {
+    .name = "wavefront",
+    .group = "analyses",
+    .summary = "wave fronts: RMS, Strehl ratio, Zernike's polynomials, maps",
+    COMMAND_ASKS(struct wavefront_input),
+    .sheet = SHEET(figure_columns, struct row),
+    .choose_sheet = choose_sheet,
+    .sheets = sheets,
+    .explanations = explanations,
+    .run = run,
+    .makes_many = makes_many,
+    .brings = analysis_brings,
+    .threads = analysis_threads,
+    .varies = analysis_varies,
+    .cell = "rms_waves",
+    COMMAND_MAKES(artifacts),
+};

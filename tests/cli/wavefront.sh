@@ -1,0 +1,23 @@
+# wave fronts: figures, coefficients in three orders, references, afocal, vignetted, maps, refusals
+lenscalc wavefront double-gauss -N 5.6 --columns field,rms_waves,pv_waves,strehl,strehl_marechal,clear
+lenscalc wavefront double-gauss -N 5.6 --field 14deg --reference best --csv --digits 5 --columns rms_waves,pv_waves,strehl,sphere,reference,weights
+lenscalc wavefront double-gauss -w F,d --field 10 --reference centroid --csv --digits 5 --columns wavelength,rms_waves,clear,rays
+lenscalc wavefront double-gauss -N 5.6 --field 14deg --zernike noll --terms 11
+lenscalc wavefront double-gauss -N 5.6 --field 14deg --zernike ansi --terms 6 --csv --digits 5 --columns index,n,m,coefficient_waves,residual_waves
+lenscalc wavefront double-gauss -N 5.6 --field 14deg --zernike fringe --terms 4 --json --digits 5
+lenscalc wavefront questar-35 --csv --digits 5 --columns field,rms_waves,pv_waves,clear
+telescope='lens telescope\nobject inf\naperture epd 10\nfield angle 0 1\nfocus afocal\nsurface 50 0 1.5 - stop\nsurface - 150 air -\nsurface - 0 1.5 -\nsurface -25 10 air -\n'
+printf "$telescope" | lenscalc wavefront - --csv --digits 5 --columns field,rms_waves,strehl,sphere
+printf "$telescope" | lenscalc wavefront - --reference best
+lenscalc wavefront double-gauss -N 5.6 --field 0,80 --csv --digits 4 --columns field,rms_waves,warning
+lenscalc wavefront double-gauss --field 0 --pattern hexapolar --rays 127 --no-clip --csv --digits 4 --columns rms_waves,error_waves,rays
+lenscalc wavefront double-gauss -N 5.6 --explain --field 0 --columns rms_waves | tail -12
+lenscalc wavefront double-gauss --spectrum d,F
+lenscalc wavefront double-gauss --terms 5
+lenscalc wavefront double-gauss --size 64
+lenscalc wavefront double-gauss --zernike born
+lenscalc wavefront double-gauss --field 14 --zernike noll --terms 400 --rays 200
+lenscalc wavefront double-gauss -N 5.6 --plot maps.svg > rows && grep -o '>[^<>]*</text>' maps.svg | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
+lenscalc wavefront double-gauss -N 5.6 --columns field --map map.png
+lenscalc wavefront double-gauss -N 5.6 --field 0 --map map.pfm --size 16 > rows && head -c 9 map.pfm && wc -c < map.pfm
+lenscalc wavefront double-gauss -N 5.6 --field 0 --map map.png --size 16 > rows && head -c 4 map.png | tail -c 3
