@@ -4,6 +4,9 @@
 
 #include <math.h>
 
+/* Channels whose matrix magnifies errors so much tell no colours apart. */
+#define ALIKE 1e4
+
 /* What makes light of digital numbers, and linear sRGB of channels. */
 struct developing {
     const struct sensor_model *model;
@@ -12,22 +15,35 @@ struct developing {
     struct colour_matrix to_srgb;
 };
 
-static struct developing developing_of(const struct sensor_model *model, double headroom)
+/* Not a number where one of them is none. */
+static double sum_of_sizes(const struct colour_matrix *matrix)
 {
-    const struct sensor_response_traits *response = &sensor_responses[model->sensor.response];
-    struct developing developing = {.model = model,
-                                    .zero = model->sensor.black + model->gain * model->dark};
-    const double most = (model->white - model->sensor.black) /
-                        (model->gain * model->electrons[response->reference]);
+    double sum = 0;
+    for (size_t i = 0; i < SENSOR_CHANNELS * SENSOR_CHANNELS; i++) {
+        sum += fabs(matrix->at[i / SENSOR_CHANNELS][i % SENSOR_CHANNELS]);
+    }
+    return sum;
+}
+
+static bool open_developing(const struct sensor_model *model, double headroom,
+                            struct developing *developing, struct error *error)
+{
+    const struct sensor_response_traits *response = sensor_traits(&model->sensor);
+    *developing = (struct developing){.model = model,
+                                      .zero = model->sensor.black + model->gain * model->dark};
+    const double most = (model->white - model->sensor.black) / (model->gain * model->of_white);
     struct colour_matrix seen;
     for (size_t i = 0; i < SENSOR_CHANNELS; i++) {
-        developing.per_number[i] = headroom / (model->gain * model->electrons[i] * most);
+        developing->per_number[i] = headroom / (model->gain * model->electrons[i] * most);
         for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
-            seen.at[i][j] = response->channels == 1 ? i == j : response->seen->at[i][j];
+            const double own = i == j ? model->of_white / model->electrons[0] : 0;
+            seen.at[i][j] = response->channels == 1 ? own : response->seen->at[i][j];
         }
     }
-    developing.to_srgb = colour_inverse(&seen);
-    return developing;
+    developing->to_srgb = colour_inverse(&seen);
+    return sum_of_sizes(&developing->to_srgb) * sum_of_sizes(&seen) < ALIKE ||
+           fail(error, ERROR_DOMAIN,
+                "the channels of the sensor see too much the same to make colours of them");
 }
 
 static struct colour srgb_of(const struct developing *developing, const float *raw, size_t channels)
@@ -95,12 +111,15 @@ bool develop_picture(const struct sensor_model *model, const struct image *raw,
                      const struct develop_way *way, struct arena *arena, struct developed *made,
                      struct error *error)
 {
-    const size_t channels = sensor_responses[model->sensor.response].channels;
+    const size_t channels = sensor_traits(&model->sensor)->channels;
     if (raw->channels != channels) {
         return fail(error, ERROR_DOMAIN, "raw data of %zu channels: the sensor has %zu",
                     raw->channels, channels);
     }
-    struct developing developing = developing_of(model, way->headroom);
+    struct developing developing;
+    if (!open_developing(model, way->headroom, &developing, error)) {
+        return false;
+    }
     made->white = colour_daylight();
     if (channels > 1) {
         struct colour_matrix balance;

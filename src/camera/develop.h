@@ -44,7 +44,8 @@ struct developed {
  *           comes from a speed; times headroom; the inverse of what the channels see; balance
  *           (camera/colour.h)
  * Errors    ERROR_DOMAIN: a colour temperature out of range; an automatic balance of a picture in
- *           which nothing is between dark and saturation; another number of channels
+ *           which nothing is between dark and saturation; another number of channels; channels
+ *           that see the same
  * Limits    what is saturated in a channel has a colour of its own where headroom and balance leave
  *           it below 1
  */

@@ -59,6 +59,7 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
         SETUP_CLIPPED | SETUP_REVERSED | (question->model == MODEL_PARAXIAL ? SETUP_PARAXIAL : 0);
     film->systems = ARENA_ARRAY(arena, setup->wavelength_count, const struct system *);
     film->corner = hypot(question->width, question->height) / 2;
+    film->acceptance = question->acceptance;
     if (question->model == MODEL_PINHOLE && question->blades.count > 0) {
         return fail(error, ERROR_DOMAIN, "a pinhole has no shape: blades do nothing to it");
     }
@@ -98,4 +99,11 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
         film->hole_area = PI / 4 * setup->first.exit_diameter * setup->first.exit_diameter;
     }
     return question->blades.count == 0 || put_blades(question, which, arena, film, error);
+}
+
+void lens_film_start(const struct lens_film *film, struct film_samples *samples,
+                     struct ray_block *block)
+{
+    film->start(film, samples, block);
+    acceptance_weigh(film->acceptance, block, samples);
 }

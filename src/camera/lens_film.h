@@ -7,6 +7,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/sobol.h"
+#include "camera/acceptance.h"
 #include "camera/film_rays.h"
 #include "camera/lens_model.h"
 #include "optics/blades.h"
@@ -18,6 +19,7 @@ struct lens_film {
     const struct system **systems; /* one a wavelength of the setup */
     struct film_region region;
     struct sobol sobol[FILM_DIMENSIONS];
+    const struct acceptance *acceptance;
     double corner; /* how far from the axis the film goes, mm */
     /* of a pinhole: behind the last vertex, mm; its area, mm^2 */
     double hole, hole_area;
@@ -29,6 +31,7 @@ struct film_question {
     double width, height;      /* of the film, mm */
     struct blades blades;      /* count 0: the stop is round */
     enum lens_model model;     /* the setup's lens is that of it */
+    const struct acceptance *acceptance; /* of its pixels; null: they take all light */
 };
 
 /*
@@ -39,5 +42,9 @@ struct film_question {
  */
 bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error);
+
+/* Start a block of rays on the film: film_rays_start, weighed by what pixels accept. */
+void lens_film_start(const struct lens_film *film, struct film_samples *samples,
+                     struct ray_block *block);
 
 #endif

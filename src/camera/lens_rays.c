@@ -70,7 +70,7 @@ static bool send(struct stream *stream, size_t w, uint64_t samples, double share
     for (uint64_t done = 0; done < samples; done += RAYS_BLOCK) {
         const uint64_t left = samples - done;
         film_rays_plan(&stream->plan, (uint32_t)(done / RAYS_BLOCK), SET_BEST, &stream->samples);
-        stream->film.start(&stream->film, &stream->samples, stream->rays.blocks);
+        lens_film_start(&stream->film, &stream->samples, stream->rays.blocks);
         rays_trace(system, &stream->rays, NULL);
         const size_t kept = collect(stream, system, left < RAYS_BLOCK ? (size_t)left : RAYS_BLOCK,
                                     by / (double)samples);

@@ -57,7 +57,7 @@ static void trace_plan(const struct lens_film *film, const struct film_plan *pla
                        size_t wavelength, struct room *room)
 {
     film_rays_plan(plan, block, SET_BEST, &room->samples);
-    film->start(film, &room->samples, room->rays.blocks);
+    lens_film_start(film, &room->samples, room->rays.blocks);
     rays_trace(film->systems[wavelength], &room->rays, NULL);
 }
 
@@ -276,7 +276,7 @@ static void look_through(const struct work *work, double x, double y, struct roo
     room->samples.x[0] = share * x;
     room->samples.y[0] = share * y;
     room->samples.v[0] = film->region.has_hole ? 0.5 : 0; /* not at the edge of a hole */
-    film->start(film, &room->samples, room->rays.blocks);
+    lens_film_start(film, &room->samples, room->rays.blocks);
     rays_trace(film->systems[0], &room->rays, NULL);
     if (!meet(room->rays.blocks, 0, work->card.distance, at)) {
         at[0] = at[1] = 0;

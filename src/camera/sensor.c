@@ -30,6 +30,11 @@ const struct sensor_mosaic_traits sensor_mosaics[SENSOR_MOSAICS] = {
     [MOSAIC_GBRG] = {"gbrg", {{1, 2}, {0, 1}}},
 };
 
+const struct sensor_response_traits *sensor_traits(const struct image_sensor *sensor)
+{
+    return sensor->table != NULL ? sensor->table : &sensor_responses[sensor->response];
+}
+
 struct image_sensor sensor_plain(double pitch)
 {
     return (struct image_sensor){.response = SENSOR_RGB,
@@ -92,16 +97,17 @@ static bool check_sensor(const struct image_sensor *sensor, const struct sensor_
         return fail(error, ERROR_DOMAIN, "the black level %.6g is not below the largest of %d bits",
                     sensor->black, sensor->bits);
     }
-    if (sensor->mosaic != MOSAIC_NONE && sensor->response != SENSOR_RGB) {
+    const struct sensor_response_traits *response = sensor_traits(sensor);
+    const bool has_colours = sensor->table != NULL || sensor->response == SENSOR_RGB;
+    if (sensor->mosaic != MOSAIC_NONE && !(has_colours && response->channels == SENSOR_CHANNELS)) {
         return fail(error, ERROR_DOMAIN,
-                    "a mosaic is of red, green and blue, and the response is %s",
-                    sensor_responses[sensor->response].word);
+                    "a mosaic is of red, green and blue, and the response is %s", response->word);
     }
     return true;
 }
 
 /* K from the speed, or as given. */
-static bool find_gain(struct sensor_model *model, double per_lux, struct error *error)
+static bool find_gain(struct sensor_model *model, struct error *error)
 {
     const struct sensor_setting *setting = &model->setting;
     const bool has_iso = !isnan(setting->iso), has_gain = !isnan(setting->gain);
@@ -110,7 +116,8 @@ static bool find_gain(struct sensor_model *model, double per_lux, struct error *
                     has_iso ? "not both" : "and has neither");
     }
     const double span = model->white - model->sensor.black;
-    model->gain = has_gain ? setting->gain : span / (saturation_exposure(setting->iso) * per_lux);
+    model->gain =
+        has_gain ? setting->gain : span / (saturation_exposure(setting->iso) * model->of_white);
     if (!(model->gain > 0 && model->gain < 1e12 && (has_gain || setting->iso > 0))) {
         return fail(error, ERROR_DOMAIN, "the %s %.6g of a sensor is not above 0 and below 1e12",
                     has_gain ? "gain" : "ISO", has_gain ? setting->gain : setting->iso);
@@ -125,14 +132,17 @@ bool sensor_open(const struct image_sensor *sensor, const struct sensor_setting 
     if (!check_sensor(sensor, setting, error)) {
         return false;
     }
-    const struct sensor_response_traits *response = &sensor_responses[sensor->response];
+    const struct sensor_response_traits *response = sensor_traits(sensor);
     for (size_t c = 0; c < SENSOR_CHANNELS; c++) {
         model->electrons[c] =
             sensor->fill * sensor->efficiency[c] * sensor->pitch * sensor->pitch * SENSOR_PHOTONS;
     }
-    const double per_lux = model->electrons[response->reference];
+    for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
+        model->of_white += model->electrons[response->reference] *
+                           response->seen->at[response->row + response->reference][j];
+    }
     model->white = ldexp(1, sensor->bits) - 1;
-    if (!find_gain(model, per_lux, error)) {
+    if (!find_gain(model, error)) {
         return false;
     }
     const double doublings = (setting->temperature - sensor->dark_temperature) / sensor->doubling;
@@ -143,7 +153,7 @@ bool sensor_open(const struct image_sensor *sensor, const struct sensor_setting 
                     "a dark current of %.6g electrons in the exposure is too much", model->dark);
     }
     model->clip = fmin(sensor->full_well, (model->white - sensor->black) / model->gain);
-    model->saturation = fmax(0, model->clip - model->dark) / per_lux;
+    model->saturation = fmax(0, model->clip - model->dark) / model->of_white;
     return true;
 }
 
@@ -214,7 +224,7 @@ static void expose_pixel(const struct exposing *exposing, size_t x, size_t y)
     const float *from = image_row(light, y) + x * light->channels;
     float *to = image_row(exposing->image, y) + x * exposing->image->channels;
     const bool mosaic = model->sensor.mosaic != MOSAIC_NONE;
-    const struct sensor_response_traits *response = &sensor_responses[model->sensor.response];
+    const struct sensor_response_traits *response = sensor_traits(&model->sensor);
     for (size_t k = 0; k < exposing->image->channels; k++) {
         const size_t channel =
             mosaic ? sensor_mosaics[model->sensor.mosaic].channel[row % 2][column % 2] : k;
@@ -257,7 +267,7 @@ bool sensor_expose(const struct sensor_model *model, const struct image *light,
                    const struct sensor_place *place, struct arena *arena, struct sensor_raw *raw,
                    struct error *error)
 {
-    const struct sensor_response_traits *response = &sensor_responses[model->sensor.response];
+    const struct sensor_response_traits *response = sensor_traits(&model->sensor);
     const bool mosaic = model->sensor.mosaic != MOSAIC_NONE;
     *raw = (struct sensor_raw){.image = {.width = light->width,
                                          .height = light->height,

@@ -53,9 +53,11 @@ extern const struct sensor_mosaic_traits sensor_mosaics[SENSOR_MOSAICS];
 
 struct image_sensor {
     enum sensor_response response;
-    enum sensor_mosaic mosaic;          /* other than NONE only with SENSOR_RGB */
-    double pitch;                       /* of the pixels, mm, > 0 */
-    double fill;                        /* share of the pixel that takes light, above 0, to 1 */
+    const struct sensor_response_traits *table; /* in place of it; null: none */
+    enum sensor_mosaic
+        mosaic;   /* other than NONE only with red, green and blue, or a table of three */
+    double pitch; /* of the pixels, mm, > 0 */
+    double fill;  /* share of the pixel that takes light, above 0, to 1 */
     double efficiency[SENSOR_CHANNELS]; /* electrons a photon, filters included, above 0, to 1 */
     double full_well;                   /* electrons a pixel holds, > 0; infinite: no end */
     double dark_current;                /* electrons a second at dark_temperature, >= 0 */
@@ -65,6 +67,9 @@ struct image_sensor {
     double black;                       /* digital number of no electrons, >= 0 */
     int bits;                           /* of a digital number */
 };
+
+/* What its channels see. */
+const struct sensor_response_traits *sensor_traits(const struct image_sensor *sensor);
 
 /* A plain one: RGB, pixels of `pitch`, all light becomes electrons at efficiency 0.5, 14 bits. */
 struct image_sensor sensor_plain(double pitch);
@@ -85,6 +90,7 @@ struct sensor_model {
     struct image_sensor sensor;
     struct sensor_setting setting;
     double electrons[SENSOR_CHANNELS]; /* of 1 lx s */
+    double of_white;                   /* electrons of it in the reference channel */
     double dark;                       /* mean electrons in the dark */
     double gain;                       /* K, digital numbers an electron */
     double white;                      /* the largest digital number */
@@ -97,7 +103,7 @@ struct sensor_model {
  *
  * Result    model   electrons = fill efficiency pitch^2 SENSOR_PHOTONS; dark = current time
  *                   2^((temperature - dark_temperature)/doubling); K as given, or so that the
- *                   reference channel reaches the largest number at H_sat = 78/S
+ *                   reference channel reaches the largest number at H_sat = 78/S of white light
  * Source    [EMVA16] 2.1 (photons, K), 3 (dark current); [IsoSpeed06] 6.2 (H_sat); photons of
  *           light of other colours by lumens: an efficiency is that of light of 555 nm which gives
  *           as many lumens

@@ -10,6 +10,11 @@
                                          .highest = INFINITY, .flags = OPTION_NO_INFINITY,         \
                                          .value = "NUMBER"
 
+#define RENDER_SHARE(member)                                                                       \
+    OPTION(struct render_input, member), .dimension = &dimension_number, .lowest = 0,              \
+                                         .highest = 1, .flags = OPTION_ABOVE_LOWEST,               \
+                                         .value = "NUMBER"
+
 static const struct option options[] = {
     {OPTION(struct render_input, scene), .name = "subject", .value = "SCENE",
      .flags = OPTION_OPERAND | OPTION_FILE,
@@ -92,6 +97,18 @@ static const struct option options[] = {
     {RENDER_ELECTRONS(full_well), .name = "full-well", .help = "electrons that a pixel holds"},
     {RENDER_ELECTRONS(dark_current), .name = "dark-current",
      .help = "electrons a second in the dark"},
+    {RENDER_SHARE(fill), .name = "fill", .help = "share of a pixel that takes light (1)"},
+    {RENDER_SHARE(efficiency), .name = "efficiency", .help = "electrons of a photon (0.5)"},
+    {OPTION(struct render_input, response), .name = "response", .value = "NAME|FILE",
+     .flags = OPTION_FILE,
+     .help = "what its channels see: rgb, mono, xyz, or a table of efficiencies by wavelength"},
+    {RENDER_ELECTRONS(gain), .name = "gain", .help = "numbers of an electron, in place of --iso"},
+    {RENDER_ELECTRONS(black), .name = "black", .help = "number of no electrons (0)"},
+    {OPTION(struct render_input, adc), .name = "adc", .lowest = 8, .highest = 16, .value = "BITS",
+     .help = "bits of the sensor's numbers (14)"},
+    {OPTION(struct render_input, acceptance), .name = "acceptance", .value = "POWER|FILE",
+     .flags = OPTION_FILE,
+     .help = "light that pixels take by its angle: a power of the cosine, or a table"},
     {OPTION(struct render_input, mosaic), .name = "mosaic", .words = render_mosaics,
      .fallback = "none", .value = "NAME", .help = "colours of the pixels of a sensor"},
     {OPTION(struct render_input, white), .name = "white", .value = "LIGHT",
@@ -131,16 +148,17 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "subject",   "ev",    "scene",      "filter",    "depth-map",    "field-width",
-        "luminance", "time",  "iso",        "size",      "crop",         "bits",
-        "noise",     "pitch", "read-noise", "full-well", "dark-current", "mosaic",
-        "white",     "raw",   "threads",    "film",      "grain"};
-    const size_t count = sizeof of_pictures / sizeof of_pictures[0];
-    for (size_t i = 0; i < count && !asking_given(job->asking, "output"); i++) {
-        if (asking_given(job->asking, of_pictures[i])) {
-            return fail(error, ERROR_USAGE,
-                        "{--%s} is of pictures, and {--rays} makes none: {--output} FILE does",
-                        of_pictures[i]);
+        "subject", "ev",   "scene", "filter", "depth-map", "field-width", "luminance", "time",
+        "iso",     "size", "crop",  "bits",   "film",      "grain",       "threads",   NULL};
+    const char *const *const lists[] = {of_pictures, render_sensor_options};
+    const bool also_picture = asking_given(job->asking, "output");
+    for (size_t k = 0; k < 2 && !also_picture; k++) {
+        for (size_t i = 0; lists[k][i] != NULL; i++) {
+            if (asking_given(job->asking, lists[k][i])) {
+                return fail(error, ERROR_USAGE,
+                            "{--%s} is of pictures, and {--rays} makes none: {--output} FILE does",
+                            lists[k][i]);
+            }
         }
     }
     return check_lens(job, error);

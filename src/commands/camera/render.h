@@ -36,6 +36,9 @@ struct render_input {
     int hidden;                                 /* enum relief_hidden */
     double pitch;                               /* mm; NaN = that of the picture */
     double read_noise, full_well, dark_current; /* electrons, and a second; NaN = not given */
+    double fill, efficiency, gain, black; /* of image_sensor and its setting; NaN = not given */
+    long adc;                             /* bits; 0 = not given */
+    const char *response, *acceptance;    /* a word or number, or a file */
     struct film_value film;
     double grain; /* rms granularity, as characteristic_grain takes it; NaN = none */
     long samples, seed, threads, bits; /* samples, bits: 0 = not given */
@@ -147,8 +150,23 @@ extern const struct word render_mosaics[];
 /* Is a sensor asked for? */
 bool render_senses(const struct render_input *input);
 
-/* Errors: ERROR_USAGE: no balance of white, or one of raw numbers */
-bool render_check_sensor(const struct render_input *input, struct error *error);
+/* The options that ask for one; ends with null. */
+extern const char *const render_sensor_options[];
+
+/*
+ * Given     columns  pixels of the frame
+ * Errors    ERROR_USAGE: no balance of white, or one of raw numbers or of a crop; options that
+ *           exclude each other; as number_table_read, response_open and sensor_open
+ */
+bool render_check_sensor(const struct artifact_job *job, size_t columns, struct error *error);
+
+/* ISO, as asked for, of the film, or that a gain makes. */
+bool render_speed(const struct render_input *input, size_t columns, struct arena *arena,
+                  double *iso, struct error *error);
+
+/* What pixels accept by the angle; null: all. Errors: as acceptance_power, acceptance_table */
+bool render_acceptance(const struct render_input *input, struct arena *arena,
+                       const struct acceptance **acceptance, struct error *error);
 
 /*
  * Expose a sensor, and develop what it saw unless its numbers are wanted.
@@ -172,9 +190,6 @@ static inline bool render_is_film(const struct render_input *input)
 
 /* Errors: ERROR_USAGE and ERROR_DOMAIN: a film without a curve or speed; what films do not have */
 bool render_check_film(const struct artifact_job *job, struct error *error);
-
-/* ISO, of the film or as asked for. */
-double render_speed(const struct render_input *input);
 
 /*
  * What a film needs longer, or loses, in long exposures; a sensor nothing.

@@ -11,15 +11,13 @@
 /* What a sensor has, and the speed, which the film has itself. */
 static bool check_others(const struct artifact_job *job, struct error *error)
 {
-    static const char *const of_sensors[] = {"iso",    "noise", "pitch", "read-noise",  "full-well",
-                                             "mosaic", "white", "raw",   "dark-current"};
-    for (size_t i = 0; i < sizeof of_sensors / sizeof of_sensors[0]; i++) {
-        if (asking_given(job->asking, of_sensors[i])) {
-            return fail(error, ERROR_USAGE, "{--%s} and {--film} exclude each other",
-                        of_sensors[i]);
-        }
+    const char *other = asking_given(job->asking, "iso") ? "iso" : NULL;
+    for (size_t i = 0; other == NULL && render_sensor_options[i] != NULL; i++) {
+        other =
+            asking_given(job->asking, render_sensor_options[i]) ? render_sensor_options[i] : NULL;
     }
-    return true;
+    return other == NULL ||
+           fail(error, ERROR_USAGE, "{--%s} and {--film} exclude each other", other);
 }
 
 bool render_check_film(const struct artifact_job *job, struct error *error)
@@ -44,11 +42,6 @@ bool render_check_film(const struct artifact_job *job, struct error *error)
         return error_hint(error, "those are written as .pfm and .exr, its print as .png");
     }
     return check_others(job, error);
-}
-
-double render_speed(const struct render_input *input)
-{
-    return render_is_film(input) ? input->film.speed : input->iso;
 }
 
 bool render_film_time(const struct render_input *input, double *time, double *metered,

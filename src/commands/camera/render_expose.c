@@ -79,10 +79,14 @@ struct exposure {
     bool is_chosen;   /* nobody gave a time */
 };
 
-static bool exposure_of(const struct render_input *input, double axis, struct exposure *exposure,
-                        struct error *error)
+static bool exposure_of(const struct render_input *input, const struct render_shot *shot,
+                        struct arena *arena, struct exposure *exposure, struct error *error)
 {
-    const double iso = render_speed(input), full = saturation_exposure(iso);
+    double iso;
+    if (!render_speed(input, shot->frame.columns, arena, &iso, error)) {
+        return false;
+    }
+    const double full = saturation_exposure(iso), axis = shot->photograph.axis;
     const double white = render_white(input);
     *exposure = (struct exposure){.luminance = white,
                                   .time = input->time,
@@ -222,7 +226,7 @@ static bool expose(const struct render_input *input, const struct render_shot *s
                                   .packed = input->packing == 0};
     struct exposure exposure;
     struct image image;
-    if (!exposure_of(input, photograph->axis, &exposure, error)) {
+    if (!exposure_of(input, shot, remarks->arena, &exposure, error)) {
         return false;
     }
     const struct range shares =

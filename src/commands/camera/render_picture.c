@@ -1,5 +1,6 @@
 /* commands/camera/render_picture.c - a photograph of a card, exposed and written. */
 /* SPDX-License-Identifier: MIT */
+#include "camera/response.h"
 #include "commands/camera/render.h"
 #include "file/image_file.h"
 #include "report/version.h"
@@ -9,9 +10,9 @@
 
 enum { USUAL_SAMPLES = 64, MOST_SAMPLES = 1 << 20 };
 
-/* About where the primaries of sRGB lie, um: each channel is traced at one wavelength. */
+/* Each channel is traced at one wavelength. */
 static const struct setup_wavelength channels[PHOTOGRAPH_CHANNELS] = {
-    {0.611, 1}, {0.549, 1}, {0.464, 1}};
+    {RESPONSE_RED, 1}, {RESPONSE_GREEN, 1}, {RESPONSE_BLUE, 1}};
 
 /* -------- what is asked -------- */
 
@@ -62,8 +63,9 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
                     "{--wavelength}");
     }
     return render_check_file(input, job->type, error) && render_check_light(input, error) &&
-           render_check_sensor(input, error) && render_check_film(job, error) &&
-           render_check_depths(input, error) && render_frame_read(input, &frame, error);
+           render_check_film(job, error) && render_check_depths(input, error) &&
+           render_frame_read(input, &frame, error) &&
+           render_check_sensor(job, frame.columns, error);
 }
 
 /* -------- the picture -------- */
@@ -119,7 +121,8 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     question.columns = shot.frame.columns;
     question.rows = shot.frame.rows;
     question.crop = shot.frame.taken;
-    if (!read_scene(input, arena, &question.card, error) ||
+    if (!render_acceptance(input, arena, &question.film.acceptance, error) ||
+        !read_scene(input, arena, &question.card, error) ||
         !render_depths(input, question.card.picture, arena, &question.depths, error) ||
         !photograph_take(&question, arena, &shot.photograph, error)) {
         return false;

@@ -110,12 +110,13 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
     const struct render_input *input = job->inputs[0];
     struct ray_writer writer = {file_of(job->type), rays_job->sink};
     struct lens_rays result;
-    const struct lens_rays_question question = {
-        .film = render_film(input, one),
-        .samples = input->samples == 0 ? USUAL_RAYS : (uint64_t)input->samples,
-        .seed = (uint64_t)input->seed};
+    struct lens_rays_question question = {.film = render_film(input, one),
+                                          .samples = input->samples == 0 ? USUAL_RAYS
+                                                                         : (uint64_t)input->samples,
+                                          .seed = (uint64_t)input->seed};
     write_names(&writer);
-    if (!lens_rays_make(&question, job->run->arena, write_rays, &writer, &result, error)) {
+    if (!render_acceptance(input, job->run->arena, &question.film.acceptance, error) ||
+        !lens_rays_make(&question, job->run->arena, write_rays, &writer, &result, error)) {
         return false;
     }
     struct growing remarks = {.arena = job->run->arena};

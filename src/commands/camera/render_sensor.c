@@ -1,9 +1,14 @@
 /* commands/camera/render_sensor.c - a picture as a sensor sees it. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "camera/demosaic.h"
 #include "camera/develop.h"
+#include "camera/response.h"
 #include "commands/camera/render.h"
+#include "data/number_table.h"
+#include "photo/sensitometry.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,27 +46,21 @@ static bool read_white(const char *text, struct develop_way *way, struct error *
                 text);
 }
 
+const char *const render_sensor_options[] = {
+    "noise",      "pitch", "read-noise", "full-well", "dark-current", "mosaic", "response", "fill",
+    "efficiency", "gain",  "black",      "adc",       "white",        "raw",    NULL};
+
 bool render_senses(const struct render_input *input)
 {
-    return input->noise || input->raw || input->mosaic != 0 || input->white != NULL ||
-           !isnan(input->pitch) || !isnan(input->read_noise) || !isnan(input->full_well) ||
-           !isnan(input->dark_current);
-}
-
-bool render_check_sensor(const struct render_input *input, struct error *error)
-{
-    struct develop_way way;
-    if (input->raw && input->white != NULL) {
-        return fail(error, ERROR_USAGE,
-                    "{--raw} and {--white} exclude each other: raw numbers "
-                    "have no white balance");
+    const double numbers[] = {input->pitch,        input->read_noise, input->full_well,
+                              input->dark_current, input->fill,       input->efficiency,
+                              input->gain,         input->black};
+    bool any = input->noise || input->raw || input->mosaic != 0 || input->white != NULL ||
+               input->response != NULL || input->adc != 0;
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        any = any || !isnan(numbers[i]);
     }
-    if (!read_white(input->white, &way, error)) {
-        return false;
-    }
-    return way.white != BALANCE_AUTO || input->crop == NULL ||
-           fail(error, ERROR_USAGE,
-                "{--white} auto is the mean of a whole picture, which a {--crop} does not have");
+    return any;
 }
 
 static double or_else(double given, double usual)
@@ -69,7 +68,41 @@ static double or_else(double given, double usual)
     return isnan(given) ? usual : given;
 }
 
-static struct image_sensor sensor_of(const struct render_input *input, size_t columns)
+/* "rgb", "mono", "xyz", or a file. */
+static bool read_response(const struct render_input *input, struct arena *arena,
+                          struct image_sensor *sensor, struct error *error)
+{
+    for (int i = 0; i < SENSOR_RESPONSES; i++) {
+        if (input->response == NULL || strcmp(input->response, sensor_responses[i].word) == 0) {
+            sensor->response = (enum sensor_response)i;
+            return true;
+        }
+    }
+    struct number_table file;
+    if (!isnan(input->efficiency) || input->question.wavelength.name != NULL) {
+        return fail(error, ERROR_USAGE, "{--%s} and a table of {--response} exclude each other",
+                    isnan(input->efficiency) ? "wavelength" : "efficiency");
+    }
+    if (!number_table_read(input->response, "wavelength_nm", arena, &file, error)) {
+        return error_hint(error, "{--response} is rgb, mono, xyz or the name of a file");
+    }
+    struct response_table table = {.channels = file.columns - 1, .rows = file.rows};
+    for (size_t i = 0; i < file.rows; i++) {
+        file.column[0][i] /= 1000;
+    }
+    table.wavelength = file.column[0];
+    for (size_t k = 0; k < table.channels && k < SENSOR_CHANNELS; k++) {
+        table.efficiency[k] = file.column[k + 1];
+        table.names[k] = file.names[k + 1];
+        sensor->efficiency[k] = 1;
+    }
+    return response_open(&table, arena, &sensor->table, error) ||
+           error_prefix(error, "%.200s: ", input->response);
+}
+
+/* The sensor, ready for an exposure of `time`, s. */
+static bool open_sensor(const struct render_input *input, size_t columns, double time,
+                        struct arena *arena, struct sensor_model *model, struct error *error)
 {
     struct image_sensor sensor =
         sensor_plain(or_else(input->pitch, input->sensor.size.width / (double)columns));
@@ -77,7 +110,90 @@ static struct image_sensor sensor_of(const struct render_input *input, size_t co
     sensor.read_noise = or_else(input->read_noise, sensor.read_noise);
     sensor.full_well = or_else(input->full_well, sensor.full_well);
     sensor.dark_current = or_else(input->dark_current, sensor.dark_current);
-    return sensor;
+    sensor.fill = or_else(input->fill, sensor.fill);
+    sensor.black = or_else(input->black, sensor.black);
+    sensor.bits = input->adc != 0 ? (int)input->adc : sensor.bits;
+    for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
+        sensor.efficiency[k] = or_else(input->efficiency, sensor.efficiency[k]);
+    }
+    const struct sensor_setting setting = {.iso = isnan(input->gain) ? input->iso : NAN,
+                                           .gain = input->gain,
+                                           .time = time,
+                                           .temperature = sensor.dark_temperature,
+                                           .noiseless = !input->noise && isnan(input->read_noise),
+                                           .seed = (uint64_t)input->seed,
+                                           .threads = parallel_threads(input->threads)};
+    return read_response(input, arena, &sensor, error) &&
+           sensor_open(&sensor, &setting, model, error);
+}
+
+bool render_check_sensor(const struct artifact_job *job, size_t columns, struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    struct develop_way way;
+    struct sensor_model model;
+    if (input->raw && input->white != NULL) {
+        return fail(error, ERROR_USAGE,
+                    "{--raw} and {--white} exclude each other: raw numbers "
+                    "have no white balance");
+    }
+    if (!isnan(input->gain) && asking_given(job->asking, "iso")) {
+        return fail(error, ERROR_USAGE, "{--gain} and {--iso} exclude each other");
+    }
+    if (!read_white(input->white, &way, error)) {
+        return false;
+    }
+    if (way.white == BALANCE_AUTO && input->crop != NULL) {
+        return fail(
+            error, ERROR_USAGE,
+            "{--white} auto is the mean of a whole picture, which a {--crop} does not have");
+    }
+    return !render_senses(input) ||
+           open_sensor(input, columns, or_else(input->time, 0), job->run->arena, &model, error);
+}
+
+bool render_speed(const struct render_input *input, size_t columns, struct arena *arena,
+                  double *iso, struct error *error)
+{
+    struct sensor_model model;
+    *iso = render_is_film(input) ? input->film.speed : input->iso;
+    if (isnan(input->gain)) {
+        return true;
+    }
+    if (!open_sensor(input, columns, 0, arena, &model, error)) {
+        return false;
+    }
+    *iso = saturation_speed((model.white - model.sensor.black) / (model.gain * model.of_white));
+    return true;
+}
+
+bool render_acceptance(const struct render_input *input, struct arena *arena,
+                       const struct acceptance **acceptance, struct error *error)
+{
+    *acceptance = NULL;
+    if (input->acceptance == NULL) {
+        return true;
+    }
+    struct acceptance *made = ARENA_NEW(arena, struct acceptance);
+    *acceptance = made;
+    char *end;
+    const double power = strtod(input->acceptance, &end);
+    if (end != input->acceptance && *end == '\0') {
+        return acceptance_power(power, made, error);
+    }
+    struct number_table file;
+    if (!number_table_read(input->acceptance, "angle_deg", arena, &file, error)) {
+        return error_hint(error, "{--acceptance} is a power of the cosine or the name of a file");
+    }
+    if (file.columns != 2) {
+        return fail(error, ERROR_DATA, "%.200s: %zu columns, not angle_deg and a share",
+                    input->acceptance, file.columns);
+    }
+    for (size_t i = 0; i < file.rows; i++) {
+        file.column[0][i] *= PI / 180;
+    }
+    return acceptance_table(file.column[0], file.column[1], file.rows, made, error) ||
+           error_prefix(error, "%.200s: ", input->acceptance);
 }
 
 static void add_remarks(const struct sensor_model *model, const struct sensor_raw *raw,
@@ -104,21 +220,14 @@ bool render_sense(const struct render_input *input, double time, const struct re
                   struct image *image, struct growing *remarks, struct error *error)
 {
     struct arena *arena = remarks->arena;
-    const struct image_sensor sensor = sensor_of(input, frame->columns);
-    const struct sensor_setting setting = {.iso = input->iso,
-                                           .gain = NAN,
-                                           .time = time,
-                                           .temperature = sensor.dark_temperature,
-                                           .noiseless = !input->noise && isnan(input->read_noise),
-                                           .seed = (uint64_t)input->seed,
-                                           .threads = parallel_threads(input->threads)};
     const struct sensor_place place = {frame->taken.left, frame->taken.top, frame->columns};
     struct sensor_model model;
     struct sensor_raw raw;
     struct develop_way way;
     struct developed made;
     struct image full;
-    if (!read_white(input->white, &way, error) || !sensor_open(&sensor, &setting, &model, error) ||
+    if (!read_white(input->white, &way, error) ||
+        !open_sensor(input, frame->columns, time, arena, &model, error) ||
         !sensor_expose(&model, image, &place, arena, &raw, error)) {
         return false;
     }
@@ -127,8 +236,8 @@ bool render_sense(const struct render_input *input, double time, const struct re
     if (input->raw) {
         sensor_codes(&model, &place, &sensed, arena);
     } else {
-        if (sensor.mosaic != MOSAIC_NONE) {
-            if (!demosaic_bilinear(&raw.image, sensor.mosaic, &place, arena, &full, error)) {
+        if (model.sensor.mosaic != MOSAIC_NONE) {
+            if (!demosaic_bilinear(&raw.image, model.sensor.mosaic, &place, arena, &full, error)) {
                 return false;
             }
             sensed = full;
