@@ -200,14 +200,16 @@ static void find_areas(const struct mapping *mapping, const double (*points)[2],
     const struct system *system = margins->system;
     struct ray_block *block = margins->work.blocks;
     const double unit = margins->beam->radius;
+    struct derivative_tape tape = mapping->tape;
+    tape.lanes = kernel_lanes(count);
     margins_go(margins, points, count, 0);
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+    for (size_t i = 0; i < (size_t)tape.lanes; i++) {
         for (int k = 0; k < 2; k++) {
             start_tangent(margins->beam, block, i, k, &mapping->tangents[k]);
         }
     }
-    *block = *derivative_trace(&mapping->before, block, SET_BEST, &mapping->tape);
-    tangent_trace(&mapping->before, NULL, 2, SET_BEST, &mapping->tape, mapping->tangents);
+    *block = *derivative_trace(&mapping->before, block, SET_BEST, &tape);
+    tangent_trace(&mapping->before, NULL, 2, SET_BEST, &tape, mapping->tangents);
     for (size_t i = 0; i < count; i++) {
         double from[3], along[2][3];
         margins_cross(margins, system->stop, i, from);

@@ -12,7 +12,7 @@
 
 static struct ray_block *aligned_blocks(struct arena *arena, size_t count)
 {
-    char *memory = arena_array(arena, count + 1, sizeof(struct ray_block));
+    char *memory = arena_buffer(arena, (count + 1) * sizeof(struct ray_block));
     return (struct ray_block *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64);
 }
 
@@ -21,7 +21,11 @@ struct derivative_tape derivative_tape_new(const struct system *system, struct a
     size_t steps = system->begin[system->places];
     struct ray_block *blocks = aligned_blocks(arena, steps + 3 + 2);
     return (struct derivative_tape){
-        .blocks = blocks, .spare = blocks + steps + 1, .scratch = blocks[steps + 3].x};
+        .blocks = blocks,
+        .spare = blocks + steps + 1,
+        .scratch = blocks[steps + 3].x,
+        .lanes = RAYS_BLOCK,
+    };
 }
 
 static const struct step *step_of_surface(const struct system *system, size_t place)
@@ -131,7 +135,7 @@ const struct ray_block *derivative_trace(const struct system *system, const stru
 {
     size_t steps = system->begin[system->places];
     tape->blocks[0] = *start;
-    dispatch_tape(set)(system->steps, steps, system->options.path, tape->blocks);
+    dispatch_tape(set)(system->steps, steps, system->options.path, tape->lanes, tape->blocks);
     return &tape->blocks[steps];
 }
 

@@ -48,6 +48,7 @@ struct derivative_tape {
     struct ray_block *blocks; /* one a step and one in front; aligned */
     struct ray_block *spare;  /* two for the adjoint */
     double *scratch;
+    int lanes; /* the first so many are traced forwards: kernel_lanes of the rays, or all */
 };
 struct derivative_tape derivative_tape_new(const struct system *system, struct arena *arena);
 

@@ -85,15 +85,17 @@ struct work {
     kernel_trace *kernel;
     const struct step *steps;
     size_t count;
-    bool path;
-    struct ray_block *blocks;
+    bool path, few;
+    const struct rays *rays;
 };
 
 static void trace_blocks(void *context, size_t begin, size_t end)
 {
     const struct work *work = context;
     for (size_t i = begin; i < end; i++) {
-        work->kernel(work->steps, work->count, work->path, &work->blocks[i]);
+        const size_t left = work->rays->count - i * RAYS_BLOCK;
+        const int lanes = work->few ? kernel_lanes_few(left) : kernel_lanes(left);
+        work->kernel(work->steps, work->count, work->path, lanes, &work->rays->blocks[i]);
     }
 }
 
@@ -105,9 +107,12 @@ void rays_trace_part(const struct system *system, size_t from, size_t to, const 
     static const struct trace_way usual = {SET_BEST, 1};
     way = way == NULL ? &usual : way;
     bool few = way->set == SET_BEST && rays->count <= RAYS_FEW;
-    struct work work = {
-        few ? kernel_trace_few : trace_of(way->set), system->steps + system->begin[from],
-        system->begin[to] - system->begin[from], system->options.path, rays->blocks};
+    struct work work = {few ? kernel_trace_few : trace_of(way->set),
+                        system->steps + system->begin[from],
+                        system->begin[to] - system->begin[from],
+                        system->options.path,
+                        few,
+                        rays};
     parallel_for(way->threads, rays_blocks(rays), BLOCKS_A_PIECE, trace_blocks, &work);
 }
 

@@ -5,10 +5,11 @@
 
 #include <stdint.h>
 
-INLINE void plane(struct ray_block *block, const struct step *s, bool path, bool refracts)
+INLINE void plane(struct ray_block *block, const struct step *s, bool path, int lanes,
+                  bool refracts)
 {
     const struct codes codes = codes_of(s);
-    for (int i = 0; i < KERNEL_LANES; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         struct lane ray = load(block, i, s->t);
         double d = -ray.z / ray.r, D = s->direction * ray.r, D2 = D * D + s->dn;
         ray.x += d * ray.p;
@@ -29,13 +30,13 @@ INLINE void plane(struct ray_block *block, const struct step *s, bool path, bool
 }
 
 /* In the plane of H: the slopes of the collineation, and on in the plane of H', or back. */
-INLINE void thick(struct ray_block *block, const struct step *s)
+INLINE void thick(struct ray_block *block, const struct step *s, int lanes)
 {
     const double near = s->near_object, ratio = s->ratio, bend = s->bend;
     const double d1 = s->coefficient[0], d2 = s->coefficient[1], d3 = s->coefficient[2];
     const double onward = s->action == ACTION_REFLECT ? -s->direction : s->direction;
     const double forward = onward * sqrt(s->n22);
-    for (int i = 0; i < KERNEL_LANES; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         double u = block->p[i] / block->r[i], v = block->q[i] / block->r[i];
         double wu = u - block->x[i] * near, wv = v - block->y[i] * near;
         double w2 = wu * wu + wv * wv, d = w2 * (d1 + w2 * (d2 + w2 * d3));
@@ -49,10 +50,10 @@ INLINE void thick(struct ray_block *block, const struct step *s)
     }
 }
 
-INLINE void plane_mirror(struct ray_block *block, const struct step *s, bool path)
+INLINE void plane_mirror(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
-    plane(block, s, path, false);
-    for (int i = 0; i < KERNEL_LANES; i++) {
+    plane(block, s, path, lanes, false);
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         block->r[i] = -block->r[i];
     }
 }
@@ -111,7 +112,7 @@ INLINE void sphere_bend(struct ray_block *block, const struct step *s, bool path
 }
 
 INLINE void sphere(struct ray_block *restrict block, const struct step *restrict step, bool path,
-                   bool hops, bool reflects, bool forward)
+                   int lanes, bool hops, bool reflects, bool forward)
 {
     const struct step s = *step;
     const double direction = forward ? 1 : s.direction;
@@ -120,19 +121,19 @@ INLINE void sphere(struct ray_block *restrict block, const struct step *restrict
 #define FIND(i)  sphere_find(block, &s, path, hops, &found, i)
 #define ROOTS(i) sphere_roots(&s, reflects, direction, &found, i)
 #define BEND(i)  sphere_bend(block, &s, path, hops, codes, &found, i)
-    IN_TURN(FIND, ROOTS, DIVIDE, BEND);
+    IN_TURN(lanes, FIND, ROOTS, DIVIDE, BEND);
 #undef FIND
 #undef ROOTS
 #undef BEND
 }
 
-static void move(struct ray_block *block, const struct step *s)
+static void move(struct ray_block *block, const struct step *s, int lanes)
 {
     /* copies: the compiler cannot know that the step is not part of the block */
     double m[9], shift[3];
     memcpy(m, s->turn, sizeof m);
     memcpy(shift, s->shift, sizeof shift);
-    for (int i = 0; i < KERNEL_LANES; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         double x = block->x[i] - shift[0], y = block->y[i] - shift[1], z = block->z[i] - shift[2];
         double p = block->p[i], q = block->q[i], r = block->r[i];
         block->x[i] = m[0] * x + m[1] * y + m[2] * z;
@@ -144,77 +145,77 @@ static void move(struct ray_block *block, const struct step *s)
     }
 }
 
-INLINE void step_plane(struct ray_block *block, const struct step *s, bool path)
+INLINE void step_plane(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
     if (s->action == ACTION_PASS) {
-        plane(block, s, path, false);
+        plane(block, s, path, lanes, false);
     } else if (s->action == ACTION_REFRACT) {
-        plane(block, s, path, true);
+        plane(block, s, path, lanes, true);
     } else {
-        plane_mirror(block, s, path);
+        plane_mirror(block, s, path, lanes);
     }
 }
 
-INLINE void step_sphere(struct ray_block *block, const struct step *s, bool path)
+INLINE void step_sphere(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
     if (s->action == ACTION_REFLECT) {
-        sphere(block, s, path, true, true, false);
+        sphere(block, s, path, lanes, true, true, false);
     } else if (s->hop || s->direction < 0) {
-        sphere(block, s, path, true, false, false);
+        sphere(block, s, path, lanes, true, false, false);
     } else {
-        sphere(block, s, path, false, false, true);
+        sphere(block, s, path, lanes, false, false, true);
     }
 }
 
-INLINE void take(struct ray_block *block, const struct step *s, bool path)
+INLINE void take(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
     switch (s->kind) {
     case STEP_MOVE:
-        move(block, s);
+        move(block, s, lanes);
         break;
     case STEP_PLANE:
-        step_plane(block, s, path);
+        step_plane(block, s, path, lanes);
         break;
     case STEP_THICK:
-        plane(block, s, path, false);
-        thick(block, s);
+        plane(block, s, path, lanes, false);
+        thick(block, s, lanes);
         break;
     case STEP_SPHERE:
-        step_sphere(block, s, path);
+        step_sphere(block, s, path, lanes);
         break;
     case STEP_CONIC:
     case STEP_CYLINDER:
-        NAME(kernel_conic, KERNEL)(block, s, path);
+        NAME(kernel_conic, KERNEL)(block, s, path, lanes);
         break;
     case STEP_ASPHERE:
     case STEP_TROUGH:
     case STEP_ODD:
-        NAME(kernel_asphere, KERNEL)(block, s, path);
+        NAME(kernel_asphere, KERNEL)(block, s, path, lanes);
         break;
     }
     if (s->clip != NULL) {
-        clip_block(s, KERNEL_LANES, block);
+        clip_block(s, LANES_OF(lanes), block);
     }
 }
 
-static void with_path(const struct step *steps, size_t count, struct ray_block *block)
+static void with_path(const struct step *steps, size_t count, int lanes, struct ray_block *block)
 {
     for (size_t i = 0; i < count; i++) {
-        take(block, &steps[i], true);
+        take(block, &steps[i], true, lanes);
     }
 }
 
-static void without_path(const struct step *steps, size_t count, struct ray_block *block)
+static void without_path(const struct step *steps, size_t count, int lanes, struct ray_block *block)
 {
     for (size_t i = 0; i < count; i++) {
-        take(block, &steps[i], false);
+        take(block, &steps[i], false, lanes);
     }
 }
 
 /* NaN for what is lost, but for clipped rays; and nothing that is not finite is on its way. */
-static void mark_lost(struct ray_block *block, double miss)
+static void mark_lost(struct ray_block *block, double miss, int lanes)
 {
-    for (int i = 0; i < KERNEL_LANES; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         double sum = (block->x[i] + block->y[i] + block->z[i]) +
                      (block->p[i] + block->q[i] + block->r[i]) + block->path[i];
         bool sound = fabs(sum) <= DBL_MAX;
@@ -223,7 +224,7 @@ static void mark_lost(struct ray_block *block, double miss)
         block->lost[i] = known ? old : miss;
     }
     int64_t any = 0;
-    for (int i = 0; i < KERNEL_LANES; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         int64_t bits;
         memcpy(&bits, &block->lost[i], sizeof bits);
         any |= bits;
@@ -231,7 +232,7 @@ static void mark_lost(struct ray_block *block, double miss)
     if (any == 0) {
         return;
     }
-    for (int i = 0; i < KERNEL_LANES; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         double sum = (block->x[i] + block->y[i] + block->z[i]) +
                      (block->p[i] + block->q[i] + block->r[i]) + block->path[i];
         /* the remainder of 8: adding and taking away 1.5 x 2^52 rounds to a whole number */
@@ -250,34 +251,49 @@ static void mark_lost(struct ray_block *block, double miss)
     }
 }
 
-void NAME(kernel_trace, KERNEL)(const struct step *steps, size_t count, bool path,
+void NAME(kernel_trace, KERNEL)(const struct step *steps, size_t count, bool path, int lanes,
                                 struct ray_block *block)
 {
     if (count == 0) {
         return;
     }
     if (path) {
-        with_path(steps, count, block);
+        with_path(steps, count, lanes, block);
     } else {
-        without_path(steps, count, block);
+        without_path(steps, count, lanes, block);
     }
-    mark_lost(block, steps[count - 1].miss);
+    mark_lost(block, steps[count - 1].miss, lanes);
 }
 
 #ifndef KERNEL_FEW
-void NAME(kernel_tape, KERNEL)(const struct step *steps, size_t count, bool path,
+static void copy_lanes(const struct ray_block *restrict from, int lanes,
+                       struct ray_block *restrict to)
+{
+    for (int i = 0; i < LANES_OF(lanes); i++) {
+        to->x[i] = from->x[i];
+        to->y[i] = from->y[i];
+        to->z[i] = from->z[i];
+        to->p[i] = from->p[i];
+        to->q[i] = from->q[i];
+        to->r[i] = from->r[i];
+        to->path[i] = from->path[i];
+        to->lost[i] = from->lost[i];
+    }
+}
+
+void NAME(kernel_tape, KERNEL)(const struct step *steps, size_t count, bool path, int lanes,
                                struct ray_block *blocks)
 {
     for (size_t i = 0; i < count; i++) {
-        blocks[i + 1] = blocks[i];
+        copy_lanes(&blocks[i], lanes, &blocks[i + 1]);
         if (path) {
-            with_path(&steps[i], 1, &blocks[i + 1]);
+            with_path(&steps[i], 1, lanes, &blocks[i + 1]);
         } else {
-            without_path(&steps[i], 1, &blocks[i + 1]);
+            without_path(&steps[i], 1, lanes, &blocks[i + 1]);
         }
     }
     if (count > 0) {
-        mark_lost(&blocks[count], steps[count - 1].miss);
+        mark_lost(&blocks[count], steps[count - 1].miss, lanes);
     }
 }
 #endif

@@ -93,7 +93,7 @@ INLINE void conic_bend(struct ray_block *block, const struct step *s, struct cur
 }
 
 INLINE void conic(struct ray_block *restrict block, const struct step *restrict step, bool path,
-                  bool hops, bool reflects, bool cylinder)
+                  int lanes, bool hops, bool reflects, bool cylinder)
 {
     const struct step s = *step;
     const struct codes codes = codes_of(&s);
@@ -104,8 +104,8 @@ INLINE void conic(struct ray_block *restrict block, const struct step *restrict 
 #define MEET(i)  conic_meet(block, &s, at, path, hops, &found, i)
 #define ROOT2(i) normal_root(&s, reflects, &found, i)
 #define BEND(i)  conic_bend(block, &s, at, path, codes, &found, i)
-    IN_TURN(FIND, ROOT, DIVIDE, MEET);
-    IN_TURN(ROOT2, DIVIDE, BEND, NOTHING);
+    IN_TURN(lanes, FIND, ROOT, DIVIDE, MEET);
+    IN_TURN(lanes, ROOT2, DIVIDE, BEND, NOTHING);
 #undef FIND
 #undef ROOT
 #undef MEET
@@ -238,10 +238,10 @@ INLINE void asphere_bend(struct ray_block *block, const struct step *s, bool pat
 
 enum { NEWTON_STEPS = 10 };
 
-INLINE bool any_open(const struct found *found)
+INLINE bool any_open(const struct found *found, int lanes)
 {
     int64_t open = 0;
-    for (int i = 0; i < KERNEL_LANES; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         int64_t bits;
         memcpy(&bits, &found->open[i], sizeof bits);
         open |= bits;
@@ -255,22 +255,22 @@ INLINE bool is_there(const struct step *s, const struct found *found, int i)
     return (found->open[i] == 0) & (s->direction * found->denominator[i] > 0) & (found->f[i] > 0);
 }
 
-INLINE bool all_there(const struct step *s, const struct found *found)
+INLINE bool all_there(const struct step *s, const struct found *found, int lanes)
 {
     int64_t there = 0; /* as wide as what is compared */
-    for (int i = 0; i < KERNEL_LANES; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         there += is_there(s, found, i) ? 1 : 0;
     }
-    return there == KERNEL_LANES;
+    return there == LANES_OF(lanes);
 }
 
 /* Newton's method went astray, or there is nothing to meet: then the point becomes NaN. */
 static __attribute__((noinline)) void search_lost(struct ray_block *block, const struct step *s,
-                                                  bool path, const struct origin *origin,
+                                                  bool path, int lanes, const struct origin *origin,
                                                   struct found *found)
 {
     const struct search search = search_of(s);
-    for (int i = 0; i < KERNEL_LANES; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         size_t lost = (size_t)block->lost[i] % 8;
         if (is_there(s, found, i) || (lost != RAY_OK && lost != RAY_CLIPPED)) {
             continue;
@@ -289,7 +289,7 @@ static __attribute__((noinline)) void search_lost(struct ray_block *block, const
 }
 
 INLINE void asphere(struct ray_block *restrict block, const struct step *restrict step, bool path,
-                    struct family of)
+                    int lanes, struct family of)
 {
     const struct step s = *step;
     const struct codes codes = codes_of(&s);
@@ -305,14 +305,14 @@ INLINE void asphere(struct ray_block *restrict block, const struct step *restric
 #define LOOK(i)  asphere_look(block, &s, of, &found, i)
 #define ROOT2(i) normal_root(&s, of.reflects, &found, i)
 #define BEND(i)  asphere_bend(block, &s, path, of.trough, codes, unconverged, &found, i)
-    IN_TURN(FIND, ROOT, DIVIDE, START);
-    for (int turn = 0; turn < NEWTON_STEPS && any_open(&found); turn++) {
-        IN_TURN(AIM, DIVIDE, GO, NOTHING);
+    IN_TURN(lanes, FIND, ROOT, DIVIDE, START);
+    for (int turn = 0; turn < NEWTON_STEPS && any_open(&found, lanes); turn++) {
+        IN_TURN(lanes, AIM, DIVIDE, GO, NOTHING);
     }
-    if (!all_there(&s, &found)) {
-        search_lost(block, step, path, &origin, &found);
+    if (!all_there(&s, &found, lanes)) {
+        search_lost(block, step, path, lanes, &origin, &found);
     }
-    IN_TURN(LOOK, ROOT2, DIVIDE, BEND);
+    IN_TURN(lanes, LOOK, ROOT2, DIVIDE, BEND);
 #undef FIND
 #undef ROOT
 #undef START
@@ -323,44 +323,45 @@ INLINE void asphere(struct ray_block *restrict block, const struct step *restric
 #undef BEND
 }
 
-INLINE void any_conic(struct ray_block *block, const struct step *s, bool path)
+INLINE void any_conic(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
     bool cylinder = s->kind == STEP_CYLINDER;
     if (s->action == ACTION_REFLECT) {
-        conic(block, s, path, true, true, true);
+        conic(block, s, path, lanes, true, true, true);
     } else if (cylinder) {
-        conic(block, s, path, true, false, true);
+        conic(block, s, path, lanes, true, false, true);
     } else if (s->hop) {
-        conic(block, s, path, true, false, false);
+        conic(block, s, path, lanes, true, false, false);
     } else {
-        conic(block, s, path, false, false, false);
+        conic(block, s, path, lanes, false, false, false);
     }
 }
 
-void NAME(kernel_conic, KERNEL)(struct ray_block *block, const struct step *s, bool path)
+void NAME(kernel_conic, KERNEL)(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
     if (path) {
-        any_conic(block, s, true);
+        any_conic(block, s, true, lanes);
     } else {
-        any_conic(block, s, false);
+        any_conic(block, s, false, lanes);
     }
 }
 
 INLINE void with_or_without_path(struct ray_block *block, const struct step *s, bool path,
-                                 struct family of)
+                                 int lanes, struct family of)
 {
     if (path) {
-        asphere(block, s, true, of);
+        asphere(block, s, true, lanes, of);
     } else {
-        asphere(block, s, false, of);
+        asphere(block, s, false, lanes, of);
     }
 }
 
 /* One copy for each number of terms; what follows the last is 0. */
 #define ASPHERE(TERMS)                                                                             \
-    static void asphere_##TERMS(struct ray_block *block, const struct step *s, bool path)          \
+    static void asphere_##TERMS(struct ray_block *block, const struct step *s, bool path,          \
+                                int lanes)                                                         \
     {                                                                                              \
-        with_or_without_path(block, s, path, (struct family){.terms = TERMS});                     \
+        with_or_without_path(block, s, path, lanes, (struct family){.terms = TERMS});              \
     }
 #ifndef KERNEL_FEW
 ASPHERE(2)
@@ -372,21 +373,23 @@ ASPHERE(8)
 #endif
 ASPHERE(10)
 
-static void asphere_any(struct ray_block *block, const struct step *s, bool path)
+static void asphere_any(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
     bool reflects = s->action == ACTION_REFLECT;
     if (s->kind == STEP_ODD && reflects) {
-        with_or_without_path(block, s, path, (struct family){STEP_TERMS, true, true, true});
+        with_or_without_path(block, s, path, lanes, (struct family){STEP_TERMS, true, true, true});
     } else if (s->kind == STEP_ODD) {
-        with_or_without_path(block, s, path, (struct family){STEP_TERMS, true, true, false});
+        with_or_without_path(block, s, path, lanes, (struct family){STEP_TERMS, true, true, false});
     } else if (reflects) {
-        with_or_without_path(block, s, path, (struct family){STEP_TERMS, true, false, true});
+        with_or_without_path(block, s, path, lanes, (struct family){STEP_TERMS, true, false, true});
     } else {
-        with_or_without_path(block, s, path, (struct family){STEP_TERMS, true, false, false});
+        with_or_without_path(block, s, path, lanes,
+                             (struct family){STEP_TERMS, true, false, false});
     }
 }
 
-void NAME(kernel_asphere, KERNEL)(struct ray_block *block, const struct step *s, bool path)
+void NAME(kernel_asphere, KERNEL)(struct ray_block *block, const struct step *s, bool path,
+                                  int lanes)
 {
 #ifndef KERNEL_FEW
     static kernel_step *const steps[STEP_TERMS + 1] = {asphere_2, asphere_2,  asphere_2, asphere_3,
@@ -397,5 +400,5 @@ void NAME(kernel_asphere, KERNEL)(struct ray_block *block, const struct step *s,
     kernel_step *const step = asphere_10;
 #endif
     bool usual = s->kind == STEP_ASPHERE && s->action == ACTION_REFRACT;
-    (usual ? step : asphere_any)(block, s, path);
+    (usual ? step : asphere_any)(block, s, path, lanes);
 }

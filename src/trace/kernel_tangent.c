@@ -99,18 +99,19 @@ INLINE void push_sphere(const struct step *s, const struct ray_block *restrict b
 }
 
 INLINE void sphere(const struct step *restrict step, const struct ray_block *restrict before,
-                   const struct ray_block *restrict after, const struct tangent_seed *seeds,
-                   size_t count, struct ray_block *restrict tangents)
+                   const struct ray_block *restrict after, const struct tangent_seeds *seeds,
+                   struct ray_block *restrict tangents)
 {
     const struct step s = *step;
+    const int lanes = seeds->lanes;
     struct geometry at;
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         look_sphere(&s, before, after, &at, i);
     }
-    for (size_t j = 0; j < count; j++) {
-        const struct tangent_seed seed = seeds[j];
+    for (size_t j = 0; j < seeds->count; j++) {
+        const struct tangent_seed seed = seeds->list[j];
         struct ray_block *restrict tangent = &tangents[j];
-        for (int i = 0; i < RAYS_BLOCK; i++) {
+        for (int i = 0; i < LANES_OF(lanes); i++) {
             push_sphere(&s, before, after, &at, &seed, tangent, i);
         }
     }
@@ -187,30 +188,30 @@ INLINE void push(const struct step *s, const struct ray_block *before,
 }
 
 INLINE void surface(const struct step *restrict step, const struct ray_block *restrict before,
-                    const struct ray_block *restrict after, const struct tangent_seed *seeds,
-                    size_t count, int terms, bool odd, bool reflects,
-                    struct ray_block *restrict tangents)
+                    const struct ray_block *restrict after, const struct tangent_seeds *seeds,
+                    int terms, bool odd, bool reflects, struct ray_block *restrict tangents)
 {
     const struct step s = *step;
+    const int lanes = seeds->lanes;
     struct geometry at;
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         look(&s, before, after, terms, odd, &at, i);
     }
-    for (size_t j = 0; j < count; j++) {
-        const struct tangent_seed seed = seeds[j];
+    for (size_t j = 0; j < seeds->count; j++) {
+        const struct tangent_seed seed = seeds->list[j];
         struct ray_block *restrict tangent = &tangents[j];
         if (seed.is_odd) {
-            for (int i = 0; i < RAYS_BLOCK; i++) {
+            for (int i = 0; i < LANES_OF(lanes); i++) {
                 push(&s, before, after, &at, &seed, (struct what){true, true, reflects}, tangent,
                      i);
             }
         } else if (seed.series) {
-            for (int i = 0; i < RAYS_BLOCK; i++) {
+            for (int i = 0; i < LANES_OF(lanes); i++) {
                 push(&s, before, after, &at, &seed, (struct what){true, false, reflects}, tangent,
                      i);
             }
         } else {
-            for (int i = 0; i < RAYS_BLOCK; i++) {
+            for (int i = 0; i < LANES_OF(lanes); i++) {
                 push(&s, before, after, &at, &seed, (struct what){false, false, reflects}, tangent,
                      i);
             }
@@ -219,13 +220,13 @@ INLINE void surface(const struct step *restrict step, const struct ray_block *re
 }
 
 /* X' = turn (X - shift). */
-static void move(const struct step *s, const struct tangent_seed *seed,
+static void move(const struct step *s, const struct tangent_seed *seed, int lanes,
                  struct ray_block *restrict tangent)
 {
     double m[9];
     memcpy(m, s->turn, sizeof m);
     const double t = seed->t, t_behind = seed->t_behind;
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         double x = tangent->x[i], y = tangent->y[i], z = tangent->z[i] - t;
         double p = tangent->p[i], q = tangent->q[i], r = tangent->r[i];
         tangent->x[i] = m[0] * x + m[1] * y + m[2] * z;
@@ -240,11 +241,11 @@ static void move(const struct step *s, const struct tangent_seed *seed,
 /* A thick lens: to the plane of H, the slopes behind it, and on in that of H'; see kernel.c. */
 static void thick(const struct step *s, const struct ray_block *restrict before,
                   const struct ray_block *restrict after, const struct tangent_seed *seed,
-                  struct ray_block *restrict tangent)
+                  int lanes, struct ray_block *restrict tangent)
 {
     const double near = s->near_object, ratio = s->ratio, bend = s->bend;
     const double d1 = s->coefficient[0], d2 = s->coefficient[1], d3 = s->coefficient[2];
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         double p = before->p[i], q = before->q[i], r = before->r[i], over = 1 / r;
         double tp = tangent->p[i], tq = tangent->q[i], tr = tangent->r[i];
         double d = -(before->z[i] - s->t) * over;
@@ -272,38 +273,38 @@ static void thick(const struct step *s, const struct ray_block *restrict before,
 }
 
 /* Is k or the polynomial of a sphere to be derived by? */
-static bool shaped(const struct tangent_seed *seeds, size_t count)
+static bool shaped(const struct tangent_seeds *seeds)
 {
     bool any = false;
-    for (size_t j = 0; j < count; j++) {
-        any = any || seeds[j].k != 0 || seeds[j].series;
+    for (size_t j = 0; j < seeds->count; j++) {
+        any = any || seeds->list[j].k != 0 || seeds->list[j].series;
     }
     return any;
 }
 
 void NAME(kernel_tangent, KERNEL)(const struct step *s, const struct ray_block *before,
-                                  const struct ray_block *after, const struct tangent_seed *seeds,
-                                  size_t count, struct ray_block *tangents)
+                                  const struct ray_block *after, const struct tangent_seeds *seeds,
+                                  struct ray_block *tangents)
 {
     if (s->kind == STEP_MOVE) {
-        for (size_t j = 0; j < count; j++) {
-            move(s, &seeds[j], &tangents[j]);
+        for (size_t j = 0; j < seeds->count; j++) {
+            move(s, &seeds->list[j], seeds->lanes, &tangents[j]);
         }
     } else if (s->kind == STEP_THICK) {
-        for (size_t j = 0; j < count; j++) {
-            thick(s, before, after, &seeds[j], &tangents[j]);
+        for (size_t j = 0; j < seeds->count; j++) {
+            thick(s, before, after, &seeds->list[j], seeds->lanes, &tangents[j]);
         }
-    } else if (s->kind <= STEP_SPHERE && s->action != ACTION_REFLECT && !shaped(seeds, count)) {
-        sphere(s, before, after, seeds, count, tangents);
+    } else if (s->kind <= STEP_SPHERE && s->action != ACTION_REFLECT && !shaped(seeds)) {
+        sphere(s, before, after, seeds, tangents);
     } else if (s->kind == STEP_ODD && s->action == ACTION_REFLECT) {
-        surface(s, before, after, seeds, count, STEP_TERMS, true, true, tangents);
+        surface(s, before, after, seeds, STEP_TERMS, true, true, tangents);
     } else if (s->action == ACTION_REFLECT) {
-        surface(s, before, after, seeds, count, STEP_TERMS, false, true, tangents);
+        surface(s, before, after, seeds, STEP_TERMS, false, true, tangents);
     } else if (s->kind == STEP_ODD) {
-        surface(s, before, after, seeds, count, STEP_TERMS, true, false, tangents);
+        surface(s, before, after, seeds, STEP_TERMS, true, false, tangents);
     } else if (s->kind >= STEP_ASPHERE) {
-        surface(s, before, after, seeds, count, STEP_TERMS, false, false, tangents);
+        surface(s, before, after, seeds, STEP_TERMS, false, false, tangents);
     } else {
-        surface(s, before, after, seeds, count, 0, false, false, tangents);
+        surface(s, before, after, seeds, 0, false, false, tangents);
     }
 }

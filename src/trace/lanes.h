@@ -19,13 +19,17 @@
 #define INLINE           static inline __attribute__((always_inline))
 
 /*
- * How many lanes of a block are traced: all, or in the set `few` the first RAYS_FEW, for the
- * searches that need no more. It has the instructions that every processor has.
+ * How many lanes of a block are traced: those that are asked for, which are some times RAYS_FEW.
+ * That they are is told to the compiler, which then makes no loop for the rest of a vector. The set
+ * `few` is for searches that need up to RAYS_FEW, some times RAYS_FEWEST; it has the instructions
+ * that every processor has.
  */
 #ifdef KERNEL_FEW
 enum { KERNEL_LANES = RAYS_FEW };
+#define LANES_OF(lanes) ((lanes) / RAYS_FEWEST * RAYS_FEWEST)
 #else
 enum { KERNEL_LANES = RAYS_BLOCK };
+#define LANES_OF(lanes) ((lanes) / RAYS_FEW * RAYS_FEW)
 #endif
 
 /* The state of one lane. */
@@ -116,21 +120,21 @@ INLINE double hop(struct lane *ray, const struct step *s)
 
 #ifdef KERNEL_FEW
 /* Stages of a surface, one after the other. */
-#define LANES for (int lane = 0; lane < KERNEL_LANES; lane++)
+#define LANES(lanes) for (int lane = 0; lane < LANES_OF(lanes); lane++)
 /* clang-format off */
-#define IN_TURN(FIRST, SECOND, THIRD, FOURTH)                                                      \
+#define IN_TURN(lanes, FIRST, SECOND, THIRD, FOURTH)                                               \
     do {                                                                                           \
-        LANES { FIRST(lane); }                                                                     \
-        LANES { SECOND(lane); }                                                                    \
-        LANES { THIRD(lane); }                                                                     \
-        LANES { FOURTH(lane); }                                                                    \
+        LANES(lanes) { FIRST(lane); }                                                              \
+        LANES(lanes) { SECOND(lane); }                                                             \
+        LANES(lanes) { THIRD(lane); }                                                              \
+        LANES(lanes) { FOURTH(lane); }                                                             \
     } while (0)
 /* clang-format on */
 #else
 /*
  * Stages of a surface. A root or quotient takes as long as twenty sums, and whatever waits for one
  * stands in the way of the rest; so each loop does different stages for different lanes, LATE lanes
- * apart, and none waits for what it has just begun.
+ * apart, and none waits for what it has just begun. There are KERNEL_LEAST lanes at least.
  */
 #ifdef __AVX512F__
 enum { LATE = 16 };
@@ -140,9 +144,9 @@ enum { LATE = 8 };
 #define LANES(from, to) for (int lane = (from)*LATE; lane < (to)*LATE; lane++)
 #define LATER(turns)    (lane - (turns)*LATE)
 /* clang-format off */
-#define IN_TURN(FIRST, SECOND, THIRD, FOURTH)                                                      \
+#define IN_TURN(lanes, FIRST, SECOND, THIRD, FOURTH)                                               \
     do {                                                                                           \
-        enum { END = RAYS_BLOCK / LATE };                                                          \
+        const int END = (lanes) / RAYS_FEW * (RAYS_FEW / LATE);                                    \
         LANES(0, 1) { FIRST(lane); }                                                               \
         LANES(1, 2) { FIRST(lane); SECOND(LATER(1)); }                                             \
         LANES(2, 3) { FIRST(lane); SECOND(LATER(1)); THIRD(LATER(2)); }                            \
@@ -173,7 +177,7 @@ INLINE void divide(struct found *found, int i)
 #define NOTHING(i) ((void)(i))
 
 /* Of kernel_conic.c: one step of that kind. */
-typedef void kernel_step(struct ray_block *block, const struct step *step, bool path);
+typedef void kernel_step(struct ray_block *block, const struct step *step, bool path, int lanes);
 kernel_step NAME(kernel_conic, KERNEL), NAME(kernel_asphere, KERNEL);
 
 #endif

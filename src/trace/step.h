@@ -62,22 +62,39 @@ struct step {
 /*
  * Take one block through steps.
  *
- * Given     path  also count the optical path, and keep |p| = n'
+ * Given     path   also count the optical path, and keep |p| = n'
+ *           lanes  the first so many: as kernel_lanes or kernel_lanes_few say
  * Source    see trace/system.h
  */
-typedef void kernel_trace(const struct step *steps, size_t count, bool path,
+typedef void kernel_trace(const struct step *steps, size_t count, bool path, int lanes,
                           struct ray_block *block);
 
 /*
  * The same; what lies behind step i is kept in blocks[i + 1]. Lost rays are NaN in the last only.
  */
-typedef void kernel_tape(const struct step *steps, size_t count, bool path,
+typedef void kernel_tape(const struct step *steps, size_t count, bool path, int lanes,
                          struct ray_block *blocks);
 
 kernel_tape kernel_tape_sse2, kernel_tape_avx2, kernel_tape_avx512;
 kernel_trace kernel_trace_sse2, kernel_trace_avx2, kernel_trace_avx512;
 
-/* The first RAYS_FEW lanes only. */
+/* Up to RAYS_FEW lanes only. */
 kernel_trace kernel_trace_few;
+
+/* Loops over fewer lanes would not pay: the stages of the others follow each other lanes apart. */
+enum { KERNEL_LEAST = 3 * RAYS_FEW, RAYS_FEWEST = 4 };
+
+/* How many lanes kernel_trace_few takes for so many rays. */
+static inline int kernel_lanes_few(size_t rays)
+{
+    return (int)((rays + RAYS_FEWEST - 1) / RAYS_FEWEST * RAYS_FEWEST);
+}
+
+/* How many lanes the others take for so many rays, of which there may be more than a block. */
+static inline int kernel_lanes(size_t rays)
+{
+    size_t lanes = (rays + RAYS_FEW - 1) / RAYS_FEW * RAYS_FEW;
+    return lanes > RAYS_BLOCK ? RAYS_BLOCK : lanes < KERNEL_LEAST ? KERNEL_LEAST : (int)lanes;
+}
 
 #endif

@@ -106,6 +106,7 @@ void tangent_trace(const struct system *system, const struct parameter *paramete
 {
     kernel_tangent *kernel = dispatch_tangent(set);
     struct tangent_seed seeds[TANGENTS_MOST] = {{0}};
+    const struct tangent_seeds all = {seeds, count, tape->lanes};
     for (size_t j = 0; j < count && parameters != NULL; j++) {
         assert(parameter_type(parameters[j].kind)->basis == parameters[j].kind);
     }
@@ -118,8 +119,7 @@ void tangent_trace(const struct system *system, const struct parameter *paramete
                     add_rigid(&motion, &tape->blocks[i], &tangents[j]);
                 }
             }
-            kernel(&system->steps[i], &tape->blocks[i], &tape->blocks[i + 1], seeds, count,
-                   tangents);
+            kernel(&system->steps[i], &tape->blocks[i], &tape->blocks[i + 1], &all, tangents);
             for (size_t j = 0; j < count && parameters != NULL; j++) {
                 struct rigid motion;
                 if (rigid_behind(system, parameters[j].kind, parameters[j].surface, i, &motion)) {
@@ -133,7 +133,7 @@ void tangent_trace(const struct system *system, const struct parameter *paramete
         double *of[] = {tangents[j].x, tangents[j].y, tangents[j].z,   tangents[j].p,
                         tangents[j].q, tangents[j].r, tangents[j].path};
         for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
-            for (int i = 0; i < RAYS_BLOCK; i++) {
+            for (int i = 0; i < tape->lanes; i++) {
                 of[k][i] += 0 * end->x[i]; /* NaN where a ray is lost */
             }
         }

@@ -37,10 +37,17 @@ struct tangent_seed {
     bool is_odd;     /* of odd powers? */
 };
 
+/* Those of all parameters, and how many lanes are asked for: as kernel_lanes says. */
+struct tangent_seeds {
+    const struct tangent_seed *list;
+    size_t count;
+    int lanes;
+};
+
 /* Take tangents through one step. */
 typedef void kernel_tangent(const struct step *step, const struct ray_block *before,
-                            const struct ray_block *after, const struct tangent_seed *seeds,
-                            size_t count, struct ray_block *tangents);
+                            const struct ray_block *after, const struct tangent_seeds *seeds,
+                            struct ray_block *tangents);
 kernel_tangent kernel_tangent_sse2, kernel_tangent_avx2, kernel_tangent_avx512;
 kernel_tangent *dispatch_tangent(enum instruction_set set);
 

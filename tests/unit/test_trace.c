@@ -363,14 +363,16 @@ static void check_sets(const struct system *system, struct arena *arena, const c
             CHECK(memcmp(a + member * RAYS_BLOCK, b + member * RAYS_BLOCK, sizeof *a) == 0);
         }
     }
-    /* a few at a time, for which there are kernels of their own */
-    for (size_t block = 0; block < rays_blocks(&first); block++) {
+    /* a few at a time, for which there are kernels of their own, and parts of blocks */
+    static const size_t counts[] = {1, 5, RAYS_FEW, RAYS_FEW + 1, 49, 100};
+    for (size_t k = 0; k < sizeof counts / sizeof counts[0]; k++) {
+        const size_t block = k % rays_blocks(&first);
         memcpy(others.blocks, &start[block], sizeof *start);
-        const struct rays few = {others.blocks, RAYS_FEW};
+        const struct rays few = {others.blocks, counts[k]};
         rays_trace(system, &few, NULL);
         const double *a = few.blocks->x, *b = first.blocks[block].x;
         for (size_t member = 0; member < 8; member++) {
-            CHECK(memcmp(a + member * RAYS_BLOCK, b + member * RAYS_BLOCK, RAYS_FEW * sizeof *a) ==
+            CHECK(memcmp(a + member * RAYS_BLOCK, b + member * RAYS_BLOCK, counts[k] * sizeof *a) ==
                   0);
         }
     }
