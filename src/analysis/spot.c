@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-enum { FIRST_RAYS = 130, MOST_RAYS = 1 << 17 };
+enum { FIRST_RAYS = 60, MOST_RAYS = 1 << 17 };
 
 /* A centroid nearer to the chief ray, in root mean squares, is where that is. */
 static const double symmetric = 1e-9;
@@ -272,12 +272,12 @@ static double rms_error(const struct spot *before, const struct spot *here,
                               finer->rms_y - here->rms_y,
                               finer->rms_chief - here->rms_chief,
                               0.1 * here->rms * (finer->clear - here->clear) / finer->clear,
-                              0.002 * (here->rms - before->rms)};
+                              5e-5 * (here->rms - before->rms)};
     double most = 0;
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
         most = fmax(most, fabs(changes[i]));
     }
-    return 2 * most;
+    return 3 * most;
 }
 
 /* The farthest ray of the pupil; of other patterns the farthest of their rays. */
@@ -299,7 +299,7 @@ static void find_radius(const struct seeking *seeking, const struct spot *finer,
     }
     double moved =
         hypot(finer->centroid[0] - spot->centroid[0], finer->centroid[1] - spot->centroid[1]);
-    spot->radius_error = 2 * change + (asked->about_chief ? 0 : 2 * moved) + rounding(seeking);
+    spot->radius_error = 2 * change + (asked->about_chief ? 0 : 3 * moved) + rounding(seeking);
 }
 
 /* Samples, each of twice the rays of the one before, until two agree or no more are wanted. */
