@@ -80,7 +80,7 @@ static void make_arms(const struct margins *margins, const struct probe *probe,
     }
     arms->edges = ARENA_ARRAY(arena, arms->count, struct edge);
     arms->spans = ARENA_ARRAY(arena, arms->count, struct spans);
-    const struct edge_directions directions = {star->frame, arms->angles, near, arms->count};
+    const struct edge_directions directions = {star->frame, arms->angles, near, arms->count, 0};
     edges_find(margins, &directions, finely, arms->edges);
     star_spans(margins, probe, &directions, arms->edges, arms->spans);
 }
@@ -163,33 +163,37 @@ static struct mapping mapping_open(const struct margins *margins, struct arena *
     return mapping;
 }
 
-/* How a ray of the beam starts to change with u (k = 0) or v. */
-static void start_tangent(const struct stop_beam *all, const struct ray_block *rays, size_t i,
-                          int k, struct ray_block *tangent)
+/* How rays of the beam start to change with u (k = 0) or v. */
+static void start_tangents(const struct stop_beam *all, const struct ray_block *rays, int k,
+                           size_t count, struct ray_block *tangent)
 {
     const struct beam *beam = all->beam;
     const double a = all->axes[k], b = all->axes[2 + k];
-    double across[3], turn[3] = {0, 0, 0};
+    double across[3];
     for (int j = 0; j < 3; j++) {
         across[j] = a * beam->across[0][j] + b * beam->across[1][j];
     }
-    if (isfinite(beam->distance)) {
-        /* the direction is the point less the object, of length d */
-        const double point[3] = {rays->x[i], rays->y[i], rays->z[i]};
-        const double way[3] = {rays->p[i] / beam->n, rays->q[i] / beam->n, rays->r[i] / beam->n};
-        double square = beam->distance * beam->distance, along = 0;
-        for (int j = 0; j < 3; j++) {
-            square += point[j] * point[j];
-            along += across[j] * way[j];
+    for (size_t i = 0; i < count; i++) {
+        double turn[3] = {0, 0, 0};
+        if (isfinite(beam->distance)) {
+            /* the direction is the point less the object, of length d */
+            const double point[3] = {rays->x[i], rays->y[i], rays->z[i]};
+            const double way[3] = {rays->p[i] / beam->n, rays->q[i] / beam->n,
+                                   rays->r[i] / beam->n};
+            double square = beam->distance * beam->distance, along = 0;
+            for (int j = 0; j < 3; j++) {
+                square += point[j] * point[j];
+                along += across[j] * way[j];
+            }
+            double over = copysign(beam->n / sqrt(square), beam->distance);
+            for (int j = 0; j < 3; j++) {
+                turn[j] = (across[j] - along * way[j]) * over;
+            }
         }
-        double over = copysign(beam->n / sqrt(square), beam->distance);
-        for (int j = 0; j < 3; j++) {
-            turn[j] = (across[j] - along * way[j]) * over;
-        }
+        tangent->x[i] = across[0], tangent->y[i] = across[1], tangent->z[i] = across[2];
+        tangent->p[i] = turn[0], tangent->q[i] = turn[1], tangent->r[i] = turn[2];
+        tangent->path[i] = 0;
     }
-    tangent->x[i] = across[0], tangent->y[i] = across[1], tangent->z[i] = across[2];
-    tangent->p[i] = turn[0], tangent->q[i] = turn[1], tangent->r[i] = turn[2];
-    tangent->path[i] = 0;
 }
 
 /* |d(x, y in the stop)/d(u, v)| of up to 128 points; where they cross it stands in the block. */
@@ -203,10 +207,8 @@ static void find_areas(const struct mapping *mapping, const double (*points)[2],
     struct derivative_tape tape = mapping->tape;
     tape.lanes = kernel_lanes(count);
     margins_go(margins, points, count, 0);
-    for (size_t i = 0; i < (size_t)tape.lanes; i++) {
-        for (int k = 0; k < 2; k++) {
-            start_tangent(margins->beam, block, i, k, &mapping->tangents[k]);
-        }
+    for (int k = 0; k < 2; k++) {
+        start_tangents(margins->beam, block, k, (size_t)tape.lanes, &mapping->tangents[k]);
     }
     *block = *derivative_trace(&mapping->before, block, SET_BEST, &tape);
     tangent_trace(&mapping->before, NULL, 2, SET_BEST, &tape, mapping->tangents);
@@ -258,37 +260,48 @@ static void find_areas_beside(const struct mapping *mapping, const double (*poin
     }
 }
 
+/* Areas of up to 128 points; false: they do not stand where they cross the stop. */
+static bool weigh(const struct mapping *mapping, const double (*from)[2], size_t count,
+                  struct pupil_point *points)
+{
+    double areas[RAYS_BLOCK];
+    bool known = true;
+    find_areas(mapping, from, count, areas);
+    for (size_t i = 0; i < count; i++) {
+        known = known && isfinite(areas[i]);
+    }
+    if (!known) {
+        find_areas_beside(mapping, from, count, areas);
+    }
+    for (size_t i = 0; i < count; i++) {
+        points[i].weight *= areas[i];
+    }
+    return known;
+}
+
 /* From u, v to the stop's own coordinates, and to its areas where those are weighed. */
 static void map_to_stop(const struct mapping *mapping, struct sample *sample)
 {
     const struct margins *margins = mapping->margins;
+    const double over = 1 / margins->beam->radius;
     for (size_t done = 0; done < sample->count; done += RAYS_BLOCK) {
         size_t here = sample->count - done < RAYS_BLOCK ? sample->count - done : RAYS_BLOCK;
         struct pupil_point *points = sample->points + done;
-        double from[RAYS_BLOCK][2], areas[RAYS_BLOCK];
+        double from[RAYS_BLOCK][2];
         for (size_t i = 0; i < here; i++) {
             from[i][0] = points[i].x;
             from[i][1] = points[i].y;
         }
-        if (margins->beam->weight == WEIGHT_PUPIL) {
-            bool known = true;
-            find_areas(mapping, (const double(*)[2])from, here, areas);
-            for (size_t i = 0; i < here; i++) {
-                known = known && isfinite(areas[i]);
-            }
-            if (!known) {
-                find_areas_beside(mapping, (const double(*)[2])from, here, areas);
-            }
-            for (size_t i = 0; i < here; i++) {
-                points[i].weight *= areas[i];
-            }
+        bool there = margins->beam->weight == WEIGHT_PUPIL &&
+                     weigh(mapping, (const double(*)[2])from, here, points);
+        if (!there) {
+            margins_go(margins, (const double(*)[2])from, here, mapping->before.places);
         }
-        margins_go(margins, (const double(*)[2])from, here, mapping->before.places);
         for (size_t i = 0; i < here; i++) {
             double at[3];
             margins_cross(margins, margins->system->stop, i, at);
-            points[i].x = at[0] / margins->beam->radius;
-            points[i].y = at[1] / margins->beam->radius;
+            points[i].x = at[0] * over;
+            points[i].y = at[1] * over;
         }
     }
 }
@@ -337,36 +350,45 @@ const struct star *quadrature_star(struct quadrature_region *region, struct aren
     return region->is_empty ? NULL : region->star;
 }
 
-struct quadrature_rim quadrature_edge(const struct quadrature_region *region, const double *angles,
-                                      size_t count, struct arena *arena)
+struct quadrature_rim quadrature_edge(const struct quadrature_region *region,
+                                      const struct edge_directions *directions, struct arena *arena)
 {
     const struct star *star = region->star;
-    double *near = ARENA_ARRAY(arena, count, double);
+    const size_t count = directions->count;
+    struct edge_directions about = *directions;
+    double *radii = ARENA_ARRAY(arena, count, double);
     struct edge *edges = ARENA_ARRAY(arena, count, struct edge);
     double(*points)[2] = arena_array(arena, count, sizeof *points);
+    about.frame = star->frame;
     for (size_t i = 0; i < count; i++) {
-        near[i] = star_near(star, angles[i]);
+        radii[i] = about.near != NULL ? about.near[i] : star_near(star, about.angles[i]);
     }
-    const struct edge_directions directions = {star->frame, angles, near, count};
-    edges_find(&region->margins, &directions, finely, edges);
+    about.near = radii;
+    edges_find(&region->margins, &about, finely, edges);
     for (size_t i = 0; i < count; i++) {
-        edge_point(&star->frame, angles[i], edges[i].radius, points[i]);
+        radii[i] = edges[i].radius;
+        edge_point(&star->frame, about.angles[i], radii[i], points[i]);
     }
-    return (struct quadrature_rim){(const double(*)[2])points, count};
+    return (struct quadrature_rim){(const double(*)[2])points, radii, count};
 }
 
 void quadrature_rays_within(const struct quadrature_region *region,
-                            const struct quadrature_rim *rim, double share, struct arena *arena,
+                            const struct quadrature_rim *rim, const double *shares, size_t rings,
                             const struct rays *rays)
 {
     const double *centre = region->star->frame.centre;
-    double(*points)[2] = arena_array(arena, rim->count, sizeof *points);
-    for (size_t i = 0; i < rim->count; i++) {
+    double at[RAYS_BLOCK][2];
+    for (size_t i = 0; i < rings * rim->count; i++) {
+        const double *point = rim->points[i % rim->count], share = shares[i / rim->count];
+        const size_t lane = i % RAYS_BLOCK;
         for (int k = 0; k < 2; k++) {
-            points[i][k] = centre[k] + share * (rim->points[i][k] - centre[k]);
+            at[lane][k] = centre[k] + share * (point[k] - centre[k]);
+        }
+        if (lane + 1 == RAYS_BLOCK || i + 1 == rings * rim->count) {
+            const struct rays block = {rays->blocks + i / RAYS_BLOCK, lane + 1};
+            margins_start(&region->margins, (const double(*)[2])at, &block);
         }
     }
-    margins_start(&region->margins, (const double(*)[2])points, rays);
 }
 
 struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,

@@ -67,17 +67,24 @@ struct islands quadrature_islands(struct quadrature_region *region, struct arena
 /* What is clear, as a star; null: nothing is. */
 const struct star *quadrature_star(struct quadrature_region *region, struct arena *arena);
 
-/* Points on its edge, in directions of the star's frame: u and v. */
+/* Points on its edge, in directions of the star's frame. */
 struct quadrature_rim {
-    const double (*points)[2];
+    const double (*points)[2]; /* u and v */
+    const double *radii;       /* in the star's frame */
     size_t count;
 };
-struct quadrature_rim quadrature_edge(const struct quadrature_region *region, const double *angles,
-                                      size_t count, struct arena *arena);
 
-/* Rays at a share of the way to such points from the centre of the star, where they start. */
+/*
+ * Given     near   radii close by, but for a share of `slack`; null: what the star says
+ */
+struct quadrature_rim quadrature_edge(const struct quadrature_region *region,
+                                      const struct edge_directions *directions,
+                                      struct arena *arena);
+
+/* Rays at shares of the way to such points from the centre of the star, where they start: for each
+   share a ring of them. */
 void quadrature_rays_within(const struct quadrature_region *region,
-                            const struct quadrature_rim *rim, double share, struct arena *arena,
+                            const struct quadrature_rim *rim, const double *shares, size_t rings,
                             const struct rays *rays);
 
 /* The same as quadrature_fill for one time. */

@@ -7,11 +7,14 @@
 
 #include <math.h>
 
-/* Directions but for corners, and rings; of what is looked at again about a peak. */
-enum { AROUND = 48, MOST = AROUND + STAR_CORNERS, RINGS = 8, FINE = 11, PEAKS = 12 };
+/* Directions but for corners, and rings. */
+enum { AROUND = 48, MOST = AROUND + STAR_CORNERS, RINGS = 8, PEAKS = 12 };
 
-/* What parabolas say of the heights of peaks is right to about this share. */
-static const double doubtful = 0.02;
+/* The same of what is looked at again about a peak; directions with corners. */
+enum { FINE = 9, WIDE = FINE + 3 };
+
+/* What parabolas say of the heights of peaks is right to about this share; a closer look: this. */
+static const double doubtful = 0.02, hopeful = 0.002;
 
 /* Twins: peaks as high as each other, on both sides of a symmetry. */
 static const double alike = 1e-9;
@@ -22,10 +25,15 @@ static const double within = 1 - 1e-9;
 /* The pupil at one wavelength: shares of the way from the centre of the star to its edge. */
 struct rim {
     const struct bundle_source *source;
-    double angles[MOST]; /* ascending */
-    double distances[RINGS][MOST];
+    double angles[MOST];            /* ascending */
+    double distances[RINGS * MOST]; /* ring after ring */
     size_t count;
 };
+
+static const double *ring_of(const struct rim *rim, size_t ring)
+{
+    return rim->distances + ring * rim->count;
+}
 
 /* Directions and shares that hold the farthest ray between them. */
 struct peak {
@@ -50,26 +58,50 @@ void spot_place(const struct spot_plane *plane, const struct ray_block *block, s
     }
 }
 
-/* Distances of rays at a share of the way to the edge; -1 for those that are lost. */
-static void measure(const struct spot_radius_question *question, const struct bundle_source *source,
-                    const struct quadrature_rim *edge, double share, struct arena *arena,
-                    double *distances)
+/* Rays at shares of the way to an edge; the last of them may be the edge itself. */
+struct rings {
+    const struct quadrature_rim *edge;
+    const double *shares;
+    size_t count;
+};
+
+/* Distances of rays, ring after ring; -1 for those that are lost. */
+static void measure_with(const struct spot_radius_question *question,
+                         const struct bundle_source *source, const struct system *system,
+                         const struct rings *rings, struct arena *arena, double *distances)
 {
     const struct arena_mark mark = arena_mark(arena);
     const struct spot_plane *plane = question->plane;
-    const struct system *system = share < within ? source->system : source->open;
     const double n = system_index_after(system, plane->to - 1);
-    const struct rays rays = rays_new(arena, edge->count);
-    quadrature_rays_within(source->region, edge, share, arena, &rays);
+    const struct rays rays = rays_new(arena, rings->count * rings->edge->count);
+    quadrature_rays_within(source->region, rings->edge, rings->shares, rings->count, &rays);
     rays_trace_part(system, 0, plane->to, &rays, NULL);
     for (size_t i = 0; i < rays.count; i++) {
         const struct ray_block *block = &rays.blocks[i / RAYS_BLOCK];
         double at[2];
         spot_place(plane, block, i % RAYS_BLOCK, n, at);
+        const double x = at[0] - question->about[0], y = at[1] - question->about[1];
         bool arrives = ray_block_status(block, i % RAYS_BLOCK) == RAY_OK;
-        distances[i] = arrives ? hypot(at[0] - question->about[0], at[1] - question->about[1]) : -1;
+        distances[i] = arrives ? sqrt(x * x + y * y) : -1;
     }
     arena_reset(arena, mark);
+}
+
+static void measure(const struct spot_radius_question *question, const struct bundle_source *source,
+                    const struct rings *rings, struct arena *arena, double *distances)
+{
+    const bool has_edge = !(rings->shares[rings->count - 1] < within);
+    struct rings inner = *rings, outer = *rings;
+    inner.count -= has_edge ? 1 : 0;
+    outer.count -= inner.count;
+    outer.shares += inner.count;
+    if (inner.count > 0) {
+        measure_with(question, source, source->system, &inner, arena, distances);
+    }
+    if (outer.count > 0) {
+        measure_with(question, source, source->open, &outer, arena,
+                     distances + inner.count * rings->edge->count);
+    }
 }
 
 static void set_angles(const struct star *star, struct rim *rim)
@@ -98,12 +130,13 @@ static void look_around(const struct spot_radius_question *question, struct aren
         return;
     }
     set_angles(star, rim);
-    const struct quadrature_rim edge =
-        quadrature_edge(rim->source->region, rim->angles, rim->count, arena);
+    const struct edge_directions directions = {.angles = rim->angles, .count = rim->count};
+    const struct quadrature_rim edge = quadrature_edge(rim->source->region, &directions, arena);
+    double shares[RINGS];
     for (size_t ring = 0; ring < RINGS; ring++) {
-        measure(question, rim->source, &edge, (double)(ring + 1) / RINGS, arena,
-                rim->distances[ring]);
+        shares[ring] = (double)(ring + 1) / RINGS;
     }
+    measure(question, rim->source, &(struct rings){&edge, shares, RINGS}, arena, rim->distances);
 }
 
 /* -------- peaks -------- */
@@ -120,11 +153,11 @@ static double rise_of(double before, double here, double after, double reach)
 static bool is_peak(const struct rim *rim, size_t ring, size_t i)
 {
     const size_t last = (i + rim->count - 1) % rim->count, next = (i + 1) % rim->count;
-    const double here = rim->distances[ring][i];
+    const double here = ring_of(rim, ring)[i];
     const size_t low = ring > 0 ? ring - 1 : 0, high = ring + 1 < RINGS ? ring + 1 : ring;
     bool peak = here >= 0;
     for (size_t k = low; k <= high; k++) {
-        const double *row = rim->distances[k];
+        const double *row = ring_of(rim, k);
         peak = peak && row[last] <= here && row[i] <= here && row[next] <= here;
     }
     return peak;
@@ -133,14 +166,14 @@ static bool is_peak(const struct rim *rim, size_t ring, size_t i)
 static struct peak peak_of(const struct rim *rim, size_t ring, size_t i)
 {
     const size_t last = (i + rim->count - 1) % rim->count, next = (i + 1) % rim->count;
-    const double *row = rim->distances[ring], here = row[i];
+    const double *row = ring_of(rim, ring), here = row[i];
     const bool at_edge = ring + 1 == RINGS;
     const size_t middle = at_edge ? ring - 1 : ring;
     double along = 0;
     if (ring > 0) {
         /* of the outermost three: beyond the middle one it rises to the edge, or to before it */
-        const double low = rim->distances[middle - 1][i], mid = rim->distances[middle][i];
-        along = mid + rise_of(low, mid, rim->distances[middle + 1][i], 1) - here;
+        const double low = ring_of(rim, middle - 1)[i], mid = ring_of(rim, middle)[i];
+        along = mid + rise_of(low, mid, ring_of(rim, middle + 1)[i], 1) - here;
     }
     return (struct peak){
         .source = rim->source,
@@ -183,52 +216,153 @@ static size_t find_peaks(const struct rim *rims, size_t count, struct peak *peak
     return found;
 }
 
-/* One finer look; the surroundings shrink about the farthest ray. */
-static void look_closer(const struct spot_radius_question *question, struct peak *peak,
-                        struct arena *arena)
+/* -------- the way up -------- */
+
+/* Lines of directions and rings across the surroundings of a peak; those of before, for edges. */
+struct net {
+    double angles[WIDE], shares[FINE], radii[WIDE];
+    double distances[FINE * WIDE];
+    size_t wide;
+    size_t best[2]; /* in distances: direction, ring */
+    bool is_known;  /* has it been filled before? */
+};
+
+static void add_line(struct net *net, double angle)
 {
-    double angles[FINE], distances[FINE], step[2], best[2];
-    for (int k = 0; k < 2; k++) {
-        step[k] = (peak->high[k] - peak->low[k]) / (FINE - 1);
-        best[k] = (peak->low[k] + peak->high[k]) / 2;
+    size_t at = net->wide++;
+    for (; at > 0 && net->angles[at - 1] > angle; at--) {
+        net->angles[at] = net->angles[at - 1];
     }
-    for (size_t i = 0; i < FINE; i++) {
-        angles[i] = peak->low[0] + (double)i * step[0];
-    }
-    const struct quadrature_rim edge = quadrature_edge(peak->source->region, angles, FINE, arena);
-    for (size_t ring = 0; ring < FINE; ring++) {
-        const double share =
-            ring + 1 < FINE ? peak->low[1] + (double)ring * step[1] : peak->high[1];
-        measure(question, peak->source, &edge, share, arena, distances);
-        for (size_t i = 0; i < FINE; i++) {
-            if (distances[i] >= peak->distance) {
-                peak->distance = distances[i];
-                best[0] = angles[i];
-                best[1] = share;
-            }
-        }
-    }
-    for (int k = 0; k < 2; k++) {
-        peak->low[k] = best[k] - step[k];
-        peak->high[k] = best[k] + step[k];
-    }
-    peak->low[1] = fmax(peak->low[1], 0);
-    peak->high[1] = fmin(peak->high[1], 1);
+    net->angles[at] = angle;
 }
 
-/* Until it stands; returns what the last look changed. */
-static double climb(const struct spot_radius_question *question, struct peak *peak,
+/* Equal steps, and the first corners within, where peaks may be sharp. */
+static void set_lines(const struct star *star, const struct peak *peak, struct net *net)
+{
+    net->wide = 0;
+    for (size_t i = 0; i < FINE; i++) {
+        const double part = (double)i / (FINE - 1);
+        net->angles[net->wide++] = peak->low[0] + part * (peak->high[0] - peak->low[0]);
+        net->shares[i] =
+            i + 1 < FINE ? peak->low[1] + part * (peak->high[1] - peak->low[1]) : peak->high[1];
+    }
+    for (size_t k = 0; k < star->corner_count && net->wide < WIDE; k++) {
+        const double turns = ceil((peak->low[0] - star->corners[k]) / (2 * PI));
+        const double corner = star->corners[k] + 2 * PI * turns;
+        if (corner < peak->high[0]) {
+            add_line(net, corner);
+        }
+    }
+}
+
+/* Radii of the edge by those of the lines of before, between which it is as good as straight. */
+static void guess_radii(const struct net *before, const struct net *net, double *near)
+{
+    for (size_t i = 0, k = 1; i < net->wide; i++) {
+        while (k + 1 < before->wide && before->angles[k] < net->angles[i]) {
+            k++;
+        }
+        const double low = before->angles[k - 1], width = before->angles[k] - low;
+        const double share = width > 0 ? (net->angles[i] - low) / width : 0;
+        near[i] = before->radii[k - 1] + share * (before->radii[k] - before->radii[k - 1]);
+    }
+}
+
+/* The distances on a net; the farthest of them. */
+static void fill_net(const struct spot_radius_question *question, const struct peak *peak,
+                     const struct net *before, struct arena *arena, struct net *net)
+{
+    struct edge_directions directions = {.angles = net->angles, .count = net->wide};
+    double near[WIDE];
+    if (before->is_known) {
+        const double step = (before->angles[before->wide - 1] - before->angles[0]) / (FINE - 1);
+        guess_radii(before, net, near);
+        directions.near = near;
+        /* a chord lies off an arc by an eighth of its square */
+        directions.slack = fmin(0.03, fmax(step * step, 1e-6));
+    }
+    const struct quadrature_rim edge = quadrature_edge(peak->source->region, &directions, arena);
+    for (size_t i = 0; i < net->wide; i++) {
+        net->radii[i] = edge.radii[i];
+    }
+    net->is_known = true;
+    net->best[0] = net->wide / 2;
+    net->best[1] = FINE / 2;
+    measure(question, peak->source, &(struct rings){&edge, net->shares, FINE}, arena,
+            net->distances);
+    for (size_t i = 0; i < FINE * net->wide; i++) {
+        if (net->distances[i] >= net->distances[net->best[1] * net->wide + net->best[0]]) {
+            net->best[0] = i % net->wide;
+            net->best[1] = i / net->wide;
+        }
+    }
+}
+
+/* Where a parabola through three values peaks, and by how much above the middle one. */
+static double vertex_of(const double at[3], const double f[3], double *rise)
+{
+    const double left = (f[1] - f[0]) / (at[1] - at[0]), right = (f[2] - f[1]) / (at[2] - at[1]);
+    const double bend = (right - left) / (at[2] - at[0]);
+    const double slope = left + bend * (at[1] - at[0]), x = at[1] - slope / (2 * bend);
+    const bool peaks = f[0] >= 0 && f[2] >= 0 && bend < 0 && x > at[0] && x < at[2];
+    *rise = peaks ? -slope * slope / (4 * bend) : 0;
+    return peaks ? x : at[1];
+}
+
+/*
+ * Where to look next, along directions (k = 0) or rings: about the vertex of the parabola through
+ * the farthest ray and its neighbours, as wide as a share of the step between them. Result: how
+ * much farther off rays there may be.
+ */
+static double narrow(const struct net *net, int k, double share, struct peak *peak)
+{
+    const double *lines = k == 0 ? net->angles : net->shares;
+    const size_t count = k == 0 ? net->wide : FINE, stride = k == 0 ? 1 : net->wide;
+    const size_t best = net->best[k], low = best > 0 ? best - 1 : 0;
+    const size_t high = best + 1 < count ? best + 1 : best;
+    const double *here = &net->distances[net->best[1] * net->wide + net->best[0]];
+    double middle = lines[best], rise = 0, half = lines[high] - lines[low];
+    if (low < best && high > best) {
+        const double at[3] = {lines[low], lines[best], lines[high]};
+        const double f[3] = {*(here - stride), *here, *(here + stride)};
+        middle = vertex_of(at, f, &rise);
+        half = share * fmax(at[2] - at[1], at[1] - at[0]);
+    }
+    peak->low[k] = middle - half;
+    peak->high[k] = middle + half;
+    return rise;
+}
+
+/*
+ * Until it stands; returns what the last look changed. Given up where it is sure to stay below what
+ * is known.
+ */
+static double climb(const struct spot_radius_question *question, double farthest, struct peak *peak,
                     struct arena *arena)
 {
-    enum { TURNS = 12 };
+    enum { TURNS = 16 };
+    static const double shares[] = {1, 0.15, 0.02};
+    const struct star *star = peak->source->region->star;
+    struct net nets[2];
     double change = INFINITY;
+    nets[0].is_known = nets[1].is_known = false;
     for (int turn = 0; turn < TURNS && change > 1e-12 * peak->distance; turn++) {
         const struct arena_mark mark = arena_mark(arena);
-        const double before = peak->distance;
-        look_closer(question, peak, arena);
+        const double before = peak->distance, share = shares[turn < 2 ? turn : 2];
+        struct net *net = &nets[turn % 2];
+        set_lines(star, peak, net);
+        fill_net(question, peak, &nets[1 - turn % 2], arena, net);
+        const double here = net->distances[net->best[1] * net->wide + net->best[0]];
+        const double rise = narrow(net, 0, share, peak) + narrow(net, 1, share, peak);
+        peak->low[1] = fmax(peak->low[1], 0);
+        peak->high[1] = fmin(peak->high[1], 1);
+        peak->distance = fmax(before, here);
+        arena_reset(arena, mark);
+        if (turn == 0 && peak->distance + 2 * rise < (1 - hopeful) * farthest) {
+            break;
+        }
         /* a first look may hit the very ray that was best, and be no nearer to the peak */
         change = turn > 1 ? peak->distance - before : (double)INFINITY;
-        arena_reset(arena, mark);
     }
     return change;
 }
@@ -237,7 +371,7 @@ double spot_radius_find(const struct spot_radius_question *question, struct aren
                         double *error)
 {
     const struct arena_mark mark = arena_mark(arena);
-    struct rim *rims = ARENA_ARRAY(arena, question->count, struct rim);
+    struct rim *rims = arena_buffer(arena, question->count * sizeof *rims);
     struct peak peaks[PEAKS];
     double farthest = 0, last = 0;
     for (size_t g = 0; g < question->count; g++) {
@@ -251,7 +385,7 @@ double spot_radius_find(const struct spot_radius_question *question, struct aren
         if (fabs(height - last) <= alike * height) {
             continue;
         }
-        const double change = climb(question, &peaks[k], arena);
+        const double change = climb(question, farthest, &peaks[k], arena);
         last = height;
         if (peaks[k].distance > farthest) {
             farthest = peaks[k].distance;

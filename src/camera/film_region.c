@@ -119,7 +119,7 @@ static void find_hole(const struct view *view, const double *angles, const struc
         some[k] = angles[EACH / outline->each * k];
         ends[k] = edges[EACH / outline->each * k];
     }
-    const struct edge_directions directions = {view->frame, some, NULL, CORNERS};
+    const struct edge_directions directions = {view->frame, some, NULL, CORNERS, 0};
     star_spans(&view->margins, &view->probe, &directions, ends, spans);
     for (size_t k = 0; k < CORNERS; k++) {
         double at[2];
@@ -175,7 +175,7 @@ static bool look_within(const struct view *view, const struct film_lens *lens,
     bool fills = false;
     guess_edge(view, lens, outline, near, angles, radii);
     const struct edge_directions directions = {view->frame, angles, near != NULL ? radii : NULL,
-                                               HALF / outline->each + 1};
+                                               HALF / outline->each + 1, 0};
     edges_find(&view->margins, &directions, roughly, edges);
     for (size_t k = 0; k <= HALF / outline->each; k++) {
         double at[2];

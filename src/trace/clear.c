@@ -46,7 +46,7 @@ static void find_edges(const struct finding *finding, const double *angles, size
     for (size_t i = 0; i < count; i++) {
         near[i] = star_near(star, angles[i]);
     }
-    const struct edge_directions directions = {star->frame, angles, near, count};
+    const struct edge_directions directions = {star->frame, angles, near, count, 0};
     edges_find(finding->margins, &directions, finely, found);
     for (size_t i = 0; i < count; i++) {
         double point[2];

@@ -81,6 +81,17 @@ kernel_beam *dispatch_beam(enum instruction_set set)
     return kernels[instruction_set_best(set)];
 }
 
+void rays_watch(const struct system *system, const struct rays *rays,
+                const struct rim_watching *watching)
+{
+    static kernel_watch *const kernels[] = {NULL, kernel_watch_sse2, kernel_watch_avx2,
+                                            kernel_watch_avx512};
+    const bool few = rays->count <= RAYS_FEW;
+    kernel_watch *kernel = few ? kernel_watch_few : kernels[instruction_set_best(SET_BEST)];
+    kernel(system->steps, system->begin[system->places], system->options.path,
+           few ? kernel_lanes_few(rays->count) : kernel_lanes(rays->count), watching, rays->blocks);
+}
+
 struct work {
     kernel_trace *kernel;
     const struct step *steps;
@@ -113,7 +124,12 @@ void rays_trace_part(const struct system *system, size_t from, size_t to, const 
                         system->options.path,
                         few,
                         rays};
-    parallel_for(way->threads, rays_blocks(rays), BLOCKS_A_PIECE, trace_blocks, &work);
+    const size_t blocks = rays_blocks(rays);
+    if (way->threads <= 1 || blocks <= BLOCKS_A_PIECE) {
+        trace_blocks(&work, 0, blocks);
+    } else {
+        parallel_for(way->threads, blocks, BLOCKS_A_PIECE, trace_blocks, &work);
+    }
 }
 
 void rays_trace(const struct system *system, const struct rays *rays, const struct trace_way *way)

@@ -4,6 +4,7 @@
 #define LENSCALC_TRACE_DISPATCH_H
 
 #include "trace/rays.h"
+#include "trace/step.h"
 #include "trace/system.h"
 
 #include <stdbool.h>
@@ -43,5 +44,9 @@ void rays_trace(const struct system *system, const struct rays *rays, const stru
  */
 void rays_trace_part(const struct system *system, size_t from, size_t to, const struct rays *rays,
                      const struct trace_way *way);
+
+/* Take up to RAYS_BLOCK rays through the whole system, and look at them on the way. */
+void rays_watch(const struct system *system, const struct rays *rays,
+                const struct rim_watching *watching);
 
 #endif

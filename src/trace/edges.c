@@ -11,8 +11,8 @@ static const double usual_reach = 1.125, farthest = 64;
 
 enum { STRIDES = 8, TURNS = 70, SURE = 12 };
 
-/* Half of what a guess may be wrong by. */
-static const double slack = 0.03;
+/* Half of what a guess may be wrong by, where nothing else is said. */
+static const double usual_slack = 0.03;
 
 /* One edge, while it is looked for: a radius that passes, one that does not, and a third. */
 struct hunt {
@@ -110,7 +110,7 @@ static void bracket(struct hunting *all)
 }
 
 /* Three radii about a guess each. Those that do not hold the edge are left open. */
-static void try_guesses(struct hunting *all, const double *near)
+static void try_guesses(struct hunting *all, const double *near, double slack)
 {
     for (size_t done = 0; done < all->count; done += RAYS_BLOCK / 3) {
         size_t lanes = 0;
@@ -217,7 +217,8 @@ void edges_find(const struct margins *margins, const struct edge_directions *dir
                 (struct hunt){.at = {0, 0, NAN}, .excess = {-1, 0, NAN}, .is_closed = false};
         }
         if (directions->near != NULL) {
-            try_guesses(&all, directions->near + done);
+            try_guesses(&all, directions->near + done,
+                        directions->slack > 0 ? directions->slack : usual_slack);
         }
         bracket(&all);
         close_brackets(&all, tolerance);

@@ -31,15 +31,16 @@ struct edge_directions {
     const double *angles;    /* rad */
     const double *near;      /* radii close by, or 0 where they are not known; null: none is */
     size_t count;
+    double slack; /* what they may be off by, a share of them; 0: 3 % */
 };
 
 /*
  * Edges in any number of directions.
  *
  * Given     tolerance  an excess that counts as none; rounding is 1e-14
- * Formula   a bracket by steps of 0.14, so that a narrow gap is not passed over, or 3 % about what
- *           is near; in it the root of the parabola through three excesses; halves where a ray is
- *           lost by something that has no excess
+ * Formula   a bracket by steps of 0.14, so that a narrow gap is not passed over, or the slack about
+ *           what is near; in it the root of the parabola through three excesses; halves where a ray
+ *           is lost by something that has no excess
  */
 void edges_find(const struct margins *margins, const struct edge_directions *directions,
                 double tolerance, struct edge *edges);

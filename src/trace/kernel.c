@@ -265,6 +265,47 @@ void NAME(kernel_trace, KERNEL)(const struct step *steps, size_t count, bool pat
     mark_lost(block, steps[count - 1].miss, lanes);
 }
 
+/* Sums keep what is not finite of any number of a ray. */
+static void look(const struct rim_watch *watch, int lanes, double *restrict excess,
+                 double *restrict number, const struct ray_block *restrict block)
+{
+    double *restrict row = watch->row;
+    const double over = watch->over, own = watch->number;
+    for (int i = 0; i < LANES_OF(lanes); i++) {
+        double rest = block->z[i] + (block->p[i] + block->q[i] + block->r[i]) + block->path[i];
+        double here = (block->x[i] * block->x[i] + block->y[i] * block->y[i]) * over - 1;
+        here += 0 * rest;
+        double worst = excess[i];
+        bool more = here > worst;
+        row[i] = here;
+        excess[i] = more ? here : worst;
+        number[i] = more ? own : number[i];
+    }
+}
+
+void NAME(kernel_watch, KERNEL)(const struct step *steps, size_t count, bool path, int lanes,
+                                const struct rim_watching *watching, struct ray_block *block)
+{
+    const struct rim_watch *watch = watching->watches, *end = watch + watching->count;
+    for (int i = 0; i < LANES_OF(lanes); i++) {
+        watching->excess[i] = -1;
+        watching->number[i] = 0;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (path) {
+            with_path(&steps[i], 1, lanes, block);
+        } else {
+            without_path(&steps[i], 1, lanes, block);
+        }
+        for (; watch < end && watch->step == i; watch++) {
+            look(watch, lanes, watching->excess, watching->number, block);
+        }
+    }
+    if (count > 0) {
+        mark_lost(block, steps[count - 1].miss, lanes);
+    }
+}
+
 #ifndef KERNEL_FEW
 static void copy_lanes(const struct ray_block *restrict from, int lanes,
                        struct ray_block *restrict to)

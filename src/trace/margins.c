@@ -11,6 +11,16 @@ static const struct clip *clip_at(const struct system *system, size_t surface)
     return system->clips != NULL ? system->clips[surface] : NULL;
 }
 
+static bool is_plain(const struct system *system, const struct margin *all, size_t count)
+{
+    bool plain = true;
+    for (size_t k = 0; k < count; k++) {
+        plain = plain && all[k].surface != LENS_NONE && all[k].clip == NULL &&
+                system->lens->surfaces[all[k].surface].decentre == NULL;
+    }
+    return plain;
+}
+
 struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
 {
     const struct system *system = system_outer(beam->system);
@@ -50,7 +60,9 @@ struct margins margins_open(const struct stop_beam *beam, struct arena *arena)
                             .rows = rows,
                             .excess = rows + count * RAYS_BLOCK,
                             .limit = ARENA_ARRAY(arena, RAYS_BLOCK, size_t),
-                            .at = arena_array(arena, RAYS_BLOCK, 2 * sizeof(double))};
+                            .numbers = ARENA_ARRAY(arena, RAYS_BLOCK, double),
+                            .watches = ARENA_ARRAY(arena, count, struct rim_watch),
+                            .is_plain = is_plain(system, all, count)};
 }
 
 void margins_narrow(const struct margins *margins, size_t rays)
@@ -79,10 +91,15 @@ void margins_widen(const struct margins *margins)
 static void start(const struct margins *margins, const double (*points)[2], size_t count,
                   struct ray_block *block)
 {
+    const struct stop_beam *beam = margins->beam;
+    double a[RAYS_BLOCK], b[RAYS_BLOCK];
     for (size_t i = 0; i < count; i++) {
-        stop_beam_place(margins->beam, points[i][0], points[i][1], margins->at[i]);
+        double at[2];
+        stop_beam_place(beam, points[i][0], points[i][1], at);
+        a[i] = at[0];
+        b[i] = at[1];
     }
-    beam_fill(margins->beam->beam, (const double(*)[2])margins->at, count, block);
+    beam_start(beam->beam, a, b, count, block);
 }
 
 void margins_start(const struct margins *margins, const double (*points)[2],
@@ -174,16 +191,10 @@ static void look_at(const struct margins *margins, const double (*points)[2], si
     fill_row(margins, margin, count, row);
 }
 
-/* To the end, and the worst of all rows. */
-static void finish(const struct margins *margins, size_t count, size_t from)
+/* Those that do not arrive: their excess, and where they are lost. */
+static void mark_lost(const struct margins *margins, size_t count)
 {
-    const struct system *system = margins->system;
     const struct ray_block *block = margins->work.blocks;
-    const struct rays rays = {margins->work.blocks, count};
-    if (from < system->places) {
-        rays_trace_part(system, from, system->places, &rays, NULL);
-    }
-    compare(margins, count);
     for (size_t i = 0; i < count; i++) {
         enum ray_status status = ray_block_status(block, i);
         bool arrives = isfinite(block->x[i]) && isfinite(block->y[i]);
@@ -194,10 +205,65 @@ static void finish(const struct margins *margins, size_t count, size_t from)
     }
 }
 
+/* To the end, and the worst of all rows. */
+static void finish(const struct margins *margins, size_t count, size_t from)
+{
+    const struct system *system = margins->system;
+    const struct rays rays = {margins->work.blocks, count};
+    if (from < system->places) {
+        rays_trace_part(system, from, system->places, &rays, NULL);
+    }
+    compare(margins, count);
+    mark_lost(margins, count);
+}
+
+/* What rays would have on surfaces behind one that they miss is no number. */
+static void blank(const struct margins *margins, size_t count)
+{
+    const struct ray_block *block = margins->work.blocks;
+    for (size_t i = 0; i < count; i++) {
+        if (block->lost[i] == 0 || ray_block_status(block, i) == RAY_CLIPPED) {
+            continue;
+        }
+        const size_t place = RAY_LOST_PLACE(block->lost[i]);
+        for (size_t k = 0; k < margins->count; k++) {
+            if (margins->counts[k] && margins->all[k].place > place) {
+                margins->rows[k * RAYS_BLOCK + i] = NAN;
+            }
+        }
+    }
+}
+
+/* All rows on one way. */
+static void look_plainly(const struct margins *margins, size_t count)
+{
+    const struct system *system = margins->system;
+    const struct rays rays = {margins->work.blocks, count};
+    struct rim_watching watching = {margins->watches, 0, margins->excess, margins->numbers};
+    for (size_t k = 0; k < margins->count; k++) {
+        const struct margin *margin = &margins->all[k];
+        if (margins->counts[k]) {
+            margins->watches[watching.count++] =
+                (struct rim_watch){system->begin[margin->place] - 1, 1 / margin->clear2, (double)k,
+                                   margins->rows + k * RAYS_BLOCK};
+        }
+    }
+    rays_watch(system, &rays, &watching);
+    for (size_t i = 0; i < count; i++) {
+        margins->limit[i] = (size_t)margins->numbers[i];
+    }
+    blank(margins, count);
+    mark_lost(margins, count);
+}
+
 void margins_look(const struct margins *margins, const double (*points)[2], size_t count)
 {
     size_t from = 0;
     start(margins, points, count, margins->work.blocks);
+    if (margins->is_plain) {
+        look_plainly(margins, count);
+        return;
+    }
     for (size_t k = 0; k < margins->count; k++) {
         if (margins->counts[k]) {
             look_at(margins, points, count, k, &from);

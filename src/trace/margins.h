@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "trace/clip.h"
 #include "trace/rays.h"
+#include "trace/step.h"
 #include "trace/stop_beam.h"
 
 #include <stdbool.h>
@@ -28,10 +29,12 @@ struct margins {
     bool *counts;   /* which of them are looked at: all at first */
     bool is_listed; /* some surface has apertures beside its diameter */
     struct rays work;
-    double *rows;   /* one a margin, RAYS_BLOCK numbers each */
-    double *excess; /* the largest of them; infinite where a ray is lost */
-    size_t *limit;  /* which that is; margins_lost: lost there */
-    double (*at)[2];
+    double *rows;    /* one a margin, RAYS_BLOCK numbers each */
+    double *excess;  /* the largest of them; infinite where a ray is lost */
+    size_t *limit;   /* which that is; margins_lost: lost there */
+    double *numbers; /* the same while a kernel works */
+    struct rim_watch *watches;
+    bool is_plain; /* all are clear radii of surfaces that stand where the lens does */
 };
 
 struct margins margins_open(const struct stop_beam *beam, struct arena *arena);

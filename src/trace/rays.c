@@ -3,20 +3,26 @@
 #include "trace/rays.h"
 
 #include <assert.h>
+#include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 struct rays rays_new(struct arena *arena, size_t count)
 {
     size_t blocks = (count + RAYS_BLOCK - 1) / RAYS_BLOCK;
     /* the arena aligns to 16 only */
     enum { LINE = 64 };
-    char *memory = arena_array(arena, blocks * sizeof(struct ray_block) + LINE, 1);
+    char *memory = arena_buffer(arena, blocks * sizeof(struct ray_block) + LINE);
     size_t shift = (LINE - (uintptr_t)memory % LINE) % LINE;
     struct rays rays = {(struct ray_block *)(void *)(memory + shift), count};
     for (size_t b = 0; b < blocks; b++) {
+        struct ray_block *block = &rays.blocks[b];
+        const size_t before = offsetof(struct ray_block, r), behind = before + sizeof block->r;
+        memset(block, 0, before);
         for (size_t lane = 0; lane < RAYS_BLOCK; lane++) {
-            rays.blocks[b].r[lane] = 1;
+            block->r[lane] = 1;
         }
+        memset((char *)block + behind, 0, sizeof *block - behind);
     }
     return rays;
 }

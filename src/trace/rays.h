@@ -37,6 +37,7 @@ struct ray_block {
  */
 #define RAY_LOST_AT(place, surface, status)                                                        \
     ((1048576.0 - (double)(place)) * 1048576 + 8 * (double)(surface) + (double)(status))
+#define RAY_LOST_PLACE(lost) (1048576 - (size_t)(lost) / 1048576)
 
 /* Many rays: ray i is lane i % RAYS_BLOCK of block i / RAYS_BLOCK. */
 struct rays {

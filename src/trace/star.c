@@ -70,7 +70,7 @@ static void tell_parts(const struct search *search, const double *angles, size_t
                                       .surface = surface != LENS_NONE ? surface + 1 : 0};
     }
     probe_parts(search->probe, (const double(*)[2])at, count, ends);
-    const struct edge_directions directions = {search->star->frame, angles, NULL, count};
+    const struct edge_directions directions = {search->star->frame, angles, NULL, count, 0};
     star_spans(margins, search->probe, &directions, edges, spans);
     for (size_t i = 0; i < count; i++) {
         size_t *limit = &edges[i].limit;
@@ -83,7 +83,7 @@ static void find_limits(const struct search *search, const double *angles, const
                         size_t count, struct edge *edges)
 {
     const struct margins *margins = search->margins;
-    const struct edge_directions directions = {search->star->frame, angles, near, count};
+    const struct edge_directions directions = {search->star->frame, angles, near, count, 0};
     edges_find(margins, &directions, search->tolerance, edges);
     for (size_t done = 0; done < count && margins->is_listed; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
@@ -439,6 +439,12 @@ struct between {
     double low, high, before, after; /* rad from the angle; radii */
 };
 
+/* From 0 to a turn. */
+static double within_turn(double angle)
+{
+    return angle - 2 * PI * floor(angle * (1 / (2 * PI)));
+}
+
 /* By points of the edge, of edges or corners; those that are nearer count. */
 static void draw_near(const double *angles, const struct edge *edges, const double *radii,
                       size_t count, double angle, struct between *between)
@@ -446,11 +452,10 @@ static void draw_near(const double *angles, const struct edge *edges, const doub
     if (count == 0) {
         return;
     }
-    const double turned = angles[0] + fmod(angle - angles[0], 2 * PI);
-    const size_t last = last_below(angles, count, turned < angles[0] ? turned + 2 * PI : turned);
-    const size_t next = (last + 1) % count;
-    double below = fmod(angles[last] - angle, 2 * PI), above = fmod(angles[next] - angle, 2 * PI);
-    below -= below > 0 ? 2 * PI : 0;
+    const size_t last = last_below(angles, count, angles[0] + within_turn(angle - angles[0]));
+    const size_t next = last + 1 < count ? last + 1 : 0;
+    const double below = -within_turn(angle - angles[last]);
+    double above = within_turn(angles[next] - angle);
     above += above <= 0 ? 2 * PI : 0;
     if (below > between->low) {
         between->low = below;

@@ -75,6 +75,31 @@ typedef void kernel_trace(const struct step *steps, size_t count, bool path, int
 typedef void kernel_tape(const struct step *steps, size_t count, bool path, int lanes,
                          struct ray_block *blocks);
 
+/* Where rays are looked at: behind a step, by r^2 `over` the clear radius squared, less 1. */
+struct rim_watch {
+    size_t step;
+    double over;   /* 1/mm^2 */
+    double number; /* what names it */
+    double *row;   /* receives the excess */
+};
+
+/* The watches of a way, in the order of its steps, and the worst of them for each ray. */
+struct rim_watching {
+    const struct rim_watch *watches;
+    size_t count;
+    double *excess, *number; /* -1 and 0 at least */
+};
+
+/*
+ * Take one block through steps as kernel_trace does, and look at it on the way.
+ *
+ * Result    rows of rays that are not finite are NaN; others go on behind a miss, as numbers that
+ *           mean nothing
+ */
+typedef void kernel_watch(const struct step *steps, size_t count, bool path, int lanes,
+                          const struct rim_watching *watching, struct ray_block *block);
+
+kernel_watch kernel_watch_few, kernel_watch_sse2, kernel_watch_avx2, kernel_watch_avx512;
 kernel_tape kernel_tape_sse2, kernel_tape_avx2, kernel_tape_avx512;
 kernel_trace kernel_trace_sse2, kernel_trace_avx2, kernel_trace_avx512;
 
