@@ -71,7 +71,7 @@ static const struct column columns[] = {
     {SMALL(energy_error, COLUMN_EXTRA), .with = "energy", .name = "energy_error",
      .label = "error of the energy radius", .help = "what the energy radius may be off"},
     {SMALL(error, COLUMN_BRIEF | COLUMN_SPARSE), .name = "error", .label = "error",
-     .help = "what the RMS figures may be off: twice what twice the rays change of them"},
+     .help = "what the RMS figures may be off: three times what twice the rays change of them"},
     {ANGLE(rms_angle, COLUMN_BRIEF), .name = "rms", .label = "RMS radius",
      .help = "the same of an image at infinity: sines of angles from the chief ray"},
     {ANGLE(rms_x_angle, COLUMN_BRIEF), .name = "rms_x", .label = "RMS in x", .help = "in x alone"},
