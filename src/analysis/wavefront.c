@@ -128,13 +128,14 @@ static void look(const struct wavefront_source *source, const double *angles, si
     const struct arena_mark mark = arena_mark(arena);
     const struct wave_light *light = &source->lights.list[0];
     const struct quadrature_region *region = light->source.region;
-    const struct quadrature_rim rim = quadrature_edge(region, angles, angle_count, arena);
+    const struct edge_directions directions = {.angles = angles, .count = angle_count};
+    const struct quadrature_rim rim = quadrature_edge(region, &directions, arena);
     struct rays rays = rays_new(arena, angle_count);
     for (size_t k = 0; k < share_count; k++) {
         if (!(shares[k] >= 0 && shares[k] <= 1)) {
             continue;
         }
-        quadrature_rays_within(region, &rim, shares[k] * edge, arena, &rays);
+        quadrature_rays_within(region, &rim, &(double){shares[k] * edge}, 1, &rays);
         rays_trace(light->system, &rays, NULL);
         for (size_t i = 0; i < angle_count; i++) {
             const double wave = wave_of(source, &rays, i);
