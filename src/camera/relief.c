@@ -3,6 +3,7 @@
 #include "camera/relief.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 enum { X, Y, AXES };
 
@@ -42,19 +43,21 @@ static bool find_nearest(const struct relief_question *question, double *nearest
 }
 
 /* Of four squares each, or fewer at the border. */
-static void merge_level(const struct relief *relief, int level)
+static void merge_level(const struct relief *relief, double **of, bool is_most, int level)
 {
     const size_t columns = halved(relief->columns, level), rows = halved(relief->rows, level);
     const size_t below = halved(relief->columns, level - 1);
     const size_t last[AXES] = {below - 1, halved(relief->rows, level - 1) - 1};
-    const double *from = relief->nearest[level - 1];
+    const double *from = of[level - 1], sign = is_most ? 1 : -1;
     for (size_t j = 0; j < rows; j++) {
         for (size_t i = 0; i < columns; i++) {
             const size_t right = 2 * i < last[X] ? 2 * i + 1 : 2 * i;
             const size_t down = 2 * j < last[Y] ? 2 * j + 1 : 2 * j;
-            const double upper = fmax(from[2 * j * below + 2 * i], from[2 * j * below + right]);
-            const double lower = fmax(from[down * below + 2 * i], from[down * below + right]);
-            relief->nearest[level][j * columns + i] = fmax(upper, lower);
+            const double upper =
+                fmax(sign * from[2 * j * below + 2 * i], sign * from[2 * j * below + right]);
+            const double lower =
+                fmax(sign * from[down * below + 2 * i], sign * from[down * below + right]);
+            of[level][j * columns + i] = sign * fmax(upper, lower);
         }
     }
 }
@@ -88,15 +91,17 @@ bool relief_open(const struct relief_question *question, struct arena *arena, st
         relief->levels++;
     }
     relief->nearest = ARENA_ARRAY(arena, (size_t)relief->levels, double *);
-    for (int level = 0; level < relief->levels; level++) {
+    relief->farthest = ARENA_ARRAY(arena, (size_t)relief->levels, double *);
+    relief->nearest[0] = relief->farthest[0] = ARENA_ARRAY(arena, columns * rows, double);
+    if (!find_nearest(question, relief->nearest[0], error)) {
+        return false;
+    }
+    for (int level = 1; level < relief->levels; level++) {
         const size_t count = halved(columns, level) * halved(rows, level);
         relief->nearest[level] = ARENA_ARRAY(arena, count, double);
-        if (level == 0 && !find_nearest(question, relief->nearest[0], error)) {
-            return false;
-        }
-        if (level > 0) {
-            merge_level(relief, level);
-        }
+        relief->farthest[level] = ARENA_ARRAY(arena, count, double);
+        merge_level(relief, relief->nearest, true, level);
+        merge_level(relief, relief->farthest, false, level);
     }
     return true;
 }
@@ -111,6 +116,7 @@ struct place {
 struct walk {
     const struct relief *relief;
     double from[AXES], per_w[AXES]; /* the place is from + per_w w, in pixels */
+    double per_pixel[AXES];         /* 1/per_w */
     double w;                       /* where it has come to, 1/mm */
     struct place here, before;      /* before the border that it crossed last */
 };
@@ -120,6 +126,13 @@ static long square_of(long at, int level)
 {
     const long shift = 1L << 40;
     return ((at + shift) >> level) - (shift >> level);
+}
+
+/* floor() is a call where instructions from before SSE4 have to do. */
+static long floor_of(double x)
+{
+    const long whole = (long)x;
+    return x < (double)whole ? whole - 1 : whole;
 }
 
 static long clamped(long at, size_t count)
@@ -153,13 +166,13 @@ static double leaving(const struct walk *walk, int level, int *axis)
     for (int k = X; k < AXES; k++) {
         const long square = square_of(walk->here.at[k], level);
         const long border = (walk->per_w[k] > 0 ? square : square + 1) * (1L << level);
-        const double at = ((double)border - walk->from[k]) / walk->per_w[k];
+        const double at = ((double)border - walk->from[k]) * walk->per_pixel[k];
         if (walk->per_w[k] != 0 && at > w) {
             w = at;
             *axis = k;
         }
     }
-    return fmin(w, walk->w);
+    return w < walk->w ? w : walk->w;
 }
 
 /* Over the border of the square, into the pixel behind it. */
@@ -169,7 +182,7 @@ static void cross(struct walk *walk, int level, double w, int axis)
     const long size = 1L << level;
     const long square = square_of(walk->here.at[axis], level) * size;
     const long beside = square_of(walk->here.at[other], level) * size;
-    const long along = (long)floor(walk->from[other] + walk->per_w[other] * w);
+    const long along = floor_of(walk->from[other] + walk->per_w[other] * w);
     const bool down = walk->per_w[axis] > 0; /* w falls */
     walk->here.at[axis] = down ? square - 1 : square + size;
     walk->here.at[other] = along < beside           ? beside
@@ -274,6 +287,53 @@ static enum relief_sight meet(struct walk *walk, struct place *met)
     }
 }
 
+/* The least and the largest w in the squares, at most four of them, that hold two points. */
+static void bound(const struct relief *relief, const long from[AXES], const long to[AXES],
+                  double *least, double *most)
+{
+    int level = 0;
+    while (level + 1 < relief->levels &&
+           ((labs(to[X] - from[X]) >> level) > 0 || (labs(to[Y] - from[Y]) >> level) > 0)) {
+        level++;
+    }
+    const size_t columns = halved(relief->columns, level), rows = halved(relief->rows, level);
+    *least = INFINITY;
+    *most = 0;
+    for (int i = 0; i < 4; i++) {
+        const struct place place = {{i % 2 == 0 ? from[X] : to[X], i < 2 ? from[Y] : to[Y]}};
+        const size_t at = (size_t)clamped(square_of(place.at[Y], level), rows) * columns +
+                          (size_t)clamped(square_of(place.at[X], level), columns);
+        const double far = relief->farthest[level][at], near = relief->nearest[level][at];
+        *least = far < *least ? far : *least;
+        *most = near > *most ? near : *most;
+    }
+}
+
+/* Begin in the w of what may be met, not in that of the nearest patch of all. */
+static void begin_near(struct walk *walk)
+{
+    const struct relief *relief = walk->relief;
+    double least = relief->is_endless ? relief->farthest[relief->levels - 1][0] : 0, most = walk->w;
+    for (int i = 0; i < 4; i++) {
+        const double range = most - least;
+        long from[AXES], to[AXES];
+        for (int k = X; k < AXES; k++) {
+            from[k] = floor_of(walk->from[k] + walk->per_w[k] * most);
+            to[k] = floor_of(walk->from[k] + walk->per_w[k] * least);
+        }
+        double far, near;
+        bound(relief, from, to, &far, &near);
+        least = relief->is_endless && far > least ? far : least;
+        most = near < most ? near : most;
+        i = most - least < 0.5 * range ? i : 4;
+    }
+    walk->w = most;
+    for (int k = X; k < AXES; k++) {
+        walk->here.at[k] = floor_of(walk->from[k] + walk->per_w[k] * most);
+    }
+    walk->before = walk->here;
+}
+
 struct card_light relief_look(const struct relief *relief, const struct relief_ray *ray,
                               enum relief_sight *sight)
 {
@@ -286,14 +346,14 @@ struct card_light relief_look(const struct relief *relief, const struct relief_r
     for (int k = X; k < AXES; k++) {
         walk.from[k] = middle[k] - scale[k] * relief->frame * ray->slope[k];
         walk.per_w[k] = scale[k] * relief->frame * ray->x[k];
+        walk.per_pixel[k] = 1 / walk.per_w[k];
         const double begin = walk.from[k] + walk.per_w[k] * walk.w;
         if (!(fabs(walk.from[k] - middle[k]) < farthest * middle[k] &&
               fabs(begin - middle[k]) < farthest * middle[k])) {
             return (struct card_light){{0, 0, 0}};
         }
-        walk.here.at[k] = (long)floor(begin);
     }
-    walk.before = walk.here;
+    begin_near(&walk);
     struct place met;
     *sight = meet(&walk, &met);
     return *sight == SIGHT_SEEN || relief->hidden == HIDDEN_NEARBY ? light_at(&walk, met, walk.w)

@@ -37,7 +37,8 @@ struct relief {
     double parallax;     /* pixels that the rim of the pupil sees a point move, a unit of 1/mm */
     double rim[2];       /* half a pixel of the picture, in pixels of the map */
     int levels;
-    double **nearest; /* 1/mm of squares of 2^level pixels: the largest 1/distance from the pupil */
+    /* 1/mm: the largest and the least 1/distance from the pupil of squares of 2^level pixels */
+    double **nearest, **farthest;
 };
 
 /* How much a ray found out. */
@@ -73,8 +74,8 @@ struct relief_ray {
  *           distance of the surface that they passed last: SIGHT_BEHIND
  * Formula   with w = 1/d, d the distance before the pupil, a ray is a straight line over the frame,
  *           X = F (x w - slope), F the frame's d; lines of sight are upright, planes are planes. It
- *           is followed from large w to small ones over squares whose largest w it may pass, the
- *           greater ones first
+ *           is followed from the largest w of the squares that it may cross to small ones, over squares
+ *           whose largest w it passes, the greater ones first
  */
 struct card_light relief_look(const struct relief *relief, const struct relief_ray *ray,
                               enum relief_sight *sight);
