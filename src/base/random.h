@@ -39,6 +39,7 @@ enum random_purpose {
     RANDOM_SCRAMBLING, /* sobol_scrambling */
     RANDOM_NOISE,      /* sensor_expose */
     RANDOM_GRAIN,      /* emulsion_expose */
+    RANDOM_STARS,      /* card_look */
 };
 
 /* Numbers `which` of a purpose, for one sample of a run. */

@@ -3,6 +3,7 @@
 #include "camera/card.h"
 
 #include "base/constants.h"
+#include "base/random.h"
 
 #include <math.h>
 
@@ -14,6 +15,7 @@ const struct word charts[] = {
     {"bars", "5 to 160 cycles over the width"},
     {"wedge", "21 greys half a stop apart"},
     {"points", "white discs on black"},
+    {"stars", "discs here and there, of magnitudes 0 to 5"},
     {NULL, NULL},
 };
 
@@ -21,6 +23,21 @@ const struct word charts[] = {
 static double from_multiple(double x)
 {
     return x - round(x);
+}
+
+/* A star in every square, far enough from its sides to be whole. */
+static double star_light(double x, double y)
+{
+    static const double squares = 24, radius = 24.0 / 800;
+    const double column = floor(squares * x), row = floor(squares * y);
+    const uint64_t which =
+        (uint64_t)((int64_t)column + 4096) << 32 | (uint32_t)((int64_t)row + 4096);
+    const struct random_words words = random_words(RANDOM_STARS, 0, which, 0);
+    const double room = 1 - 2 * radius, per_word = 0x1p-32;
+    const double at_x = radius + room * per_word * words.w[0];
+    const double at_y = radius + room * per_word * words.w[1];
+    const bool is_inside = hypot(squares * x - column - at_x, squares * y - row - at_y) < radius;
+    return is_inside ? pow(10, -0.4 * CHART_MAGNITUDES * sqrt(per_word * words.w[2])) : 0;
 }
 
 /*
@@ -31,22 +48,35 @@ static double from_multiple(double x)
  */
 static double chart_light(enum chart chart, double x, double y, double half)
 {
-    static const double groups = 6, fields = 21;
     switch (chart) {
     case CHART_EDGE:
-        return x < y * tan(5 * RADIANS_PER_DEGREE) ? 1 : 0.25;
+        return x < y * tan(CHART_EDGE_DEGREES * RADIANS_PER_DEGREE) ? 1 : CHART_EDGE_DARK;
     case CHART_STAR:
-        return hypot(x, y) < 0.96 * half && sin(36 * atan2(y, x)) < 0 ? 0 : 1;
+        return hypot(x, y) < 2 * CHART_STAR_RADIUS * half &&
+                       sin(CHART_STAR_CYCLES * atan2(y, x)) < 0
+                   ? 0
+                   : 1;
     case CHART_GRID:
-        return fabs(from_multiple(12 * x)) < 0.025 || fabs(from_multiple(12 * y)) < 0.025 ? 0 : 1;
+        return fabs(from_multiple(CHART_MESHES * x)) < 0.025 ||
+                       fabs(from_multiple(CHART_MESHES * y)) < 0.025
+                   ? 0
+                   : 1;
     case CHART_CHECKER:
-        return fmod(floor(12 * x) + floor(12 * y) + 1000, 2);
+        return fmod(floor(CHART_MESHES * x) + floor(CHART_MESHES * y) + 1000, 2);
     case CHART_BARS:
-        return from_multiple(5 * exp2(floor(groups * (x + 0.5))) * (x + 0.5)) < 0 ? 1 : 0;
+        return from_multiple(CHART_BARS_LEAST * exp2(floor(CHART_GROUPS * (x + 0.5))) * (x + 0.5)) <
+                       0
+                   ? 1
+                   : 0;
     case CHART_WEDGE:
-        return exp2(-0.5 * floor(fields * (x + 0.5)));
+        return exp2(-0.5 * floor(CHART_WEDGE_FIELDS * (x + 0.5)));
     case CHART_POINTS:
-        return hypot(from_multiple(12 * x), from_multiple(12 * y)) < 12.0 / 400 ? 1 : 0;
+        return hypot(from_multiple(CHART_MESHES * x), from_multiple(CHART_MESHES * y)) <
+                       CHART_MESHES / 400.0
+                   ? 1
+                   : 0;
+    case CHART_STARS:
+        return star_light(x, y);
     default:
         return 0;
     }

@@ -18,6 +18,8 @@
  *          cycles over the width
  * wedge    21 fields of grey from left to right, each half a stop darker than the one before
  * points   white discs of 1/200 of the width on black, 1/12 of it apart
+ * stars    a disc of 1/400 of the width somewhere in each square of 1/24 of it, on black, of some
+ *          magnitude from 0, white, to 5, 1/100 of it, the faint ones more often
  */
 enum chart {
     CHART_NONE,
@@ -27,7 +29,21 @@ enum chart {
     CHART_CHECKER,
     CHART_BARS,
     CHART_WEDGE,
-    CHART_POINTS
+    CHART_POINTS,
+    CHART_STARS
+};
+
+/* Of what they are made, for those who say so. */
+#define CHART_EDGE_DEGREES 5.0
+#define CHART_EDGE_DARK    0.25
+#define CHART_STAR_RADIUS  0.48 /* of the height */
+enum {
+    CHART_STAR_CYCLES = 36,
+    CHART_MESHES = 12,    /* of grid, checker and points over the width */
+    CHART_BARS_LEAST = 5, /* cycles over the width, and twice as many in each group after it */
+    CHART_GROUPS = 6,
+    CHART_WEDGE_FIELDS = 21,
+    CHART_MAGNITUDES = 5
 };
 
 /* The words of the command line for them, without the first; ends with null. */

@@ -19,7 +19,7 @@ static const struct option options[] = {
     {OPTION(struct render_input, scene), .name = "subject", .value = "SCENE",
      .flags = OPTION_OPERAND | OPTION_FILE,
      .help = "a flat card: a picture (.png, .jpg, .exr, .pfm, .hdr), or chart:edge, star, grid, "
-             "checker, bars, wedge, points"},
+             "checker, bars, wedge, points, stars"},
     {OPTION(struct render_input, question.lens), .name = "lens", .letter = 'l', .value = "LENS",
      .flags = OPTION_FILE, .types = lens_types,
      .help = "a lens of lensdb (list lenses), a file, or - for standard input"},

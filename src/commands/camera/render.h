@@ -214,6 +214,21 @@ bool render_develop(const struct render_input *input, bool is_print,
                     const struct render_frame *frame, struct image *image, struct growing *remarks,
                     struct error *error);
 
+/* -------- commands/camera/render_scene.c -------- */
+
+/*
+ * "chart:edge" or a file with a picture.
+ *
+ * Errors    ERROR_USAGE: no such chart; as image_file_read; ERROR_DATA: light that is no number
+ *           from 0
+ */
+bool render_scene(const struct render_input *input, struct arena *arena, struct card *card,
+                  struct error *error);
+
+/* What a chart measures: angles, frequencies on the film by the paraxial magnification. */
+void render_say_scene(const struct photograph *photograph, const struct setup *setup,
+                      struct growing *remarks);
+
 /* -------- commands/camera/render_depth.c -------- */
 
 extern const struct word render_hidden[];

@@ -2,11 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/response.h"
 #include "commands/camera/render.h"
-#include "file/image_file.h"
 #include "report/version.h"
-
-#include <stdlib.h>
-#include <string.h>
 
 enum { USUAL_SAMPLES = 64, MOST_SAMPLES = 1 << 20 };
 
@@ -15,29 +11,6 @@ static const struct setup_wavelength channels[PHOTOGRAPH_CHANNELS] = {
     {RESPONSE_RED, 1}, {RESPONSE_GREEN, 1}, {RESPONSE_BLUE, 1}};
 
 /* -------- what is asked -------- */
-
-/* "chart:edge" or a file with a picture. */
-static bool read_scene(const struct render_input *input, struct arena *arena, struct card *card,
-                       struct error *error)
-{
-    static const char prefix[] = "chart:";
-    if (strncmp(input->scene, prefix, sizeof prefix - 1) == 0) {
-        const char *name = input->scene + sizeof prefix - 1;
-        for (size_t i = 0; charts[i].word != NULL; i++) {
-            if (strcmp(charts[i].word, name) == 0) {
-                card->chart = (enum chart)(i + 1);
-                return true;
-            }
-        }
-        fail(error, ERROR_USAGE, "there is no chart '%.40s'", name);
-        return error_hint(error, "edge, star, grid, checker, bars, wedge or points");
-    }
-    struct image *picture = ARENA_NEW(arena, struct image);
-    card->picture = picture;
-    return image_file_read(input->scene, IMAGE_LIGHT, arena, picture, error) &&
-           (image_check(picture, IMAGE_POSITIVE, error) ||
-            error_prefix(error, "%.200s: ", input->scene));
-}
 
 bool render_check_picture(const struct artifact_job *job, struct error *error)
 {
@@ -122,7 +95,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     question.rows = shot.frame.rows;
     question.crop = shot.frame.taken;
     if (!render_acceptance(input, arena, &question.film.acceptance, error) ||
-        !read_scene(input, arena, &question.card, error) ||
+        !render_scene(input, arena, &question.card, error) ||
         !render_depths(input, question.card.picture, arena, &question.depths, error) ||
         !photograph_take(&question, arena, &shot.photograph, error)) {
         return false;
@@ -135,6 +108,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
              "interrupted: the picture is incomplete, and black where it is missing");
     }
     render_say_light(input, &doubts);
+    render_say_scene(&shot.photograph, one->setup, &doubts);
     render_say_depths(input, &shot.photograph, &doubts);
     render_doubts(one, shot.photograph.largest, shot.photograph.corner, &doubts);
     shot.doubts = growing_done(&doubts);

@@ -1,0 +1,87 @@
+/* commands/camera/render_scene.c - what is photographed: a picture or a chart, and its facts. */
+/* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
+#include "commands/camera/render.h"
+#include "file/image_file.h"
+
+#include <string.h>
+
+bool render_scene(const struct render_input *input, struct arena *arena, struct card *card,
+                  struct error *error)
+{
+    static const char prefix[] = "chart:";
+    if (strncmp(input->scene, prefix, sizeof prefix - 1) == 0) {
+        const char *name = input->scene + sizeof prefix - 1;
+        for (size_t i = 0; charts[i].word != NULL; i++) {
+            if (strcmp(charts[i].word, name) == 0) {
+                card->chart = (enum chart)(i + 1);
+                return true;
+            }
+        }
+        fail(error, ERROR_USAGE, "there is no chart '%.40s'", name);
+        return error_hint(error, "edge, star, grid, checker, bars, wedge, points or stars");
+    }
+    struct image *picture = ARENA_NEW(arena, struct image);
+    card->picture = picture;
+    return image_file_read(input->scene, IMAGE_LIGHT, arena, picture, error) &&
+           (image_check(picture, IMAGE_POSITIVE, error) ||
+            error_prefix(error, "%.200s: ", input->scene));
+}
+
+/* Cycles a mm on the film of as many over the width of the card. */
+static double on_film(const struct photograph *photograph, const struct setup *setup, double cycles)
+{
+    return cycles / photograph->card.width / fabs(setup->first.magnification);
+}
+
+static void say_bars(const struct photograph *photograph, const struct setup *setup,
+                     struct growing *remarks)
+{
+    growing_format(remarks, "bars of");
+    for (int i = 0; i < CHART_GROUPS; i++) {
+        growing_format(remarks, "%s %.4g", i == 0 ? "" : ",",
+                       on_film(photograph, setup, ldexp(CHART_BARS_LEAST, i)));
+    }
+    growing_format(remarks, " cycles/mm on the film\n");
+}
+
+void render_say_scene(const struct photograph *photograph, const struct setup *setup,
+                      struct growing *remarks)
+{
+    const struct card *card = &photograph->card;
+    const double rim = 2 * PI * CHART_STAR_RADIUS * card->height / card->width;
+    switch (card->chart) {
+    case CHART_EDGE:
+        growing_format(remarks, "edge %g degrees from upright, contrast %g:1 (ISO 12233)\n",
+                       CHART_EDGE_DEGREES, 1 / CHART_EDGE_DARK);
+        break;
+    case CHART_STAR:
+        growing_format(remarks,
+                       "%d cycles about the middle: %.4g cycles/mm on the film at the rim, twice "
+                       "that at half its radius\n",
+                       CHART_STAR_CYCLES, on_film(photograph, setup, CHART_STAR_CYCLES / rim));
+        break;
+    case CHART_BARS:
+        say_bars(photograph, setup, remarks);
+        break;
+    case CHART_WEDGE:
+        growing_format(remarks, "%d greys, densities 0 to %.4g\n", CHART_WEDGE_FIELDS,
+                       0.5 * (CHART_WEDGE_FIELDS - 1) * log10(2));
+        break;
+    case CHART_GRID:
+    case CHART_CHECKER:
+    case CHART_POINTS:
+        growing_format(remarks, "%s of %.4g mm\n",
+                       card->chart == CHART_GRID      ? "meshes"
+                       : card->chart == CHART_CHECKER ? "squares"
+                                                      : "discs, in steps",
+                       card->width / CHART_MESHES);
+        break;
+    case CHART_STARS:
+        growing_format(remarks, "stars of magnitudes 0 to %d, the brightest as bright as white\n",
+                       CHART_MAGNITUDES);
+        break;
+    case CHART_NONE:
+        break;
+    }
+}
