@@ -74,8 +74,8 @@ struct relief_ray {
  *           distance of the surface that they passed last: SIGHT_BEHIND
  * Formula   with w = 1/d, d the distance before the pupil, a ray is a straight line over the frame,
  *           X = F (x w - slope), F the frame's d; lines of sight are upright, planes are planes. It
- *           is followed from the largest w of the squares that it may cross to small ones, over squares
- *           whose largest w it passes, the greater ones first
+ *           is followed from the largest w that it may meet to small ones, over squares whose
+ *           largest w it passes, the greater ones first
  */
 struct card_light relief_look(const struct relief *relief, const struct relief_ray *ray,
                               enum relief_sight *sight);
