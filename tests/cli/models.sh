@@ -9,7 +9,7 @@ lenscalc render chart:grid --lens double-gauss-50 -s 1m --size 8x8 --samples 1 -
 tr '\0' ' ' < thin.png | grep -ao 'Lens model [a-z]*'
 lenscalc render --lens hand.lens --model pinhole --blades 5 --rays lost.csv
 lenscalc render --lens hand.lens --model fish --rays lost.csv
-printf 'lens afocal\naperture stop\nstop - 1 air 5\nsurface 50 5 1.5 20\nsurface - 100 air 20\nsurface - 5 1.5 20\nsurface -50 0 air 20\n' > afocal.lens
+printf 'lens afocal\naperture stop\nstop - 0 air 5\nthick 50 100 air - hiatus=0\nthick 50 0 air - hiatus=0\n' > afocal.lens
 lenscalc render --lens afocal.lens --focus 100 --model thick --rays lost.csv
 lenscalc render chart:grid --lens double-gauss-50 -s 1m --gap 30 -o lost.png
 lenscalc render chart:grid --lens double-gauss-50 -s 1m --gap last --focus best -o lost.png
@@ -20,4 +20,16 @@ lenscalc render chart:grid --lens double-gauss-50 -s 10cm --from sensor -o lost.
 lenscalc render chart:grid --lens double-gauss-50 -s 10cm --from sensor --gap last -o lost.png
 lenscalc render chart:grid --lens double-gauss-50 -s 20cm --gap 6 -o lost.png
 lenscalc render chart:grid --lens double-gauss-50 -s 1cm -o lost.png
+ls lost.*
+# what lies at a point of the picture
+printf 'Pf\n2 1\n-1.0\n\0\0\200\077\0\0\200\177' > map.pfm
+card='render chart:edge --lens double-gauss-50 --size 8x8 --samples 1'
+lenscalc $card --depth-map map.pfm --autofocus 0.2:0.5 -o near.png
+lenscalc $card --depth-map map.pfm --autofocus 0.8:0.5 -o lost.png
+lenscalc $card --depth-map map.pfm --autofocus 0.8:0.5 -s 2m -o lost.png
+lenscalc $card --autofocus 0.8:0.5 -o lost.png
+lenscalc $card --autofocus 0.8 -s 2m -o lost.png
+lenscalc $card --autofocus 0.8:1.5 -s 2m -o lost.png
+lenscalc $card --autofocus 0.8:0.5 -s 2m --field-width 1m -o lost.png
+lenscalc render --lens double-gauss-50 --autofocus 0.8:0.5 --rays lost.csv
 ls lost.*

@@ -18,9 +18,8 @@ import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from check_photograph import read_pfm, write_pfm
 from harness import Checks, Program
+from photographs import read_pfm, write_pfm
 
 # A thick lens: f 50, H 20 mm behind the first plane, H' 5 mm behind H and 15 mm before the last,
 # and its entrance pupil, of 20 mm, 8 mm before H.
@@ -286,6 +285,28 @@ def check_focus(render):
     checks.check(abs(moved - own) < 1e-7, f"--gap 2: the film stands at {moved}, not {own}")
 
 
+def check_autofocus(render):
+    """Four distances in the corners of a map, one far out at its right, which the film cuts off."""
+    rows = [[1.0, 1.0, 2.0, 2.0, 9.0], [1.0, 1.0, 2.0, 2.0, 9.0], [3.0, 3.0, 4.0, 4.0, 9.0]]
+    cells = {"0.1:0.1": 1, "0.9:0.1": 9, "0.82:0.5": 2, "0.5:0.4": 2, "0.2:0.9": 3, "0.7:0.9": 4,
+             "0:0": 1, "1:1": 9}
+    # as wide as 5:3 of the film's 3:2: 3/5 x 3/2 = 0.9 of the width is seen
+    checks = render.checks
+    write_pfm(os.path.join(render.folder, "map.pfm"), rows)
+    for place, metres in cells.items():
+        x, y = map(float, place.split(":"))
+        expected = rows[min(int(3 * y), 2)][min(int(5 * (0.5 + 0.9 * (x - 0.5))), 4)]
+        checks.check(expected == metres, f"the table says {metres} m at {place}, not {expected}")
+        result = render.run("render", "chart:edge", "--lens", "hand.lens", "--depth-map",
+                            "map.pfm", "--autofocus", place, "--size", "8x8", "--samples", "1",
+                            "-o", "auto.png")
+        found = re.search(r"focused on ([0-9.]+) mm before the first vertex", result.stderr)
+        between = 1000 * metres - 5  # to H, and from H'
+        s = (between + math.sqrt(between * (between - 4 * F))) / 2
+        checks.check(found is not None and abs(float(found.group(1)) / (s - H) - 1) < 1e-5,
+                     f"{place}: {result.stderr}, expected {s - H}")
+
+
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-models-") as folder:
@@ -294,7 +315,7 @@ def main():
         render.write("glass.lens", glass_lens(GLASS, DIAMETERS))
         render.write("mirrors.lens", MIRRORS)
         for check in (check_light, check_confusion, check_blur, check_paraxial, check_fitted,
-                      check_focus):
+                      check_focus, check_autofocus):
             check(render)
     return checks.finish()
 

@@ -54,10 +54,13 @@ static const struct option options[] = {
     LENS_POSITION_OPTION(struct render_input, question),
     ANALYSIS_PLANE_OPTIONS(struct render_input, question),
     {OPTION(struct render_input, focus_at), .name = "focus-at", .words = render_focus_ats,
-     .fallback = "thick", .value = "IMAGE", .wants = "distance", .excludes = "focus",
+     .fallback = "thick", .value = "IMAGE", .wants = "distance|autofocus", .excludes = "focus",
      .help = "what of the card's image comes onto the film"},
-    {OPTION(struct render_input, gap), .name = "gap", .value = "GAPS", .wants = "distance",
+    {OPTION(struct render_input, autofocus), .name = "autofocus", .value = "X:Y",
      .excludes = "focus",
+     .help = "focus on what lies there: fractions of width and height from the upper left"},
+    {OPTION(struct render_input, gap), .name = "gap", .value = "GAPS",
+     .wants = "distance|autofocus", .excludes = "focus",
      .help = "focus by these gaps, the film standing still: variables or surface numbers, each "
              "with a weight: d5,10:-1; default the whole lens moves"},
     {OPTION(struct render_input, model), .name = "model", .words = lens_models, .fallback = "exact",
@@ -148,8 +151,9 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "subject", "ev",   "scene", "filter", "depth-map", "field-width", "luminance", "time",
-        "iso",     "size", "crop",  "bits",   "film",      "grain",       "threads",   NULL};
+        "subject",   "autofocus",   "radiance",  "packing", "ev",  "scene", "filter",
+        "depth-map", "field-width", "luminance", "time",    "iso", "size",  "crop",
+        "bits",      "film",        "grain",     "threads", NULL};
     const char *const *const lists[] = {of_pictures, render_sensor_options};
     const bool also_picture = asking_given(job->asking, "output");
     for (size_t k = 0; k < 2 && !also_picture; k++) {

@@ -25,6 +25,7 @@ struct render_input {
     double blade_turn, blade_rounding; /* rad; 0..1 */
     int from;                          /* enum distance_from */
     int model, focus_at;               /* enum lens_model; enum render_focus_at */
+    const char *autofocus;             /* "0.5:0.5"; null = on the distance */
     const char *gap;                   /* "d5,10:-1"; null = the whole lens moves */
     bool radiance;                     /* cd/m^2 in place of lx s */
     int packing;                       /* of render_packings */
@@ -59,6 +60,25 @@ extern const struct word render_focus_ats[];
  */
 bool render_focus(const struct render_input *input, struct arena *arena,
                   struct analysis_question *question, struct error *error);
+
+/* -------- commands/camera/render_autofocus.c -------- */
+
+/* Errors: ERROR_USAGE: no place in the picture; what contradicts it */
+bool render_check_autofocus(const struct render_input *input, struct error *error);
+
+/*
+ * The distance of what lies at a place of the picture, in place of the one asked for.
+ *
+ * Given     focused  receives the input with it: from the depth map, in which the place is that of
+ *                    an image without distortion; of a flat card it is the distance of all of it
+ * Errors    as render_depths; ERROR_DOMAIN: nothing lies there, or at infinity
+ */
+bool render_autofocus(const struct render_input *input, struct arena *arena,
+                      struct render_input *focused, struct error *error);
+
+/* Given: distance  before the first vertex, mm */
+void render_say_autofocus(const struct render_input *input, double distance,
+                          struct growing *remarks);
 
 /* -------- commands/camera/render_model.c -------- */
 

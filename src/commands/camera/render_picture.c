@@ -20,7 +20,7 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
         fail(error, ERROR_USAGE, "what is to be photographed is not said");
         return error_hint(error, "a picture (card.png), or chart:edge, chart:star and the like");
     }
-    if (isnan(input->distance)) {
+    if (isnan(input->distance) && (input->autofocus == NULL || input->depth_map == NULL)) {
         fail(error, ERROR_USAGE, "how far away the card is is not said");
         return error_hint(error, "give {--distance}, as -s 2m");
     }
@@ -36,8 +36,8 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
                     "{--wavelength}");
     }
     return render_check_file(input, job->type, error) && render_check_light(input, error) &&
-           render_check_film(job, error) && render_check_depths(input, error) &&
-           render_frame_read(input, &frame, error) &&
+           render_check_autofocus(input, error) && render_check_film(job, error) &&
+           render_check_depths(input, error) && render_frame_read(input, &frame, error) &&
            render_check_sensor(job, frame.columns, error);
 }
 
@@ -107,6 +107,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
         fail(&job->run->shortfall, ERROR_DOMAIN,
              "interrupted: the picture is incomplete, and black where it is missing");
     }
+    render_say_autofocus(input, render_object(one), &doubts);
     render_say_light(input, &doubts);
     render_say_scene(&shot.photograph, one->setup, &doubts);
     render_say_depths(input, &shot.photograph, &doubts);
@@ -125,6 +126,8 @@ bool render_picture(const struct artifact_job *job, struct output *sinks, struct
     struct picture_job picture = {job, sinks};
     const struct spectrum_value colours = {"channels", channels, PHOTOGRAPH_CHANNELS};
     const bool one_colour = input->question.wavelength.name != NULL;
-    return render_open(input, one_colour ? NULL : &colours, job->run, take_picture, &picture,
+    struct render_input focused;
+    return render_autofocus(input, job->run->arena, &focused, error) &&
+           render_open(&focused, one_colour ? NULL : &colours, job->run, take_picture, &picture,
                        error);
 }
