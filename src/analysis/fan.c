@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/fan.h"
 
+#include "analysis/fan_edge.h"
 #include "analysis/wave_reference.h"
 #include "trace/dispatch.h"
 
@@ -129,6 +130,44 @@ static void close_gaps(const struct tracer *tracer, struct gap *gaps, size_t cou
     }
 }
 
+/* Gaps about edges that are known already become as narrow as wanted. */
+static size_t jump_to_edges(const struct tracer *tracer, struct gap *gaps, size_t count)
+{
+    enum { MOST = FAN_SECTIONS * FAN_ENDS };
+    struct fan_edge edges[MOST];
+    struct place places[2 * MOST];
+    struct fan_ray rays[2 * MOST];
+    size_t left = 0;
+    for (size_t i = 0; i < count; i++) {
+        const struct pupil_point unit =
+            point_of(tracer->fan, &(struct place){gaps[i].clear.section, 1}, 1);
+        edges[i] =
+            (struct fan_edge){{unit.x, unit.y}, (gaps[i].clear.h + gaps[i].dark.h) / 2, false};
+    }
+    fan_edges_find(&tracer->light->source, edges, count, tracer->arena);
+    for (size_t i = 0; i < count; i++) {
+        const struct gap *gap = &gaps[i];
+        const double side = gap->dark.h > gap->clear.h ? narrow / 2 : -narrow / 2;
+        const double low = edges[i].h - side, high = edges[i].h + side;
+        edges[i].is_found =
+            edges[i].is_found && (low - gap->clear.h) * side > 0 && (gap->dark.h - high) * side > 0;
+        places[2 * i] = edges[i].is_found ? (struct place){gap->clear.section, low} : gap->clear;
+        places[2 * i + 1] =
+            edges[i].is_found ? (struct place){gap->clear.section, high} : gap->dark;
+    }
+    trace_places(tracer, places, 2 * count, rays);
+    for (size_t i = 0; i < count; i++) {
+        const struct fan_ray *last = &rays[2 * i], *lost = last + 1;
+        if (edges[i].is_found && last->status == RAY_OK && lost->status != RAY_OK) {
+            *gaps[i].last = *last;
+            gaps[i].last->surface = lost->surface;
+        } else {
+            gaps[left++] = gaps[i];
+        }
+    }
+    return left;
+}
+
 static void find_ends(const struct tracer *tracer, const struct fan_ray *list,
                       struct fan_ends *ends)
 {
@@ -152,6 +191,7 @@ static void find_ends(const struct tracer *tracer, const struct fan_ray *list,
                          &here->rays[here->count], list[arrives ? i + 1 : i].surface};
         here->count++;
     }
+    count = jump_to_edges(tracer, gaps, count);
     close_gaps(tracer, gaps, count);
     for (size_t i = 0; i < count; i++) {
         gaps[i].last->surface = gaps[i].surface;

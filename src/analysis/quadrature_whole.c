@@ -18,7 +18,9 @@ static void start_block(const struct stop_beam *beam, const struct pupil_point *
                         size_t count, struct aim_block *block)
 {
     const double radius = beam->radius, *axes = beam->axes;
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+    const size_t lanes = (size_t)kernel_lanes(count);
+    block->lanes = (int)lanes;
+    for (size_t i = 0; i < lanes; i++) {
         const struct pupil_point *point = &points[i < count ? i : 0];
         block->goal_x[i] = point->x * radius;
         block->goal_y[i] = point->y * radius;
@@ -26,7 +28,7 @@ static void start_block(const struct stop_beam *beam, const struct pupil_point *
         block->b[i] = beam->origin[1] + point->x * axes[2] + point->y * axes[3];
         block->state[i] = i < count ? AIM_OPEN : AIM_DONE;
     }
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+    for (size_t i = 0; i < lanes; i++) {
         block->next_a[i] = block->a[i];
         block->next_b[i] = block->b[i];
         block->step_a[i] = block->step_b[i] = 0;
@@ -34,7 +36,7 @@ static void start_block(const struct stop_beam *beam, const struct pupil_point *
         block->miss_x[i] = block->miss_y[i] = 4 * radius;
     }
     for (size_t k = 0; k < 4; k++) {
-        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        for (size_t i = 0; i < lanes; i++) {
             block->m[k][i] = axes[k] / radius;
         }
     }

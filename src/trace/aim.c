@@ -312,7 +312,9 @@ static void start_block(const struct aim *aim, const struct pupil_point *points,
     struct search first;
     start_search(aim, &points[0], &first);
     const double *m = first.inverse;
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+    const size_t lanes = (size_t)kernel_lanes(count);
+    block->lanes = (int)lanes;
+    for (size_t i = 0; i < lanes; i++) {
         double goal[2];
         goal_of(aim, &points[i < count ? i : 0], goal);
         double x = goal[0] - aim->centre[0], y = goal[1] - aim->centre[1];
@@ -322,7 +324,7 @@ static void start_block(const struct aim *aim, const struct pupil_point *points,
         block->miss_y[i] = y;
         block->state[i] = i >= count || (x == 0 && y == 0) ? AIM_DONE : AIM_OPEN;
     }
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+    for (size_t i = 0; i < lanes; i++) {
         block->a[i] = first.at[0];
         block->b[i] = first.at[1];
         block->step_a[i] = m[0] * block->miss_x[i] + m[1] * block->miss_y[i];
@@ -331,7 +333,7 @@ static void start_block(const struct aim *aim, const struct pupil_point *points,
         block->next_b[i] = block->b[i] + block->step_b[i];
     }
     for (size_t k = 0; k < 4; k++) {
-        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        for (size_t i = 0; i < lanes; i++) {
             block->m[k][i] = m[k];
         }
     }
@@ -371,13 +373,13 @@ static void look_beside(const struct aim *aim, const struct aim_block *block, si
                         double more_a, double more_b, double *x, double *y)
 {
     double a[RAYS_BLOCK], b[RAYS_BLOCK];
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+    for (size_t i = 0; i < count; i++) {
         a[i] = block->a[i] + more_a;
         b[i] = block->b[i] + more_b;
     }
     beam_start(&aim->beam, a, b, count, aim->work.blocks);
     chief_to_stop(aim, count);
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+    for (size_t i = 0; i < count; i++) {
         x[i] = aim->work.blocks->x[i] - (block->goal_x[i] - block->miss_x[i]);
         y[i] = aim->work.blocks->y[i] - (block->goal_y[i] - block->miss_y[i]);
     }

@@ -18,6 +18,7 @@ struct aim_block {
     double miss_x[RAYS_BLOCK], miss_y[RAYS_BLOCK]; /* there */
     double m[4][RAYS_BLOCK];                       /* d(a, b)/d(x, y), row by row: an estimate */
     double state[RAYS_BLOCK];
+    int lanes; /* the first so many are at work: as kernel_lanes says */
 };
 
 /*
@@ -38,7 +39,7 @@ kernel_aim *dispatch_aim(enum instruction_set set);
 static inline size_t aim_block_open(const struct aim_block *block)
 {
     size_t open = 0;
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < block->lanes; i++) {
         open += block->state[i] == AIM_OPEN;
     }
     return open;

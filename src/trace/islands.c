@@ -59,12 +59,22 @@ static void begin(struct patches *all)
 
 static void place_rays(const struct patches *all, const struct patch *patch, double (*points)[2])
 {
-    for (size_t i = 0; i < EACH; i++) {
-        double share[2] = {(double)(i / SIDE) / (SIDE - 1), (double)(i % SIDE) / (SIDE - 1)};
-        double angle = patch->low[0] + share[0] * (patch->high[0] - patch->low[0]);
-        double way = patch->low[1] + share[1] * (patch->high[1] - patch->low[1]);
-        double edge = star_near(all->star, angle);
-        edge_point(&all->star->frame, angle, edge + way * (all->farthest - edge), points[i]);
+    const struct edge_frame *frame = &all->star->frame;
+    for (size_t arm = 0; arm < SIDE; arm++) {
+        const double share = (double)arm / (SIDE - 1);
+        const double angle = patch->low[0] + share * (patch->high[0] - patch->low[0]);
+        const double edge = star_near(all->star, angle);
+        double unit[2];
+        edge_point(frame, angle, 1, unit);
+        for (size_t i = 0; i < SIDE; i++) {
+            const double part = (double)i / (SIDE - 1);
+            const double way = patch->low[1] + part * (patch->high[1] - patch->low[1]);
+            const double radius = edge + way * (all->farthest - edge);
+            for (int k = 0; k < 2; k++) {
+                points[arm * SIDE + i][k] =
+                    frame->centre[k] + radius * (unit[k] - frame->centre[k]);
+            }
+        }
     }
 }
 

@@ -66,10 +66,11 @@ INLINE void judge(const struct ray_block *restrict at, double enough2, double ne
 void NAME(kernel_aim, KERNEL)(const struct ray_block *restrict at_stop, double enough2,
                               double near2, struct aim_block *restrict block)
 {
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    const int lanes = block->lanes;
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         judge(at_stop, enough2, near2, block, i);
     }
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < LANES_OF(lanes); i++) {
         arrive(block, i);
     }
 }

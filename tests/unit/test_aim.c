@@ -141,6 +141,7 @@ static void test_instruction_sets(void)
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             blocks[0].state[i] = (double)(i % 3);
         }
+        blocks[0].lanes = RAYS_BLOCK;
         for (size_t k = 0; k < 3; k++) {
             if (!instruction_set_works(sets[k])) {
                 continue;
