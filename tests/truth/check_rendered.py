@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""tests/truth/check_rendered.py - where light comes, and how much: check_rendered.py BUILD_DIR
+
+Through one lens behind its stop, traced by a program of its own: discs of a chart lie where the
+chief rays of their middles do, red, green and blue ones apart by their dispersion; on the axis the
+exposure is pi L sin^2(theta'), so that f-numbers and times exchange by the exact ratio. Behind a
+lens whose stop comes last a white scene is a disc seen from the side, in closed form, whatever the
+focus, the time and the wavelengths. Errors shrink as normal ones: 95 % of the pixels within 1.96
+deviations of the integral, no bias.
+"""
+# SPDX-License-Identifier: MIT
+
+import math
+import os
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import Checks, Program
+from photographs import take, write_pfm
+from singlet import LINES, Singlet
+
+TRACED = (611, 549, 464)  # red, green, blue
+DISTANCE = 1000
+
+
+def centroid(rows, channel):
+    """Of the light, in pixels from the upper left."""
+    total = across = down = 0
+    for j, row in enumerate(rows):
+        for i, pixel in enumerate(row):
+            light = pixel[channel]
+            total, across, down = (total + light, across + (i + 0.5) * light,
+                                   down + (j + 0.5) * light)
+    return across / total, down / total
+
+
+def check_places(checks, program, folder):
+    """Barrel distortion and lateral colour of a flint far behind a small stop."""
+    lens = Singlet((90, -200), 6, (1.728, 28.5), 25, 1)
+    lens.write(os.path.join(folder, "far.lens"))
+    film = lens.paraxial(DISTANCE)[0]
+    columns, pitch, width, side = 1200, 0.03, 360, 24
+    common = ["chart:points", "--lens", "far.lens", "-s", f"{DISTANCE}mm", "--from", "front",
+              "--focus", repr(film), "-t", "1", "--sensor",
+              f"{columns * pitch}x{columns * pitch}mm", "--size", f"{columns}x{columns}",
+              "--samples", "256", "--field-width", f"{width}mm"]
+    scale = abs(lens.forward((1e-3, 0), (0, 0), TRACED[1], film, DISTANCE)[0]) * 1e3 / pitch
+    bends, spreads = [], []
+    for i, k in (0, 0), (1, 0), (4, 0), (0, 4), (-4, 2), (-3, -4):
+        card = (i * width / 12, k * width / 12)
+        x, y, _ = lens.forward(card, (0, 0), TRACED[1], film, DISTANCE)
+        left, top = (round(columns / 2 + at / pitch) - side // 2 for at in (-x, y))
+        rows = take(program, checks, folder, *common, "--crop", f"{left}:{top}:{side}x{side}")
+        if rows is None:
+            return
+        places = []
+        for channel, nm in enumerate(TRACED):
+            x, y, _ = lens.forward(card, (0, 0), nm, film, DISTANCE)
+            x, y = -x / pitch, -y / pitch
+            a, b = centroid(rows, channel)
+            a, b = left + a - columns / 2, columns / 2 - top - b
+            checks.check(abs(a - x) < 0.02 and abs(b - y) < 0.02,
+                         f"disc {i}, {k} at {nm} nm lies at {a:.3f}, {b:.3f}: its chief ray at "
+                         f"{x:.3f}, {y:.3f}")
+            places.append((math.hypot(a, b), math.hypot(x, y)))
+        spread, expected = (places[0][j] - places[2][j] for j in (0, 1))
+        checks.check(abs(spread - expected) < 0.02,
+                     f"disc {i}, {k}: blue and red are {spread:.3f} pixels apart, not {expected:.3f}")
+        spreads.append(abs(expected))
+        bends.append(abs(places[1][1] - scale * math.hypot(*card)))
+    checks.check(max(bends) > 2 and max(spreads) > 0.5, f"{max(bends)} {max(spreads)}: a real test")
+
+
+def marginal_sine(lens, film, edge):
+    """Of the ray from the middle of the film that meets the edge of the stop."""
+    low, high = 0.0, 0.5
+    for _ in range(60):
+        sine = (low + high) / 2
+        x = lens.trace((0, 0, lens.last() + film), (sine, 0, -math.sqrt(1 - sine * sine)),
+                       LINES["d"], 0)[0]
+        low, high = (sine, high) if x < edge else (low, sine)
+    return (low + high) / 2
+
+
+def check_exchange(checks, program, folder):
+    """pi L t sin^2(theta') in the middle, at (N, t) and (N sqrt(2), 2 t)."""
+    write_pfm(os.path.join(folder, "white.pfm"), [[1.0, 1.0], [1.0, 1.0]])
+    lens = Singlet((100, -100), 5, (1.5168, 64.17), 2, 20)
+    lens.write(os.path.join(folder, "fast.lens"))
+    film, focal = lens.paraxial(DISTANCE)
+    exposures = []
+    for number, time in (5.6, 0.01), (5.6 * math.sqrt(2), 0.02):
+        rows = take(program, checks, folder, "white.pfm", "--lens", "fast.lens", "-s",
+                    f"{DISTANCE}mm", "--from", "front", "--focus", repr(film), "-w", "d", "-N",
+                    repr(number), "-t", repr(time), "--sensor", "0.1x0.1mm", "--size", "8x8",
+                    "--samples", "256", "--luminance", "500", "--field-width", "2m")
+        if rows is None:
+            return
+        edge = focal / number / 2
+        sine = marginal_sine(lens, film, edge)
+        found = sum(pixel[1] for row in rows for pixel in row) / 64
+        expected = math.pi * 500 * time * sine ** 2
+        checks.check(abs(found - expected) < 1e-3 * expected,
+                     f"{found} lx s at f/{number:.3g}, expected {expected}")
+        exposures.append((found, time * sine ** 2))
+    ratio = exposures[0][0] / exposures[1][0]
+    exact = exposures[0][1] / exposures[1][1]
+    checks.check(abs(ratio - exact) < 1e-3 and abs(exact - 1) > 1e-4, f"{ratio}, not {exact}")
+
+
+def check_furnace(checks, program, folder):
+    """E of a disc of half angle a seen t beside its axis, at all films, times, wavelengths."""
+    with open(os.path.join(folder, "last.lens"), "w", encoding="utf-8") as file:
+        file.write("lens stop behind\naperture stop\nsurface 100 5 1.6/40 60\n"
+                   "surface -100 5 air 60\nstop - 30 air 12\n")
+    for film, time, more in (30, 1, ["-w", "d"]), (45, 0.004, []), (90, 30, ["--seed", "3"]):
+        rows = take(program, checks, folder, "white.pfm", "--lens", "last.lens", "-s", "3m",
+                    "--focus", str(film), "-t", str(time), "--size", "12x8", "--samples", "1024",
+                    "--field-width", "100m", *more)
+        if rows is None:
+            return
+        tan2a = (6 / film) ** 2
+        for j, i in (3, 5), (0, 5), (3, 0), (0, 0):
+            # over the pixel: the mean of 4 x 4 points
+            expected = 0
+            for k in range(16):
+                x, y = 3 * (i - 6 + (k % 4 + 0.5) / 4), 3 * (j - 4 + (k // 4 + 0.5) / 4)
+                tan2 = (x * x + y * y) / film ** 2
+                root = math.sqrt(tan2 ** 2 + 2 * tan2 * (1 - tan2a) + (1 + tan2a) ** 2)
+                expected += math.pi / 2 * (1 - (1 + tan2 - tan2a) / root) / 16 * 1000 * time
+            for found in rows[j][i]:
+                checks.check(abs(found - expected) < 4e-3 * expected,
+                             f"{found} lx s of white at pixel {i}, {j}, film {film}: {expected}")
+
+
+def check_errors(checks, program, folder):
+    """Twenty-four seeds of 4 rays a pixel, against 4096 rays."""
+    common = ["chart:checker", "--lens", "double-gauss-50", "-s", "1m", "--defocus", "0.5", "-t",
+              "0.01", "--size", "24x16", "-w", "d"]
+    best = take(program, checks, folder, *common, "--samples", "4096", "--seed", "99")
+    runs = [take(program, checks, folder, *common, "--samples", "4", "--seed", str(seed))
+            for seed in range(1, 25)]
+    if best is None or None in runs:
+        return
+    within = count = biased = pixels = 0
+    for j, row in enumerate(best):
+        for i, pixel in enumerate(row):
+            values = [run[j][i][1] for run in runs]
+            mean = sum(values) / len(values)
+            variance = sum((v - mean) ** 2 for v in values) / (len(values) - 1)
+            if variance == 0:
+                continue
+            biased, pixels = biased + (mean - pixel[1]) / math.sqrt(variance / len(values)), pixels + 1
+            within += sum(abs(v - pixel[1]) < 1.959964 * math.sqrt(variance) for v in values)
+            count += len(values)
+    share = within / count
+    checks.check(0.93 < share < 0.97, f"{share} of the values lie within 1.96 sigma")
+    checks.check(abs(biased) / math.sqrt(pixels) < 4, f"bias of {biased / math.sqrt(pixels)} sigma")
+
+
+def main():
+    program, checks = Program(sys.argv[1]), Checks()
+    with tempfile.TemporaryDirectory(prefix="lenscalc-rendered-") as folder:
+        check_places(checks, program, folder)
+        check_exchange(checks, program, folder)
+        check_furnace(checks, program, folder)
+        check_errors(checks, program, folder)
+    return checks.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
