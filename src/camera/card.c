@@ -28,7 +28,7 @@ static double from_multiple(double x)
 /* A star in every square, far enough from its sides to be whole. */
 static double star_light(double x, double y)
 {
-    static const double squares = 24, radius = 24.0 / 800;
+    static const double squares = 24, radius = 24.0 / 400;
     const double column = floor(squares * x), row = floor(squares * y);
     const uint64_t which =
         (uint64_t)((int64_t)column + 4096) << 32 | (uint32_t)((int64_t)row + 4096);

@@ -18,7 +18,7 @@
  *          cycles over the width
  * wedge    21 fields of grey from left to right, each half a stop darker than the one before
  * points   white discs of 1/200 of the width on black, 1/12 of it apart
- * stars    a disc of 1/400 of the width somewhere in each square of 1/24 of it, on black, of some
+ * stars    a disc of 1/200 of the width somewhere in each square of 1/24 of it, on black, of some
  *          magnitude from 0, white, to 5, 1/100 of it, the faint ones more often
  */
 enum chart {
