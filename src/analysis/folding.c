@@ -4,23 +4,25 @@
 
 #include <math.h>
 
-enum { ARMS = 128, RINGS = 12 };
+/* Arms and rings. */
+static const size_t grids[][2] = {[FOLDING_COARSE] = {32, 3}, [FOLDING_FINE] = {128, 12}};
 
 /* Of the size of the beam: differences keep about nine digits. */
 static const double STEP = 1e-6;
 
-const double (*folding_places(const struct clear_pupil *clear, struct arena *arena,
-                              size_t *count))[2]
+const double (*folding_places(const struct clear_pupil *clear, enum folding_grid grid,
+                              struct arena *arena, size_t *count))[2]
 {
-    const size_t arms = clear->arm_count < ARMS ? clear->arm_count : ARMS;
+    const size_t arms = clear->arm_count < grids[grid][0] ? clear->arm_count : grids[grid][0];
+    const size_t rings = grids[grid][1];
     const double size = fmax(clear->high[0] - clear->low[0], clear->high[1] - clear->low[1]);
-    *count = 3 * arms * RINGS;
+    *count = 3 * arms * rings;
     double(*at)[2] = arena_array(arena, *count, sizeof *at), (*next)[2] = at;
     for (size_t i = 0; i < arms; i++) {
         const double *edge = clear->arms[i * clear->arm_count / arms].edge.at, *c = clear->centre;
-        for (size_t ring = 0; ring < RINGS; ring++, next += 3) {
+        for (size_t ring = 0; ring < rings; ring++, next += 3) {
             /* the last one at the edge, where folds begin */
-            double share = (double)(ring + 1) / RINGS;
+            double share = (double)(ring + 1) / (double)rings;
             for (int k = 0; k < 2; k++) {
                 next[0][k] = next[1][k] = next[2][k] = c[k] + share * (edge[k] - c[k]);
             }
@@ -39,6 +41,7 @@ void folding_add(struct folding *folding, const double (*points)[2], size_t coun
                      (right[1] - here[1]) * (upper[0] - here[0]);
         folding->least = fmin(folding->least, det);
         folding->most = fmax(folding->most, det);
+        folding->inverse = fmax(folding->inverse, isnan(det) ? (double)INFINITY : 1 / fabs(det));
     }
 }
 
@@ -46,4 +49,10 @@ bool folding_seen(const struct folding *folding)
 {
     const double least = -folding->least, most = folding->most;
     return fmin(least, most) > 1e-6 * fmax(least, most);
+}
+
+bool folding_ruled_out(const struct folding *folding)
+{
+    const double most = fmax(-folding->least, folding->most);
+    return !folding_seen(folding) && most * folding->inverse < 2;
 }

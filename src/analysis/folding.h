@@ -14,12 +14,16 @@
  *
  * Result    `count` places in the beam, mm, a multiple of three
  */
-const double (*folding_places(const struct clear_pupil *clear, struct arena *arena,
-                              size_t *count))[2];
+enum folding_grid { FOLDING_COARSE, FOLDING_FINE };
+const double (*folding_places(const struct clear_pupil *clear, enum folding_grid grid,
+                              struct arena *arena, size_t *count))[2];
 
-/* The least and the largest Jacobian d(plane)/d(beam) that were seen, at least 0 and at most. */
+/*
+ * The least and the largest Jacobian d(plane)/d(beam) that were seen, at least 0 and at most; the
+ * largest inverse of one, infinite if a ray was lost.
+ */
 struct folding {
-    double least, most;
+    double least, most, inverse;
 };
 
 /*
@@ -29,10 +33,13 @@ struct folding {
  *                   NaN: they do not
  *           folding begins as { 0 }
  * Formula   the sign of the Jacobian, by differences, is not the same everywhere
- * Limits    a fold between two of the 128 arms or of the 12 rings, and one that changes nothing
- *           but less than 1e-6 of the largest Jacobian, goes unseen
+ * Limits    of the fine grid: a fold between two of the 128 arms or of the 12 rings, and one that
+ *           changes nothing but less than 1e-6 of the largest Jacobian, goes unseen
  */
 void folding_add(struct folding *folding, const double (*points)[2], size_t count);
 bool folding_seen(const struct folding *folding);
+
+/* Are Jacobians so much alike, within a factor of 2, that a coarse grid is enough? */
+bool folding_ruled_out(const struct folding *folding);
 
 #endif

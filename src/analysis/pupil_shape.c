@@ -206,6 +206,9 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
 {
     enum { POINTS = 8 };
     double x[POINTS], w[POINTS], sum = 0;
+    if (isinf(beam->distance)) {
+        return weight(beam, clear->centre, what, z) * clear->area; /* alike everywhere */
+    }
     gauss_rule(POINTS, x, w);
     for (size_t i = 0; i < clear->arm_count; i++) {
         const double *edge = clear->arms[i].edge.at, *c = clear->centre;
@@ -230,7 +233,7 @@ static struct ray *trace_places(const struct pupil_question *question, const dou
 {
     const struct system *system = question->open;
     struct rays rays = rays_new(arena, count);
-    struct ray *out = ARENA_ARRAY(arena, count, struct ray);
+    struct ray *out = arena_buffer(arena, count * sizeof *out);
     double n = to == 0 ? question->beam->n : system_index_after(system, to - 1);
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
@@ -301,15 +304,18 @@ static void end_fold(const struct fold *fold)
     }
 }
 
-/* The side that the bundle leaves on. Rays a few at a time: all at once are half a megabyte. */
-static void check_folds(const struct pupil_question *question, const struct clear_pupil *clear,
-                        double light_direction, struct arena *arena, struct pupil_side *side)
+enum { PLANES = 2 };
+
+/* Rays a few at a time: all at once are half a megabyte. */
+static void look_for_folds(const struct pupil_question *question, const struct clear_pupil *clear,
+                           enum folding_grid grid, double light_direction, struct arena *arena,
+                           struct fold folds[PLANES])
 {
-    enum { PLANES = 2, AT_ONCE = 3 * RAYS_BLOCK };
+    enum { AT_ONCE = 3 * RAYS_BLOCK };
     size_t count;
-    const double(*at)[2] = folding_places(clear, arena, &count);
-    struct fold folds[PLANES] = {{.extent = &side->pupil}, {.extent = &side->vertex}};
+    const double(*at)[2] = folding_places(clear, grid, arena, &count);
     for (size_t i = 0; i < PLANES; i++) {
+        folds[i].folding = (struct folding){0, 0, 0};
         for (int k = 0; k < 2; k++) {
             folds[i].low[k] = INFINITY;
             folds[i].high[k] = -INFINITY;
@@ -327,6 +333,23 @@ static void check_folds(const struct pupil_question *question, const struct clea
         }
         arena_reset(arena, mark);
     }
+}
+
+/* The side that the bundle leaves on. */
+static void check_folds(const struct pupil_question *question, const struct clear_pupil *clear,
+                        double light_direction, struct arena *arena, struct pupil_side *side)
+{
+    struct fold folds[PLANES] = {{.extent = &side->pupil}, {.extent = &side->vertex}};
+    bool ruled_out = true;
+    look_for_folds(question, clear, FOLDING_COARSE, light_direction, arena, folds);
+    for (size_t i = 0; i < PLANES; i++) {
+        ruled_out =
+            ruled_out && (folds[i].extent->outline == NULL || folding_ruled_out(&folds[i].folding));
+    }
+    if (ruled_out) {
+        return;
+    }
+    look_for_folds(question, clear, FOLDING_FINE, light_direction, arena, folds);
     for (size_t i = 0; i < PLANES; i++) {
         if (folds[i].extent->outline != NULL) {
             end_fold(&folds[i]);

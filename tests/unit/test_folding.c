@@ -12,7 +12,7 @@ static const double pi = PI;
 
 static bool seen_in(const double (*points)[2], size_t count)
 {
-    struct folding folding = {0, 0};
+    struct folding folding = {0, 0, 0};
     folding_add(&folding, points, count);
     return folding_seen(&folding);
 }
@@ -32,14 +32,24 @@ static bool folds(double centre, double radius, double bend, double mirror)
         arms[i].edge.at[0] = radius * cos(angle);
         arms[i].edge.at[1] = centre + radius * sin(angle);
     }
-    size_t count;
-    const double(*at)[2] = folding_places(&clear, &arena, &count);
-    double(*points)[2] = arena_array(&arena, count, sizeof *points);
-    for (size_t i = 0; i < count; i++) {
-        points[i][0] = mirror * at[i][0];
-        points[i][1] = at[i][1] + bend * at[i][1] * at[i][1];
+    bool seen = false;
+    for (enum folding_grid grid = FOLDING_COARSE; grid <= FOLDING_FINE; grid++) {
+        struct folding folding = {0, 0, 0};
+        size_t count;
+        const double(*at)[2] = folding_places(&clear, grid, &arena, &count);
+        double(*points)[2] = arena_array(&arena, count, sizeof *points);
+        for (size_t i = 0; i < count; i++) {
+            points[i][0] = mirror * at[i][0];
+            points[i][1] = at[i][1] + bend * at[i][1] * at[i][1];
+        }
+        folding_add(&folding, (const double(*)[2])points, count);
+        seen = folding_seen(&folding);
+        /* the Jacobian at both ends of the disc */
+        const double low = 1 + 2 * bend * (centre - radius),
+                     high = 1 + 2 * bend * (centre + radius);
+        const double ratio = fmin(low, high) / fmax(low, high);
+        CHECK(folding_ruled_out(&folding) == (ratio > 0.5 && ratio < 2));
     }
-    bool seen = seen_in((const double(*)[2])points, count);
     arena_free(&arena);
     return seen;
 }
@@ -49,6 +59,7 @@ static void test_parabola(void)
 {
     CHECK(!folds(0, 10, 0, 1));
     CHECK(!folds(0, 10, 0, -1));     /* turned over as a whole: no fold */
+    CHECK(!folds(0, 10, 0.01, 1));   /* as good as none: from 0.8 to 1.2 */
     CHECK(!folds(0, 10, 0.0499, 1)); /* at y = -10.02 */
     CHECK(folds(0, 10, 0.0501, 1));  /* -9.98 */
     CHECK(folds(0, 10, 0.0501, -1));
@@ -66,6 +77,9 @@ static void test_lost(void)
     CHECK(!seen_in(points, 6));
     CHECK(seen_in(turned, 6));
     CHECK(!seen_in(points, 0));
+    struct folding folding = {0, 0, 0};
+    folding_add(&folding, points, 6);
+    CHECK(!folding_ruled_out(&folding));
 }
 
 int main(void)
