@@ -105,19 +105,6 @@ static bool open_seeking(const struct spot_question *question, struct arena *are
     return set_origin(seeking, arena, error);
 }
 
-/* The last mark and the one before it on its arm, if both arrive; `inner` has one an arm. */
-static void link_arm(const struct bundle *bundle, size_t i, bool arrives, size_t *inner,
-                     struct marks *marks)
-{
-    const size_t arm = i % bundle->arms, last = marks->count - 1;
-    const bool begins = i / bundle->arms % bundle->rings == 0;
-    if (arrives && !begins && inner[arm] != QUANTILE_ALONE) {
-        marks->list[last].beside[0] = inner[arm];
-        marks->list[inner[arm]].beside[1] = last;
-    }
-    inner[arm] = arrives ? last : QUANTILE_ALONE;
-}
-
 static void make_room(struct marks *marks, size_t more, struct arena *arena)
 {
     struct quantile_mark *list = ARENA_ARRAY(arena, marks->count + more, struct quantile_mark);
@@ -143,20 +130,15 @@ static bool add_marks(const struct seeking *seeking, size_t wavelength, size_t r
     double n = system_index_after(source->system, seeking->plane.to - 1);
     make_room(marks, bundle.count, arena);
     marks->has_arms = bundle.arms > 0;
-    size_t *inner = ARENA_ARRAY(arena, bundle.arms, size_t);
+    const struct quantile_arms arms = quantile_arms_open(bundle.arms, bundle.rings, arena);
     for (size_t i = 0; i < bundle.count; i++) {
         const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
         const bool arrives = ray_block_status(block, i % RAYS_BLOCK) == RAY_OK;
         if (arrives) {
             spot_place(&seeking->plane, block, i % RAYS_BLOCK, n, marks->at[marks->count]);
-            marks->list[marks->count++] = (struct quantile_mark){
-                .weight = weight * bundle.points[i].weight,
-                .beside = {QUANTILE_ALONE, QUANTILE_ALONE},
-            };
+            marks->list[marks->count].weight = weight * bundle.points[i].weight;
         }
-        if (bundle.arms > 0) {
-            link_arm(&bundle, i, arrives, inner, marks);
-        }
+        quantile_arms_add(&arms, i, marks->list, arrives ? marks->count++ : QUANTILE_ALONE);
     }
     marks->rays = bundle.count > marks->rays ? bundle.count : marks->rays;
     marks->clear += weight * bundle.clear;
