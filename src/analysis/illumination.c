@@ -62,23 +62,27 @@ static void each_point(struct bundle_part *part, size_t rays, struct arena *aren
 /* -------- rays of a point of the film: its own side -------- */
 
 struct film_sum {
-    const struct beam *beam;
+    const struct illumination_question *question;
+    struct arena *arena;
     double sum;
 };
 
 static void add_film(void *context, const double at[2], double weight)
 {
     struct film_sum *film = context;
-    const struct beam *beam = film->beam;
+    const struct illumination_question *question = film->question;
+    const struct beam *beam = question->beam;
     const double d = fabs(beam->distance), rho = sqrt(d * d + at[0] * at[0] + at[1] * at[1]);
     const struct ray ray = beam_ray(beam, at[0], at[1]);
-    film->sum += weight * d / (rho * rho * rho) * fabs(ray.cosine[2]);
+    const double share =
+        question->pass != NULL ? question->pass(question->open, &ray, film->arena) : 1;
+    film->sum += weight * d / (rho * rho * rho) * fabs(ray.cosine[2]) * share;
 }
 
 static double sum_film(const struct illumination_question *question, struct bundle_part *part,
                        size_t rays, struct arena *arena)
 {
-    struct film_sum film = {.beam = question->beam};
+    struct film_sum film = {.question = question, .arena = arena};
     const double n = question->open->index_first / question->open->index_last;
     each_point(part, rays, arena, add_film, &film);
     return n * n * film.sum;
