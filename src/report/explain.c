@@ -95,15 +95,18 @@ static bool is_wanted(const struct report *report, struct text name, const void 
     return false;
 }
 
-/* Is it the formula of this row? `only` is "projection=rectilinear", or nothing: of every row. */
+/* Is it the formula of this row? `only` is a condition as struct explanation has it. */
 static bool applies(const struct report *report, struct text only, const void *row)
 {
     if (only.start == NULL) {
         return true;
     }
-    const struct column *column = by_name(report->sheet, text_cut(&only, '='));
+    const struct text absent = text_behind(only, "!");
+    struct text word = absent.start != NULL ? absent : only;
+    const struct column *column = by_name(report->sheet, text_cut(&word, '='));
     const char *said = *(const char *const *)((const char *)row + column->offset);
-    return said != NULL && text_equal(only, said);
+    return absent.start != NULL ? said == NULL
+                                : said != NULL && (word.start == NULL || text_equal(word, said));
 }
 
 static const char *explain_one(const struct report *report, const struct explanation *explanation,

@@ -74,8 +74,9 @@ struct sheet {
 
 /* How a value was computed, for --explain. {symbol} stands for a column's symbol and value. */
 struct explanation {
-    const char *column;  /* the column it explains, without unit; "horizontal projection=equisolid"
-                            is for rows that say that there */
+    /* The column it explains, without unit; "horizontal projection=equisolid" is for rows that say
+       that there, "near film" for rows that have a film, "near !film" for those that have none. */
+    const char *column;
     const char *formula; /* "{H} = {f}^2/({N} {c}) + {f}" */
     const char *source;  /* [Key] equation or page; keys are in lenscalc.7 */
     const char *limits;  /* where it stops being true; null = nowhere */
