@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "photo/given.h"
+#include "photo/stops.h"
 
 static const double log2_of_100 = 6.6438561897747246957;
 static const double log2_of_3_125 = 1.6438561897747246957; /* ISO 3.125 is Sv 0 */
@@ -43,7 +44,7 @@ static bool check_ranges(const struct exposure_given *g, struct error *error)
                           ev_limit, error) &&
            require_within("exposure value at the ISO speed", "", or_else(g->ev, 0), -ev_limit,
                           ev_limit, error) &&
-           require_within("loss of light", " stops", g->loss, 0, 200, error) &&
+           require_within("loss of light", " stops", g->loss, LOSS_LEAST, 200, error) &&
            require_within("exposure compensation", " stops", g->compensation, -ev_limit, ev_limit,
                           error);
 }

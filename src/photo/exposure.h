@@ -12,15 +12,16 @@
 
 /* One photographic situation; NaN is "not given". At most one of the four lights is given. */
 struct exposure_given {
-    double N;            /* f-number, > 0 */
-    double t;            /* exposure time, s, > 0 */
-    double S;            /* ISO arithmetic speed, > 0 */
-    double ev100;        /* light as exposure value at ISO 100, -100..100 */
-    double ev;           /* light as exposure value at the speed S, -100..100 */
-    double L;            /* scene luminance, cd/m^2, > 0 */
-    double E;            /* illuminance on the subject, lx, > 0 */
-    double K, C;         /* meter constants, > 0; NaN: EXPOSURE_K, EXPOSURE_C */
-    double loss;         /* stops lost between scene and film, 0..200; NaN: 0 (see photo/stops.h) */
+    double N;     /* f-number, > 0 */
+    double t;     /* exposure time, s, > 0 */
+    double S;     /* ISO arithmetic speed, > 0 */
+    double ev100; /* light as exposure value at ISO 100, -100..100 */
+    double ev;    /* light as exposure value at the speed S, -100..100 */
+    double L;     /* scene luminance, cd/m^2, > 0 */
+    double E;     /* illuminance on the subject, lx, > 0 */
+    double K, C;  /* meter constants, > 0; NaN: EXPOSURE_K, EXPOSURE_C */
+    double
+        loss; /* stops lost between scene and film, LOSS_LEAST..200; NaN: 0 (see photo/stops.h) */
     double compensation; /* stops to expose more (+) or less (-) than metered; NaN: 0 */
 };
 

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "photo/given.h"
+#include "photo/stops.h"
 
 static const double quarter_pi = 0.78539816339744830962;
 
@@ -18,7 +19,7 @@ static bool check_fraction(const char *name, double value, struct error *error)
 
 bool lens_q(double T, double v, double theta, double *q, struct error *error)
 {
-    if (!check_fraction("transmittance", T, error) || !check_fraction("vignetting", v, error)) {
+    if (!check_transmittance(T, error) || !check_fraction("vignetting", v, error)) {
         return false;
     }
     if (!(theta >= 0 && theta < 2 * quarter_pi)) {
@@ -33,13 +34,14 @@ bool lens_q(double T, double v, double theta, double *q, struct error *error)
 bool focal_plane_exposure(const struct focal_plane_light *light, double *H, struct error *error)
 {
     double q = light->q, N = light->N;
-    if (!(q > 0 && q <= quarter_pi)) {
-        return fail(error, ERROR_DOMAIN, "q %.10g must lie above 0 and up to pi/4", q);
+    if (!(q > 0 && q <= quarter_pi * TRANSMITTANCE_MOST)) {
+        return fail(error, ERROR_DOMAIN, "q %.10g must lie above 0 and up to %.4g", q,
+                    quarter_pi * TRANSMITTANCE_MOST);
     }
     if (!require_positive("luminance", " cd/m^2", light->L, error) ||
         !require_positive("f-number", "", N, error) ||
         !require_positive("exposure time", " s", light->t, error) ||
-        !require_within("loss of light", " stops", light->loss, 0, 200, error)) {
+        !require_within("loss of light", " stops", light->loss, LOSS_LEAST, 200, error)) {
         return false;
     }
     *H = q * light->L * light->t / (N * N) * exp2(-light->loss);

@@ -27,7 +27,8 @@ struct focal_plane_light {
     double q;    /* above 0 and up to pi/4 */
     double L;    /* scene luminance, cd/m^2, > 0 */
     double N, t; /* f-number; exposure time, s; both > 0 */
-    double loss; /* further stops lost (filters, extension; not what q holds already), >= 0 */
+    double
+        loss; /* further stops lost (filters, extension; not what q holds already), >= LOSS_LEAST */
 };
 
 /*

@@ -40,11 +40,11 @@ double transmittance_from_stops(double stops)
     return exp2(-stops);
 }
 
-static bool check_transmittance(double transmittance, struct error *error)
+bool check_transmittance(double transmittance, struct error *error)
 {
-    if (!(transmittance > 0 && transmittance <= 1)) {
-        return fail(error, ERROR_DOMAIN, "{transmittance} %.10g must lie above 0 and up to 1",
-                    transmittance);
+    if (!(transmittance > 0 && transmittance <= TRANSMITTANCE_MOST)) {
+        return fail(error, ERROR_DOMAIN, "{transmittance} %.10g must lie above 0 and up to %g",
+                    transmittance, TRANSMITTANCE_MOST);
     }
     return true;
 }

@@ -22,14 +22,21 @@ double factor_from_stops(double stops);
 double stops_from_transmittance(double transmittance);
 double transmittance_from_stops(double stops);
 
+/* Glass passes 1 at most; real rays may bring a little more than the f-number says they do. */
+#define TRANSMITTANCE_MOST 1.25
+#define LOSS_LEAST         (-0.322) /* stops: that one */
+
+/* Refuse one outside of 0 to TRANSMITTANCE_MOST, 0 too. */
+bool check_transmittance(double transmittance, struct error *error);
+
 /*
  * T-stop of a lens, and its transmittance from both markings.
  *
- * Given     N f-number > 0, transmittance above 0 and up to 1; T T-stop >= N
+ * Given     N f-number > 0, transmittance above 0 and up to TRANSMITTANCE_MOST; T T-stop >= N
  * Result    T-stop (pure number); transmittance
  * Formula   T = N/sqrt(transmittance)
  * Source    ISO 517; Wikipedia "F-number", T-stop: f/2.0 at 75 % is T 2.309
- * Errors    T below N: more light than enters; a transmittance outside 0..1
+ * Errors    T below N: more light than enters; a transmittance outside that
  */
 bool t_stop(double N, double transmittance, double *T, struct error *error);
 bool transmittance_from_t_stop(double N, double T, double *transmittance, struct error *error);
@@ -52,7 +59,7 @@ struct light_loss {
     double density;       /* ND filter as density, >= 0 */
     double factor;        /* filter factor, >= 1; factors of several filters multiplied */
     double stops;         /* loss in stops, >= 0 */
-    double transmittance; /* of the lens, above 0 and up to 1 */
+    double transmittance; /* of the lens, above 0 and up to TRANSMITTANCE_MOST */
     double m, P;          /* magnification >= 0 and pupil magnification > 0 (NaN: 1) */
 };
 

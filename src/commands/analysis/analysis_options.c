@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/analysis_options.h"
 
+#include "commands/analysis/analysis_words.h"
 #include "trace/sample.h"
 
 #include <string.h>
@@ -60,18 +61,6 @@ static bool field_asked(const struct analysis_question *question, struct setup_f
     return is_given(question->field, question->field_x);
 }
 
-/* "587.6 x 1, 486.1 x 0.5"; null for one wavelength. */
-static const char *spectrum_words(const struct setup *setup)
-{
-    const char *words = NULL;
-    for (size_t i = 0; i < setup->wavelength_count && setup->wavelength_count > 1; i++) {
-        words = arena_printf(setup->arena, "%s%s%.7g nm x %.6g", words != NULL ? words : "",
-                             words != NULL ? ", " : "", 1000 * setup->wavelengths[i].wavelength,
-                             setup->wavelengths[i].weight);
-    }
-    return words;
-}
-
 static bool place(const struct analysis_question *question, const struct analysis_policy *policy,
                   struct setup *setup, struct error *error)
 {
@@ -128,7 +117,7 @@ static bool visit_position(const struct analysis_question *question,
                                   .setup = setup,
                                   .clip = !question->no_clip,
                                   .warning = warning_of(question, setup),
-                                  .spectrum = spectrum_words(setup)};
+                                  .spectrum = analysis_spectrum_words(setup)};
     return true;
 }
 

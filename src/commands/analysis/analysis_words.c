@@ -30,3 +30,14 @@ const char *analysis_case_words(const struct analysis_case *one, bool whole, str
                   : arena_printf(arena, "%s; image plane %s, %.6g mm from the last vertex", words,
                                  setup->focus != NULL ? setup->focus : "none", setup->image);
 }
+
+const char *analysis_spectrum_words(const struct setup *setup)
+{
+    const char *words = NULL;
+    for (size_t i = 0; i < setup->wavelength_count && setup->wavelength_count > 1; i++) {
+        words = arena_printf(setup->arena, "%s%s%.7g nm x %.6g", words != NULL ? words : "",
+                             words != NULL ? ", " : "", 1000 * setup->wavelengths[i].wavelength,
+                             setup->wavelengths[i].weight);
+    }
+    return words;
+}

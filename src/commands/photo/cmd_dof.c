@@ -51,12 +51,16 @@ static const struct option options[] = {
                    "anamorphic squeeze: adds what it does across the picture"),
     OPTION_T_NUMBER(struct dof_question, t_stop,
                     "T-stop of the lens, for exposure; -N gives the depth of field"),
+    BY_RAYS_EXACT_OPTION(struct dof_question, rays,
+                         "limits by the rays of --lens, aberrations included"),
+    BY_RAYS_CRITERION_OPTION(struct dof_question, rays),
 };
 
 struct row {
     struct dof_setting setting; /* of lens and attachments together */
     struct dof dof;
     struct photo_real real;
+    struct by_rays_row rays;
     double focal, fnumber, distance;
     struct attachments attached;
     const char *lens_focus;
@@ -136,6 +140,7 @@ static const struct column columns[] = {
     {COLUMN(struct row, working_t_stop), .name = "working_t_stop", .flags = COLUMN_EXTRA,
      .with = "t-stop lens", .symbol = "Tw", .label = "working T-stop",
      .help = "T-stop that exposes: as the working f-number, with the lens's own loss"},
+    BY_RAYS_COLUMNS(struct row, rays),
     {COLUMN_LENGTH(across.focal, "mm"), .name = "horizontal_focal", .flags = COLUMN_EXTRA,
      .with = "squeeze", .symbol = "fh", .label = "horizontal focal length",
      .help = "focal length across the picture, by the squeeze"},
@@ -227,7 +232,9 @@ static bool fill_row(const struct dof_question *input, const struct attached_len
     row->sensor_near = row->dof.near + to_sensor;
     row->sensor_far = row->dof.far + to_sensor;
     if (input->lens.from != FROM_PRINCIPAL) {
-        double offset = distance_offset(&row->setting, &lens->measuring);
+        double offset = input->lens.from == FROM_SENSOR
+                            ? to_sensor
+                            : distance_offset(&row->setting, &lens->measuring);
         row->distance += offset;
         row->dof.near += offset;
         row->dof.far += offset;
@@ -237,7 +244,7 @@ static bool fill_row(const struct dof_question *input, const struct attached_len
     row->sensor = input->sharp.sensor.name;
     row->criterion = input->sharp.coc.criterion;
     row->wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp));
-    row->model = dof_models[input->model].word;
+    row->model = input->rays.exact ? "rays" : dof_models[input->model].word;
     row->from = distances_from[input->lens.from].word;
     return fill_more(input, attached, row, error);
 }
@@ -259,6 +266,17 @@ static bool fill_other(const struct dof_question *input, struct row *row, struct
     row->other_fnumber = other.N;
     row->other_coc = other.c;
     return true;
+}
+
+static bool answer_by_rays(const struct dof_question *input, const struct attached_lens *attached,
+                           struct run *run, struct row *row, struct error *error)
+{
+    struct dof_traced traced = {row->setting, row->dof, by_rays_none};
+    const bool found = dof_question_by_rays(input, attached, run, &traced, error);
+    row->setting = traced.setting;
+    row->dof = traced.dof;
+    row->rays = traced.rays;
+    return found;
 }
 
 /* Near and far of a stack, from wherever they are measured. */
@@ -293,6 +311,7 @@ static bool run_stack(const struct dof_question *input, const struct attached_le
         !dof_plan_make(setting, near, far, input->overlap, &plan, error)) {
         return false;
     }
+    row.rays = by_rays_none;
     for (long i = 0; i < plan.count; i++) {
         if (!dof_plan_shot(&plan, i, &row.setting, &row.dof, error) ||
             !attached_check_reach(attached, row.setting.s, error) ||
@@ -345,15 +364,17 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     if (sharpness_in_pixels(&input->sharp)) {
         sharpness_doubt_pitch(&input->sharp, run->doubts);
     }
-    if (input->stack) {
+    if (input->stack && !input->rays.exact) {
         return run_stack(input, &attached, setting, run, error);
     }
+    row.rays = by_rays_none;
     bool solves_coc = wants_coc(input, setting);
     if (solves_coc) {
         setting->c = NAN;
     }
     if (!dof_question_solve(input, &attached, setting, error) ||
         !dof_compute(setting, (enum dof_model)input->model, &row.dof, error) ||
+        (input->rays.exact && !answer_by_rays(input, &attached, run, &row, error)) ||
         !fill_row(input, &attached, &row, error)) {
         return false;
     }
@@ -386,23 +407,34 @@ PHOTO_LENS_VARIES(struct dof_question, lens)
 static const struct explanation explanations[] = {
     {"coc", "c = {criterion}", "criterion of sharpness, see --coc",
      "what counts as sharp is a convention"},
-    {"hyperfocal", "H = {f}^2/({N} {c}) + {f}", "[Ray02]; thin lens, exact",
+    {"hyperfocal !blur_rule", "H = {f}^2/({N} {c}) + {f}", "[Ray02]; thin lens, exact",
      "without + f it is low by exactly f"},
     {"magnification", "m = {f}/({s} - {f})", "thin lens 1/f = 1/s + 1/v", NULL},
-    {"near", "n = {f} (1 - 1/{P}) + {f} (1 + {m}/{P})/({m} + {N} {c}/{f})",
+    {"near !blur_rule", "n = {f} (1 - 1/{P}) + {f} (1 + {m}/{P})/({m} + {N} {c}/{f})",
      "[Ray02], with pupil magnification; from the front principal plane", NULL},
-    {"far", "r = {f} (1 - 1/{P}) + {f} (1 + {m}/{P})/({m} - {N} {c}/{f})",
+    {"far !blur_rule", "r = {f} (1 - 1/{P}) + {f} (1 + {m}/{P})/({m} - {N} {c}/{f})",
      "[Ray02], with pupil magnification; infinite where the denominator is not positive",
      "ill-conditioned near the hyperfocal distance"},
-    {"dof", "T = {front} + {behind}",
+    {"dof !blur_rule", "T = {front} + {behind}",
      "front = X e/(1 + e), behind = X e/(1 - e), X = f (1/m + 1/P), "
      "e = N c/(m f)",
      NULL},
     {"distance_sensor", "Ds = {s} + {v} + {HH'}",
      "[Gauss41] HH' from the front to the rear principal plane",
      "near and far limit likewise: the sensor stays where it is"},
-    {"depth_of_focus", "t = 2 {N} {c} (1 + {m}/{P})", "[Ray02]", NULL},
-    {"blur_at_infinity", "b = {f} {m}/{N}", "similar triangles at the exit pupil", NULL},
+    {"depth_of_focus !blur_rule", "t = 2 {N} {c} (1 + {m}/{P})", "[Ray02]", NULL},
+    {"blur_at_infinity !blur_rule", "b = {f} {m}/{N}", "similar triangles at the exit pupil", NULL},
+    {"hyperfocal blur_rule",
+     "H = distance whose sharpest image lies on the film where infinity blurs c", "exact rays",
+     "its blur is measured as blur_rule says"},
+    {"near blur_rule", "n = distance where the blur on the film of {s} grows to {c}", "exact rays",
+     NULL},
+    {"far blur_rule", "r = distance where the blur on the film of {s} grows to {c}", "exact rays",
+     "infinite where infinity is no more blurred"},
+    {"dof blur_rule", "T = {front} + {behind}", "by the limits", NULL},
+    {"depth_of_focus blur_rule", "t = way between the films on which {s} blurs {c}", "exact rays",
+     NULL},
+    {"blur_at_infinity blur_rule", "b = blur on the film of {s}", "exact rays", NULL},
     {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Ray02]", NULL},
     {"working_t_stop", "Tw = {T} {Nw}/N", "[IsoAperture08], with N as marked",
      "light only: what is sharp goes by the f-number"},
@@ -414,9 +446,16 @@ static const struct explanation explanations[] = {
     {NULL, NULL, NULL, NULL},
 };
 
+static bool check_scale(const struct artifact_job *job, struct error *error)
+{
+    const struct dof_question *input = job->inputs[0];
+    return !input->rays.exact ||
+           fail(error, ERROR_USAGE, "{--scale} draws what formulas say: it excludes {--exact}");
+}
+
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("scale", drawing_types, "draw the depth-of-field scale of the lens barrel"),
-     .scope = ARTIFACT_OF_ROW, .make = dof_draw_scale},
+     .scope = ARTIFACT_OF_ROW, .check = check_scale, .make = dof_draw_scale},
 };
 
 static const struct example examples[] = {

@@ -1,7 +1,10 @@
 /* commands/photo/cmd_exposure.c - lenscalc exposure: aperture, time, speed and light. */
 /* SPDX-License-Identifier: MIT */
+#include "analysis/real_light.h"
+#include "commands/photo/by_rays.h"
 #include "commands/photo/exposure_answer.h"
 #include "commands/photo/light_options.h"
+#include "commands/photo/sharpness.h"
 
 #include "base/constants.h"
 #include "report/spoken.h"
@@ -77,6 +80,10 @@ static const struct option options[] = {
     {OPTION(struct exposure_input, given.C), .name = "meter-c", .quantity = "meter constant C",
      .column = "meter_c", .dimension = &dimension_number, POSITIVE, .fallback = "250", .value = "C",
      .help = "constant of the incident-light meter: 250 flat, 340 with a dome"},
+    BY_RAYS_EXACT_OPTION(struct exposure_input, rays,
+                         "T-stop of --lens by its rays, in place of the f-number"),
+    {OPTION(struct exposure_input, fresnel), .name = "fresnel", .wants = "exact",
+     .help = "with what its uncoated faces reflect"},
     LAMP_OPTIONS(struct exposure_input, lamps),
     OPTION_SERIES(struct exposure_input, series),
     {OPTION(struct exposure_input, equivalent), .name = "equivalent",
@@ -189,6 +196,51 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(struct exposure_row, real),
 };
 
+/*
+ * The T-stop of the real lens as the transmittance that gives it: of its f-number and extension,
+ * which count too, whatever the rays make of these.
+ */
+static bool light_by_rays(const struct photo_lens *lens, struct run *run,
+                          struct exposure_input *own, struct error *error)
+{
+    const double m = own->magnification, near = isnan(m) ? 0 : m;
+    const double distance = near > 0 ? lens->f * (1 + 1 / near) : INFINITY;
+    const double object = isinf(distance) ? distance : distance - lens->measuring.front;
+    struct real_focus focus;
+    struct real_point point;
+    struct real_light light;
+    struct by_rays_row row;
+    if (!isnan(own->t_stop) || !isnan(own->transmittance)) {
+        return fail(error, ERROR_USAGE, "{--exact} finds the T-stop: it excludes {--%s}",
+                    !isnan(own->t_stop) ? "t-stop" : "transmittance");
+    }
+    const struct by_rays_question question = {&own->rays, &own->lens, lens, distance, 0};
+    if (!by_rays_open(&question, run, &focus, &row, error) ||
+        !real_focus_point(&focus, object, &point, error)) {
+        return false;
+    }
+    const struct real_light_question seen = {focus.asked, object, point.sharpest, own->fresnel};
+    if (!real_light_find(&seen, run->arena, &light, error)) {
+        return false;
+    }
+    const double working = diffracting_fnumber(lens->N, near, lens->P);
+    own->transmittance = working / light.t_stop * (working / light.t_stop);
+    return true;
+}
+
+/* What of the light the lens lets pass: by its rays, or as its source states it. */
+static bool take_lens_light(const struct photo_lens *lens, struct run *run,
+                            struct exposure_input *own, struct error *error)
+{
+    if (own->rays.exact) {
+        return light_by_rays(lens, run, own, error);
+    }
+    if (isnan(own->t_stop) && isnan(own->transmittance) && !isnan(lens->t_ratio)) {
+        own->transmittance = 1 / (lens->t_ratio * lens->t_ratio);
+    }
+    return true;
+}
+
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
                    struct error *error)
 {
@@ -196,10 +248,10 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     const struct exposure_input *input = &own;
     struct exposure_row row;
     own.given.N = lens->N;
-    own.lens.pupil = lens->P;
-    if (isnan(own.t_stop) && isnan(own.transmittance) && !isnan(lens->t_ratio)) {
-        own.transmittance = 1 / (lens->t_ratio * lens->t_ratio);
+    if (!take_lens_light(lens, run, &own, error)) {
+        return false;
     }
+    own.lens.pupil = lens->P;
     bool blank = lamps_asked(&input->lamps) && !exposure_is_asked(input);
     if (!(blank ? exposure_blank : exposure_answer)(input, &row, error)) {
         return false;

@@ -1,6 +1,7 @@
 /* commands/photo/cmd_focus.c - lenscalc focus: conjugates, attachments, exposure factor. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/attachments.h"
+#include "commands/photo/by_rays.h"
 #include "commands/photo/photo_lens.h"
 #include "photo/attach.h"
 #include "photo/conjugate.h"
@@ -16,6 +17,7 @@ struct input {
     struct attachments attached;
     double stacked, stacked_aperture, gap, converter_length;
     int order;
+    struct by_rays rays;
 };
 
 /* Indexed by the member `order`. */
@@ -77,10 +79,15 @@ static const struct option options[] = {
     {OPTION(struct input, order), .name = "order", .column = "order", .words = orders,
      .fallback = "tube-converter", .value = "ORDER",
      .help = "which of tube and converter is nearer to the lens"},
+    BY_RAYS_EXACT_OPTION(struct input, rays,
+                         "put the sensor where the rays of --lens are sharpest"),
+    BY_RAYS_CRITERION_OPTION(struct input, rays),
 };
 
 struct row {
     struct photo_real real;
+    struct by_rays_row rays;
+    double shift; /* of the sharpest image, mm; NaN: no rays were asked */
     const char *lens_focus, *order, *from;
     struct conjugates c; /* of lens and attachments together */
     double focal, distance, fnumber, pupil, stacked;
@@ -137,6 +144,10 @@ static const struct column columns[] = {
     {LENGTH(pupil_distance, "m"), .name = "pupil_distance",
      .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .symbol = "X", .label = "subject to entrance pupil",
      .help = "distance of the subject from the centre of perspective"},
+    {LENGTH(shift, "mm"), .name = "focus_shift", .with = "exact", .flags = COLUMN_EXTRA,
+     .label = "focus shift",
+     .help = "of the sharpest image from where the lens has it wide open, + away from the lens"},
+    BY_RAYS_COLUMNS(struct row, rays),
     PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
     COLUMN_PUPIL(struct row, pupil),
     COLUMN_FROM(struct row, from),
@@ -231,13 +242,61 @@ static void fill_row(const struct input *input, const struct photo_lens *lens, d
     row->from = distances_from[input->lens.from].word;
 }
 
+static bool check_rays(const struct input *input, struct error *error)
+{
+    const char *other = !isnan(input->image)    ? "image"
+                        : !isnan(input->hiatus) ? "hiatus"
+                        : !isnan(input->front)  ? "front"
+                        : input->enlarged       ? "enlarged"
+                        : has_attachments(input)
+                            ? "reversed, --close-up, --stacked, --tube, --converter"
+                            : NULL;
+    return other == NULL || fail(error, ERROR_USAGE,
+                                 "{--exact} goes by the lens as it is, and finds its image: it "
+                                 "excludes {--%s}",
+                                 other);
+}
+
+/* The image by rays, and its shift against that of the lens wide open. */
+static bool find_by_rays(const struct input *input, const struct photo_lens *lens, struct run *run,
+                         struct row *row, struct error *error)
+{
+    struct conjugates *c = &row->c;
+    struct real_focus focus, open;
+    struct photo_lens_question wide = input->lens;
+    double infinity, wide_image, ignored;
+    wide.fnumber = NAN;
+    const struct by_rays_question question = {&input->rays, &input->lens, lens, c->s, 0};
+    const struct by_rays_question opened = {&input->rays, &wide, lens, c->s, 0};
+    if (!by_rays_open(&question, run, &focus, &row->rays, error)) {
+        return false;
+    }
+    if ((input->lens.from == FROM_SENSOR || !isnan(input->sensor_distance)) &&
+        !by_rays_distance(&focus, lens, c->s, c->T, &c->s, error)) {
+        return false;
+    }
+    if (!by_rays_image(&focus, lens, c->s, &c->v, &row->rays.blur, error) ||
+        !by_rays_image(&focus, lens, INFINITY, &infinity, &ignored, error) ||
+        !by_rays_open(&opened, run, &open, &row->rays, error) ||
+        !by_rays_image(&open, lens, c->s, &wide_image, &ignored, error)) {
+        return false;
+    }
+    c->T = c->s + c->v + lens->measuring.hiatus;
+    c->extension = c->v - infinity;
+    /* where both are one lens, by rounding alone */
+    const double noise = 1e-14 * (fabs(c->v) + lens->first->length);
+    row->shift = fabs(c->v - wide_image) < noise ? 0 : c->v - wide_image;
+    return true;
+}
+
 static bool run_plain(const struct input *input, const struct photo_lens *lens, struct run *run,
                       struct error *error)
 {
-    struct row row = {.working_distance = NAN};
+    struct row row = {.working_distance = NAN, .shift = NAN, .rays = by_rays_none};
     struct conjugates_exposure exposure;
     double front = lens->measuring.front;
     if (!solve(input, lens, false, &row.c, error) ||
+        (input->rays.exact && !find_by_rays(input, lens, run, &row, error)) ||
         !conjugates_exposure(isnan(lens->N) ? 1 : lens->N, row.c.m, lens->P, &exposure, error)) {
         return false;
     }
@@ -299,6 +358,8 @@ static bool emit_focus(const struct input *input, const struct photo_lens *bare,
               .extension = lens->f * focus.m,
               .twin_magnification = NAN},
         .focal = bare_focal,
+        .shift = NAN,
+        .rays = by_rays_none,
         .working_fnumber = isnan(bare->N) ? NAN : focus.working_fnumber,
         .factor = ratio * ratio,
         .stops = 2 * log2(ratio),
@@ -351,6 +412,9 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     struct photo_real said = *lens->real;
     said.hiatus = own.measuring.hiatus;
     own.real = &said;
+    if (input->rays.exact && !check_rays(input, error)) {
+        return false;
+    }
     return has_attachments(input) ? run_attached(input, &own, run, error)
                                   : run_plain(input, &own, run, error);
 }
@@ -369,12 +433,14 @@ static bool makes_many(const void *data)
 PHOTO_LENS_VARIES(struct input, lens)
 
 static const struct explanation explanations[] = {
-    {"image", "v = {f} (1 + {m})", "[Gauss41] thin lens 1/f = 1/s + 1/v",
+    {"image !blur_rule", "v = {f} (1 + {m})", "[Gauss41] thin lens 1/f = 1/s + 1/v",
      "paraxial; a lens with internal focusing changes f on the way"},
     {"magnification", "m = {f}/({s} - {f})", "[Gauss41] m = v/s", NULL},
     {"sensor_distance", "T = {s} + {v} + {HH'}", "[Gauss41] at least 4 f + HH', at 1:1",
      "HH': from the front to the rear principal plane"},
-    {"extension", "x = {f} {m}", "[Gauss41] Newton's form", NULL},
+    {"extension !blur_rule", "x = {f} {m}", "[Gauss41] Newton's form", NULL},
+    {"image blur_rule", "v = place where the rays of the subject blur least", "exact rays", NULL},
+    {"extension blur_rule", "x = {v} less that of infinity", "exact rays", NULL},
     {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Kingslake92]; of the lens without attachments",
      "with attachments f', N', m' and P' of the combination: see lenscalc-focus(1)"},
     {"exposure_factor", "E = (1 + {m}/{P})^2", "[Kingslake92]; (Nw/N)^2 with attachments",
@@ -390,6 +456,7 @@ static const struct example examples[] = {
     {"focus -f 50 -s 45cm --from sensor --tube 12,20,36", "extension tubes"},
     {"focus -f 100 -m 1:2 -N 4 --converter 2x --close-up 3", "converter and close-up lens"},
     {"focus --lens double-gauss -m 1:4", "a real lens: working distance from its first surface"},
+    {"focus --lens double-gauss -s 2m -N 2,2.8,4,5.6,8 --exact", "how its focus shifts with N"},
     {"focus -f 35,50,85,135 -m 1:10,1:5,1:2,1:1 --table f,m:distance", "a table to print"},
     {NULL, NULL},
 };

@@ -1,6 +1,8 @@
 /* commands/photo/cmd_fov.c - lenscalc fov: field of view. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/angle_of_view.h"
+#include "commands/photo/by_rays.h"
+#include "commands/photo/focused_lens.h"
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
 #include "photo/fov.h"
@@ -31,6 +33,17 @@ struct input {
     double horizontal, vertical, diagonal;            /* wanted angles, rad */
     double field_width, field_height, field_diagonal; /* wanted fields, mm */
     double altitude, gsd, pitch;                      /* of a camera in the air, mm */
+    struct by_rays rays;
+    int focus_by;
+    const char *gap;
+    /* of a lens that is focused by its gaps, as it stands for infinity, and its position */
+    const struct photo_lens *at_infinity;
+    const char *position;
+};
+
+static const struct word focusings[] = {
+    {"lens", "the whole lens moves before the sensor"},
+    {NULL, NULL},
 };
 
 #define ANGLE_GOAL(member_name)                                                                    \
@@ -83,6 +96,14 @@ static const struct option options[] = {
      .help = "wanted ground sampling distance, in place of --altitude: solves for it"},
     OPTION_PIXELS(struct input, pitch, "altitude|gsd",
                   "pixel pitch (otherwise that of the camera)"),
+    BY_RAYS_EXACT_OPTION(struct input, rays,
+                         "put the sensor where the rays of --lens are sharpest"),
+    BY_RAYS_CRITERION_OPTION(struct input, rays),
+    {OPTION(struct input, focus_by), .name = "focus-by", .words = focusings, .fallback = "lens",
+     .wants = "lens", .excludes = "gap", .value = "HOW",
+     .help = "how --lens is focused; adds how much it breathes"},
+    {OPTION(struct input, gap), .name = "gap", .wants = "lens", .value = "GAPS",
+     .help = "focus by these gaps before a sensor that stays, as 'conjugate' does: d5,10:-1"},
 };
 
 struct row {
@@ -90,7 +111,9 @@ struct row {
     struct fov fov;
     double magnification, width, height, crop, image, sensor_distance, circle, pitch;
     struct fov_ground ground;
+    double breathing; /* NaN: not asked for */
     struct photo_real real;
+    struct by_rays_row rays;
     const char *sensor, *projection, *from;
 };
 
@@ -124,6 +147,10 @@ static const struct column columns[] = {
      .with = "distance magnification", .label = "field diagonal",
      .help = "diagonal seen in the plane of focus"},
     COLUMN_MAGNIFICATION(struct row, magnification, 0),
+    {COLUMN(struct row, breathing), .dimension = &dimension_ratio, .unit = "percent",
+     .name = "breathing", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "exact focus-by gap",
+     .symbol = "b", .label = "breathing",
+     .help = "how much wider the diagonal angle is than of the lens focused at infinity"},
     {COLUMN(struct row, fov.kind), .name = "class", .flags = COLUMN_BRIEF, .label = "class of lens",
      .help = "narrow, medium, normal, wide or ultra-wide, by the diagonal angle"},
     {LENGTH(ground.altitude, "m"), .name = "altitude", OF_GROUND, .symbol = "A",
@@ -150,6 +177,7 @@ static const struct column columns[] = {
      .label = "image circle",
      .help =
          "its diameter, by chief rays, where it does not cover the sensor; absent where it does"},
+    BY_RAYS_COLUMNS(struct row, rays),
     PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
     COLUMN_SENSOR(struct row, sensor),
     {COLUMN(struct row, projection), .name = "projection",
@@ -198,10 +226,9 @@ static bool check_rays(const struct input *input, const struct photo_lens *lens,
                 "{--projection} chief-rays goes by the lens's own pupils: it excludes {--pupil}");
 }
 
-/* What the exact chief rays of the real lens make of it. */
-static bool trace_view(const struct input *input, const struct photo_lens *lens,
-                       const struct row *row, struct arena *arena, struct view *view,
-                       struct error *error)
+/* What the exact chief rays of the real lens make of it, the film so far behind H'. */
+static bool trace_view(const struct input *input, const struct photo_lens *lens, double distance,
+                       double image, struct arena *arena, struct view *view, struct error *error)
 {
     const struct setup_question asked = {.lens = lens->lens,
                                          .position = lens->position,
@@ -210,13 +237,45 @@ static bool trace_view(const struct input *input, const struct photo_lens *lens,
     struct setup setup;
     const struct view_question question = {
         .setup = &setup,
-        .film = lens->real->rear + row->image,
-        .subject = lens->measuring.front - row->setting.s,
+        .film = lens->real->rear + image,
+        .subject = lens->measuring.front - distance,
         .first = lens->first,
-        .squeeze = row->setting.squeeze,
+        .squeeze = input->squeeze,
         .sensor = input->sensor.size,
     };
     return setup_open(&asked, arena, &setup, error) && view_of_lens(&question, arena, view, error);
+}
+
+/* The film behind H' where an image is sharpest; the distance is met again from the sensor. */
+static bool place_film(const struct input *input, const struct photo_lens *lens, double *distance,
+                       struct run *run, double *image, struct by_rays_row *row, struct error *error)
+{
+    struct real_focus focus;
+    if (input->gap != NULL) {
+        return fail(error, ERROR_USAGE,
+                    "{--exact} moves the whole lens to where it is sharpest: it excludes {--gap}");
+    }
+    const struct by_rays_question question = {&input->rays, &input->lens, lens, *distance, 0};
+    return by_rays_open(&question, run, &focus, row, error) &&
+           (input->lens.from != FROM_SENSOR || isinf(input->distance) ||
+            by_rays_distance(&focus, lens, *distance, input->distance, distance, error)) &&
+           by_rays_image(&focus, lens, *distance, image, &row->blur, error);
+}
+
+/* How much wider the angle is than at infinity. */
+static bool find_breathing(const struct input *input, const struct photo_lens *lens,
+                           struct run *run, struct row *row, struct error *error)
+{
+    const struct photo_lens *far = input->at_infinity != NULL ? input->at_infinity : lens;
+    double image = far->f, distance = INFINITY;
+    struct by_rays_row ignored;
+    struct view view;
+    if ((input->rays.exact && !place_film(input, far, &distance, run, &image, &ignored, error)) ||
+        !trace_view(input, far, INFINITY, image, run->arena, &view, error)) {
+        return false;
+    }
+    row->breathing = row->fov.diagonal / view.diagonal.angle - 1;
+    return true;
 }
 
 static void take_view(const struct view *view, double diagonal, struct row *row,
@@ -252,11 +311,20 @@ static bool view_by_rays(const struct input *input, const struct photo_lens *len
                          struct arena *arena, struct error *error)
 {
     struct view view;
-    if (!check_rays(input, lens, error) || !trace_view(input, lens, row, arena, &view, error)) {
+    if (!check_rays(input, lens, error) ||
+        !trace_view(input, lens, row->setting.s, row->image, arena, &view, error)) {
         return false;
     }
     take_view(&view, sensor_diagonal(&input->sensor.size), row, arena);
     return true;
+}
+
+static bool look_by_rays(const struct input *input, const struct photo_lens *lens, struct run *run,
+                         struct row *row, struct error *error)
+{
+    return view_by_rays(input, lens, row, run->arena, error) &&
+           (!run_shows(run, offsetof(struct row, breathing)) ||
+            find_breathing(input, lens, run, row, error));
 }
 
 /* How far the subject is from the front principal plane. */
@@ -323,7 +391,9 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         .projection = ways[chosen ? input->projection : VIEW_PROJECTIONS].word,
         .from = isinf(input->distance) ? NULL : distances_from[input->lens.from].word,
         .circle = NAN,
+        .breathing = NAN,
         .real = *lens->real,
+        .rays = by_rays_none,
     };
     if (!find_subject(input, lens, &row.setting.s, error) ||
         !photo_lens_check_subject(lens, row.setting.s, error) ||
@@ -332,7 +402,14 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         return false;
     }
     row.image = distance_image(row.setting.f, row.setting.s);
-    if (wants_rays(input, lens) && !view_by_rays(input, lens, &row, run->arena, error)) {
+    if (input->position != NULL) {
+        row.real.position = input->position;
+    }
+    if (input->rays.exact &&
+        !place_film(input, lens, &row.setting.s, run, &row.image, &row.rays, error)) {
+        return false;
+    }
+    if (wants_rays(input, lens) && !look_by_rays(input, lens, run, &row, error)) {
         return false;
     }
     if (!fill_ground(input, &row, run, error)) {
@@ -345,10 +422,50 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     return true;
 }
 
+/* The lens in a position, focused by its gaps. */
+static bool answer_focused(const struct input *input, size_t position, struct run *run,
+                           struct error *error)
+{
+    const struct lens *lens = input->lens.lens.lens;
+    struct input own = *input;
+    struct photo_lens_question far;
+    struct photo_lens near, infinity;
+    if (!isnan(input->magnification)) {
+        return fail(error, ERROR_USAGE, "{--gap} focuses on a {--distance}, not a magnification");
+    }
+    struct focused_question asked = {&input->lens, position, input->gap, input->distance};
+    if (!focused_lens(&asked, run->arena, &own.lens, error) ||
+        !photo_lens_single(&own.lens, 0, run->arena, &near, error)) {
+        return false;
+    }
+    asked.distance = INFINITY;
+    if (!focused_lens(&asked, run->arena, &far, error) ||
+        !photo_lens_single(&far, 0, run->arena, &infinity, error)) {
+        return false;
+    }
+    own.at_infinity = &infinity;
+    own.position = lens->position_count > 0 ? lens->positions[position] : NULL;
+    return answer(&own, &near, run, error);
+}
+
 static bool run(const void *data, struct run *run, struct error *error)
 {
     const struct input *input = data;
-    return photo_lens_each(&input->lens, 0, run, answer, input, error);
+    const size_t *positions;
+    size_t count;
+    if (input->gap == NULL || input->lens.lens.lens == NULL) {
+        return photo_lens_each(&input->lens, 0, run, answer, input, error);
+    }
+    if (!lens_positions(input->lens.lens.lens, input->lens.position, run->arena, &positions, &count,
+                        error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!answer_focused(input, positions[i], run, error)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 #define ANGLES(kind, horizontal, vertical, source)                                                 \
@@ -393,6 +510,7 @@ static const struct example examples[] = {
     {"fov -f 8mm --projection equisolid --sensor mft", "a fisheye"},
     {"fov --lens double-gauss -s 0.5m", "a real lens, close up, by its rays"},
     {"fov --lens fisheye-16", "and a fisheye"},
+    {"fov --lens double-gauss -s 1m,2m,4m,inf --exact", "how much a lens breathes"},
     {"fov -f 50mm --squeeze 2 --sensor scope", "anamorphic cinema"},
     {"fov -f 8.8mm --sensor 13.2x8.8mm --pitch 2.41um --altitude 60m,120m", "from a drone"},
     {NULL, NULL},

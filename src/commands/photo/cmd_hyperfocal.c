@@ -1,5 +1,6 @@
 /* commands/photo/cmd_hyperfocal.c - lenscalc hyperfocal: the focus that keeps infinity sharp. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/photo/by_rays.h"
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
 #include "photo/dof.h"
@@ -12,6 +13,7 @@ struct input {
     struct photo_lens_question lens;
     struct sharpness sharp;
     double squeeze;
+    struct by_rays rays;
 };
 
 static const struct option options[] = {
@@ -30,6 +32,8 @@ static const struct option options[] = {
      .help = "wanted near limit there, in place of --hyperfocal"},
     OPTION_SQUEEZE(struct input, squeeze, NULL,
                    "anamorphic squeeze: adds the horizontal focal length; -f is the marked one"),
+    BY_RAYS_EXACT_OPTION(struct input, rays, "by the rays of --lens, aberrations included"),
+    BY_RAYS_CRITERION_OPTION(struct input, rays),
 };
 
 struct row {
@@ -37,6 +41,7 @@ struct row {
     double sensor_hyperfocal, sensor_near; /* from the sensor */
     double squeeze, horizontal_focal;
     struct photo_real real;
+    struct by_rays_row rays;
     const char *sensor, *criterion;
 };
 
@@ -65,6 +70,7 @@ static const struct column columns[] = {
      .label = "near limit from the sensor", .help = "near limit, from the sensor"},
     {LENGTH(image, "mm"), .name = "image", .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "v",
      .label = "image distance", .help = "sensor from the rear principal plane"},
+    BY_RAYS_COLUMNS(struct row, rays),
     {LENGTH(horizontal_focal, "mm"), .name = "horizontal_focal", .flags = COLUMN_EXTRA,
      .with = "squeeze", .symbol = "fh", .label = "horizontal focal length",
      .help = "focal length across the picture, by the squeeze"},
@@ -110,6 +116,40 @@ static bool solve(const struct input *input, const struct sharpness *sharp,
                 "as a length");
 }
 
+/* By the rays of the lens in place of what formulas gave. */
+static bool find_by_rays(const struct input *input, const struct photo_lens *lens, double c,
+                         struct run *run, struct row *row, struct error *error)
+{
+    const double front = lens->measuring.front;
+    struct real_focus focus;
+    struct real_range range;
+    if (!isnan(input->hyperfocal) || !isnan(input->near) || !isnan(input->squeeze)) {
+        return fail(error, ERROR_USAGE,
+                    "{--exact} answers for a lens and an f-number: it excludes {--%s}",
+                    !isnan(input->near)         ? "near"
+                    : !isnan(input->hyperfocal) ? "hyperfocal"
+                                                : "squeeze");
+    }
+    const struct by_rays_question question = {&input->rays, &input->lens, lens, INFINITY, c};
+    if (!by_rays_open(&question, run, &focus, &row->rays, error) ||
+        !real_range_hyperfocal(&focus, front, c, &row->hyperfocal, error)) {
+        return false;
+    }
+    if (isnan(row->hyperfocal)) {
+        return fail(error, ERROR_DOMAIN,
+                    "infinity is never sharp: even its sharpest image is more blurred than the "
+                    "circle of confusion, %.6g mm",
+                    c);
+    }
+    if (!real_range_find(&focus, front, row->hyperfocal, c, &range, error)) {
+        return false;
+    }
+    row->near = range.near;
+    row->image = range.film - lens->real->rear;
+    row->rays.blur = range.blur;
+    return true;
+}
+
 static bool answer(const void *data, const struct photo_lens *lens, struct run *run,
                    struct error *error)
 {
@@ -144,10 +184,14 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
         .squeeze = input->squeeze,
         .horizontal_focal = setting.f / input->squeeze,
         .real = *lens->real,
+        .rays = by_rays_none,
         .sensor = input->sharp.sensor.name,
         .criterion = sharp.coc.criterion,
     };
     row.image = distance_image(setting.f, row.hyperfocal);
+    if (input->rays.exact && !find_by_rays(input, lens, setting.c, run, &row, error)) {
+        return false;
+    }
     double to_sensor = row.image + lens->measuring.hiatus;
     row.sensor_hyperfocal = row.hyperfocal + to_sensor;
     row.sensor_near = row.near + to_sensor;
@@ -166,12 +210,16 @@ static bool run(const void *data, struct run *run, struct error *error)
 static const struct explanation explanations[] = {
     {"coc", "c = {criterion}", "criterion of sharpness, see --coc",
      "what counts as sharp is a convention"},
-    {"hyperfocal", "H = {f}^2/({N} {c}) + {f}", "[Ray02]; thin lens, exact",
+    {"hyperfocal !blur_rule", "H = {f}^2/({N} {c}) + {f}", "[Ray02]; thin lens, exact",
      "without + f it is low by exactly f"},
     {"hyperfocal_sensor", "Hs = {H} + {v} + {HH'}",
      "[Gauss41] HH' from the front to the rear principal plane", NULL},
-    {"near", "n = {f} (1 - 1/{P}) + ({f} + {f}/{P} {N} {c}/{f})/(2 {N} {c}/{f})",
+    {"near !blur_rule", "n = {f} (1 - 1/{P}) + ({f} + {f}/{P} {N} {c}/{f})/(2 {N} {c}/{f})",
      "[Ray02]; near limit at m = N c/f", "H/2 exactly where P is 1"},
+    {"hyperfocal blur_rule",
+     "H = distance whose sharpest image lies on the film where infinity blurs c", "exact rays",
+     "its blur is measured as blur_rule says"},
+    {"near blur_rule", "n = distance where the blur on that film grows to c", "exact rays", NULL},
     {"horizontal_focal", "fh = {f}/{q}", "cylinders before the lens",
      "sharpness is that of f: a blur is narrower than high"},
     {NULL, NULL, NULL, NULL},
@@ -184,6 +232,7 @@ static const struct example examples[] = {
     {"hyperfocal -f 24mm --near 1m", "the f-number that is sharp from 1 m to infinity"},
     {"hyperfocal -f 40mm -N 2.8 --squeeze 2 --sensor scope", "anamorphic cinema"},
     {"hyperfocal --lens wide-35 -N 8", "a real lens: what to set on its distance scale"},
+    {"hyperfocal --lens wide-35 -N 8 --exact", "and by its own rays"},
     {NULL, NULL},
 };
 

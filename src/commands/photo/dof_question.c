@@ -73,11 +73,33 @@ static bool solve(const struct dof_question *input, const struct photo_lens *len
                : distance_solve(setting, &input->targets, &lens->measuring, error);
 }
 
+/* Rays answer for a lens, an f-number and a distance; nothing is solved for. */
+static bool check_rays(const struct dof_question *input, struct error *error)
+{
+    const struct dof_targets *t = &input->targets;
+    const char *other = input->stack                        ? "stack"
+                        : input->model != DOF_EXACT         ? "model"
+                        : attachments_any(&input->attached) ? "tube, --close-up, --converter"
+                        : input->other.name != NULL         ? "equal-on"
+                        : !isnan(input->squeeze)            ? "squeeze"
+                        : !isnan(input->t_stop)             ? "t-stop"
+                        : !isnan(t->near)                   ? "near"
+                        : !isnan(t->far)                    ? "far"
+                        : !isnan(t->total)                  ? "dof"
+                        : !isnan(t->hyperfocal)             ? "hyperfocal"
+                                                            : NULL;
+    return other == NULL || fail(error, ERROR_USAGE,
+                                 "{--exact} answers for a lens, an f-number and a distance: it "
+                                 "excludes {--%s}",
+                                 other);
+}
+
 bool dof_question_open(const struct dof_question *input, const struct photo_lens *lens,
                        struct photo_lens *room, struct attached_lens *attached,
                        struct dof_setting *setting, struct error *error)
 {
-    return attachments_apply(&input->attached, lens, room, attached, error) &&
+    return (!input->rays.exact || check_rays(input, error)) &&
+           attachments_apply(&input->attached, lens, room, attached, error) &&
            set_up(input, attached, setting, error);
 }
 
@@ -91,4 +113,51 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
     return solve(input, attached->lens, setting, error) &&
            photo_lens_check_subject(attached->lens, setting->s, error) &&
            attached_check_reach(attached, setting->s, error);
+}
+
+/* -------- by rays -------- */
+
+/* What the rays found, as formulas would have it: distances from principal planes. */
+static void take_range(const struct real_range *range, double rear, struct dof *dof)
+{
+    dof->near = range->near;
+    dof->far = range->far;
+    dof->near_vergence = 1 / range->near;
+    dof->far_vergence = 1 / range->far;
+    dof->near_condition = dof->far_condition = 1;
+    dof->image = range->film - rear;
+    dof->image_near = range->film_near - rear;
+    dof->image_far = range->film_far - rear;
+    dof->depth_of_focus = range->film_high - range->film_low;
+    dof->blur_at_infinity = range->blur_at_infinity;
+}
+
+bool dof_question_by_rays(const struct dof_question *input, const struct attached_lens *attached,
+                          struct run *run, struct dof_traced *traced, struct error *error)
+{
+    const struct photo_lens *lens = attached->lens;
+    const double front = lens->measuring.front;
+    struct dof_setting *setting = &traced->setting;
+    struct dof *dof = &traced->dof;
+    struct real_focus focus;
+    struct real_range range;
+    const struct by_rays_question question = {&input->rays, &input->lens, lens, setting->s,
+                                              setting->c};
+    if (!by_rays_open(&question, run, &focus, &traced->rays, error)) {
+        return false;
+    }
+    if (input->lens.from == FROM_SENSOR && !isnan(input->distance) &&
+        !by_rays_distance(&focus, lens, setting->s, input->distance, &setting->s, error)) {
+        return false;
+    }
+    if (!real_range_find(&focus, front, setting->s, setting->c, &range, error) ||
+        !real_range_hyperfocal(&focus, front, setting->c, &dof->hyperfocal, error)) {
+        return false;
+    }
+    take_range(&range, lens->real->rear, dof);
+    dof->front = setting->s - dof->near;
+    dof->behind = isinf(dof->far) ? dof->far : dof->far - setting->s;
+    dof->total = dof->front + dof->behind;
+    traced->rays.blur = range.blur;
+    return true;
 }

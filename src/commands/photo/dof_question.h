@@ -4,8 +4,10 @@
 #define LENSCALC_COMMANDS_PHOTO_DOF_QUESTION_H
 
 #include "commands/photo/attachments.h"
+#include "commands/photo/by_rays.h"
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
+#include "photo/dof.h"
 #include "photo/dof_solve.h"
 
 /* The options of the command fill it; NaN = not given. */
@@ -20,6 +22,7 @@ struct dof_question {
     struct sensor_value other;
     struct attachments attached;
     double squeeze, t_stop;
+    struct by_rays rays;
 };
 
 /* enum photo_lens_use: a real lens's own f-number does not count where that is what is wished. */
@@ -31,7 +34,8 @@ int dof_question_use(const struct dof_question *input);
  * Given     lens      of the question
  *           room      as attachments_apply, as `attached`
  *           setting   receives what is known, NaN for the rest
- * Errors    as attachments_apply and sharpness_resolve; ERROR_USAGE: a T-stop without an f-number
+ * Errors    as attachments_apply and sharpness_resolve; ERROR_USAGE: a T-stop without an
+ *           f-number, what rays do not answer
  */
 bool dof_question_open(const struct dof_question *input, const struct photo_lens *lens,
                        struct photo_lens *room, struct attached_lens *attached,
@@ -45,6 +49,22 @@ bool dof_question_open(const struct dof_question *input, const struct photo_lens
  */
 bool dof_question_solve(const struct dof_question *input, const struct attached_lens *attached,
                         struct dof_setting *setting, struct error *error);
+
+/* An answer that formulas gave, to be given by rays. */
+struct dof_traced {
+    struct dof_setting
+        setting;    /* solved; its distance is met again where that is from the sensor */
+    struct dof dof; /* of dof_compute */
+    struct by_rays_row rays;
+};
+
+/*
+ * Limits, focus and blurs by the rays of the lens in place of those that formulas gave.
+ *
+ * Errors    as by_rays_open and real_range_find
+ */
+bool dof_question_by_rays(const struct dof_question *input, const struct attached_lens *attached,
+                          struct run *run, struct dof_traced *traced, struct error *error);
 
 /* Draw the depth-of-field scale of the barrel, an artifact of the command. */
 bool dof_draw_scale(const struct artifact_job *job, struct output *sink, struct error *error);

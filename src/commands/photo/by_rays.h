@@ -1,0 +1,97 @@
+/* commands/photo/by_rays.h - answers of photographic commands by the rays of a real lens. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_PHOTO_BY_RAYS_H
+#define LENSCALC_COMMANDS_PHOTO_BY_RAYS_H
+
+#include "analysis/real_range.h"
+#include "commands/photo/photo_lens.h"
+
+/* Whether they are wanted, and what counts as sharp. The options of a command fill it. */
+struct by_rays {
+    bool exact;
+    const char *criterion; /* "rms", "energy80", "mtf@40/mm" */
+};
+
+/* Initialisers of the options for a member of that type in a command's input. */
+#define BY_RAYS_EXACT_OPTION(S, member, what)                                                      \
+    {                                                                                              \
+        OPTION(S, member.exact), .name = "exact", .wants = "lens", .help = what                    \
+    }
+#define BY_RAYS_CRITERION_OPTION(S, member)                                                        \
+    {                                                                                              \
+        OPTION(S, member.criterion), .name = "criterion", .wants = "exact", .value = "RULE",       \
+                                     .help = "what of a blur counts, with --exact: rms (the "      \
+                                             "default), energy80, mtf@40/mm"                       \
+    }
+
+/* What an answer by rays says of itself. */
+struct by_rays_row {
+    double blur; /* of the sharpest image, mm; NaN: no rays were asked */
+    const char *rule, *spectrum;
+};
+
+extern const struct by_rays_row by_rays_none;
+
+#define BY_RAYS_COLUMNS(S, member)                                                                 \
+    {COLUMN(S, member.blur),                                                                       \
+     .name = "least_blur",                                                                         \
+     .dimension = &dimension_length,                                                               \
+     .unit = "um",                                                                                 \
+     .with = "exact",                                                                              \
+     .flags = COLUMN_EXTRA,                                                                        \
+     .label = "least blur",                                                                        \
+     .help = "diameter of the disc as blurred as the sharpest image"},                             \
+        {COLUMN(S, member.rule),                                                                   \
+         .name = "blur_rule",                                                                      \
+         .with = "exact",                                                                          \
+         .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED,                                     \
+         .depends = "criterion",                                                                   \
+         .label = "blurs by",                                                                      \
+         .help = "what of a blur is that of a disc"},                                              \
+    {                                                                                              \
+        COLUMN(S, member.spectrum), .name = "spectrum", .with = "exact",                           \
+                                    .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED,          \
+                                    .depends = "lens wavelength", .label = "wavelengths",          \
+                                    .help = "of the rays, each with its weight"                    \
+    }
+
+/* What is to be looked at. */
+struct by_rays_question {
+    const struct by_rays *asked;
+    const struct photo_lens_question *question; /* of the command: with its wavelength, if given */
+    const struct photo_lens *lens;              /* as photo_lens_each made it */
+    double distance; /* of a subject, from the front principal plane, mm; may be infinite */
+    double c;        /* the blur that matters, mm */
+};
+
+/*
+ * Make the lens ready for rays.
+ *
+ * Given     row  receives rule and spectrum
+ * Errors    ERROR_USAGE: no lens, {--pupil}, an unknown criterion; as real_focus_open
+ */
+bool by_rays_open(const struct by_rays_question *all, struct run *run, struct real_focus *focus,
+                  struct by_rays_row *row, struct error *error);
+
+/*
+ * Where the image of a subject is sharpest.
+ *
+ * Given     distance  from the front principal plane, mm; may be infinite
+ *           image     receives its place behind H', mm
+ *           blur      receives the disc that is as blurred, mm
+ * Errors    as real_focus_point
+ */
+bool by_rays_image(const struct real_focus *focus, const struct photo_lens *lens, double distance,
+                   double *image, double *blur, struct error *error);
+
+/*
+ * The distance from the front principal plane whose sharpest image lies so far behind the subject.
+ *
+ * Given     start  a distance near it, by paraxial rays, mm
+ *           total  from the subject to the film, mm
+ * Errors    as real_focus_point; ERROR_DOMAIN: none is found
+ */
+bool by_rays_distance(const struct real_focus *focus, const struct photo_lens *lens, double start,
+                      double total, double *distance, struct error *error);
+
+#endif
