@@ -2,523 +2,441 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/film_region.h"
 
-#include "base/constants.h"
-#include "trace/star.h"
+#include "camera/film_fit.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-/*
- * A round lens has symmetric pupils: directions of one half, from upwards over +x to downwards; as
- * many distances as are looked at, every other is kept.
- */
-enum { HALF = 128, EACH = 2 * HALF / FILM_SECTORS, LOOKS = 2 * FILM_RADII - 1, BISECTIONS = 16 };
+/* Holes change little from one row to the next: so many rows apart. */
+enum { HOLE_ROWS = 4, STRIDES = 8, BISECTIONS = 16 };
 
-/* Holes change little from one distance to the next: so many looks apart. */
-enum { HOLE_LOOKS = 8, HOLE_ROWS = HOLE_LOOKS / 2 };
-
-/* Edges are searched to a share of what the regions are grown by. */
-static const double grown = 1.003, shrunk = 0.985, roughly = 1e-4, around = 2, farthest = 100;
-
-struct point {
-    double x, y;
+/* One lens, its region as far as it is known, and the edges at its rows. */
+struct building {
+    struct outline_search search;
+    struct film_region *region;
+    double *ends;
+    struct outline *nodes; /* of the wavelength that is followed, at every row of every column */
+    bool is_round;
 };
 
-/* The edge of a pupil, seen from one point of the film, in direction cosines. */
-struct outline {
-    bool is_empty, asks_hole, has_hole;
-    size_t each;           /* which directions are looked in: all, or every other */
-    double height, centre; /* of the point of the film, mm; y of the middle */
-    struct point size;     /* half widths */
-    struct point edge[HALF + 1];
-    struct point hole[FILM_SECTORS / 2 + 1];
+/* -------- places of the film -------- */
+
+/* Outwards in a column; halves lie between two. */
+static void direct(const struct building *building, double column, double way[2])
+{
+    static const double axes[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+    const double turn = building->is_round ? 1 : 4 * column / FILM_COLUMNS;
+    const int quarter = (int)fmin(turn, 3);
+    const double f = turn - quarter;
+    const double x = (1 - f) * axes[quarter][0] + f * axes[quarter + 1][0];
+    const double y = (1 - f) * axes[quarter][1] + f * axes[quarter + 1][1];
+    way[0] = x / hypot(x, y);
+    way[1] = y / hypot(x, y);
+}
+
+/* An outline of a place that is so far from the pole; nothing of it is known. */
+static struct outline outline_at(const struct building *building, double column, double height)
+{
+    struct outline outline = {.is_half = building->is_round, .each = 1};
+    struct film_place *place = &outline.place;
+    double way[2];
+    direct(building, column, way);
+    place->x = building->region->pole[0] + height * way[0];
+    place->y = building->region->pole[1] + height * way[1];
+    place->up[0] = building->region->turns ? way[0] : 0;
+    place->up[1] = building->region->turns ? way[1] : 1;
+    return outline;
+}
+
+/* How far from the pole a row is, or what lies between two. */
+static double height_of(const struct building *building, double column, double row)
+{
+    const size_t low = (size_t)column;
+    const double *ends = building->ends, f = column - (double)low;
+    const double end = f > 0 ? ends[low] + f * (ends[low + 1] - ends[low]) : ends[low];
+    const double rest = 1 - row / (building->region->rows - 1);
+    return end * (1 - rest * rest);
+}
+
+/* -------- where light ends -------- */
+
+/* What is known of a lit place. */
+struct seen {
+    double height;
+    struct outline_point centre, size;
 };
 
-struct search {
-    const struct film_lens *lens;
-    struct arena *arena;
-};
-
-/* One point of the film at one wavelength, looked at from there. */
-struct view {
-    struct beam beam;
-    struct stop_beam disc;
-    struct margins margins;
-    struct probe probe;
-    struct edge_frame frame;
-};
-
-/* -------- between directions and the beam -------- */
-
-static void to_beam(const struct view *view, const struct film_lens *lens, double height,
-                    struct point way, double place[2])
+/* Is a place lit, by what two others before it are like? Then it is the last of them. */
+static bool step_to(const struct building *building, size_t wavelength, double column,
+                    double height, struct seen seen[2])
 {
-    const double film = lens->film, over2 = way.x * way.x + way.y * way.y;
-    /* a guess may lie beyond all directions */
-    const double to_plane = fabs(film) / sqrt(fmax(1 - over2, 1e-12));
-    beam_place(&view->beam, (double[3]){to_plane * way.x, height + to_plane * way.y, 0}, place);
-}
-
-/* In units of the disc. */
-static void to_disc(const struct view *view, const struct film_lens *lens, double height,
-                    struct point way, double uv[2])
-{
-    const struct stop_beam *disc = &view->disc;
-    double place[2];
-    to_beam(view, lens, height, way, place);
-    for (int k = 0; k < 2; k++) {
-        uv[k] = (place[k] - disc->origin[k]) / disc->axes[3 * k];
+    struct outline here = outline_at(building, column, height);
+    const double before = seen[1].height - seen[0].height;
+    const double share = before > 0 ? (height - seen[1].height) / before : 0;
+    here.centre.x = seen[1].centre.x + share * (seen[1].centre.x - seen[0].centre.x);
+    here.centre.y = seen[1].centre.y + share * (seen[1].centre.y - seen[0].centre.y);
+    here.size = seen[1].size;
+    if (!outline_is_lit(&building->search, wavelength, &here)) {
+        return false;
     }
-}
-
-static struct point from_disc(const struct view *view, const double uv[2])
-{
-    double at[2];
-    stop_beam_place(&view->disc, uv[0], uv[1], at);
-    const struct ray ray = beam_ray(&view->beam, at[0], at[1]);
-    return (struct point){ray.cosine[0], ray.cosine[1]};
-}
-
-/* Look with a disc of so many half widths about a middle. */
-static void open_view(const struct search *search, size_t wavelength, const struct outline *about,
-                      double widths, struct view *view)
-{
-    const struct film_lens *lens = search->lens;
-    const struct system *system = lens->systems[wavelength];
-    const double height = about->height;
-    double right[2], up[2];
-    view->beam = beam_to_pupil((double[3]){0, height, lens->film}, lens->first->exit_pupil,
-                               system->index_first);
-    view->disc = (struct stop_beam){
-        .system = system, .beam = &view->beam, .radius = NAN, .weight = WEIGHT_BEAM};
-    const double *middle = view->disc.origin;
-    to_beam(view, lens, height, (struct point){0, about->centre}, view->disc.origin);
-    to_beam(view, lens, height, (struct point){about->size.x, about->centre}, right);
-    to_beam(view, lens, height, (struct point){0, about->centre + about->size.y}, up);
-    const double radius = widths * fmax(fabs(right[0] - middle[0]), fabs(up[1] - middle[1]));
-    view->disc.axes[0] = view->disc.axes[3] = radius;
-    view->frame = (struct edge_frame){.stretch = {1 / widths, 1 / widths}};
-    view->margins = margins_open(&view->disc, search->arena);
-    view->probe = probe_open(system, &view->beam, search->arena);
-}
-
-/* -------- one outline -------- */
-
-/* What is dark in the middle, if it is so in all directions. */
-static void find_hole(const struct view *view, const double *angles, const struct edge *edges,
-                      struct outline *outline)
-{
-    enum { CORNERS = FILM_SECTORS / 2 + 1 };
-    double some[CORNERS];
-    struct edge ends[CORNERS];
-    struct spans spans[CORNERS];
-    outline->has_hole = outline->asks_hole && view->probe.full != NULL;
-    if (!outline->has_hole) {
-        return;
-    }
-    for (size_t k = 0; k < CORNERS; k++) {
-        some[k] = angles[EACH / outline->each * k];
-        ends[k] = edges[EACH / outline->each * k];
-    }
-    const struct edge_directions directions = {view->frame, some, NULL, CORNERS, 0};
-    star_spans(&view->margins, &view->probe, &directions, ends, spans);
-    for (size_t k = 0; k < CORNERS; k++) {
-        double at[2];
-        const double share = spans[k].count > 0 ? spans[k].low[0] : 1;
-        edge_point(&view->frame, some[k], share * ends[k].radius, at);
-        outline->hole[k] = from_disc(view, at);
-        outline->has_hole = outline->has_hole && share > 0;
-    }
-}
-
-/* Half widths of what was found, and its centroid. */
-static void measure(const struct outline *outline, struct point *size, double *centroid)
-{
-    double low = INFINITY, high = -INFINITY, wide = 0, area = 0, moment = 0;
-    for (size_t i = 0; i <= HALF; i++) {
-        const struct point *at = &outline->edge[i], *next = &outline->edge[i < HALF ? i + 1 : i];
-        const double y = at->y - outline->centre, next_y = next->y - outline->centre;
-        const double part = at->x * next_y - next->x * y;
-        low = fmin(low, at->y);
-        high = fmax(high, at->y);
-        wide = fmax(wide, at->x);
-        area += part;
-        moment += part * (y + next_y) / 3;
-    }
-    *size = (struct point){wide, (high - low) / 2};
-    *centroid = outline->centre + (area != 0 ? moment / area : 0);
-}
-
-/* Where to look first: each direction, a half width away or where a neighbour has its edge. */
-static void guess_edge(const struct view *view, const struct film_lens *lens,
-                       const struct outline *outline, const struct outline *near, double *angles,
-                       double *radii)
-{
-    for (size_t k = 0; k <= HALF / outline->each; k++) {
-        const size_t i = k * outline->each;
-        const double angle = PI * (double)i / HALF;
-        struct point at = {outline->size.x * sin(angle), outline->size.y * cos(angle)};
-        double uv[2];
-        if (near != NULL) {
-            at = (struct point){near->edge[i].x, near->edge[i].y - near->centre};
-        }
-        to_disc(view, lens, outline->height, (struct point){at.x, outline->centre + at.y}, uv);
-        edge_polar(&view->frame, uv, 0, &angles[k], &radii[k]);
-    }
-}
-
-/* The edge as seen in a disc; does the disc itself end some of it? */
-static bool look_within(const struct view *view, const struct film_lens *lens,
-                        const struct outline *near, struct outline *outline)
-{
-    double angles[HALF + 1], radii[HALF + 1];
-    struct edge edges[HALF + 1];
-    bool fills = false;
-    guess_edge(view, lens, outline, near, angles, radii);
-    const struct edge_directions directions = {view->frame, angles, near != NULL ? radii : NULL,
-                                               HALF / outline->each + 1, 0};
-    edges_find(&view->margins, &directions, roughly, edges);
-    for (size_t k = 0; k <= HALF / outline->each; k++) {
-        double at[2];
-        edge_point(&view->frame, angles[k], edges[k].radius, at);
-        outline->edge[k * outline->each] = from_disc(view, at);
-        fills = fills || edges[k].limit == 0; /* the first margin is the disc */
-    }
-    find_hole(view, angles, edges, outline);
-    return fills;
-}
-
-/*
- * The edge about the centre that the outline has, in a disc of some of its half widths.
- *
- * Given     near  the outline of a neighbour; null: none
- * Result    false: the centre is dark
- */
-static bool look(const struct search *search, size_t wavelength, const struct outline *near,
-                 struct outline *outline)
-{
-    static const double middle[1][2] = {{0, 0}};
-    bool fills = true;
-    for (double widths = around; fills && widths < farthest; widths *= 2) {
-        const struct arena_mark mark = arena_mark(search->arena);
-        struct view view;
-        open_view(search, wavelength, outline, widths, &view);
-        margins_look(&view.margins, middle, 1);
-        const bool is_dark = !(view.margins.excess[0] <= 0);
-        fills = !is_dark && look_within(&view, search->lens, near, outline);
-        arena_reset(search->arena, mark);
-        if (is_dark) {
-            return false;
-        }
-    }
+    seen[0] = seen[1];
+    seen[1] = (struct seen){height, here.centre, here.size};
     return true;
 }
 
-/* A centre and a size from nothing; false: all is dark. */
-static bool find_middle(const struct search *search, size_t wavelength, struct outline *outline)
+/* How far light arrives in a column, at most as far as is asked. */
+static double find_end(const struct building *building, size_t wavelength, double column,
+                       double farthest)
 {
-    const struct film_lens *lens = search->lens;
-    const struct arena_mark mark = arena_mark(search->arena);
-    struct star *star = ARENA_NEW(search->arena, struct star);
-    struct view view;
-    outline->centre = 0;
-    outline->size = (struct point){0.1, 0.1};
-    open_view(search, wavelength, outline, 1, &view);
-    const struct clear_guess guess =
-        clear_guess_of(lens->systems[wavelength], &view.beam, lens->first);
-    view.disc.origin[0] = guess.centre[0];
-    view.disc.origin[1] = guess.centre[1];
-    view.disc.axes[0] = view.disc.axes[3] = around * guess.radius;
-    const bool found = star_find(&view.margins, &view.probe, search->arena, star);
-    if (found) {
-        const double *centre = star->frame.centre;
-        double uv[2], low = INFINITY, high = 0;
-        for (size_t i = 0; i < star->count; i++) {
-            low = fmin(low, star->edges[i].radius);
-            high = fmax(high, star->edges[i].radius);
-        }
-        outline->centre = from_disc(&view, centre).y;
-        edge_point(&star->frame, 0, (low + high) / 2, uv);
-        const double size = fabs(from_disc(&view, uv).y - outline->centre);
-        outline->size = (struct point){size, size};
-    }
-    arena_reset(search->arena, mark);
-    return found;
-}
-
-/* The outline at its height: about the centre it has, if that is clear. */
-static void find_outline(const struct search *search, size_t wavelength, const struct outline *near,
-                         struct outline *outline)
-{
-    outline->is_empty =
-        !(near != NULL && look(search, wavelength, near, outline)) &&
-        !(find_middle(search, wavelength, outline) && look(search, wavelength, NULL, outline));
-}
-
-/* -------- over the film -------- */
-
-static bool is_lit(const struct search *search, double height)
-{
-    struct outline outline = {.height = height, .each = 1};
-    return find_middle(search, 0, &outline);
-}
-
-/* How far from the axis light arrives. */
-static double find_largest(const struct search *search)
-{
-    double lit = 0, dark = search->lens->reach;
-    if (is_lit(search, dark)) {
-        return dark;
-    }
-    if (!is_lit(search, 0)) {
+    struct outline pole = outline_at(building, column, 0);
+    double dark = farthest;
+    bool is_lit = true;
+    if (!outline_discover(&building->search, wavelength, &pole)) {
         return 0;
     }
-    for (int turn = 0; turn < BISECTIONS; turn++) {
-        const double middle = (lit + dark) / 2;
-        *(is_lit(search, middle) ? &lit : &dark) = middle;
+    struct seen seen[2] = {{0, pole.centre, pole.size}, {0, pole.centre, pole.size}};
+    for (int i = 1; i <= STRIDES && is_lit; i++) {
+        dark = farthest * i / STRIDES;
+        is_lit = step_to(building, wavelength, column, dark, seen);
+    }
+    for (int turn = 0; turn < BISECTIONS && !is_lit; turn++) {
+        const double middle = (seen[1].height + dark) / 2;
+        dark = step_to(building, wavelength, column, middle, seen) ? dark : middle;
     }
     return dark;
 }
 
-/* Centre and size of what comes a share of a step after two outlines. */
-static void foresee(const struct outline *last, const struct outline *before, double share,
-                    struct outline *here)
+/* The same for all wavelengths, and what lies beyond a gap that steps have met. */
+static double find_farthest(const struct building *building, double column, double farthest)
 {
-    struct point ignored;
-    double middle, earlier;
-    measure(last, &here->size, &middle);
-    here->centre = middle;
-    if (before != NULL) {
-        measure(before, &ignored, &earlier);
-        here->centre += share * (middle - earlier);
+    double end = 0;
+    for (size_t w = 0; w < building->search.lens->count && end < farthest; w++) {
+        end = fmax(end, find_end(building, w, column, farthest));
     }
+    const double beyond = fmin(farthest, end + 0.01 * farthest);
+    struct outline outline = outline_at(building, column, beyond);
+    if (!(end < farthest && outline_discover(&building->search, 0, &outline))) {
+        return end;
+    }
+    double lit = beyond, dark = farthest;
+    for (int turn = 0; turn < BISECTIONS; turn++) {
+        const double middle = (lit + dark) / 2;
+        outline = outline_at(building, column, middle);
+        *(outline_discover(&building->search, 0, &outline) ? &lit : &dark) = middle;
+    }
+    return dark;
 }
 
-/* All outlines of the wavelength that is followed, each from those before it that are kept. */
-static struct outline *follow(const struct search *search, double largest)
+/* A lit point of the film, the middle of it if it is one: the pole. */
+static bool find_pole(const struct building *building)
 {
-    struct outline *all = ARENA_ARRAY(search->arena, LOOKS, struct outline);
-    for (size_t i = 0; i < LOOKS; i++) {
-        const size_t kept = i > 0 ? (i - 1) / 2 * 2 : 0;
-        const struct outline *near = i > 0 && !all[kept].is_empty ? &all[kept] : NULL;
-        const struct outline *before = kept > 1 && near != NULL ? near - 2 : NULL;
-        const double rest = 1 - (double)i / (LOOKS - 1);
-        all[i] = (struct outline){.height = largest * (1 - rest * rest),
-                                  .asks_hole = i % HOLE_LOOKS == 0,
-                                  .each = i % 2 == 0 ? 1 : 2};
-        if (near != NULL) {
-            before = before != NULL && before->is_empty ? NULL : before;
-            foresee(near, before, i % 2 == 0 ? 1 : 0.5, &all[i]);
-        }
-        find_outline(search, 0, near, &all[i]);
-    }
-    return all;
-}
-
-/* Another wavelength, at the distances that are kept, each from its outline at the first. */
-static struct outline *accompany(const struct search *search, size_t wavelength,
-                                 const struct outline *first)
-{
-    struct outline *all = ARENA_ARRAY(search->arena, LOOKS, struct outline);
-    for (size_t i = 0; i < LOOKS; i++) {
-        all[i].is_empty = true;
-        if (i % 2 == 0) {
-            const struct outline *near = first[i].is_empty ? NULL : &first[i];
-            all[i] = (struct outline){.height = first[i].height,
-                                      .centre = first[i].centre,
-                                      .size = first[i].size,
-                                      .asks_hole = first[i].asks_hole,
-                                      .each = 2};
-            find_outline(search, wavelength, near, &all[i]);
+    enum { SIDE = 7 };
+    const double reach = building->search.lens->reach;
+    double *pole = building->region->pole;
+    struct outline outline = outline_at(building, 0, 0);
+    bool is_lit = outline_discover(&building->search, 0, &outline);
+    for (int ring = 1; ring <= SIDE / 2 && !is_lit && !building->is_round; ring++) {
+        for (int i = 0; i < SIDE * SIDE && !is_lit; i++) {
+            const int x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2;
+            if ((abs(x) > abs(y) ? abs(x) : abs(y)) == ring) {
+                pole[0] = reach * 2 * x / SIDE;
+                pole[1] = reach * 2 * y / SIDE;
+                outline = outline_at(building, 0, 0);
+                is_lit = outline_discover(&building->search, 0, &outline);
+            }
         }
     }
-    return all;
-}
-
-/* -------- polygons -------- */
-
-static struct point corner_of(const double *const corners[2], size_t row, size_t k)
-{
-    const size_t i = row * FILM_CORNERS + k;
-    return (struct point){corners[0][i], corners[1][i]};
-}
-
-/* Half way between the corners of two rows, or those of one. */
-static struct point middle_of(const double *const corners[2], size_t row, size_t next, size_t k)
-{
-    const struct point a = corner_of(corners, row, k), b = corner_of(corners, next, k);
-    return (struct point){(a.x + b.x) / 2, (a.y + b.y) / 2};
+    return is_lit;
 }
 
 /*
- * How far out a point is, in a sector from a centre whose other corners are a and b: 1 on the line
- * through them; NaN outside of the sector.
+ * Cat's eyes turn with the place on the film, but a polygon in the stop does not: if there are
+ * corners in the middle, they stay where they are.
  */
-static double depth_in(struct point at, struct point a, struct point b)
+static void choose_turning(const struct building *building)
 {
-    const double whole = a.x * b.y - a.y * b.x;
-    const double of_a = (at.x * b.y - at.y * b.x) / whole;
-    const double of_b = (a.x * at.y - a.y * at.x) / whole;
-    return of_a > -1e-9 && of_b > -1e-9 ? of_a + of_b : (double)NAN;
+    struct outline pole = outline_at(building, 0, 0);
+    outline_find(&building->search, 0, NULL, &pole);
+    building->region->turns = building->is_round || film_fit_is_smooth(&pole);
 }
 
-static void stretch(double *const corners[2], double centre, size_t row, size_t k, double by)
+/* Every column ends where, or beyond where, light does, and so does what lies between them. */
+static void find_ends(const struct building *building)
 {
-    const size_t i = row * FILM_CORNERS + k;
-    corners[0][i] *= by;
-    corners[1][i] = centre + (corners[1][i] - centre) * by;
+    struct film_region *region = building->region;
+    double *ends = building->ends;
+    const double pole = hypot(region->pole[0], region->pole[1]);
+    const double farthest = building->search.lens->reach + pole;
+    const size_t columns = region->is_grid ? FILM_COLUMNS : 1;
+    for (size_t c = 0; c < columns; c++) {
+        ends[c] = find_farthest(building, (double)c, farthest);
+    }
+    if (region->is_grid) {
+        ends[columns] = ends[0];
+        for (size_t c = 0; c < columns; c++) {
+            const double middle = (ends[c] + ends[c + 1]) / 2;
+            const double end =
+                middle < farthest ? find_farthest(building, (double)c + 0.5, farthest) : middle;
+            const double by = middle > 0 ? fmax(1, 1.001 * end / middle) : 1;
+            ends[c] = fmin(farthest, ends[c] * by);
+            ends[c + 1] = fmin(farthest, ends[c + 1] * by);
+        }
+        ends[0] = ends[columns] = fmax(ends[0], ends[columns]);
+    }
+    for (size_t c = 0; c < columns; c++) {
+        region->largest = fmax(region->largest, fmin(ends[c] + pole, building->search.lens->reach));
+    }
 }
 
-/* A polygon, and what it has to lie outside of, or inside. */
-struct fit {
-    const struct film_region *region;
-    double *const *corners;
-    size_t row, next; /* the same, or neighbours */
-    bool is_hole;
-};
+/* -------- edges -------- */
 
-/* Stretch the sector that a point lies in, if it lies there wrongly. */
-static void fit_point(const struct fit *fit, struct point at, size_t about)
+/* The last lit node of a column up to one; null: none is. */
+static const struct outline *lit_before(const struct building *building, size_t node)
 {
-    const double *const corners[2] = {fit->corners[0], fit->corners[1]};
-    const double *centres = fit->region->centre;
-    const double centre = (centres[fit->row] + centres[fit->next]) / 2;
-    enum { NEIGHBOURS = 3 };
-    const size_t from = about > NEIGHBOURS ? about - NEIGHBOURS : 0;
-    at.y -= centre;
-    for (size_t k = from; k < FILM_SECTORS / 2 && k <= about + NEIGHBOURS; k++) {
-        struct point a = middle_of(corners, fit->row, fit->next, k);
-        struct point b = middle_of(corners, fit->row, fit->next, k + 1);
-        a.y -= centre;
-        b.y -= centre;
-        const double depth = depth_in(at, a, b);
-        if (fit->is_hole ? depth < 1 : depth > 1) {
-            for (size_t j = k; j <= k + 1; j++) {
-                stretch(fit->corners, centres[fit->row], fit->row, j, depth);
-                if (fit->next != fit->row) {
-                    stretch(fit->corners, centres[fit->next], fit->next, j, depth);
-                }
+    const size_t rows = (size_t)building->region->rows;
+    const struct outline *all = building->nodes;
+    size_t i = node;
+    for (; all[i].is_empty && i % rows > 0; i--) {
+    }
+    return all[i].is_empty ? NULL : &all[i];
+}
+
+/* In a column the way on is known from the rows before; to another one the slope tells it. */
+static void move_by_slope(const struct film_region *region, const struct outline *near,
+                          struct outline *here)
+{
+    if (region->slope[0] == 0 && region->slope[1] == 0) {
+        return;
+    }
+    const struct outline_point zero = {0, 0};
+    outline_foresee(near, NULL, 0, here);
+    const struct outline_point from = film_region_reduced(region, &near->place, here->centre);
+    const struct outline_point to = film_region_reduced(region, &here->place, zero);
+    here->centre = (struct outline_point){from.x - to.x, from.y - to.y};
+}
+
+/* An outline that goes on from a node, by a share of a row. */
+static void find_next(const struct building *building, size_t wavelength,
+                      const struct outline *near, double share, struct outline *here)
+{
+    const size_t rows = (size_t)building->region->rows;
+    if (near != NULL) {
+        const bool is_first = (size_t)(near - building->nodes) % rows == 0;
+        outline_foresee(near, is_first || near[-1].is_empty ? NULL : near - 1, share, here);
+        move_by_slope(building->region, near, here);
+    }
+    outline_find(&building->search, wavelength, near, here);
+}
+
+/* The outlines of a column, each from those before it. */
+static void follow(const struct building *building, size_t column)
+{
+    const size_t rows = (size_t)building->region->rows;
+    for (size_t i = 0; i < rows; i++) {
+        const size_t node = column * rows + i;
+        struct outline *here = &building->nodes[node];
+        const struct outline *near = i > 0 ? lit_before(building, node - 1) : NULL;
+        *here =
+            outline_at(building, (double)column, height_of(building, (double)column, (double)i));
+        here->asks_hole = i % HOLE_ROWS == 0;
+        find_next(building, 0, near, 1, here);
+    }
+}
+
+/* Look from a place between nodes, and make them contain what is seen there. */
+static void look_between(const struct building *building, double column, double row,
+                         const struct film_nodes *nodes)
+{
+    const size_t node = nodes->of[0], wavelengths = building->search.lens->count;
+    const struct outline *near = lit_before(building, node);
+    const double height = height_of(building, column, row);
+    struct outline_point lit[OUTLINE_SCATTER];
+    struct outline here = {.is_empty = true};
+    for (size_t w = 0; w < wavelengths && here.is_empty && near != NULL; w++) {
+        here = outline_at(building, column, height);
+        here.each = 2;
+        find_next(building, w, near, row - floor(row), &here);
+    }
+    if (near == NULL) {
+        return;
+    }
+    if (here.is_empty) {
+        outline_foresee(near, NULL, 0, &here);
+    }
+    film_fit(building->region, nodes, &here);
+    const size_t turn = 4 * node + nodes->count + (column > floor(column));
+    const size_t count = outline_scatter(&building->search, turn % wavelengths, &here, turn, lit);
+    film_fit_points(building->region, nodes, &here, lit, count);
+}
+
+/* Between all rows and columns that are neighbours. */
+static void look_at_all(const struct building *building)
+{
+    const struct film_region *region = building->region;
+    const size_t rows = (size_t)region->rows, columns = region->is_grid ? FILM_COLUMNS : 1;
+    for (size_t c = 0; c < columns; c++) {
+        for (size_t i = 0; i < rows; i++) {
+            const size_t here = c * rows + i, beside = here + rows;
+            const double column = (double)c, row = (double)i;
+            if (i + 1 < rows) {
+                look_between(building, column, row + 0.5,
+                             &(struct film_nodes){{here, here + 1}, 2});
+            }
+            if (region->is_grid && i > 0) {
+                look_between(building, column + 0.5, row, &(struct film_nodes){{here, beside}, 2});
+            }
+            if (region->is_grid && i + 1 < rows) {
+                look_between(building, column + 0.5, row + 0.5,
+                             &(struct film_nodes){{here, here + 1, beside, beside + 1}, 4});
             }
         }
     }
 }
 
-static void fit_outline(const struct fit *fit, const struct outline *outline)
+/* Another wavelength, at the rows themselves, each from its outline at the first. */
+static void accompany(const struct building *building, size_t wavelength, bool *has_hole)
 {
-    if (outline->is_empty || (fit->is_hole && !outline->has_hole)) {
-        return;
-    }
-    for (size_t i = 0; i <= HALF && !fit->is_hole; i += outline->each) {
-        fit_point(fit, outline->edge[i], i / EACH);
-    }
-    for (size_t k = 0; k <= FILM_SECTORS / 2 && fit->is_hole; k++) {
-        fit_point(fit, outline->hole[k], k);
-    }
-}
-
-/* Corners on the edge; those of a row that is dark from the row before it. */
-static void start_row(const struct outline *all, size_t row, struct film_region *region)
-{
-    const struct outline *outline = &all[2 * row];
-    double *centre = &region->centre[row];
-    const bool goes_on = outline->is_empty && row > 1;
-    *centre = goes_on ? 2 * centre[-1] - centre[-2] : outline->centre;
-    for (size_t k = 0; k <= FILM_SECTORS / 2; k++) {
-        double *x = &region->outer[0][row * FILM_CORNERS + k];
-        double *y = &region->outer[1][row * FILM_CORNERS + k];
-        *x = goes_on ? x[-FILM_CORNERS] : outline->edge[EACH * k].x;
-        *y = goes_on ? *centre + y[-FILM_CORNERS] - centre[-1] : outline->edge[EACH * k].y;
-    }
-}
-
-/* Corners on the edge of a hole, between the two outlines that tell of it. */
-static void start_hole(const struct outline *all, size_t row, struct film_region *region)
-{
-    const size_t low = row / HOLE_ROWS * HOLE_LOOKS;
-    const size_t high =
-        low + HOLE_LOOKS < LOOKS && all[low + HOLE_LOOKS].has_hole ? low + HOLE_LOOKS : low;
-    const double share = (double)(row % HOLE_ROWS) / HOLE_ROWS;
-    for (size_t k = 0; k <= FILM_SECTORS / 2; k++) {
-        const struct point a = all[low].hole[k], b = all[high].hole[k];
-        region->inner[0][row * FILM_CORNERS + k] = a.x + share * (b.x - a.x);
-        region->inner[1][row * FILM_CORNERS + k] = a.y + share * (b.y - a.y);
-    }
-}
-
-/* Until they hold the outlines of all wavelengths. */
-static void fit_rows(struct outline *const *all, size_t wavelengths, bool is_hole,
-                     const struct film_region *region)
-{
-    double *const *corners = is_hole ? region->inner : region->outer;
-    for (size_t i = 0; i < LOOKS; i++) {
-        const struct fit fit = {region, corners, i / 2, (i + 1) / 2, is_hole};
-        for (size_t w = 0; w < wavelengths; w++) {
-            fit_outline(&fit, &all[w][i]);
+    const size_t nodes = film_region_nodes(building->region);
+    for (size_t i = 0; i < nodes; i++) {
+        const struct outline *first = &building->nodes[i], *near = lit_before(building, i);
+        if (near == NULL) {
+            continue;
         }
-    }
-    for (size_t row = 0; row < FILM_RADII; row++) {
-        for (size_t k = 0; k <= FILM_SECTORS / 2; k++) {
-            stretch(corners, region->centre[row], row, k, is_hole ? shrunk : grown);
-        }
-        for (size_t k = FILM_SECTORS / 2 + 1; k <= FILM_SECTORS; k++) {
-            const size_t i = row * FILM_CORNERS, other = FILM_SECTORS - k;
-            corners[0][i + k] = -corners[0][i + other];
-            corners[1][i + k] = corners[1][i + other];
-        }
+        struct outline here = {.place = first->place,
+                               .is_half = first->is_half,
+                               .centre = near->centre,
+                               .size = near->size,
+                               .asks_hole = first->asks_hole,
+                               .each = first->is_half || !first->asks_hole ? 2 : 1};
+        outline_find(&building->search, wavelength, near, &here);
+        film_fit(building->region, &(struct film_nodes){{i}, 1}, &here);
+        *has_hole = *has_hole && (here.has_hole || !here.asks_hole);
     }
 }
 
-/* Of all outlines that are asked and not dark, each has one. */
-static bool have_holes(struct outline *const *all, size_t wavelengths)
+/* -------- the region -------- */
+
+static void allocate(const struct film_lens *lens, struct arena *arena, struct building *building)
 {
+    struct film_region *region = building->region;
+    const size_t nodes = film_region_nodes(region);
+    for (int k = 0; k < 2; k++) {
+        region->centre[k] = ARENA_ARRAY(arena, nodes, double);
+        region->outer[k] = ARENA_ARRAY(arena, nodes * FILM_CORNERS, double);
+        region->inner[k] = ARENA_ARRAY(arena, nodes * FILM_CORNERS, double);
+    }
+    building->ends = ARENA_ARRAY(arena, FILM_COLUMNS + 1, double);
+    building->nodes = ARENA_ARRAY(arena, nodes, struct outline);
+    region->ends = building->ends;
+    building->search = (struct outline_search){lens, arena};
+}
+
+/* Of all outlines that are asked each has one. */
+static bool have_holes(const struct building *building)
+{
+    const size_t nodes = film_region_nodes(building->region);
     bool has = true;
-    for (size_t w = 0; w < wavelengths; w++) {
-        for (size_t i = 0; i < LOOKS; i += HOLE_LOOKS) {
-            has = has && all[w][i].has_hole;
-        }
+    for (size_t i = 0; i < nodes; i++) {
+        has = has && (building->nodes[i].has_hole || !building->nodes[i].asks_hole);
     }
     return has;
+}
+
+/* Corners on the edges. */
+static void start_all(const struct building *building)
+{
+    struct film_region *region = building->region;
+    const size_t nodes = film_region_nodes(region), rows = (size_t)region->rows;
+    for (size_t i = 0; i < nodes; i++) {
+        const size_t row = i % rows, low = i - row % HOLE_ROWS;
+        const size_t high = row - row % HOLE_ROWS + HOLE_ROWS < rows ? low + HOLE_ROWS : low;
+        film_fit_start(region, &building->nodes[i], row, i);
+        if (region->has_hole) {
+            film_fit_start_hole(region, &building->nodes[low], &building->nodes[high],
+                                (double)(row % HOLE_ROWS) / HOLE_ROWS, i);
+        }
+    }
+}
+
+/* By how much the middle of the pupil moves in a column, per mm: x, or y. */
+static double slope_of(const struct building *building, size_t column, bool of_x)
+{
+    const size_t rows = (size_t)building->region->rows;
+    const struct outline *pole = &building->nodes[column * rows];
+    const struct outline *far = lit_before(building, column * rows + rows / 2);
+    struct outline a, b; /* only their centres are */
+    if (far == NULL || far == pole) {
+        return 0;
+    }
+    outline_foresee(pole, NULL, 0, &a);
+    outline_foresee(far, NULL, 0, &b);
+    const double way = of_x ? b.centre.x - a.centre.x : b.centre.y - a.centre.y;
+    return way / height_of(building, (double)column, (double)((size_t)(far - pole)));
+}
+
+static void find_slope(const struct building *building)
+{
+    struct film_region *region = building->region;
+    if (region->is_grid && region->turns) {
+        for (size_t c = 0; c < FILM_COLUMNS; c++) {
+            region->slope[1] += slope_of(building, c, false) / FILM_COLUMNS;
+        }
+    } else if (region->is_grid) {
+        region->slope[0] = slope_of(building, 0, true);
+        region->slope[1] = slope_of(building, FILM_COLUMNS / 4, false);
+    }
+}
+
+static void build(struct building *building)
+{
+    struct film_region *region = building->region;
+    const size_t columns = region->is_grid ? FILM_COLUMNS : 1, rows = (size_t)region->rows;
+    for (size_t c = 0; c < columns; c++) {
+        follow(building, c);
+    }
+    for (size_t i = 0; i < rows && region->is_grid; i++) {
+        building->nodes[FILM_COLUMNS * rows + i] = building->nodes[i];
+    }
+    region->has_hole = have_holes(building);
+    find_slope(building);
+    start_all(building);
+    for (size_t i = 0; i < film_region_nodes(region); i++) {
+        film_fit(region, &(struct film_nodes){{i}, 1}, &building->nodes[i]);
+    }
+    look_at_all(building);
 }
 
 bool film_region_open(const struct film_lens *lens, struct arena *arena, struct film_region *region,
                       struct error *error)
 {
-    const struct search search = {lens, arena};
-    if (!lens_is_round(lens->systems[0]->lens)) {
-        return fail(error, ERROR_DOMAIN,
-                    "the lens is not the same all around its axis, which photographs need so far");
-    }
+    const bool is_round = lens_is_round(lens->systems[0]->lens);
+    struct building building = {.region = region, .is_round = is_round};
     if (!(fabs(lens->film) > 0 && isfinite(lens->film))) {
         return fail(error, ERROR_DOMAIN, "the film lies %s",
                     lens->film == 0 ? "in the last vertex" : "at infinity");
     }
     *region = (struct film_region){.film = lens->film,
                                    .index = lens->systems[0]->index_first,
-                                   .largest = find_largest(&search)};
-    if (region->largest == 0) {
+                                   .is_grid = !is_round,
+                                   .rows = is_round ? FILM_RADII : FILM_GRID_RADII};
+    allocate(lens, arena, &building);
+    if (!find_pole(&building)) {
         return true;
     }
-    region->per_mm = 1 / region->largest;
-    struct outline **all = ARENA_ARRAY(arena, lens->count, struct outline *);
-    for (size_t w = 0; w < lens->count; w++) {
-        all[w] = w == 0 ? follow(&search, region->largest) : accompany(&search, w, all[0]);
+    choose_turning(&building);
+    find_ends(&building);
+    build(&building);
+    for (size_t w = 1; w < lens->count; w++) {
+        bool has_hole = region->has_hole;
+        accompany(&building, w, &has_hole);
+        region->has_hole = has_hole;
     }
-    region->has_hole = have_holes(all, lens->count);
-    region->centre = ARENA_ARRAY(arena, FILM_RADII, double);
-    for (int k = 0; k < 2; k++) {
-        region->outer[k] = ARENA_ARRAY(arena, FILM_RADII * FILM_CORNERS, double);
-        region->inner[k] = ARENA_ARRAY(arena, FILM_RADII * FILM_CORNERS, double);
-    }
-    for (size_t row = 0; row < FILM_RADII; row++) {
-        start_row(all[0], row, region);
-        if (region->has_hole) {
-            start_hole(all[0], row, region);
-        }
-    }
-    fit_rows(all, lens->count, false, region);
     if (region->has_hole) {
-        const struct outline *axis = &all[0][0];
-        region->ratio = axis->hole[FILM_SECTORS / 4].x / axis->edge[HALF / 2].x;
-        fit_rows(all, lens->count, true, region);
+        const struct outline *pole = &building.nodes[0];
+        const size_t side = outline_sectors(pole) / (is_round ? 2 : 4);
+        region->ratio = fabs((pole->hole[side].x - pole->centre.x) /
+                             (pole->edge[OUTLINE_STEPS / (is_round ? 2 : 4)].x - pole->centre.x));
     }
+    film_fit_finish(region, is_round);
     return true;
 }

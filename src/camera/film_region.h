@@ -5,55 +5,75 @@
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "optics/first_order.h"
-#include "trace/system.h"
+#include "camera/film_outline.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { FILM_RADII = 65, FILM_SECTORS = 128, FILM_CORNERS = FILM_SECTORS + 1 };
-
-/* A round lens at all wavelengths that count, and its film. */
-struct film_lens {
-    const struct system *const *systems; /* reversed, with clip; the first is the one followed */
-    size_t count;
-    const struct first_order *first; /* for where the search begins */
-    double film;                     /* behind the last vertex, mm */
-    double reach;                    /* the point of the film farthest from the axis, mm */
-};
+/* Points of the film in one direction, or in every one of several. */
+enum { FILM_RADII = 65, FILM_GRID_RADII = 17, FILM_COLUMNS = 16, FILM_CORNERS = FILM_SECTORS + 1 };
 
 /*
- * Regions of direction cosines, one for each of FILM_RADII distances of the film from the axis,
- * h = largest (1 - (1 - t)^2), t in equal steps: closer to each other where light ends and pupils
- * shrink. Each is a ring of FILM_SECTORS pieces between two polygons, for the point (0, h) of the
- * film; the first corner lies upwards, the next ones towards +x, the last is the first again.
- * Between two distances corners are interpolated, and all light still passes within.
+ * Regions of direction cosines, one for each of some distances from a point of the film, its pole:
+ * h = end (1 - (1 - t)^2), t in equal steps: closer to each other where light ends and pupils
+ * shrink. Each is a ring of FILM_SECTORS pieces between two polygons, with outwards from the pole
+ * as upwards; the first corner lies upwards, the next ones towards what is +x then, the last is the
+ * first again. Between two distances corners are interpolated, and all light still passes within.
+ *
+ * A round lens is the same in all directions; of others there are columns, each in one direction
+ * from the pole: (1 - f, f) from +x to +y, f in equal steps, and so on; they are interpolated too.
+ * What stands there is less by slope times the place, which is what directions change about evenly
+ * with.
  */
 struct film_region {
-    double film;      /* behind the last vertex, mm */
-    double index;     /* n of the image space */
-    double largest;   /* distance from the axis up to which light arrives, mm; 0: none does */
-    double per_mm;    /* 1/largest */
-    bool has_hole;    /* something dark in the middle: a mirror */
-    double *centre;   /* its y, mm, FILM_RADII of them */
-    double *inner[2]; /* x, y of the corners, FILM_RADII rows of FILM_CORNERS; only with holes */
+    double film;        /* behind the last vertex, mm */
+    double index;       /* n of the image space */
+    double largest;     /* distance from the axis up to which light arrives, mm; 0: none does */
+    double pole[2];     /* mm; of a round lens on the axis */
+    bool is_grid;       /* has columns */
+    bool turns;         /* outwards from the pole is upwards; else y is, everywhere */
+    bool has_hole;      /* something dark in the middle: a mirror */
+    int rows;           /* of one column */
+    const double *ends; /* how far a column goes from the pole, mm: FILM_COLUMNS + 1 of them, the
+                            last the first again; of a round lens one */
+    double slope[2];    /* of x and y by the place from the pole, per mm */
+    double *centre[2];  /* x, y of the middle, for each row of each column */
+    double *inner[2];   /* x, y of FILM_CORNERS corners, the same; only with holes */
     double *outer[2];
     double ratio; /* about what the hole is of the region, in radii */
 };
 
+/* How many rows all columns have. */
+static inline size_t film_region_nodes(const struct film_region *region)
+{
+    return (size_t)region->rows * (region->is_grid ? FILM_COLUMNS + 1 : 1);
+}
+
+/* A direction at a place as it stands in the rows. */
+static inline struct outline_point film_region_reduced(const struct film_region *region,
+                                                       const struct film_place *place,
+                                                       struct outline_point way)
+{
+    const double x = place->x - region->pole[0], y = place->y - region->pole[1];
+    const double right = x * place->up[1] - y * place->up[0];
+    const double up = x * place->up[0] + y * place->up[1];
+    return (struct outline_point){way.x - region->slope[0] * right, way.y - region->slope[1] * up};
+}
+
 /*
  * Find the regions of a lens.
  *
- * Given     lens   round: the same in all directions about its axis
  * Result    regions that contain the clear pupils of all wavelengths; nothing else is promised of
  *           them: rays are traced to know which pass
- * Formula   the edge in 256 directions from a centre, each found from that of the distance before
- *           (trace/edges.h), at twice as many distances as are kept; polygons are stretched until
- *           they contain these edges, at their own distance and half way to the next, and then
- *           by 0.3 %; a hole is the smaller by 1.5 %
- * Errors    ERROR_DOMAIN: the lens is not round; the film lies in the last vertex
- * Limits    as trace/star.h: only what is connected with the middle of the pupil. Beside what was
- *           looked at 1e-4 of the irradiance on the axis may be missed, in lensdb's lenses
+ * Formula   the edge in 256 directions from a centre (128 where there are columns), each found from
+ *           that of the distance before (camera/film_outline.h); polygons are stretched until they
+ *           contain these edges, at their own place and half way to the next ones
+ *           (camera/film_fit.h)
+ * Errors    ERROR_DOMAIN: the film lies in the last vertex
+ * Limits    as trace/star.h: only what is connected with the middle of the pupil. Of lenses that
+ *           are not round only light of what is lit around the pole, as far as it is so without a
+ *           gap on the way from there. Beside what was looked at 1e-4 of the irradiance on the axis
+ *           may be missed, in lensdb's lenses
  */
 bool film_region_open(const struct film_lens *lens, struct arena *arena, struct film_region *region,
                       struct error *error);

@@ -31,22 +31,29 @@ static void start_in_region(const struct lens_film *film, struct film_samples *s
     film_rays_start(&film->region, samples, SET_BEST, block);
 }
 
-/* The same systems behind blades: their pupils lie within those of the round stop. */
-static bool put_blades(const struct film_question *question, unsigned which, struct arena *arena,
-                       struct lens_film *film, struct error *error)
+/* Systems towards the scene, at all wavelengths: with blades in the stop, if there are any. */
+static bool open_systems(const struct film_question *question, struct arena *arena,
+                         struct lens_film *film, struct error *error)
 {
     const struct setup *setup = question->setup;
+    const unsigned which =
+        SETUP_CLIPPED | SETUP_REVERSED | (question->model == MODEL_PARAXIAL ? SETUP_PARAXIAL : 0);
+    const bool has_blades = question->blades.count > 0;
     struct lens *bladed = ARENA_NEW(arena, struct lens);
-    if (!blades_stop(setup->lens, &question->blades, setup->first.stop_radius, arena, bladed,
-                     error)) {
+    if (has_blades && !blades_stop(setup->lens, &question->blades, setup->first.stop_radius, arena,
+                                   bladed, error)) {
         return false;
     }
+    film->systems = ARENA_ARRAY(arena, setup->wavelength_count, const struct system *);
     for (size_t w = 0; w < setup->wavelength_count; w++) {
-        struct system *system = ARENA_NEW(arena, struct system);
-        if (!setup_compile(setup, bladed, w, which, system, error)) {
+        struct system *system = has_blades ? ARENA_NEW(arena, struct system) : NULL;
+        if (has_blades && !setup_compile(setup, bladed, w, which, system, error)) {
             return false;
         }
-        film->systems[w] = system;
+        film->systems[w] = has_blades ? system : setup_system(setup, w, which, error);
+        if (film->systems[w] == NULL) {
+            return false;
+        }
     }
     return true;
 }
@@ -55,9 +62,6 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error)
 {
     const struct setup *setup = question->setup;
-    const unsigned which =
-        SETUP_CLIPPED | SETUP_REVERSED | (question->model == MODEL_PARAXIAL ? SETUP_PARAXIAL : 0);
-    film->systems = ARENA_ARRAY(arena, setup->wavelength_count, const struct system *);
     film->corner = hypot(question->width, question->height) / 2;
     film->acceptance = question->acceptance;
     if (question->model == MODEL_PINHOLE && question->blades.count > 0) {
@@ -72,11 +76,8 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
              setup->lens->stop == LENS_NONE ? "the lens has no stop" : "the stop has no diameter");
         return error_hint(error, "give an f-number, or a diameter in the file");
     }
-    for (size_t w = 0; w < setup->wavelength_count; w++) {
-        film->systems[w] = setup_system(setup, w, which, error);
-        if (film->systems[w] == NULL) {
-            return false;
-        }
+    if (!open_systems(question, arena, film, error)) {
+        return false;
     }
     const struct film_lens lens = {.systems = film->systems,
                                    .count = setup->wavelength_count,
@@ -98,7 +99,7 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
         film->hole = setup->first.exit_pupil;
         film->hole_area = PI / 4 * setup->first.exit_diameter * setup->first.exit_diameter;
     }
-    return question->blades.count == 0 || put_blades(question, which, arena, film, error);
+    return true;
 }
 
 void lens_film_start(const struct lens_film *film, struct film_samples *samples,

@@ -27,10 +27,10 @@ struct lens_film {
 
 /* A film, and what the lens has for a stop. */
 struct film_question {
-    const struct setup *setup; /* round, with its image plane and the wavelengths that count */
-    double width, height;      /* of the film, mm */
-    struct blades blades;      /* count 0: the stop is round */
-    enum lens_model model;     /* the setup's lens is that of it */
+    const struct setup *setup;           /* with its image plane and the wavelengths that count */
+    double width, height;                /* of the film, mm */
+    struct blades blades;                /* count 0: the stop is round */
+    enum lens_model model;               /* the setup's lens is that of it */
     const struct acceptance *acceptance; /* of its pixels; null: they take all light */
 };
 

@@ -1,0 +1,43 @@
+/* camera/film_fit.h - polygons stretched until they contain the edges of pupils. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CAMERA_FILM_FIT_H
+#define LENSCALC_CAMERA_FILM_FIT_H
+
+#include "camera/film_region.h"
+
+/* The rows that a place of the film lies between: one, or in the middle of two or four. */
+struct film_nodes {
+    size_t of[4], count;
+};
+
+/* Does an edge nowhere turn sharply? */
+bool film_fit_is_smooth(const struct outline *outline);
+
+/* Corners of a node, the row `row` of its column, on an edge; where it is dark as those before. */
+void film_fit_start(const struct film_region *region, const struct outline *outline, size_t row,
+                    size_t node);
+
+/* Corners of its hole, between two outlines that have one. */
+void film_fit_start_hole(const struct film_region *region, const struct outline *low,
+                         const struct outline *high, double share, size_t node);
+
+/*
+ * Stretch the polygons of rows until what is interpolated between them contains an outline, and
+ * shrink those of holes.
+ *
+ * Formula   for every point of the edge the sector, seen from the centre, that it lies in: its two
+ *           corners are moved out by as much as the point lies beyond the line through them.
+ *           Between two where the edge turns sharply it goes straight on from both sides
+ */
+void film_fit(const struct film_region *region, const struct film_nodes *nodes,
+              const struct outline *outline);
+
+/* The same of single directions, each by a tenth more than it needs. */
+void film_fit_points(const struct film_region *region, const struct film_nodes *nodes,
+                     const struct outline *outline, const struct outline_point *points,
+                     size_t count);
+
+/* All polygons larger by 0.3 %, holes smaller by 1.5 %; halves are made whole. */
+void film_fit_finish(const struct film_region *region, bool is_half);
+
+#endif

@@ -1,0 +1,104 @@
+/* camera/film_outline.h - the edge of a pupil as a point of the film sees it. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CAMERA_FILM_OUTLINE_H
+#define LENSCALC_CAMERA_FILM_OUTLINE_H
+
+#include "base/arena.h"
+#include "optics/first_order.h"
+#include "trace/rays.h"
+#include "trace/system.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A lens at all wavelengths that count, and its film. */
+struct film_lens {
+    const struct system *const *systems; /* reversed, with clip; the first is the one followed */
+    size_t count;
+    const struct first_order *first; /* for where the search begins */
+    double film;                     /* behind the last vertex, mm */
+    double reach;                    /* the point of the film farthest from the axis, mm */
+};
+
+/* Parts that the whole of a region's ring has, and in how many directions edges are looked for. */
+enum { FILM_SECTORS = 128, OUTLINE_STEPS = 128 };
+
+/* The most rays that one call of outline_scatter finds. */
+enum { OUTLINE_SCATTER = 5 * RAYS_BLOCK };
+
+struct outline_point {
+    double x, y;
+};
+
+/* A point of the film, mm, and what is upwards there: a unit vector. */
+struct film_place {
+    double x, y, up[2];
+};
+
+/*
+ * An edge in direction cosines, whose y is along what is upwards: seen from the centre, in
+ * directions from upwards over +x, to downwards where the other half is its mirror image, else
+ * round to the first again.
+ */
+struct outline {
+    struct film_place place;
+    bool is_half, is_empty, asks_hole, has_hole;
+    size_t each;                       /* which directions are looked in: all, every other.. */
+    struct outline_point centre, size; /* size: half widths */
+    struct outline_point edge[OUTLINE_STEPS + 1];
+    struct outline_point hole[FILM_SECTORS + 1]; /* of every corner of the ring */
+};
+
+struct outline_search {
+    const struct film_lens *lens;
+    struct arena *arena;
+};
+
+/* Pieces of the ring that an outline sees. */
+static inline size_t outline_sectors(const struct outline *outline)
+{
+    return outline->is_half ? FILM_SECTORS / 2 : FILM_SECTORS;
+}
+
+/* Centre and half widths of what was found at a place, for one a share of a step farther on. */
+void outline_foresee(const struct outline *last, const struct outline *before, double share,
+                     struct outline *here);
+
+/*
+ * Does any light come? Looked for about the centre that the outline has, with a grid of rays over
+ * its half widths, and finer ones about the ray that fails by least.
+ *
+ * Result    true: the centre is a ray that passes well, half widths are about what is clear
+ */
+bool outline_is_lit(const struct outline_search *search, size_t wavelength,
+                    struct outline *outline);
+
+/* The same without any idea where. */
+bool outline_discover(const struct outline_search *search, size_t wavelength,
+                      struct outline *outline);
+
+/*
+ * Find the outline of its place.
+ *
+ * Given     near     the outline of a neighbour, from which `centre` and `size` are foreseen; null:
+ *                    none, they are not set
+ *           outline  with place, is_half, asks_hole, each
+ * Formula   edges (trace/edges.h) about the centre, in a disc that is enlarged until it ends none;
+ *           where the centre is dark, about what outline_is_lit finds; without a neighbour about
+ *           what outline_discover does
+ */
+void outline_find(const struct outline_search *search, size_t wavelength,
+                  const struct outline *near, struct outline *outline);
+
+/*
+ * Rays that pass, among some spread over 1.6 of the half widths about the centre, farther where
+ * they lie beyond these: light that a star from there does not see, as horns of a crescent.
+ *
+ * Given     turn  other rays for each
+ *           lit   receives directions, as edges have them: OUTLINE_SCATTER at most
+ * Result    how many
+ */
+size_t outline_scatter(const struct outline_search *search, size_t wavelength,
+                       const struct outline *outline, size_t turn, struct outline_point *lit);
+
+#endif
