@@ -18,17 +18,20 @@ struct work {
     struct card card;
     const struct relief *relief; /* null: the card is flat */
     struct image *image;
-    unsigned char *done;   /* of each tile */
-    atomic_ullong *sights; /* how many rays found out how much, RELIEF_SIGHTS of them */
-    double scale;          /* (n'/n)^2, n of the scene */
-    size_t passes;         /* one for all channels where nothing disperses, or one a channel */
+    unsigned char *done;        /* of each tile */
+    atomic_ullong *convergence; /* CONVERGENCE_COUNTS of them */
+    double unit;                /* of means, in errors that are asked for */
+    atomic_ullong *sights;      /* how many rays found out how much, RELIEF_SIGHTS of them */
+    double scale;               /* (n'/n)^2, n of the scene */
+    size_t passes;              /* one for all channels where nothing disperses, or one a channel */
 };
 
 /* What one thread traces in. */
 struct room {
     struct film_samples samples;
     struct rays rays;
-    double sums[PIXELS][PHOTOGRAPH_CHANNELS];
+    double sums[PIXELS][PHOTOGRAPH_CHANNELS], half[PIXELS][PHOTOGRAPH_CHANNELS];
+    uint64_t convergence[CONVERGENCE_COUNTS];
     unsigned long long sights[RELIEF_SIGHTS]; /* how many rays found out how much */
 };
 
@@ -194,24 +197,52 @@ static void add_ray(const struct work *work, const struct film_plan *plan, size_
     }
 }
 
-/* Sums of weights times light, a pixel and channel each. */
-static void sum_tile(const struct work *work, struct film_plan *plan, size_t tile,
-                     struct room *room)
+/* Sums of weights times light, a pixel and channel each: blocks of points more. */
+static void sum_blocks(const struct work *work, const struct film_plan *plan, size_t begin,
+                       size_t end, struct room *room)
 {
-    const struct photograph_question *question = work->question;
-    memset(room->sums, 0, sizeof room->sums);
-    for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
-        plan->scrambling[k] = sobol_scrambling(question->seed, tile, k);
-    }
     /* the same points for all channels: what is left of noise is grey */
     for (size_t pass = 0; pass < work->passes; pass++) {
-        for (uint32_t block = 0; block < question->samples; block++) {
+        for (uint32_t block = (uint32_t)begin; block < end; block++) {
             trace_plan(work->film, plan, block, pass, room);
             for (size_t i = 0; i < RAYS_BLOCK; i++) {
                 add_ray(work, plan, pass, i, room);
             }
         }
     }
+}
+
+/* Twice as many samples again and again, until the error is reached; returns how many. */
+static size_t sum_until(const struct work *work, const struct film_plan *plan, struct room *room)
+{
+    size_t samples = CONVERGENCE_LEAST / 2;
+    double error = INFINITY;
+    sum_blocks(work, plan, 0, samples, room);
+    for (; error > 1 && samples < work->question->samples; samples *= 2) {
+        memcpy(room->half, room->sums, sizeof room->half);
+        sum_blocks(work, plan, samples, 2 * samples, room);
+        error =
+            work->unit * convergence_halves((const double *)room->half, (const double *)room->sums,
+                                            PIXELS * PHOTOGRAPH_CHANNELS, (double)samples);
+    }
+    convergence_add(room->convergence, error, samples);
+    return samples;
+}
+
+/* All samples of a tile, by its place in the frame; returns how many. */
+static size_t sum_tile(const struct work *work, struct film_plan *plan, size_t tile,
+                       struct room *room)
+{
+    const struct photograph_question *question = work->question;
+    memset(room->sums, 0, sizeof room->sums);
+    for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
+        plan->scrambling[k] = sobol_scrambling(question->seed, tile, k);
+    }
+    if (question->error > 0) {
+        return sum_until(work, plan, room);
+    }
+    sum_blocks(work, plan, 0, question->samples, room);
+    return question->samples;
 }
 
 /* Tile `tile` of the crop; its points are those of its place in the frame. */
@@ -226,11 +257,10 @@ static void take_tile(const struct work *work, size_t tile, struct room *room)
     if (!is_lit(&plan, work->film->region.largest)) {
         return;
     }
-    sum_tile(work, &plan, row / DOWN * tiling.frame + column / ACROSS, room);
+    const size_t samples = sum_tile(work, &plan, row / DOWN * tiling.frame + column / ACROSS, room);
     for (size_t k = 0; k < PIXELS; k++) {
         for (size_t channel = 0; channel < PHOTOGRAPH_CHANNELS; channel++) {
-            pixels[k][channel] =
-                (float)(work->scale * room->sums[k][channel] / (double)question->samples);
+            pixels[k][channel] = (float)(work->scale * room->sums[k][channel] / (double)samples);
         }
     }
     photograph_tile(question, work->image, tile, TILE_TO_PICTURE, pixels);
@@ -251,6 +281,9 @@ static void take_tiles(void *context, const struct parallel_piece *piece)
     }
     for (int i = 0; i < RELIEF_SIGHTS; i++) {
         atomic_fetch_add(&work->sights[i], room->sights[i]);
+    }
+    for (int i = 0; i < CONVERGENCE_COUNTS; i++) {
+        atomic_fetch_add(&work->convergence[i], room->convergence[i]);
     }
     arena_reset(piece->arena, mark);
 }
@@ -384,6 +417,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                         .film = &film,
                         .card = question->card,
                         .image = &photograph->image,
+                        .convergence = ARENA_ARRAY(arena, CONVERGENCE_COUNTS, atomic_ullong),
                         .sights = ARENA_ARRAY(arena, RELIEF_SIGHTS, atomic_ullong),
                         .scale = n * n,
                         .passes = is_alike(&film, wavelengths) ? 1 : PHOTOGRAPH_CHANNELS};
@@ -398,12 +432,16 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     }
     work.done = question->done != NULL ? question->done : ARENA_ARRAY(arena, tiles, unsigned char);
     photograph->axis = axis_light(&work, room);
+    work.unit = work.scale / (photograph->axis * question->error);
     watch_begin(question->watch, "pixels", PIXELS * count_missing(&work, tiles));
     struct parallel *parallel = ARENA_NEW(arena, struct parallel);
     parallel->threads = question->threads;
     parallel_pieces(parallel, tiles, 4, take_tiles, &work);
     parallel_free(parallel);
     share_sights(&work, photograph->sights);
+    for (int i = 0; i < CONVERGENCE_COUNTS; i++) {
+        photograph->convergence[i] = atomic_load(&work.convergence[i]);
+    }
     photograph->is_incomplete = count_missing(&work, tiles) > 0;
     return true;
 }

@@ -8,6 +8,7 @@
 #include "base/image/image.h"
 #include "base/watch.h"
 #include "camera/card.h"
+#include "camera/convergence.h"
 #include "camera/lens_film.h"
 #include "camera/relief.h"
 
@@ -32,6 +33,9 @@ struct photograph_question {
     size_t columns, rows;      /* pixels of it */
     struct image_area crop;    /* pixels of them that are taken; no width: all */
     size_t samples;            /* rays a pixel and channel: a power of two */
+    /* Each tile has as many as it needs for this error, a share of the white in the middle of the
+       film, and `samples` at most; 0: all have `samples` */
+    double error;
     uint64_t seed;
     int threads;
     /* width 0: as large as the film's corners see; height 0: by its own proportions */
@@ -48,8 +52,9 @@ struct photograph {
     struct card card;             /* with its size */
     double axis;                  /* that of a white scene in the middle of the film */
     double sights[RELIEF_SIGHTS]; /* shares of the rays that arrive, of a picture with depths */
-    double largest, corner;       /* how far from the axis light arrives, and the film goes, mm */
-    bool is_incomplete;           /* the watch has ended it: tiles are missing, and black */
+    uint64_t convergence[CONVERGENCE_COUNTS]; /* of tiles, with an error */
+    double largest, corner; /* how far from the axis light arrives, and the film goes, mm */
+    bool is_incomplete;     /* the watch has ended it: tiles are missing, and black */
 };
 
 /*
@@ -60,6 +65,8 @@ struct photograph {
  * Formula   for 16 x 8 pixels at once the first 128 n points of a scrambled Sobol' sequence, of
  *           which each pixel has n where that is a power of two; rays as camera/film_rays.h,
  *           traced exactly, to the plane of the card, or to the relief that it is
+ *           With an error as many points as if there were no error and so many samples: twice as
+ *           many, CONVERGENCE_LEAST at first, until the tile's halves agree (camera/convergence.h)
  *           No number depends on the threads, the crop, or what is done already
  * Errors    ERROR_DOMAIN: as lens_film_open; the card within the lens; as relief_open
  */

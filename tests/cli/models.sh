@@ -33,3 +33,11 @@ lenscalc $card --autofocus 0.8:1.5 -s 2m -o lost.png
 lenscalc $card --autofocus 0.8:0.5 -s 2m --field-width 1m -o lost.png
 lenscalc render --lens double-gauss-50 --autofocus 0.8:0.5 --rays lost.csv
 ls lost.*
+# as many rays as an error takes
+card='render chart:edge --lens double-gauss-50 -s 1m --size 16x8'
+lenscalc $card --error 50% -o error.png
+lenscalc $card --error 0.01% --samples 16 -o error.png
+lenscalc $card --error 1% --samples 8 -o lost.png
+lenscalc $card --error 2 -o lost.png
+lenscalc render --lens double-gauss-50 --error 1% --rays lost.csv
+ls lost.*

@@ -4,7 +4,8 @@
 Rays of a thin lens, of a thick one and of a pinhole have the weights, the irradiance and the
 circles of confusion of closed forms; those of paraxial and thick lenses are those of y and n u
 worked out here, point by point, and of the 4x4 matrix. A fitted lens is that of `fit -o`. Focusing
-on the sharpest image differs from the thick lens's focus by longitudinal aberration alone.
+on the sharpest image differs from the thick lens's focus by longitudinal aberration alone. The
+error that a picture says is not less than its own, and not much more.
 """
 # SPDX-License-Identifier: MIT
 
@@ -307,6 +308,45 @@ def check_autofocus(render):
                      f"{place}: {result.stderr}, expected {s - H}")
 
 
+def check_error(render):
+    """The error that is said, against 4096 rays of another seed; tiles as with fixed samples."""
+    checks = render.checks
+    common = ["render", "chart:checker", "--lens", "cs348b-dgauss-50", "-s", "1m", "--defocus",
+              "0.3", "-t", "0.01", "--size", "48x32", "-w", "d"]
+
+    def take(name, *words):
+        result = render.run(*common, *words, "-o", name)
+        checks.check(result.returncode == 0, result.stderr)
+        return read_pfm(os.path.join(render.folder, name)), result.stderr
+
+    best, _ = take("best.pfm", "--samples", "4096", "--seed", "7")
+    white = 0.19251 * 10  # lx s in the middle: an independent program's E/L, 1000 cd/m2, 1/100 s
+    pictures = {}
+    for asked in 0.02, 0.005:
+        rows, words = take("error.pfm", "--error", f"{asked}")
+        said = re.search(r"error ([0-9.]+) % of white, by ([0-9.]+) rays", words)
+        true = math.sqrt(sum((a[1] - b[1]) ** 2 for row, other in zip(rows, best)
+                             for a, b in zip(row, other)) / (48 * 32)) / white
+        stated = float(said.group(1)) / 100
+        checks.check(stated <= asked and true < 1.05 * stated and true > stated / 5,
+                     f"--error {asked}: it says {stated}, it is {true}")
+        pictures[asked] = rows
+    # every tile is one of those with fixed samples
+    fixed = {n: take("fixed.pfm", "--samples", f"{n}")[0] for n in (16, 32, 64, 128, 256, 512)}
+    for top in range(0, 32, 8):
+        for left in range(0, 48, 16):
+            tile = [row[left:left + 16] for row in pictures[0.005][top:top + 8]]
+            same = [n for n, rows in fixed.items()
+                    if [row[left:left + 16] for row in rows[top:top + 8]] == tile]
+            checks.check(len(same) == 1, f"tile {left}, {top} is as with {same} samples")
+    crop, _ = take("crop.pfm", "--error", "0.005", "--crop", "10:5:30x20")
+    checks.check(crop == [row[10:40] for row in pictures[0.005][5:25]], "a crop is another")
+    _, words = take("few.pfm", "--error", "0.0001", "--samples", "32")
+    missed = re.search(r"warning: 12 of 12 tiles have not reached the error: they have ([0-9.]+) %",
+                       words)
+    checks.check(missed is not None and float(missed.group(1)) > 0.2, words)
+
+
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-models-") as folder:
@@ -315,7 +355,7 @@ def main():
         render.write("glass.lens", glass_lens(GLASS, DIAMETERS))
         render.write("mirrors.lens", MIRRORS)
         for check in (check_light, check_confusion, check_blur, check_paraxial, check_fitted,
-                      check_focus, check_autofocus):
+                      check_focus, check_autofocus, check_error):
             check(render)
     return checks.finish()
 

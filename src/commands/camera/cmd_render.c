@@ -86,6 +86,10 @@ static const struct option options[] = {
     {OPTION(struct render_input, samples), .name = "samples", .lowest = 1, .highest = 4e9,
      .value = "COUNT",
      .help = "rays of a pixel and colour, a power of two (64); with --rays rays in all (65536)"},
+    {OPTION(struct render_input, error), .name = "error", .dimension = &dimension_ratio,
+     .lowest = 1e-4, .highest = 1, .value = "RATIO",
+     .help = "as many rays as each tile of 16 x 8 pixels needs for it, as a share of white: 1%; "
+             "--samples then is the most (4096)"},
     {OPTION(struct render_input, bits), .name = "bits", .lowest = 8, .highest = 32,
      .value = "8|16|32", .help = "of a number: PNG 8 or 16 (8), OpenEXR 16 or 32 (32)"},
     {OPTION(struct render_input, packing), .name = "packing", .words = render_packings,
@@ -151,9 +155,9 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "subject",   "autofocus",   "radiance",  "packing", "ev",  "scene", "filter",
-        "depth-map", "field-width", "luminance", "time",    "iso", "size",  "crop",
-        "bits",      "film",        "grain",     "threads", NULL};
+        "subject", "autofocus", "error",       "radiance",  "packing", "ev",  "scene",
+        "filter",  "depth-map", "field-width", "luminance", "time",    "iso", "size",
+        "crop",    "bits",      "film",        "grain",     "threads", NULL};
     const char *const *const lists[] = {of_pictures, render_sensor_options};
     const bool also_picture = asking_given(job->asking, "output");
     for (size_t k = 0; k < 2 && !also_picture; k++) {

@@ -42,6 +42,7 @@ struct render_input {
     const char *response, *acceptance;    /* a word or number, or a file */
     struct film_value film;
     double grain; /* rms granularity, as characteristic_grain takes it; NaN = none */
+    double error; /* a share of white; NaN = not given */
     long samples, seed, threads, bits; /* samples, bits: 0 = not given */
 };
 
@@ -162,6 +163,18 @@ void render_filter(const struct render_input *input, const struct setup *setup,
 
 /* Which light and which filter, if they have names. */
 void render_say_light(const struct render_input *input, struct growing *remarks);
+
+/* -------- commands/camera/render_samples.c -------- */
+
+/* Errors: ERROR_USAGE: samples that are no power of two, too many, or too few for an error */
+bool render_check_samples(const struct render_input *input, struct error *error);
+
+/* How many, or until which error. */
+void render_ask_samples(const struct render_input *input, struct photograph_question *question);
+
+/* The error that was reached, and how many tiles missed it and by how much. */
+void render_say_samples(const struct render_input *input, const struct photograph *photograph,
+                        struct growing *remarks);
 
 /* -------- commands/camera/render_sensor.c -------- */
 

@@ -4,8 +4,6 @@
 #include "commands/camera/render.h"
 #include "report/version.h"
 
-enum { USUAL_SAMPLES = 64, MOST_SAMPLES = 1 << 20 };
-
 /* Each channel is traced at one wavelength. */
 static const struct setup_wavelength channels[PHOTOGRAPH_CHANNELS] = {
     {RESPONSE_RED, 1}, {RESPONSE_GREEN, 1}, {RESPONSE_BLUE, 1}};
@@ -24,20 +22,15 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
         fail(error, ERROR_USAGE, "how far away the card is is not said");
         return error_hint(error, "give {--distance}, as -s 2m");
     }
-    const long samples = input->samples;
-    if (samples > MOST_SAMPLES || (samples & (samples - 1)) != 0) {
-        return fail(error, ERROR_USAGE,
-                    "{--samples} %ld: rays of a pixel are a power of two, at most %d", samples,
-                    MOST_SAMPLES);
-    }
     if (input->question.spectrum.count > 0) {
         return fail(error, ERROR_USAGE,
                     "{--spectrum} is for {--rays}: a picture has three colours, or one "
                     "{--wavelength}");
     }
     return render_check_file(input, job->type, error) && render_check_light(input, error) &&
-           render_check_autofocus(input, error) && render_check_film(job, error) &&
-           render_check_depths(input, error) && render_frame_read(input, &frame, error) &&
+           render_check_samples(input, error) && render_check_autofocus(input, error) &&
+           render_check_film(job, error) && render_check_depths(input, error) &&
+           render_frame_read(input, &frame, error) &&
            render_check_sensor(job, frame.columns, error);
 }
 
@@ -82,12 +75,12 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     struct growing doubts = {.arena = arena};
     struct photograph_question question = {
         .film = render_film(input, one),
-        .samples = input->samples == 0 ? USUAL_SAMPLES : (size_t)input->samples,
         .seed = (uint64_t)input->seed,
         .threads = parallel_threads(input->threads),
         .card = {.distance = render_object(one),
                  .width = isnan(input->field_width) ? 0 : input->field_width},
         .watch = job->run->watch};
+    render_ask_samples(input, &question);
     if (!render_frame_read(input, &shot.frame, error)) {
         return false;
     }
@@ -108,6 +101,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
              "interrupted: the picture is incomplete, and black where it is missing");
     }
     render_say_autofocus(input, render_object(one), &doubts);
+    render_say_samples(input, &shot.photograph, &doubts);
     render_say_light(input, &doubts);
     render_say_scene(&shot.photograph, one->setup, &doubts);
     render_say_depths(input, &shot.photograph, &doubts);

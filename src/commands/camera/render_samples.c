@@ -1,0 +1,46 @@
+/* commands/camera/render_samples.c - how many rays a pixel has, and what error that leaves. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render.h"
+
+enum { USUAL_SAMPLES = 64, USUAL_WITH_ERROR = 4096, MOST_SAMPLES = 1 << 20 };
+
+bool render_check_samples(const struct render_input *input, struct error *error)
+{
+    const long samples = input->samples;
+    if (samples > MOST_SAMPLES || (samples & (samples - 1)) != 0) {
+        return fail(error, ERROR_USAGE,
+                    "{--samples} %ld: rays of a pixel are a power of two, at most %d", samples,
+                    MOST_SAMPLES);
+    }
+    return isnan(input->error) || samples == 0 || samples >= CONVERGENCE_LEAST ||
+           fail(error, ERROR_USAGE,
+                "{--samples} %ld: with an {--error} they are the most there may be, %d or more",
+                samples, CONVERGENCE_LEAST);
+}
+
+void render_ask_samples(const struct render_input *input, struct photograph_question *question)
+{
+    const long usual = isnan(input->error) ? USUAL_SAMPLES : USUAL_WITH_ERROR;
+    question->samples = (size_t)(input->samples == 0 ? usual : input->samples);
+    question->error = isnan(input->error) ? 0 : input->error;
+}
+
+void render_say_samples(const struct render_input *input, const struct photograph *photograph,
+                        struct growing *remarks)
+{
+    const uint64_t *counts = photograph->convergence;
+    if (isnan(input->error) || counts[CONVERGENCE_TILES] == 0) {
+        return;
+    }
+    growing_format(remarks, "error %.2g %% of white, by %.4g rays a pixel and colour on average\n",
+                   100 * input->error * convergence_error(counts, false),
+                   (double)counts[CONVERGENCE_RAYS] / (double)counts[CONVERGENCE_TILES]);
+    if (counts[CONVERGENCE_MISSED] > 0) {
+        growing_format(remarks,
+                       "warning: %llu of %llu tiles have not reached the error: they have %.2g %% "
+                       "of white\n",
+                       (unsigned long long)counts[CONVERGENCE_MISSED],
+                       (unsigned long long)counts[CONVERGENCE_TILES],
+                       100 * input->error * convergence_error(counts, true));
+    }
+}
