@@ -4,7 +4,6 @@
 
 #include "analysis/quadrature.h"
 #include "base/constants.h"
-#include "trace/aim.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
@@ -71,9 +70,14 @@ static bool open_systems(struct falloff *falloff, struct error *error)
 static bool find_chief(const struct falloff *falloff, const struct field_point *field,
                        struct beam *beam, double chief[2], struct error *error)
 {
+    struct setup_near *near = falloff->near;
     struct aim aim;
-    if (!setup_beam(&falloff->setup, field, beam, error) ||
-        !aim_open(falloff->field_open, beam, falloff->setup.arena, &aim, error)) {
+    if (!setup_beam_near(&falloff->setup, field, near, beam, error)) {
+        return false;
+    }
+    struct aim_near from = near->chief;
+    from.is_known = from.is_known && field->kind == FIELD_REAL;
+    if (!aim_open_near(falloff->field_open, beam, &from, falloff->setup.arena, &aim, error)) {
         return false;
     }
     chief[0] = aim.chief[0];
@@ -207,6 +211,7 @@ bool falloff_open(const struct falloff_question *question, struct falloff *fallo
     *falloff = (struct falloff){
         .setup = setup_at_wavelength(setup, setup->wavelengths[question->wavelength].wavelength,
                                      setup->arena),
+        .near = ARENA_NEW(setup->arena, struct setup_near),
         .error = question->error,
         .clip = question->clip,
         .no_field = question->no_field,

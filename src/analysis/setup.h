@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "optics/first_order.h"
 #include "optics/paraxial.h"
+#include "trace/aim.h"
 #include "trace/system.h"
 
 #include <stdbool.h>
@@ -140,6 +141,17 @@ struct field_point setup_in_section(const struct setup *setup, const struct fiel
  */
 bool setup_beam(const struct setup *setup, const struct field_point *field, struct beam *beam,
                 struct error *error);
+
+/* A height of the real image whose object has been found: where to begin with the next. */
+struct setup_near {
+    bool is_known;
+    double goal[2], at[2]; /* the height, mm; the object: rad or mm */
+    struct aim_near chief; /* at the primary wavelength */
+};
+
+/* The same from a height near by, which becomes this one; null: there is none. */
+bool setup_beam_near(const struct setup *setup, const struct field_point *field,
+                     struct setup_near *near, struct beam *beam, struct error *error);
 
 /*
  * A field becomes what the section sees of it, setup_in_section, and a height of the real image the

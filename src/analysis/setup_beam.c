@@ -3,7 +3,6 @@
 #include "analysis/setup.h"
 
 #include "base/constants.h"
-#include "trace/aim.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
@@ -20,6 +19,7 @@ struct search {
     int first;                         /* axis: 1 = in the y-z plane alone, 0 = x too */
     double at[2];                      /* far: the angle, towards (x, y); near: mm */
     double miss[2];                    /* what is left of the goal, mm */
+    struct aim_near near;              /* the chief ray looked at last */
     size_t sought;                     /* rays in search of chief rays, times their surfaces */
     struct error lost;                 /* why a chief ray was not found last */
 };
@@ -50,7 +50,8 @@ static bool find_chief(struct search *search, const struct beam *beam, struct ra
     if (search->sought > most_sought) {
         return false;
     }
-    bool found = aim_open(search->open, beam, search->setup->arena, &aim, &search->lost);
+    bool found = aim_open_near(search->open, beam, &search->near, search->setup->arena, &aim,
+                               &search->lost);
     search->sought += aim.sought;
     *chief = found ? aim_chief(&aim) : (struct ray){.status = RAY_MISS};
     return found;
@@ -125,7 +126,9 @@ static bool improve(struct search *search)
     if (!find_step(search, step)) {
         return false;
     }
-    for (double share = 1; share > 1e-6; share /= 2) {
+    /* at rounding smaller steps lead nowhere either */
+    const double smallest = before <= 1e-13 * search->size ? 0.9 : 1e-6;
+    for (double share = 1; share > smallest; share /= 2) {
         const double at[2] = {search->at[0] + share * step[0], search->at[1] + share * step[1]};
         if (look(search, at, miss) && left_over(search, miss) < before) {
             for (int i = 0; i < 2; i++) {
@@ -136,6 +139,20 @@ static bool improve(struct search *search)
         }
     }
     return false;
+}
+
+/* From a field near by, in proportion to its height. */
+static bool begin_near(struct search *search, const struct setup_near *near)
+{
+    const double height = hypot(near->goal[0], near->goal[1]);
+    const double scale = hypot(search->goal[0], search->goal[1]) / height;
+    if (!(height > 0) || !isfinite(scale)) {
+        return false;
+    }
+    search->at[search->first] = scale * near->at[search->first];
+    search->at[1] = scale * near->at[1];
+    search->near = near->chief;
+    return look(search, search->at, search->miss);
 }
 
 /* From the paraxial field, or one nearer to the axis whose chief ray is found. */
@@ -176,11 +193,11 @@ static bool refuse(const struct search *search, bool begun, struct error *error)
                 far ? "deg" : "mm");
 }
 
-static bool solve(struct search *search, struct error *error)
+static bool solve(struct search *search, const struct setup_near *near, struct error *error)
 {
     enum { STEPS = 60 };
     const double rounding = 2e-16 * search->size, enough = 1e-10 * search->size;
-    bool begun = begin(search);
+    bool begun = (near != NULL && near->is_known && begin_near(search, near)) || begin(search);
     for (int step = 0; step < STEPS && begun && left_over(search, search->miss) > rounding;
          step++) {
         if (!improve(search)) {
@@ -220,8 +237,8 @@ static bool open_search(struct setup *primary, struct search *search, struct err
  *           from the paraxial field; to rounding, 1e-10 of the height at worst. In a round lens
  *           the plane through axis and image point is that of y and z
  */
-static bool find_object(const struct setup *setup, const double goal[2], double at[2],
-                        struct error *error)
+static bool find_object(const struct setup *setup, const double goal[2], struct setup_near *near,
+                        double at[2], struct error *error)
 {
     struct setup primary =
         setup_at_wavelength(setup, lens_primary_wavelength(setup->lens), setup->arena);
@@ -237,8 +254,14 @@ static bool find_object(const struct setup *setup, const double goal[2], double 
         search.goal[0] = 0;
         search.goal[1] = height;
     }
-    if (!open_search(&primary, &search, error) || !solve(&search, error)) {
+    if (!open_search(&primary, &search, error) || !solve(&search, near, error)) {
         return false;
+    }
+    if (near != NULL) {
+        *near = (struct setup_near){.is_known = true,
+                                    .goal = {search.goal[0], search.goal[1]},
+                                    .at = {search.at[0], search.at[1]},
+                                    .chief = search.near};
     }
     for (int i = 0; i < 2; i++) {
         at[i] = turns ? search.at[1] * (goal[i] / height) : search.at[i];
@@ -259,17 +282,23 @@ struct field_point setup_in_section(const struct setup *setup, const struct fiel
     return meridional;
 }
 
-bool setup_beam(const struct setup *setup, const struct field_point *field, struct beam *beam,
-                struct error *error)
+bool setup_beam_near(const struct setup *setup, const struct field_point *field,
+                     struct setup_near *near, struct beam *beam, struct error *error)
 {
     if (field->kind != FIELD_REAL) {
         return beam_of_field(field, &setup->object, &setup->first, beam, error);
     }
     const struct arena_mark mark = arena_mark(setup->arena);
     double at[2];
-    const bool found = find_object(setup, field->value, at, error);
+    const bool found = find_object(setup, field->value, near, at, error);
     arena_reset(setup->arena, mark);
     return found && beam_at(setup, at, beam, error);
+}
+
+bool setup_beam(const struct setup *setup, const struct field_point *field, struct beam *beam,
+                struct error *error)
+{
+    return setup_beam_near(setup, field, NULL, beam, error);
 }
 
 bool setup_real_in_object(const struct setup *setup, struct field_point *field, struct error *error)
@@ -281,7 +310,7 @@ bool setup_real_in_object(const struct setup *setup, struct field_point *field, 
     if (field->kind != FIELD_REAL) {
         return true;
     }
-    const bool found = find_object(setup, field->value, at, error);
+    const bool found = find_object(setup, field->value, NULL, at, error);
     arena_reset(setup->arena, mark);
     field->kind = setup->object.is_infinite ? FIELD_ANGLE : FIELD_HEIGHT;
     field->value[axis] = found ? at[axis] : (double)NAN;

@@ -7,14 +7,15 @@
 #include "trace/dispatch.h"
 
 #include <math.h>
+#include <string.h>
 
 struct ray aim_chief(const struct aim *aim)
 {
     return beam_ray(&aim->beam, aim->chief[0], aim->chief[1]);
 }
 
-bool aim_open(const struct system *system, const struct beam *beam, struct arena *arena,
-              struct aim *aim, struct error *error)
+bool aim_open_near(const struct system *system, const struct beam *beam, struct aim_near *near,
+                   struct arena *arena, struct aim *aim, struct error *error)
 {
     if (system->stop == LENS_NONE) {
         return fail(error, ERROR_DOMAIN, "the lens has no stop: rays cannot be aimed at it");
@@ -27,8 +28,20 @@ bool aim_open(const struct system *system, const struct beam *beam, struct arena
                         .beam = *beam,
                         .stop_radius = system->stop_radius,
                         .work = rays_new(arena, RAYS_BLOCK)};
-    aim->has_chief = chief_find(aim, arena, error);
+    aim->has_chief = (near != NULL && near->is_known && chief_find_near(aim, near)) ||
+                     chief_find(aim, arena, error);
+    if (near != NULL && aim->has_chief) {
+        near->is_known = true;
+        memcpy(near->chief, aim->chief, sizeof near->chief);
+        memcpy(near->slope, aim->slope, sizeof near->slope);
+    }
     return aim->has_chief;
+}
+
+bool aim_open(const struct system *system, const struct beam *beam, struct arena *arena,
+              struct aim *aim, struct error *error)
+{
+    return aim_open_near(system, beam, NULL, arena, aim, error);
 }
 
 bool aim_open_at(struct aim *aim, const double at[2])

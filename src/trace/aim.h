@@ -46,6 +46,21 @@ struct aim {
 bool aim_open(const struct system *system, const struct beam *beam, struct arena *arena,
               struct aim *aim, struct error *error);
 
+/* What is known of a chief ray where others are looked for beside it. */
+struct aim_near {
+    bool is_known;
+    double chief[2], slope[4]; /* as in struct aim */
+};
+
+/*
+ * The same from the chief ray of a beam near by, where there is one.
+ *
+ * Given     near  receives the new chief ray; not known, or null: aim_open
+ * Formula   Newton's method; where it does not lead straight to a ray on the same sheet, aim_open
+ */
+bool aim_open_near(const struct system *system, const struct beam *beam, struct aim_near *near,
+                   struct arena *arena, struct aim *aim, struct error *error);
+
 /*
  * The same where aim_open finds no chief ray, from another ray that reaches the stop.
  *

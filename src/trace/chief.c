@@ -6,6 +6,7 @@
 #include "trace/dispatch.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Where to look, in coordinates of the beam. */
 struct region {
@@ -442,4 +443,44 @@ bool chief_find(struct aim *aim, struct arena *arena, struct error *error)
         aim->slope[i] = slope[i];
     }
     return true;
+}
+
+/* One step towards the centre of the stop; along b alone it is the height along `up` that counts. */
+static void step_to_centre(const struct aim *aim, const double slope[4], bool is_round,
+                           const double miss[2], double at[2])
+{
+    const double up[2] = {-aim->beam.across[0][1], aim->beam.across[0][0]};
+    if (is_round) {
+        at[1] -= (miss[0] * up[0] + miss[1] * up[1]) / (slope[1] * up[0] + slope[3] * up[1]);
+    } else {
+        const double det = slope[0] * slope[3] - slope[1] * slope[2];
+        at[0] -= (slope[3] * miss[0] - slope[1] * miss[1]) / det;
+        at[1] -= (slope[0] * miss[1] - slope[2] * miss[0]) / det;
+    }
+}
+
+bool chief_find_near(struct aim *aim, const struct aim_near *near)
+{
+    enum { STEPS = 12 };
+    const bool is_round = lens_is_round(aim->system->lens);
+    const double *first = near->slope, sheet = first[0] * first[3] - first[1] * first[2];
+    const struct ray_block *block = aim->work.blocks;
+    double at[2] = {is_round ? 0 : near->chief[0], near->chief[1]}, slope[4], before = INFINITY;
+    memcpy(slope, first, sizeof slope);
+    for (int step = 0; step < STEPS; step++) {
+        chief_trace(aim, (const double(*)[2])at, 1);
+        const double miss[2] = {block->x[0], block->y[0]}, here = hypot(miss[0], miss[1]);
+        if (!arrived(aim, 0) || !(here < before)) {
+            break;
+        }
+        memcpy(aim->chief, at, sizeof aim->chief);
+        /* slopes that far beside are those of another place */
+        if (here > 1e-3 * before && !chief_slope(aim, at, slope)) {
+            return false;
+        }
+        before = here;
+        step_to_centre(aim, slope, is_round, miss, at);
+    }
+    return before <= 1e-12 * aim->stop_radius && chief_slope(aim, aim->chief, aim->slope) &&
+           sheet * (aim->slope[0] * aim->slope[3] - aim->slope[1] * aim->slope[2]) > 0;
 }

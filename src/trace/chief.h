@@ -17,6 +17,14 @@
 bool chief_find(struct aim *aim, struct arena *arena, struct error *error);
 
 /*
+ * The same by Newton's method from a chief ray near by; in a round lens along the meridional plane
+ * alone.
+ *
+ * Result    false: it does not lead straight to a ray on the same sheet, and no more is filled
+ */
+bool chief_find_near(struct aim *aim, const struct aim_near *near);
+
+/*
  * d(x, y in the stop)/d(a, b) at a ray of the beam, by central differences.
  *
  * Result    false: the rays about it are lost
