@@ -11,8 +11,11 @@
 #include <math.h>
 #include <string.h>
 
-/* Rays of the first try; how often they are doubled at most. */
+/* Rays of the first value that may do; how often they are doubled at most. */
 enum { RAYS_FIRST = 100, DOUBLINGS = 9 };
+
+/* A change that vanishes by chance is not believed: the share of the one before that counts. */
+static const double doubted = 0.002;
 
 /* What sums of this many terms may be off by rounding. */
 static const double least = 5e-14;
@@ -169,19 +172,27 @@ static double sum_once(const struct illumination_question *question, sum_bundle 
     return value;
 }
 
+/*
+ * The value before the last one: what the last changes of it is what it is off by. Of the last
+ * one nothing is known but that it is off by much less.
+ */
 static struct illumination converge(const struct illumination_question *question, sum_bundle *sum,
                                     struct arena *arena)
 {
     struct bundle_part *part = ARENA_NEW(arena, struct bundle_part);
     open_part(question, arena, part);
     size_t rays = RAYS_FIRST;
-    struct illumination light = {.value = sum(question, part, rays, arena)};
+    double before = sum(question, part, rays / 2, arena);
+    double finer = sum_once(question, sum, part, rays, arena);
+    struct illumination light = {.value = finer};
     for (int doubled = 1; doubled <= DOUBLINGS && !light.is_met; doubled++) {
-        const double before = light.value;
+        light.value = finer;
         rays *= 2;
-        light.value = sum_once(question, sum, part, rays, arena);
-        light.error = fmax(2 * fabs(light.value - before), least * light.value);
+        finer = sum_once(question, sum, part, rays, arena);
+        const double change = fmax(fabs(finer - light.value), doubted * fabs(light.value - before));
+        light.error = fmax(2 * change, least * light.value);
         light.is_met = light.error <= question->error * light.value;
+        before = light.value;
     }
     if (question->islands != NULL) {
         *question->islands = quadrature_islands(&part->region, arena);

@@ -87,7 +87,7 @@ def disc(tan_a, tan_t):
 
 def check_disc(checks, program):
     lens = "lens disc\nobject inf\naperture stop\nstop - 0 air 50\n"
-    table = rows(program, "-", "--focus", "50", "--height", "0,10,40,100", "--error", "1e-10",
+    table = rows(program, "-", "--focus", "50", "--height", "0,10,40,100", "--error", "1e-13",
                  text=lens)
     if checks.check(isinstance(table, list), f"disc: {table}"):
         for row in table:
