@@ -9,7 +9,7 @@
 
 /* A lens at one wavelength, with the light in the middle of its image. */
 struct falloff {
-    struct setup setup; /* with the stop that was asked for */
+    struct setup setup;      /* with the stop that was asked for */
     struct setup_near *near; /* the height looked at last; internal */
     double error;
     bool clip, no_field, no_vignetting;

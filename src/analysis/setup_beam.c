@@ -50,8 +50,8 @@ static bool find_chief(struct search *search, const struct beam *beam, struct ra
     if (search->sought > most_sought) {
         return false;
     }
-    bool found = aim_open_near(search->open, beam, &search->near, search->setup->arena, &aim,
-                               &search->lost);
+    bool found =
+        aim_open_near(search->open, beam, &search->near, search->setup->arena, &aim, &search->lost);
     search->sought += aim.sought;
     *chief = found ? aim_chief(&aim) : (struct ray){.status = RAY_MISS};
     return found;

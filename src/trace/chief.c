@@ -445,7 +445,7 @@ bool chief_find(struct aim *aim, struct arena *arena, struct error *error)
     return true;
 }
 
-/* One step towards the centre of the stop; along b alone it is the height along `up` that counts. */
+/* One step towards the centre of the stop; along b alone the height along `up` counts. */
 static void step_to_centre(const struct aim *aim, const double slope[4], bool is_round,
                            const double miss[2], double at[2])
 {
