@@ -69,7 +69,7 @@ static bool aim_points(const struct placing *placing, size_t done, struct pupil_
     enum { STEPS = 12 };
     const struct margins *margins = placing->margins;
     const struct system *system = margins->system;
-    const double radius = margins->beam->radius, enough = 1e-10 * radius;
+    const double radius = margins->beam->radius, enough = 1e-12 * radius;
     const struct rays rays = {margins->work.blocks, count};
     struct aim_block block;
     size_t open = count;
