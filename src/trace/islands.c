@@ -11,7 +11,7 @@
 enum { SIDE = 3, EACH = SIDE * SIDE, AT_ONCE = RAYS_BLOCK / EACH, SECTORS = 12 };
 
 /* So many patches would cost half of what the grid does. */
-enum { MOST = PARTS_SIDE * PARTS_SIDE / EACH / 2 };
+enum { CELLS = PARTS_SIDE * PARTS_SIDE, MOST = CELLS / EACH / 2 };
 
 /* A piece of what lies beyond the edge: angles, rad, and shares of the way from there outwards. */
 struct patch {
@@ -222,34 +222,55 @@ static bool is_alone(struct patches *all)
     return true;
 }
 
+/* Cells that pass and may lie beyond the edge of the star. */
+struct beyond {
+    double *angles, *near, *radii;
+    size_t count;
+};
+
+/* Result: how many cells pass. */
+static size_t look_beyond(const struct parts *parts, const struct star *star, struct beyond *beyond)
+{
+    const double surely = 0.97; /* within: more than star_near is off by */
+    size_t all = 0;
+    for (size_t i = 0; i < CELLS; i++) {
+        double point[2], angle, radius;
+        if (parts->part[i] == 0) {
+            continue;
+        }
+        all++;
+        parts_point(parts, i, point);
+        edge_polar(&star->frame, point, PI, &angle, &radius);
+        const double near = star_near(star, angle);
+        if (radius > surely * near) {
+            beyond->angles[beyond->count] = angle;
+            beyond->near[beyond->count] = near;
+            beyond->radii[beyond->count++] = radius;
+        }
+    }
+    return all;
+}
+
 static struct islands find_on_grid(const struct margins *margins, const struct star *star,
                                    struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
     struct parts *parts = ARENA_NEW(arena, struct parts);
-    enum { CELLS = PARTS_SIDE * PARTS_SIDE };
-    struct islands islands = {0};
+    struct beyond beyond = {.angles = ARENA_ARRAY(arena, CELLS, double),
+                            .near = ARENA_ARRAY(arena, CELLS, double),
+                            .radii = ARENA_ARRAY(arena, CELLS, double)};
     parts_find(margins, NULL, NULL, parts);
-    bool *within = ARENA_ARRAY(arena, parts->count + 1, bool);
-    size_t all = 0, outside = 0;
-    for (size_t i = 0; i <= parts->count; i++) {
-        within[i] = false;
+    const size_t all = look_beyond(parts, star, &beyond);
+    struct edge *edges = ARENA_ARRAY(arena, beyond.count + 1, struct edge);
+    const struct edge_directions directions = {star->frame, beyond.angles, beyond.near,
+                                               beyond.count};
+    size_t outside = 0;
+    edges_find(margins, &directions, 1e-6, edges);
+    for (size_t i = 0; i < beyond.count; i++) {
+        outside += beyond.radii[i] > edges[i].radius;
     }
-    for (size_t i = 0; i < CELLS; i++) {
-        double point[2], angle, radius;
-        all += parts->part[i] > 0;
-        if (parts->part[i] > 0 && !within[parts->part[i]]) {
-            parts_point(parts, i, point);
-            edge_polar(&star->frame, point, PI, &angle, &radius);
-            within[parts->part[i]] = radius < 1.05 * star_near(star, angle);
-        }
-    }
-    for (size_t i = 0; i < CELLS; i++) {
-        outside += parts->part[i] > 0 && !within[parts->part[i]];
-    }
-    islands.share = outside > 0 ? (double)outside / (double)all : 0;
     arena_reset(arena, mark);
-    return islands;
+    return (struct islands){outside > 0 ? (double)outside / (double)all : 0};
 }
 
 struct islands islands_find(const struct margins *margins, const struct star *star,

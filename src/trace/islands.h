@@ -7,7 +7,7 @@
 #include "trace/margins.h"
 #include "trace/star.h"
 
-/* Parts of the pupil that pass light and are none of the star. */
+/* What of the pupil passes light and is none of the star. */
 struct islands {
     double share; /* of all that passes, in areas of the beam; 0: there are none */
 };

@@ -45,7 +45,19 @@ static void count_cells(const struct stop_beam *pupil, struct arena *arena, size
     }
 }
 
-static void test_lens(const char *name, double degrees, bool has_islands)
+/* What a quadrature leaves out of all that is clear: beside islands what no star can hold. */
+static double left_out(struct quadrature_region *region, size_t all, struct arena *arena)
+{
+    const struct quadrature quadrature = quadrature_fill(region, 2000, arena);
+    double sum = 0;
+    for (size_t i = 0; i < quadrature.sample.count; i++) {
+        sum += quadrature.sample.points[i].weight;
+    }
+    return 1 - PI * sum / ((double)all * 64 / ((double)SIDE * SIDE));
+}
+
+/* has_arms: of the same part some lies beyond a gap, as seen from its middle. */
+static void test_lens(const char *name, double degrees, bool has_islands, bool has_arms)
 {
     struct arena arena = {0};
     struct lensdb db = {.arena = &arena};
@@ -68,7 +80,7 @@ static void test_lens(const char *name, double degrees, bool has_islands)
     struct quadrature_region region = quadrature_open(&pupil, &arena);
     const struct islands islands = quadrature_islands(&region, &arena);
     count_cells(&pupil, &arena, &all, &joined);
-    double share = 1 - (double)joined / (double)all;
+    double share = has_arms ? left_out(&region, all, &arena) : 1 - (double)joined / (double)all;
     CHECK((islands.share > 0) == has_islands);
     CHECK_NEAR(islands.share, share, 0.25 * share + 1e-4, name);
     arena_free(&arena);
@@ -76,10 +88,11 @@ static void test_lens(const char *name, double degrees, bool has_islands)
 
 int main(void)
 {
-    test_lens("cooke-triplet-50", 14, true);
-    test_lens("cooke-triplet-50", 20, true);
-    test_lens("laikin75-petzval", 7, true);
-    test_lens("double-gauss", 14, false);
-    test_lens("nikkor-z-58-f095", 18, false);
+    test_lens("cooke-triplet-50", 14, true, false);
+    test_lens("cooke-triplet-50", 20, true, false);
+    test_lens("laikin75-petzval", 7, true, false);
+    test_lens("rudolph-tessar-100", 35, true, true);
+    test_lens("double-gauss", 14, false, false);
+    test_lens("nikkor-z-58-f095", 18, false, false);
     return check_report();
 }
