@@ -119,10 +119,10 @@ bool collection_columns(const struct collection *collection, const struct column
     while (rest.start != NULL) {
         struct text name = text_trim(text_cut(&rest, wanted->separator));
         struct shown found;
-        if (text_equal(name, "error")) {
-            continue;
-        }
         if (!report_find_column(collection->sheet, name, collection->arena, &found, error)) {
+            if (text_equal(name, "error")) {
+                continue;
+            }
             return false;
         }
         (*shown)[(*count)++] = wanted->convert ? in_system(collection, found) : found;

@@ -52,7 +52,7 @@ struct column_names {
     bool convert; /* distances become feet where the user reads feet; a typed unit stays */
 };
 
-/* The columns of these names; "error" is passed over. */
+/* The columns of these names; "error" is passed over where no column is called so. */
 bool collection_columns(const struct collection *collection, const struct column_names *wanted,
                         struct shown **shown, size_t *count, struct error *error);
 

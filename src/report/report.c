@@ -237,6 +237,22 @@ static void add_varied(struct report *report, const struct selection *selection)
     report->shown_count = count;
 }
 
+/*
+ * The word "error": the reasons of rows that fail, and where a column is called so, that column;
+ * reasons then stand beside it where there may be some.
+ */
+static bool names_error(struct report *report, const struct selection *selection, struct text name)
+{
+    struct shown own;
+    struct error ignored;
+    if (!text_equal(name, "error")) {
+        return false;
+    }
+    const bool is_column = report_find_column(report->sheet, name, report->arena, &own, &ignored);
+    report->has_error_column = !is_column || selection->many;
+    return !is_column;
+}
+
 /* The columns that --columns names, in its order. */
 static bool select_named(struct report *report, const struct selection *selection,
                          struct error *error)
@@ -249,11 +265,10 @@ static bool select_named(struct report *report, const struct selection *selectio
     report->shown = ARENA_ARRAY(report->arena, most, struct shown);
     while (rest.start != NULL) {
         struct text name = text_trim(text_cut(&rest, ','));
-        if (text_equal(name, "error")) {
-            report->has_error_column = true;
+        struct shown shown;
+        if (names_error(report, selection, name)) {
             continue;
         }
-        struct shown shown;
         if (!report_find_column(report->sheet, name, report->arena, &shown, error)) {
             return error_prefix(error, "{columns}: ");
         }

@@ -23,3 +23,6 @@ lenscalc spot double-gauss --error 2
 lenscalc spot double-gauss --field 14 -w d --energy 80% --reference chief --csv --digits 6 --columns radius,energy_radius
 lenscalc spot double-gauss --defocus -0.1..0.1#3 --plot spots.svg > /dev/null && grep -c "<text" spots.svg
 lenscalc spot double-gauss -w d --field 0,14 --defocus -0.1..0.1#11 --plot curves.svg > /dev/null && grep -c "<path\|<poly" curves.svg
+# what RMS figures may be off, and why a row fails
+lenscalc spot double-gauss --field 0,95 --csv --digits 3 --columns rms,error
+lenscalc spot double-gauss --field 0 -w d --csv --digits 3 --columns rms,error
