@@ -23,7 +23,7 @@ struct islands {
  *           four. Only where a ray passes, or too much is left, a grid (trace/parts.h); a part of
  *           which no cell lies within the star's edge is an island
  * Limits    islands smaller than a cell, 1/128 of what the first surface lets in, are not seen; the
- *           share of thin ones is a quarter off
+ *           share of thin ones is a quarter off, of rings thinner than a cell up to three times
  */
 struct islands islands_find(const struct margins *margins, const struct star *star,
                             struct arena *arena);
