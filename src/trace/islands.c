@@ -262,8 +262,8 @@ static struct islands find_on_grid(const struct margins *margins, const struct s
     parts_find(margins, NULL, NULL, parts);
     const size_t all = look_beyond(parts, star, &beyond);
     struct edge *edges = ARENA_ARRAY(arena, beyond.count + 1, struct edge);
-    const struct edge_directions directions = {star->frame, beyond.angles, beyond.near,
-                                               beyond.count};
+    const struct edge_directions directions = {
+        .frame = star->frame, .angles = beyond.angles, .near = beyond.near, .count = beyond.count};
     size_t outside = 0;
     edges_find(margins, &directions, 1e-6, edges);
     for (size_t i = 0; i < beyond.count; i++) {

@@ -20,10 +20,11 @@ struct islands {
  *           where one margin is above 0 at all nine by more than it can fall between them, by its
  *           second differences; at the edge, where it begins at 0, if it rises from there; or
  *           where all nine are lost in the same place in the same way. What is not is cut in
- *           four. Only where a ray passes, or too much is left, a grid (trace/parts.h); a part of
- *           which no cell lies within the star's edge is an island
+ *           four. Only where a ray passes, or too much is left, a grid (trace/parts.h): what passes
+ *           of it beyond the edge in its direction, be it joined with the star elsewhere or not
  * Limits    islands smaller than a cell, 1/128 of what the first surface lets in, are not seen; the
- *           share of thin ones is a quarter off, of rings thinner than a cell up to three times
+ *           share of thin ones is a quarter off. Far from the chief ray of a point of the film the
+ *           same area of its beam holds less light
  */
 struct islands islands_find(const struct margins *margins, const struct star *star,
                             struct arena *arena);
