@@ -10,6 +10,8 @@ struct stream {
     struct lens_film film;
     struct film_plan plan; /* of the part of the film that may be lit */
     struct film_samples samples;
+    struct sobol sobol_time; /* of one more dimension than the film has */
+    double times[RAYS_BLOCK];
     struct rays rays;
     struct lens_ray passed[RAYS_BLOCK];
 };
@@ -30,6 +32,7 @@ static bool open_stream(const struct lens_rays_question *question, struct arena 
                                       .width = width,
                                       .height = height};
     stream->rays = rays_new(arena, RAYS_BLOCK);
+    sobol_open(FILM_DIMENSIONS, &stream->sobol_time);
     return true;
 }
 
@@ -44,6 +47,7 @@ static size_t collect(struct stream *stream, const struct system *system, size_t
             struct lens_ray *passed = &stream->passed[kept++];
             *passed = (struct lens_ray){.film = {stream->samples.x[i], stream->samples.y[i]},
                                         .wavelength = system->wavelength,
+                                        .time = stream->times[i],
                                         .weight = weight};
             for (int k = 0; k < 3; k++) {
                 passed->point[k] = ray.point[k];
@@ -64,12 +68,15 @@ static bool send(struct stream *stream, size_t w, uint64_t samples, double share
     const double lit =
         stream->plan.width * stream->plan.height / (question->film.width * question->film.height);
     const double by = share * lit * n * n;
+    const uint32_t when = sobol_scrambling(question->seed, w, FILM_DIMENSIONS);
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         stream->plan.scrambling[k] = sobol_scrambling(question->seed, w, k);
     }
     for (uint64_t done = 0; done < samples; done += RAYS_BLOCK) {
         const uint64_t left = samples - done;
-        film_rays_plan(&stream->plan, (uint32_t)(done / RAYS_BLOCK), SET_BEST, &stream->samples);
+        const uint32_t block = (uint32_t)(done / RAYS_BLOCK);
+        film_rays_plan(&stream->plan, block, SET_BEST, &stream->samples);
+        sobol_points(&stream->sobol_time, when, block, stream->times);
         lens_film_start(&stream->film, &stream->samples, stream->rays.blocks);
         rays_trace(system, &stream->rays, NULL);
         const size_t kept = collect(stream, system, left < RAYS_BLOCK ? (size_t)left : RAYS_BLOCK,

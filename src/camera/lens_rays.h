@@ -25,6 +25,7 @@ struct lens_ray {
     double point[3];   /* on the first surface, in the frame of its vertex, mm */
     double cosine[3];  /* direction, away from the film */
     double weight;     /* sr */
+    double time;       /* of the exposure: 0 it begins, 1 it ends */
 };
 
 /* Takes rays in their order; false: it has failed, with its error set. */
@@ -43,8 +44,8 @@ struct lens_rays {
  * Result    weights: their sum, each times the radiance its ray meets, is the irradiance averaged
  *           over the film; of a uniform scene the sum is that of E/L, as analysis/illumination.h
  *           has it. Each wavelength has its share of the samples by its weight
- * Formula   camera/film_rays.h at scrambled Sobol' points of film and pupil, a sequence for each
- *           wavelength; times (n'/n)^2
+ * Formula   camera/film_rays.h at scrambled Sobol' points of film, pupil and time, a sequence for
+ *           each wavelength; times (n'/n)^2
  * Errors    as lens_film_open, `visit`
  */
 bool lens_rays_make(const struct lens_rays_question *question, struct arena *arena,

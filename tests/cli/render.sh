@@ -6,7 +6,7 @@ lenscalc render --lens cs348b-dgauss-50 --rays rays.tsv --samples 300 --spectrum
 cut -f 3 rays.tsv | sort | uniq -c | sed 's/^ *//'
 lenscalc render --lens cs348b-dgauss-50 --rays rays.raw --samples 4 -w d
 head -1 rays.raw
-tail -n +2 rays.raw | od -A n -t f8 -w80 -v | awk 'NR == 1 { for (i = 1; i <= NF; i++) printf "%.7g\n", $i }'
+tail -n +2 rays.raw | od -A n -t f8 -w88 -v | awk 'NR == 1 { for (i = 1; i <= NF; i++) printf "%.7g\n", $i }'
 # the mean of E/L over the film, by an independent program: 0.110853
 lenscalc render --lens cs348b-dgauss-50 --rays - -w d --focus 36.3612 | awk -F, 'NR > 1 { sum += $10 } END { printf "%.4f\n", sum }'
 lenscalc render --lens fisheye-16 --rays fisheye.csv --samples 10

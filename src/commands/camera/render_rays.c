@@ -7,10 +7,10 @@
 #include <string.h>
 
 /* What is written of a ray, in this order. */
-enum { NUMBERS = 10, USUAL_RAYS = 65536 };
+enum { NUMBERS = 11, USUAL_RAYS = 65536 };
 static const char *const names[NUMBERS] = {"film_x_mm", "film_y_mm", "wavelength_nm", "x_mm",
                                            "y_mm",      "z_mm",      "cos_x",         "cos_y",
-                                           "cos_z",     "weight"};
+                                           "cos_z",     "weight",    "time"};
 
 static void numbers_of(const struct lens_ray *ray, double numbers[NUMBERS])
 {
@@ -23,6 +23,7 @@ static void numbers_of(const struct lens_ray *ray, double numbers[NUMBERS])
         numbers[6 + k] = ray->cosine[k];
     }
     numbers[9] = ray->weight;
+    numbers[10] = ray->time;
 }
 
 /* A kind of file: how it begins, and a ray in it. */
