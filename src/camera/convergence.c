@@ -4,9 +4,8 @@
 
 #include <math.h>
 
-/* So much at most counts, that no sum of a million tiles overflows: errors of 1e5 times what is
-   asked for. */
-static const double most = 1e10;
+/* Of squares up to 1, and of larger ones up to 10^10: sums of a million tiles do not overflow. */
+static const double unit = 1.0 / 1099511627776, missed_unit = 1.0 / 1024, most = 1e10;
 
 double convergence_halves(const double *first, const double *both, size_t count, double n)
 {
@@ -20,18 +19,21 @@ double convergence_halves(const double *first, const double *both, size_t count,
 
 void convergence_add(uint64_t counts[CONVERGENCE_COUNTS], double error, size_t rays)
 {
-    const uint64_t square = (uint64_t)(fmin(error * error, most) / CONVERGENCE_UNIT);
-    const bool missed = !(error <= 1);
+    const double square = fmin(error * error, most);
     counts[CONVERGENCE_TILES]++;
     counts[CONVERGENCE_RAYS] += rays;
-    counts[CONVERGENCE_SQUARES] += square;
-    counts[CONVERGENCE_MISSED] += missed;
-    counts[CONVERGENCE_MISSED_SQUARES] += missed ? square : 0;
+    if (error <= 1) {
+        counts[CONVERGENCE_SQUARES] += (uint64_t)(square / unit);
+    } else {
+        counts[CONVERGENCE_MISSED]++;
+        counts[CONVERGENCE_MISSED_SQUARES] += (uint64_t)(square / missed_unit);
+    }
 }
 
 double convergence_error(const uint64_t counts[CONVERGENCE_COUNTS], bool missed)
 {
     const uint64_t tiles = counts[missed ? CONVERGENCE_MISSED : CONVERGENCE_TILES];
-    const uint64_t squares = counts[missed ? CONVERGENCE_MISSED_SQUARES : CONVERGENCE_SQUARES];
-    return tiles == 0 ? 0 : sqrt(CONVERGENCE_UNIT * (double)squares / (double)tiles);
+    const double reached = missed ? 0 : unit * (double)counts[CONVERGENCE_SQUARES];
+    const double others = missed_unit * (double)counts[CONVERGENCE_MISSED_SQUARES];
+    return tiles == 0 ? 0 : sqrt((reached + others) / (double)tiles);
 }

@@ -11,14 +11,11 @@
 enum convergence_count {
     CONVERGENCE_TILES,
     CONVERGENCE_RAYS,    /* of a pixel and colour, over the tiles */
-    CONVERGENCE_SQUARES, /* of their errors, in units of CONVERGENCE_UNIT */
     CONVERGENCE_MISSED,  /* tiles that have not reached the error */
-    CONVERGENCE_MISSED_SQUARES,
+    CONVERGENCE_SQUARES, /* of errors as multiples of the one asked for: of tiles that reached it, */
+    CONVERGENCE_MISSED_SQUARES, /* and of the others; in units of their own */
     CONVERGENCE_COUNTS
 };
-
-/* Of the square of an error, as a multiple of the one that is asked for. */
-#define CONVERGENCE_UNIT (1.0 / 1024)
 
 /* Rays of a pixel before the first estimate, that the halves of a few do not agree by chance. */
 enum { CONVERGENCE_LEAST = 16 };

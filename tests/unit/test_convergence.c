@@ -17,7 +17,7 @@ int main(void)
     convergence_add(counts, 3, 128);
     convergence_add(counts, 4, 128);
     CHECK(counts[CONVERGENCE_TILES] == 4 && counts[CONVERGENCE_MISSED] == 2);
-    CHECK_NEAR(convergence_error(counts, false), sqrt(26.25 / 4), 1e-3, "of all");
+    CHECK_NEAR(convergence_error(counts, false), sqrt(26.25 / 4), 1e-12, "of all");
     CHECK_NEAR(convergence_error(counts, true), sqrt(12.5), 1e-6, "of those that missed");
     /* neither infinity nor a whole picture of the worst overflows */
     for (int i = 0; i < 600000; i++) {
