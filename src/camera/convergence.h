@@ -10,10 +10,12 @@
 /* What is counted of tiles: sums, which do not depend on the order of threads and parts. */
 enum convergence_count {
     CONVERGENCE_TILES,
-    CONVERGENCE_RAYS,    /* of a pixel and colour, over the tiles */
-    CONVERGENCE_MISSED,  /* tiles that have not reached the error */
-    CONVERGENCE_SQUARES, /* of errors as multiples of the one asked for: of tiles that reached it, */
-    CONVERGENCE_MISSED_SQUARES, /* and of the others; in units of their own */
+    CONVERGENCE_RAYS,   /* of a pixel and colour, over the tiles */
+    CONVERGENCE_MISSED, /* tiles that have not reached the error */
+    /* errors as multiples of the one asked for: of tiles that reached it, of the others; in units
+       of their own */
+    CONVERGENCE_SQUARES,
+    CONVERGENCE_MISSED_SQUARES,
     CONVERGENCE_COUNTS
 };
 

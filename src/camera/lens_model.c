@@ -16,33 +16,40 @@ const struct word lens_models[] = {
     [LENS_MODELS] = {NULL, NULL},
 };
 
-static bool check(const struct first_order *first, struct error *error)
+static bool is_about_axis(const struct lens *lens)
 {
-    if (first->is_afocal) {
-        return fail(error, ERROR_DOMAIN,
-                    "an afocal lens has no principal planes: no model but "
-                    "exact and paraxial can be had of it");
+    bool is = true;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        is = is && surface_is_round(surface) && surface->decentre == NULL &&
+             surface->coordinate_break == NULL;
     }
-    if (first->index_image * first->index_object < 0) {
-        return fail(error, ERROR_DOMAIN,
-                    "the light of this lens comes back to the side it came "
-                    "from: no model but exact and paraxial can be had of it");
-    }
-    return (isfinite(first->entrance_pupil) && fabs(first->entrance_diameter) > 0) ||
-           fail(error, ERROR_DOMAIN, "%s: no model but exact and paraxial can be had of the lens",
-                isfinite(first->entrance_pupil) ? "how wide the entrance pupil is is not known"
-                                                : "the entrance pupil lies at infinity");
+    return is;
 }
 
-bool lens_model_lens(enum lens_model model, const struct lens *lens,
-                     const struct first_order *first, struct arena *arena, struct lens *stand_in,
-                     struct error *error)
+bool lens_model_check(const struct lens *lens, const struct first_order *first, struct error *error)
+{
+    static const char others[] = "no thick or thin lens stands for this one";
+    const char *why = NULL;
+    if (!is_about_axis(lens)) {
+        why = "it is not the same all around one axis";
+    } else if (first->is_afocal) {
+        why = "it is afocal and has no principal planes";
+    } else if (first->index_image * first->index_object < 0) {
+        why = "its light comes back to the side it came from";
+    } else if (!isfinite(first->entrance_pupil)) {
+        why = "its entrance pupil lies at infinity";
+    } else if (!(fabs(first->entrance_diameter) > 0)) {
+        why = "how wide its entrance pupil is is not known";
+    }
+    return why == NULL || fail(error, ERROR_DOMAIN, "%s: %s", others, why);
+}
+
+struct lens lens_model_lens(enum lens_model model, const struct lens *lens,
+                            const struct first_order *first, struct arena *arena)
 {
     const double front = first->front_principal, rear = first->rear_principal;
     const bool is_thick = model == MODEL_THICK;
-    if (!check(first, error)) {
-        return false;
-    }
     const struct thick_stand_in all = {
         .thick = {.focal = first->efl,
                   .front = front,
@@ -56,6 +63,5 @@ bool lens_model_lens(enum lens_model model, const struct lens *lens,
         .image = first->image,
         .title = arena_printf(arena, "%s, as a %s%s", lens->title != NULL ? lens->title : "a lens",
                               lens_models[model].word, model == MODEL_PINHOLE ? "" : " lens")};
-    *stand_in = thick_element_lens(lens, &all, arena);
-    return true;
+    return thick_element_lens(lens, &all, arena);
 }

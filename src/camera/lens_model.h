@@ -42,19 +42,26 @@ static inline bool lens_model_replaces(enum lens_model model)
 }
 
 /*
+ * Can one focal length and one place of each plane say what a lens does?
+ *
+ * Errors    ERROR_DOMAIN: surfaces that are not round about one axis, an afocal lens, one whose
+ *           light comes back, an entrance pupil at infinity, no aperture
+ */
+bool lens_model_check(const struct lens *lens, const struct first_order *first,
+                      struct error *error);
+
+/*
  * The lens that stands in for another.
  *
  * Given     model  MODEL_THICK and further
- *           lens   in one position;  first: of it, with its aperture, at its primary wavelength
- * Result    stand_in  whose first and last plane lie where the first and last vertex of the lens
+ *           lens   in one position, of which lens_model_check has passed
+ *           first  of it, with its aperture, at its primary wavelength
+ * Result    one whose first and last plane lie where the first and last vertex of the lens
  *           are; a thin one is shorter by what lies between the principal planes. Both have the
  *           same paraxial image of the same object, as far behind the last plane, and the same
  *           entrance pupil diameter
- * Errors    ERROR_DOMAIN: an afocal lens, one whose light comes back, an entrance pupil at
- *           infinity, no aperture
  */
-bool lens_model_lens(enum lens_model model, const struct lens *lens,
-                     const struct first_order *first, struct arena *arena, struct lens *stand_in,
-                     struct error *error);
+struct lens lens_model_lens(enum lens_model model, const struct lens *lens,
+                            const struct first_order *first, struct arena *arena);
 
 #endif

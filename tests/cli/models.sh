@@ -9,6 +9,7 @@ lenscalc render chart:grid --lens double-gauss-50 -s 1m --size 8x8 --samples 1 -
 tr '\0' ' ' < thin.png | grep -ao 'Lens model [a-z]*'
 lenscalc render --lens hand.lens --model pinhole --blades 5 --rays lost.csv
 lenscalc render --lens hand.lens --model fish --rays lost.csv
+lenscalc render --lens schneider-anamorphic-31 --model thin --rays lost.csv
 printf 'lens afocal\naperture stop\nstop - 0 air 5\nthick 50 100 air - hiatus=0\nthick 50 0 air - hiatus=0\n' > afocal.lens
 lenscalc render --lens afocal.lens --focus 100 --model thick --rays lost.csv
 lenscalc render chart:grid --lens double-gauss-50 -s 1m --gap 30 -o lost.png

@@ -94,7 +94,7 @@ struct render_opening {
 /*
  * The same visit of the model of the lens that is asked for.
  *
- * Errors    as lens_model_lens, fit_job_run and the visit
+ * Errors    as lens_model_check, fit_job_run and the visit
  */
 bool render_model(const struct render_opening *opening, const struct analysis_case *one,
                   const struct analysis_policy *policy, struct error *error);

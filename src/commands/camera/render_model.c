@@ -115,11 +115,12 @@ bool render_model(const struct render_opening *opening, const struct analysis_ca
     question->focus = plane_of(one, model);
     if (lens_model_replaces(model)) {
         struct lens *stand_in = ARENA_NEW(run->arena, struct lens);
-        const bool good = model == MODEL_FITTED ? fit_lens_of(opening, one, stand_in, error)
-                                                : lens_model_lens(model, setup->lens, &setup->first,
-                                                                  run->arena, stand_in, error);
-        if (!good) {
+        if (!lens_model_check(setup->lens, &setup->first, error) ||
+            (model == MODEL_FITTED && !fit_lens_of(opening, one, stand_in, error))) {
             return false;
+        }
+        if (model != MODEL_FITTED) {
+            *stand_in = lens_model_lens(model, setup->lens, &setup->first, run->arena);
         }
         question->lens.lens = stand_in;
         question->position = NULL;
