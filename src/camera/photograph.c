@@ -23,7 +23,14 @@ struct work {
     double unit;                /* of means, in errors that are asked for */
     atomic_ullong *sights;      /* how many rays found out how much, RELIEF_SIGHTS of them */
     double scale;               /* (n'/n)^2, n of the scene */
-    size_t passes;              /* one for all channels where nothing disperses, or one a channel */
+    size_t passes;              /* one a wavelength, or one for all where nothing disperses */
+    const struct pass *pass;
+};
+
+/* The rays of a wavelength. */
+struct pass {
+    size_t begin, end; /* channels that they are for */
+    double share;      /* of each of them */
 };
 
 /* What one thread traces in. */
@@ -53,6 +60,26 @@ static bool is_alike(const struct lens_film *film, size_t wavelengths)
         }
     }
     return alike;
+}
+
+/* What the wavelengths of the question are for. */
+static const struct pass *passes_of(const struct photograph_question *question, size_t passes,
+                                    struct arena *arena)
+{
+    const struct setup *setup = question->film.setup;
+    const size_t parts = question->is_coloured && passes > 1 ? PHOTOGRAPH_CHANNELS : 1;
+    const size_t waves = passes / parts, channels = PHOTOGRAPH_CHANNELS / parts;
+    struct pass *pass = ARENA_ARRAY(arena, passes, struct pass);
+    for (size_t i = 0; i < passes; i++) {
+        double all = 0;
+        for (size_t k = 0; k < waves; k++) {
+            all += setup->wavelengths[i / waves * waves + k].weight;
+        }
+        pass[i] = (struct pass){.begin = i / waves * channels,
+                                .end = (i / waves + 1) * channels,
+                                .share = setup->wavelengths[i].weight / all};
+    }
+    return pass;
 }
 
 /* Start and trace block `block` of a plan. */
@@ -179,8 +206,8 @@ static bool is_lit(const struct film_plan *plan, double largest)
 }
 
 /* What one ray brings to its pixel. */
-static void add_ray(const struct work *work, const struct film_plan *plan, size_t pass, size_t i,
-                    struct room *room)
+static void add_ray(const struct work *work, const struct film_plan *plan, const struct pass *pass,
+                    size_t i, struct room *room)
 {
     const struct film_samples *samples = &room->samples;
     const double across = (samples->x[i] - plan->left) / plan->width * ACROSS;
@@ -191,9 +218,8 @@ static void add_ray(const struct work *work, const struct film_plan *plan, size_
     if (!see(work, room, i, &light)) {
         return;
     }
-    const size_t end = work->passes == 1 ? PHOTOGRAPH_CHANNELS : pass + 1;
-    for (size_t channel = pass; channel < end; channel++) {
-        sums[channel] += samples->weight[i] * (double)light.of[channel];
+    for (size_t channel = pass->begin; channel < pass->end; channel++) {
+        sums[channel] += pass->share * samples->weight[i] * (double)light.of[channel];
     }
 }
 
@@ -206,7 +232,7 @@ static void sum_blocks(const struct work *work, const struct film_plan *plan, si
         for (uint32_t block = (uint32_t)begin; block < end; block++) {
             trace_plan(work->film, plan, block, pass, room);
             for (size_t i = 0; i < RAYS_BLOCK; i++) {
-                add_ray(work, plan, pass, i, room);
+                add_ray(work, plan, &work->pass[pass], i, room);
             }
         }
     }
@@ -420,7 +446,8 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                         .convergence = ARENA_ARRAY(arena, CONVERGENCE_COUNTS, atomic_ullong),
                         .sights = ARENA_ARRAY(arena, RELIEF_SIGHTS, atomic_ullong),
                         .scale = n * n,
-                        .passes = is_alike(&film, wavelengths) ? 1 : PHOTOGRAPH_CHANNELS};
+                        .passes = is_alike(&film, wavelengths) ? 1 : wavelengths};
+    work.pass = passes_of(question, work.passes, arena);
     struct room *room = room_of(arena);
     if (!size_card(&work, room, &photograph->card, error) ||
         !image_new(&photograph->image, arena, error)) {

@@ -29,10 +29,13 @@ struct photograph_depths {
 };
 
 struct photograph_question {
-    struct film_question film; /* its setup has one wavelength, or one a channel */
-    size_t columns, rows;      /* pixels of it */
-    struct image_area crop;    /* pixels of them that are taken; no width: all */
-    size_t samples;            /* rays a pixel and channel: a power of two */
+    /* its setup has wavelengths that all are of all channels, or, with is_coloured, as many for
+       each channel, red first; their weights are shares of it */
+    struct film_question film;
+    bool is_coloured;
+    size_t columns, rows;   /* pixels of it */
+    struct image_area crop; /* pixels of them that are taken; no width: all */
+    size_t samples;         /* rays a pixel and wavelength: a power of two */
     /* Each tile has as many as it needs for this error, a share of the white in the middle of the
        film, and `samples` at most; 0: all have `samples` */
     double error;
@@ -61,7 +64,8 @@ struct photograph {
  * Take it.
  *
  * Result    each pixel the mean over its area of the irradiance that the card's light brings,
- *           relative to the luminance of its white; every channel by rays of its wavelength
+ *           relative to the luminance of its white; every channel by rays of its
+ *           wavelengths
  * Formula   for 16 x 8 pixels at once the first 128 n points of a scrambled Sobol' sequence, of
  *           which each pixel has n where that is a power of two; rays as camera/film_rays.h,
  *           traced exactly, to the plane of the card, or to the relief that it is

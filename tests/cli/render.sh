@@ -63,7 +63,13 @@ lenscalc render chart:edge --lens double-gauss-50 -s 1m --noise -o lost.pfm
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --white blue -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --white auto --raw -o lost.png
 # what only rays or only pictures take, cards too near, a mirror lens
-lenscalc render chart:edge --lens double-gauss-50 -s 1m --spectrum d:1,F:1 -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --spectrum d:1,F:1 --band 40 -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m -w d --band 40 -o lost.png
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --band 101 -o lost.png
+lenscalc render --lens double-gauss-50 --band 40 --rays lost.csv
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --samples 1 --band 40 -o band.png 2> said
+lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --samples 1 --spectrum photopic -o grey.png 2> said
+ls band.png grey.png
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --rays lost.csv
 lenscalc render --lens double-gauss-50 --noise --rays lost.csv
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --bits 16 -o lost.pfm

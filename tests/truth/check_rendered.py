@@ -36,41 +36,70 @@ def centroid(rows, channel):
     return across / total, down / total
 
 
-def check_places(checks, program, folder):
-    """Barrel distortion and lateral colour of a flint far behind a small stop."""
-    lens = Singlet((90, -200), 6, (1.728, 28.5), 25, 1)
-    lens.write(os.path.join(folder, "far.lens"))
-    film = lens.paraxial(DISTANCE)[0]
+class Discs:
+    """Pictures of chart:points through a flint far behind a small stop, disc by disc."""
+
     columns, pitch, width, side = 1200, 0.03, 360, 24
-    common = ["chart:points", "--lens", "far.lens", "-s", f"{DISTANCE}mm", "--from", "front",
-              "--focus", repr(film), "-t", "1", "--sensor",
-              f"{columns * pitch}x{columns * pitch}mm", "--size", f"{columns}x{columns}",
-              "--samples", "256", "--field-width", f"{width}mm"]
-    scale = abs(lens.forward((1e-3, 0), (0, 0), TRACED[1], film, DISTANCE)[0]) * 1e3 / pitch
+
+    def __init__(self, checks, program, folder):
+        self.of = program, checks, folder
+        self.lens = Singlet((90, -200), 6, (1.728, 28.5), 25, 1)
+        self.lens.write(os.path.join(folder, "far.lens"))
+        self.film = self.lens.paraxial(DISTANCE)[0]
+        size = f"{self.columns * self.pitch}x{self.columns * self.pitch}mm"
+        self.common = ["chart:points", "--lens", "far.lens", "-s", f"{DISTANCE}mm", "--from",
+                       "front", "--focus", repr(self.film), "-t", "1", "--sensor", size, "--size",
+                       f"{self.columns}x{self.columns}", "--field-width", f"{self.width}mm"]
+
+    def card(self, i, k):
+        return i * self.width / 12, k * self.width / 12
+
+    def chief(self, i, k, nm):
+        """Of the middle of disc i, k, in pixels from the middle of the picture."""
+        x, y, _ = self.lens.forward(self.card(i, k), (0, 0), nm, self.film, DISTANCE)
+        return -x / self.pitch, -y / self.pitch
+
+    def take(self, i, k, *more):
+        """The middles of its red, green and blue light."""
+        x, y = self.chief(i, k, TRACED[1])
+        middle = self.columns / 2
+        left, top = (round(middle + at) - self.side // 2 for at in (x, -y))
+        rows = take(*self.of, *self.common, *more, "--crop",
+                    f"{left}:{top}:{self.side}x{self.side}")
+        found = [centroid(rows, channel) for channel in range(3)] if rows is not None else []
+        return [(left + a - middle, middle - top - b) for a, b in found]
+
+
+def check_places(checks, discs):
+    """Barrel distortion and lateral colour."""
+    scale = discs.chief(1e-5, 0, TRACED[1])[0] * 1e5
     bends, spreads = [], []
     for i, k in (0, 0), (1, 0), (4, 0), (0, 4), (-4, 2), (-3, -4):
-        card = (i * width / 12, k * width / 12)
-        x, y, _ = lens.forward(card, (0, 0), TRACED[1], film, DISTANCE)
-        left, top = (round(columns / 2 + at / pitch) - side // 2 for at in (-x, y))
-        rows = take(program, checks, folder, *common, "--crop", f"{left}:{top}:{side}x{side}")
-        if rows is None:
+        found = discs.take(i, k, "--samples", "256")
+        chiefs = [discs.chief(i, k, nm) for nm in TRACED]
+        if not found:
             return
-        places = []
-        for channel, nm in enumerate(TRACED):
-            x, y, _ = lens.forward(card, (0, 0), nm, film, DISTANCE)
-            x, y = -x / pitch, -y / pitch
-            a, b = centroid(rows, channel)
-            a, b = left + a - columns / 2, columns / 2 - top - b
+        for nm, (a, b), (x, y) in zip(TRACED, found, chiefs):
             checks.check(abs(a - x) < 0.02 and abs(b - y) < 0.02,
                          f"disc {i}, {k} at {nm} nm lies at {a:.3f}, {b:.3f}: its chief ray at "
                          f"{x:.3f}, {y:.3f}")
-            places.append((math.hypot(a, b), math.hypot(x, y)))
-        spread, expected = (places[0][j] - places[2][j] for j in (0, 1))
+        spread, expected = (math.hypot(*at[0]) - math.hypot(*at[2]) for at in (found, chiefs))
         checks.check(abs(spread - expected) < 0.02,
                      f"disc {i}, {k}: blue and red are {spread:.3f} pixels apart, not {expected:.3f}")
-        spreads.append(abs(expected))
-        bends.append(abs(places[1][1] - scale * math.hypot(*card)))
+        spreads.append(expected)
+        bends.append(abs(math.hypot(*chiefs[1]) - scale * math.hypot(i, k)))
     checks.check(max(bends) > 2 and max(spreads) > 0.5, f"{max(bends)} {max(spreads)}: a real test")
+
+
+def check_colours(checks, discs):
+    """Several wavelengths a colour: the means of their chief rays."""
+    waves = [[nm + 80 * ((n + 0.5) / 8 - 0.5) for n in range(8)] for nm in TRACED]
+    means = [sum(discs.chief(4, 0, nm)[0] for nm in band) / 8 for band in waves]
+    lines = (1 * discs.chief(4, 0, LINES["d"])[0] + 2 * discs.chief(4, 0, LINES["F"])[0] +
+             1 * discs.chief(4, 0, LINES["C"])[0]) / 4
+    for more, expected in (["--band", "80"], means), (["--spectrum", "d:1,F:2,C:1"], [lines] * 3):
+        for (a, _), x in zip(discs.take(4, 0, "--samples", "256", *more), expected):
+            checks.check(abs(a - x) < 0.03, f"{more}: a disc at {a:.3f}, its chief rays at {x:.3f}")
 
 
 def marginal_sine(lens, film, edge):
@@ -163,7 +192,9 @@ def check_errors(checks, program, folder):
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-rendered-") as folder:
-        check_places(checks, program, folder)
+        discs = Discs(checks, program, folder)
+        check_places(checks, discs)
+        check_colours(checks, discs)
         check_exchange(checks, program, folder)
         check_furnace(checks, program, folder)
         check_errors(checks, program, folder)

@@ -41,6 +41,9 @@ static const struct option options[] = {
     LENS_WAVELENGTH_OPTION(struct render_input, question,
                            "611, 549 and 464 nm for red, green and blue; for rays all of the lens"),
     ANALYSIS_SPECTRUM_OPTION(struct render_input, question),
+    {OPTION(struct render_input, band), .name = "band", .dimension = &dimension_wavelength,
+     .unit = "nm", .lowest = 0, .highest = 1e-4, .flags = OPTION_ABOVE_LOWEST, .value = "LENGTH",
+     .help = "spread red, green and blue light so far, over 8 wavelengths each; default none"},
     LENS_FNUMBER_OPTION(struct render_input, question),
     {OPTION(struct render_input, blades), .name = "blades", .lowest = BLADES_LEAST,
      .highest = BLADES_MOST, .value = "COUNT",
@@ -85,7 +88,8 @@ static const struct option options[] = {
      .help = "write W x H of its pixels only, X from the left and Y from the top"},
     {OPTION(struct render_input, samples), .name = "samples", .lowest = 1, .highest = 4e9,
      .value = "COUNT",
-     .help = "rays of a pixel and colour, a power of two (64); with --rays rays in all (65536)"},
+     .help =
+         "rays of a pixel and wavelength, a power of two (64); with --rays rays in all (65536)"},
     {OPTION(struct render_input, error), .name = "error", .dimension = &dimension_ratio,
      .lowest = 1e-4, .highest = 1, .value = "RATIO",
      .help = "as many rays as each tile of 16 x 8 pixels needs for it, as a share of white: 1%; "
@@ -155,9 +159,9 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "subject", "autofocus", "error",       "radiance",  "packing", "ev",  "scene",
-        "filter",  "depth-map", "field-width", "luminance", "time",    "iso", "size",
-        "crop",    "bits",      "film",        "grain",     "threads", NULL};
+        "subject", "band",   "autofocus", "error",       "radiance",  "packing", "ev",
+        "scene",   "filter", "depth-map", "field-width", "luminance", "time",    "iso",
+        "size",    "crop",   "bits",      "film",        "grain",     "threads", NULL};
     const char *const *const lists[] = {of_pictures, render_sensor_options};
     const bool also_picture = asking_given(job->asking, "output");
     for (size_t k = 0; k < 2 && !also_picture; k++) {

@@ -39,6 +39,7 @@ struct render_input {
     double read_noise, full_well, dark_current; /* electrons, and a second; NaN = not given */
     double fill, efficiency, gain, black; /* of image_sensor and its setting; NaN = not given */
     long adc;                             /* bits; 0 = not given */
+    double band;                          /* of each colour, mm; NaN = one wavelength */
     const char *response, *acceptance;    /* a word or number, or a file */
     struct film_value film;
     double grain; /* rms granularity, as characteristic_grain takes it; NaN = none */
@@ -120,6 +121,20 @@ struct film_question render_film(const struct render_input *input, const struct 
 
 /* The object before the first vertex of render_open's case, mm; NaN = that of the lens. */
 double render_object(const struct analysis_case *one);
+
+/* -------- commands/camera/render_colours.c -------- */
+
+/* Are all channels of the same wavelengths, those asked for? */
+static inline bool render_is_grey(const struct render_input *input)
+{
+    return input->question.wavelength.name != NULL || input->question.spectrum.count > 0;
+}
+
+/* Errors: ERROR_USAGE: a band of other wavelengths than those of colours */
+bool render_check_colours(const struct render_input *input, struct error *error);
+
+/* Red, green and blue, each at one wavelength or at several within its band: for render_open. */
+struct spectrum_value render_colours(const struct render_input *input, struct arena *arena);
 
 /* -------- commands/camera/render_frame.c -------- */
 

@@ -1,12 +1,7 @@
 /* commands/camera/render_picture.c - a photograph of a card, exposed and written. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/response.h"
 #include "commands/camera/render.h"
 #include "report/version.h"
-
-/* Each channel is traced at one wavelength. */
-static const struct setup_wavelength channels[PHOTOGRAPH_CHANNELS] = {
-    {RESPONSE_RED, 1}, {RESPONSE_GREEN, 1}, {RESPONSE_BLUE, 1}};
 
 /* -------- what is asked -------- */
 
@@ -22,15 +17,10 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
         fail(error, ERROR_USAGE, "how far away the card is is not said");
         return error_hint(error, "give {--distance}, as -s 2m");
     }
-    if (input->question.spectrum.count > 0) {
-        return fail(error, ERROR_USAGE,
-                    "{--spectrum} is for {--rays}: a picture has three colours, or one "
-                    "{--wavelength}");
-    }
     return render_check_file(input, job->type, error) && render_check_light(input, error) &&
-           render_check_samples(input, error) && render_check_autofocus(input, error) &&
-           render_check_film(job, error) && render_check_depths(input, error) &&
-           render_frame_read(input, &frame, error) &&
+           render_check_samples(input, error) && render_check_colours(input, error) &&
+           render_check_autofocus(input, error) && render_check_film(job, error) &&
+           render_check_depths(input, error) && render_frame_read(input, &frame, error) &&
            render_check_sensor(job, frame.columns, error);
 }
 
@@ -75,6 +65,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     struct growing doubts = {.arena = arena};
     struct photograph_question question = {
         .film = render_film(input, one),
+        .is_coloured = !render_is_grey(input),
         .seed = (uint64_t)input->seed,
         .threads = parallel_threads(input->threads),
         .card = {.distance = render_object(one),
@@ -118,10 +109,9 @@ bool render_picture(const struct artifact_job *job, struct output *sinks, struct
 {
     const struct render_input *input = job->inputs[0];
     struct picture_job picture = {job, sinks};
-    const struct spectrum_value colours = {"channels", channels, PHOTOGRAPH_CHANNELS};
-    const bool one_colour = input->question.wavelength.name != NULL;
+    const struct spectrum_value colours = render_colours(input, job->run->arena);
     struct render_input focused;
     return render_autofocus(input, job->run->arena, &focused, error) &&
-           render_open(&focused, one_colour ? NULL : &colours, job->run, take_picture, &picture,
-                       error);
+           render_open(&focused, render_is_grey(input) ? NULL : &colours, job->run, take_picture,
+                       &picture, error);
 }

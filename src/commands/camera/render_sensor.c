@@ -79,9 +79,14 @@ static bool read_response(const struct render_input *input, struct arena *arena,
         }
     }
     struct number_table file;
-    if (!isnan(input->efficiency) || input->question.wavelength.name != NULL) {
+    const char *const other = !isnan(input->efficiency)                 ? "efficiency"
+                              : input->question.wavelength.name != NULL ? "wavelength"
+                              : input->question.spectrum.count > 0      ? "spectrum"
+                              : !isnan(input->band)                     ? "band"
+                                                                        : NULL;
+    if (other != NULL) {
         return fail(error, ERROR_USAGE, "{--%s} and a table of {--response} exclude each other",
-                    isnan(input->efficiency) ? "wavelength" : "efficiency");
+                    other);
     }
     if (!number_table_read(input->response, "wavelength_nm", arena, &file, error)) {
         return error_hint(error, "{--response} is rgb, mono, xyz or the name of a file");
