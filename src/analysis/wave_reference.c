@@ -85,6 +85,16 @@ static bool find_pupil(const struct setup *setup, double *pupil, struct error *e
     return true;
 }
 
+/* Its equation says where rays go, but not how long their way is. */
+static bool has_thick(const struct lens *lens)
+{
+    bool found = false;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        found = found || lens->surfaces[i].kind == SURFACE_THICK;
+    }
+    return found;
+}
+
 bool wave_reference_find(const struct wave_lights *lights, enum wave_about about,
                          struct arena *arena, struct wave_reference *reference, struct error *error)
 {
@@ -104,6 +114,10 @@ bool wave_reference_find(const struct wave_lights *lights, enum wave_about about
     }
     reference->centre[0] = first->chief.point[0] + reference->at[0];
     reference->centre[1] = first->chief.point[1] + reference->at[1];
+    if (has_thick(setup->lens)) {
+        reference->no_opd = "an ideal thick lens has no optical path";
+        return about != WAVE_BEST || fail(error, ERROR_DOMAIN, "%s", reference->no_opd);
+    }
     bool found = reference->is_angular ? set_plane(first, pupil, reference, error)
                                        : opd_sphere(&first->chief, pupil, n, reference->centre,
                                                     &reference->opd, error);

@@ -43,7 +43,8 @@ bool wave_open(const struct bundle_question *bundle, struct arena *arena,
  *           wavelength's chief ray and its paraxial exit pupil; without a stop their radius is
  *           infinite. Angular: a plane wave across the reference, along spot_axes
  * Source    [Welford86]
- * Errors    as spot_find; ERROR_DOMAIN: WAVE_BEST of an image infinitely far away
+ * Errors    as spot_find; ERROR_DOMAIN: WAVE_BEST of an image infinitely far away, or of a thick
+ *           lens
  */
 bool wave_reference_find(const struct wave_lights *lights, enum wave_about about,
                          struct arena *arena, struct wave_reference *reference,

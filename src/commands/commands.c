@@ -12,7 +12,8 @@ extern const struct command command_trace, command_check, command_pupil, command
 extern const struct command command_lens, command_surfaces, command_matrix, command_conjugate;
 extern const struct command command_seidel, command_color;
 extern const struct command command_list, command_glass, command_convert;
-extern const struct command command_spot, command_fan, command_field, command_wavefront;
+extern const struct command command_spot, command_fan, command_field, command_wavefront,
+    command_mtf;
 extern const struct command command_distortion;
 extern const struct command command_fit, command_render;
 extern const struct command command_help, command_completion;
@@ -48,6 +49,7 @@ const struct command *const commands[] = {
     &command_illumination,
     &command_fan,
     &command_wavefront,
+    &command_mtf,
     &command_field,
     &command_color,
     &command_distortion, /* analyses */

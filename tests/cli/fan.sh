@@ -28,3 +28,5 @@ for drawing in fan.svg paths.svg; do
 done
 lenscalc fan fisheye-16 --plot dark.svg > rows
 grep -c 'no ray arrives' dark.svg
+printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc fan - --points 3 --csv --digits 4 --columns pupil_y,opd_waves,warning
+printf 'lens ideal\nobject inf\naperture stop\nstop - 0 air 10\nthick 50 0 air 12\n' | lenscalc fan - --reference best

@@ -56,6 +56,7 @@ ASKED = {
                      "height\n5\n10\n"),
     "color": ("double-gauss -N 5.6 --field 5 --spectrum F,d,C", None, "field\n5\n10\n"),
     "wavefront": ("double-gauss -N 5.6 --field 0", None, "N\n5.6\n8\n"),
+    "mtf": ("double-gauss -N 8 --field 0 -w d --frequency 40", None, "N\n5.6\n8\n"),
     "fan": ("double-gauss -N 5.6 --field 0 -w d --points 3", None, "N\n4\n8\n"),
     "distortion": ("double-gauss --field 10", ("field", "5,10", "w", "486,587"),
                    "field\n5\n10\n"),

@@ -1,0 +1,252 @@
+/* analysis/exit_lines.c - what is clear of parallel lines across an exit pupil. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/exit_lines.h"
+
+#include "base/constants.h"
+#include "trace/sample.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SAMPLES = 96, LINES = 24, ROUNDS = 30, COARSE_ROUNDS = 10, BREAK_ROUNDS = 18 };
+
+/* So far beyond the rim's polygon samples lie, in sizes of the pupil. */
+static const double beyond = 0.03;
+
+/* A line with what ends its spans. */
+struct line {
+    double t;
+    struct exit_spans spans;
+    size_t limits[2 * EXIT_SPANS];
+};
+
+/* A place between a clear and a dark point of a line. */
+struct change {
+    double clear, dark;
+    size_t line, edge, limit;
+};
+
+/* Lines at work. */
+struct seeking {
+    const struct exit_pupil *pupil;
+    struct exit_lines *lines;
+    struct arena *arena;
+    double size; /* of the pupil along them */
+};
+
+static void point_of(const struct exit_lines *lines, double s, double t, double at[2])
+{
+    for (int k = 0; k < 2; k++) {
+        at[k] = s * lines->along[k] + t * lines->across[k];
+    }
+}
+
+static double along_of(const double direction[2], const double at[2])
+{
+    return direction[0] * at[0] + direction[1] * at[1];
+}
+
+/* Where the polygon of the rim crosses a line, a little more; false: it does not. */
+static bool crossing(const struct seeking *seeking, double t, double range[2])
+{
+    const struct exit_pupil *pupil = seeking->pupil;
+    const struct exit_lines *lines = seeking->lines;
+    range[0] = INFINITY, range[1] = -INFINITY;
+    for (size_t i = 0; i < pupil->rim_count; i++) {
+        const double *a = pupil->rim[i], *b = pupil->rim[(i + 1) % pupil->rim_count];
+        const double ta = along_of(lines->across, a) - t, tb = along_of(lines->across, b) - t;
+        if ((ta <= 0) != (tb <= 0)) {
+            const double sa = along_of(lines->along, a), sb = along_of(lines->along, b);
+            const double s = sa + (sb - sa) * ta / (ta - tb);
+            range[0] = fmin(range[0], s);
+            range[1] = fmax(range[1], s);
+        }
+    }
+    range[0] -= beyond * seeking->size;
+    range[1] += beyond * seeking->size;
+    return range[1] > range[0];
+}
+
+/* Changes along one line, from the limits of its samples. */
+static size_t find_changes(const size_t *limits, const double range[2], size_t line,
+                           struct change *changes)
+{
+    size_t count = 0;
+    for (size_t i = 0; i + 1 < SAMPLES && count < 2 * EXIT_SPANS; i++) {
+        const bool here = limits[i] == EXIT_PUPIL_CLEAR, next = limits[i + 1] == EXIT_PUPIL_CLEAR;
+        if (here != next) {
+            const double step = (range[1] - range[0]) / (SAMPLES - 1);
+            const double s = range[0] + step * (double)i;
+            changes[count] = (struct change){here ? s : s + step, here ? s + step : s, line, count,
+                                             here ? limits[i + 1] : limits[i]};
+            count++;
+        }
+    }
+    return count / 2 * 2;
+}
+
+static void bisect(const struct seeking *seeking, const struct line *list, struct change *changes,
+                   size_t count, int rounds)
+{
+    const struct arena_mark mark = arena_mark(seeking->arena);
+    double(*at)[2] = arena_array(seeking->arena, count, sizeof *at);
+    size_t *limits = ARENA_ARRAY(seeking->arena, count, size_t);
+    for (int round = 0; round < rounds; round++) {
+        for (size_t i = 0; i < count; i++) {
+            point_of(seeking->lines, (changes[i].clear + changes[i].dark) / 2,
+                     list[changes[i].line].t, at[i]);
+        }
+        exit_pupil_look(seeking->pupil, (const double(*)[2])at, count, limits);
+        for (size_t i = 0; i < count; i++) {
+            const double middle = (changes[i].clear + changes[i].dark) / 2;
+            if (limits[i] == EXIT_PUPIL_CLEAR) {
+                changes[i].clear = middle;
+            } else {
+                changes[i].dark = middle;
+                changes[i].limit = limits[i];
+            }
+        }
+    }
+    arena_reset(seeking->arena, mark);
+}
+
+/* The spans of lines whose t is set. */
+static void find_spans(const struct seeking *seeking, struct line *list, size_t count, int rounds)
+{
+    const struct arena_mark mark = arena_mark(seeking->arena);
+    struct change *changes = ARENA_ARRAY(seeking->arena, count * 2 * EXIT_SPANS, struct change);
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        double range[2], at[SAMPLES][2];
+        size_t limits[SAMPLES];
+        list[i].spans.count = 0;
+        if (!crossing(seeking, list[i].t, range)) {
+            continue;
+        }
+        for (size_t k = 0; k < SAMPLES; k++) {
+            const double share = (double)k / (SAMPLES - 1);
+            point_of(seeking->lines, range[0] + share * (range[1] - range[0]), list[i].t, at[k]);
+        }
+        exit_pupil_look(seeking->pupil, (const double(*)[2])at, SAMPLES, limits);
+        const size_t changed = find_changes(limits, range, i, changes + found);
+        list[i].spans.count = changed / 2;
+        found += changed;
+    }
+    bisect(seeking, list, changes, found, rounds);
+    for (size_t i = 0; i < found; i++) {
+        struct line *line = &list[changes[i].line];
+        line->spans.edges[changes[i].edge] = changes[i].clear;
+        line->limits[changes[i].edge] = changes[i].limit;
+    }
+    arena_reset(seeking->arena, mark);
+}
+
+static bool alike(const struct line *a, const struct line *b)
+{
+    return a->spans.count == b->spans.count &&
+           memcmp(a->limits, b->limits, 2 * a->spans.count * sizeof a->limits[0]) == 0;
+}
+
+/* Between lines that are not alike, where they become so. */
+static size_t find_breaks(const struct seeking *seeking, const struct line *list, size_t count,
+                          double *breaks)
+{
+    struct line low[LINES], high[LINES], middle[LINES];
+    size_t found = 0;
+    for (size_t i = 0; i + 1 < count; i++) {
+        if (!alike(&list[i], &list[i + 1])) {
+            low[found] = list[i];
+            high[found++] = list[i + 1];
+        }
+    }
+    if (found >= EXIT_PIECES) {
+        found = 0; /* nothing but ties between things that end the pupil alike */
+    }
+    for (int round = 0; round < BREAK_ROUNDS && found > 0; round++) {
+        for (size_t i = 0; i < found; i++) {
+            middle[i].t = (low[i].t + high[i].t) / 2;
+        }
+        find_spans(seeking, middle, found, COARSE_ROUNDS);
+        for (size_t i = 0; i < found; i++) {
+            *(alike(&middle[i], &low[i]) ? &low[i] : &high[i]) = middle[i];
+        }
+    }
+    for (size_t i = 0; i < found; i++) {
+        breaks[i] = (low[i].t + high[i].t) / 2;
+    }
+    return found;
+}
+
+/* One with as many spans on all of its lines; the most frequent number where rounding differs. */
+static void fill_piece(const struct seeking *seeking, double low, double high,
+                       struct exit_piece *piece)
+{
+    struct line list[EXIT_NODES];
+    *piece = (struct exit_piece){.low = low, .high = high};
+    gauss_rule(EXIT_NODES, piece->nodes, piece->weights);
+    for (size_t i = 0; i < EXIT_NODES; i++) {
+        const double x = piece->nodes[i];
+        list[i].t = (low + high) / 2 + (high - low) / 2 * sin(PI * (x - 0.5));
+        piece->weights[i] = (i % 2 == 0 ? 1 : -1) * sqrt(x * (1 - x) * piece->weights[i]);
+    }
+    find_spans(seeking, list, EXIT_NODES, ROUNDS);
+    piece->count = list[EXIT_NODES / 2].spans.count;
+    for (size_t i = 0; i < EXIT_NODES; i++) {
+        size_t from = i;
+        /* a line that differs is too near to an end: its neighbour's */
+        while (from != EXIT_NODES / 2 && list[from].spans.count != piece->count) {
+            from += from < EXIT_NODES / 2 ? 1 : (size_t)-1;
+        }
+        memcpy(piece->edges[i], list[from].spans.edges, sizeof piece->edges[i]);
+    }
+}
+
+void exit_lines_find(const struct exit_pupil *pupil, const double along[2], struct arena *arena,
+                     struct exit_lines *lines)
+{
+    struct line list[LINES];
+    double range[2], breaks[LINES + 1];
+    *lines = (struct exit_lines){{along[0], along[1]}, {-along[1], along[0]}, .count = 0};
+    exit_pupil_range(pupil, along, range);
+    const struct seeking seeking = {pupil, lines, arena, range[1] - range[0]};
+    exit_pupil_range(pupil, lines->across, range);
+    for (size_t i = 0; i < LINES; i++) {
+        const double angle = PI * (((double)i + 0.5) / LINES - 0.5);
+        list[i].t = (range[0] + range[1]) / 2 + (range[1] - range[0]) / 2 * sin(angle);
+    }
+    find_spans(&seeking, list, LINES, COARSE_ROUNDS);
+    size_t count = find_breaks(&seeking, list, LINES, breaks);
+    breaks[count++] = range[1];
+    double low = range[0];
+    for (size_t i = 0; i < count; low = breaks[i++]) {
+        fill_piece(&seeking, low, breaks[i], &lines->pieces[lines->count]);
+        lines->count += lines->pieces[lines->count].count > 0;
+    }
+}
+
+double exit_piece_at(const struct exit_piece *piece, double angle, double *slope,
+                     struct exit_spans *spans)
+{
+    double sum[2 * EXIT_SPANS] = {0}, total = 0;
+    const double x = angle / PI + 0.5, half = (piece->high - piece->low) / 2;
+    const size_t edges = 2 * piece->count;
+    spans->count = piece->count;
+    *slope = half * cos(angle);
+    const double t = (piece->low + piece->high) / 2 + half * sin(angle);
+    for (size_t i = 0; i < EXIT_NODES; i++) {
+        const double off = x - piece->nodes[i];
+        if (fabs(off) < 1e-14) {
+            memcpy(spans->edges, piece->edges[i], sizeof spans->edges);
+            return t;
+        }
+        const double weight = piece->weights[i] / off;
+        total += weight;
+        for (size_t k = 0; k < edges; k++) {
+            sum[k] += weight * piece->edges[i][k];
+        }
+    }
+    for (size_t k = 0; k < edges; k++) {
+        spans->edges[k] = sum[k] / total;
+    }
+    return t;
+}

@@ -1,0 +1,367 @@
+/* analysis/exit_pupil.c - a beam behind the lens, over the direction cosines of the image space. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/exit_pupil.h"
+
+#include "base/constants.h"
+#include "base/linear.h"
+#include "trace/dispatch.h"
+
+#include <math.h>
+
+enum { ORDER_FIRST = 8, ORDER_MOST = 14, TERMS_MOST = (ORDER_MOST + 1) * (ORDER_MOST + 2) / 2 };
+
+/* So well the polynomials are to name rays, in half boxes; rims lie so far within. */
+static const double fine = 1e-7, within = 1 - 1e-12;
+
+/* A ray on the reference sphere. */
+struct meeting {
+    double at[2];    /* a, b */
+    double slope[2]; /* dW/da, dW/db, mm */
+    double path;     /* mm; NaN: lost */
+};
+
+/* Lane i of a block behind the lens. */
+static struct meeting meet(const struct exit_pupil *pupil, const struct ray_block *block, size_t i)
+{
+    const struct opd_reference *sphere = &pupil->reference->opd;
+    const double n = pupil->n, *c = sphere->centre;
+    const double e[3] = {block->p[i] / n, block->q[i] / n, block->r[i] / n};
+    const double from[3] = {block->x[i] - c[0], block->y[i] - c[1], block->z[i] - c[2]};
+    const double along = from[0] * e[0] + from[1] * e[1] + from[2] * e[2];
+    double m[3], q = 0, d[3];
+    for (int k = 0; k < 3; k++) {
+        m[k] = from[k] - along * e[k];
+        q += m[k] * m[k];
+    }
+    const double R = sphere->radius, over = sphere->side / R;
+    const double root = sqrt(1 - q / (R * R));
+    for (int k = 0; k < 3; k++) {
+        d[k] = root * e[k] - over * m[k];
+    }
+    const double bulge = q / (R * (1 + root)); /* R - sqrt(R^2 - q); 0 of an infinite one */
+    return (struct meeting){
+        {d[0], d[1]},
+        {n * (e[2] * m[0] - e[0] * m[2]) / d[2], n * (e[2] * m[1] - e[1] * m[2]) / d[2]},
+        block->path[i] - n * (along - sphere->side * bulge)};
+}
+
+/* -------- polynomials -------- */
+
+/* T_0 .. T_order of x, and their slopes. */
+static void chebyshev(double x, size_t order, double *values, double *slopes)
+{
+    values[0] = 1, slopes[0] = 0;
+    values[1] = x, slopes[1] = 1;
+    for (size_t k = 2; k <= order; k++) {
+        values[k] = 2 * x * values[k - 1] - values[k - 2];
+        slopes[k] = 2 * values[k - 1] + 2 * x * slopes[k - 1] - slopes[k - 2];
+    }
+}
+
+/* A point of the beam's u and v, and what an area of a and b is there. */
+struct way_back {
+    double place[2], area;
+};
+
+static struct way_back way_back(const struct exit_pupil *pupil, const double at[2])
+{
+    double x[ORDER_MOST + 1], y[ORDER_MOST + 1], dx[ORDER_MOST + 1], dy[ORDER_MOST + 1];
+    double sum[2] = {0, 0}, by_a[2] = {0, 0}, by_b[2] = {0, 0};
+    const size_t order = pupil->order;
+    chebyshev((at[0] - pupil->middle[0]) / pupil->half[0], order, x, dx);
+    chebyshev((at[1] - pupil->middle[1]) / pupil->half[1], order, y, dy);
+    for (size_t i = 0, term = 0; i <= order; i++) {
+        for (size_t j = 0; i + j <= order; j++, term++) {
+            for (int k = 0; k < 2; k++) {
+                const double c = pupil->map[k][term];
+                sum[k] += c * x[i] * y[j];
+                by_a[k] += c * dx[i] * y[j];
+                by_b[k] += c * x[i] * dy[j];
+            }
+        }
+    }
+    const double area = (by_a[0] * by_b[1] - by_a[1] * by_b[0]) / (pupil->half[0] * pupil->half[1]);
+    return (struct way_back){{sum[0], sum[1]}, fabs(area)};
+}
+
+/* -------- opening -------- */
+
+/* Points of u and v and where their rays go. */
+struct pairs {
+    double (*from)[2], (*to)[2];
+    size_t count;
+};
+
+static struct pairs trace_pairs(const struct exit_pupil *pupil, const double (*from)[2],
+                                size_t count, struct arena *arena)
+{
+    const struct wave_light *light = pupil->light;
+    struct pairs pairs = {arena_array(arena, count, sizeof *pairs.from),
+                          arena_array(arena, count, sizeof *pairs.to), 0};
+    const struct rays rays = rays_new(arena, count);
+    margins_start(&light->source.region->margins, from, &rays);
+    rays_trace(light->open, &rays, NULL);
+    for (size_t i = 0; i < count; i++) {
+        const struct ray_block *block = &rays.blocks[i / RAYS_BLOCK];
+        const struct meeting meeting = meet(pupil, block, i % RAYS_BLOCK);
+        if (isfinite(meeting.path)) {
+            for (int k = 0; k < 2; k++) {
+                pairs.from[pairs.count][k] = from[i][k];
+                pairs.to[pairs.count][k] = meeting.at[k];
+            }
+            pairs.count++;
+        }
+    }
+    return pairs;
+}
+
+/* Points on the rim, and between its corners evenly about the middle of the star. */
+static bool find_rim(struct exit_pupil *pupil, struct arena *arena, struct pairs *rim)
+{
+    struct quadrature_region *region = pupil->light->source.region;
+    const struct star *star = quadrature_star(region, arena);
+    enum { EVEN = EXIT_PUPIL_RIM - STAR_CORNERS };
+    double angles[EXIT_PUPIL_RIM];
+    size_t count = 0, corner = 0;
+    if (star == NULL) {
+        return false;
+    }
+    const double first = star->corner_count > 0 ? star->corners[0] : 0;
+    for (size_t i = 0; i < EVEN; i++) {
+        const double angle = first + 2 * PI * (double)i / EVEN;
+        for (; corner < star->corner_count && star->corners[corner] <= angle; corner++) {
+            angles[count++] = star->corners[corner];
+        }
+        if (count == 0 || angles[count - 1] < angle) {
+            angles[count++] = angle;
+        }
+    }
+    const struct quadrature_rim edge = quadrature_edge(region, angles, count, arena);
+    double(*points)[2] = arena_array(arena, count, sizeof *points);
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 2; k++) {
+            const double centre = star->frame.centre[k];
+            points[i][k] = centre + within * (edge.points[i][k] - centre);
+        }
+    }
+    *rim = trace_pairs(pupil, (const double(*)[2])points, count, arena);
+    return rim->count > 8;
+}
+
+static void set_box(struct exit_pupil *pupil, const struct pairs *rim)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    pupil->rim_count = rim->count;
+    for (size_t i = 0; i < rim->count; i++) {
+        for (int k = 0; k < 2; k++) {
+            pupil->rim[i][k] = rim->to[i][k];
+            low[k] = fmin(low[k], rim->to[i][k]);
+            high[k] = fmax(high[k], rim->to[i][k]);
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        pupil->middle[k] = (low[k] + high[k]) / 2;
+        pupil->half[k] = (high[k] - low[k]) / 2;
+    }
+}
+
+/* The polynomials of one order; the worst that they are off. */
+static double fit(struct exit_pupil *pupil, const struct pairs *all, size_t order,
+                  struct arena *arena)
+{
+    const size_t terms = (order + 1) * (order + 2) / 2;
+    double *a = ARENA_ARRAY(arena, all->count * terms, double);
+    double *b = ARENA_ARRAY(arena, all->count, double);
+    double x[ORDER_MOST + 1], y[ORDER_MOST + 1], slopes[ORDER_MOST + 1], worst = 0;
+    for (size_t row = 0; row < all->count; row++) {
+        chebyshev((all->to[row][0] - pupil->middle[0]) / pupil->half[0], order, x, slopes);
+        chebyshev((all->to[row][1] - pupil->middle[1]) / pupil->half[1], order, y, slopes);
+        for (size_t i = 0, term = 0; i <= order; i++) {
+            for (size_t j = 0; i + j <= order; j++, term++) {
+                a[row * terms + term] = x[i] * y[j];
+            }
+        }
+    }
+    const struct linear_factors factors = linear_factor(a, all->count, terms, 1e-12, arena);
+    pupil->order = order;
+    pupil->terms = terms;
+    for (int k = 0; k < 2; k++) {
+        for (size_t row = 0; row < all->count; row++) {
+            b[row] = all->from[row][k];
+        }
+        linear_solve(&factors, b, pupil->map[k]);
+    }
+    const double *extent = pupil->light->source.region->star->frame.stretch;
+    for (size_t row = 0; row < all->count; row++) {
+        const struct way_back back = way_back(pupil, all->to[row]);
+        for (int k = 0; k < 2; k++) {
+            worst = fmax(worst, fabs(back.place[k] - all->from[row][k]) / extent[k]);
+        }
+    }
+    return worst;
+}
+
+static void find_map(struct exit_pupil *pupil, const struct pairs *rim,
+                     const struct quadrature *inside, struct arena *arena)
+{
+    const size_t count = inside->sample.count;
+    double(*from)[2] = arena_array(arena, count, sizeof *from);
+    for (size_t i = 0; i < count; i++) {
+        from[i][0] = inside->sample.points[i].x;
+        from[i][1] = inside->sample.points[i].y;
+    }
+    struct pairs all = trace_pairs(pupil, (const double(*)[2])from, count, arena);
+    struct pairs both = {arena_array(arena, all.count + rim->count, sizeof *both.from),
+                         arena_array(arena, all.count + rim->count, sizeof *both.to), 0};
+    for (size_t i = 0; i < all.count + rim->count; i += i < all.count ? 1 : 4, both.count++) {
+        const struct pairs *of = i < all.count ? &all : rim;
+        const size_t at = i < all.count ? i : i - all.count;
+        for (int k = 0; k < 2; k++) {
+            both.from[both.count][k] = of->from[at][k];
+            both.to[both.count][k] = of->to[at][k];
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        pupil->map[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
+    }
+    pupil->off = INFINITY;
+    for (size_t order = ORDER_FIRST; order <= ORDER_MOST && pupil->off > fine; order += 3) {
+        pupil->off = fit(pupil, &both, order, arena);
+    }
+}
+
+bool exit_pupil_open(const struct wave_lights *lights, size_t wavelength,
+                     const struct wave_reference *reference, struct arena *arena,
+                     struct exit_pupil *pupil, struct error *error)
+{
+    enum { RAYS = 2 * TERMS_MOST };
+    const struct wave_light *light = &lights->list[wavelength];
+    const struct bundle_source *source = &light->source;
+    struct pairs rim;
+    if (reference->no_opd != NULL) {
+        return fail(error, ERROR_DOMAIN, "%s", reference->no_opd);
+    }
+    if (reference->is_angular) {
+        return fail(error, ERROR_DOMAIN,
+                    "the image lies infinitely far away: its light is not added up by waves");
+    }
+    *pupil = (struct exit_pupil){.light = light,
+                                 .reference = reference,
+                                 .n = light->open->index_last,
+                                 .waves = 1000 / light->wavelength,
+                                 .zero = opd_path(&reference->opd, &light->chief),
+                                 .is_blocked = source->region->probe.full != NULL};
+    source->region->in_beam = true;
+    const struct quadrature inside = quadrature_fill(source->region, RAYS, arena);
+    if (inside.is_empty || !find_rim(pupil, arena, &rim)) {
+        return fail(error, ERROR_DOMAIN, "no ray arrives");
+    }
+    for (size_t i = 0; i < inside.sample.count; i++) {
+        const struct pupil_point *point = &inside.sample.points[i];
+        pupil->energy += PI * point->weight * stop_beam_density(&source->pupil, point->x, point->y);
+    }
+    set_box(pupil, &rim);
+    if (!(pupil->half[0] > 0 && pupil->half[1] > 0)) {
+        return fail(error, ERROR_DOMAIN, "all light comes from one direction");
+    }
+    find_map(pupil, &rim, &inside, arena);
+    return true;
+}
+
+/* -------- asking -------- */
+
+static void look_block(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                       size_t *limits)
+{
+    const struct margins *margins = &pupil->light->source.region->margins;
+    double places[RAYS_BLOCK][2];
+    for (size_t i = 0; i < count; i++) {
+        const struct way_back back = way_back(pupil, at[i]);
+        places[i][0] = back.place[0];
+        places[i][1] = back.place[1];
+    }
+    margins_look(margins, (const double(*)[2])places, count);
+    for (size_t i = 0; i < count; i++) {
+        limits[i] = margins->excess[i] <= 0 ? EXIT_PUPIL_CLEAR : 1 + margins->limit[i];
+    }
+    if (pupil->is_blocked && pupil->light->question.clip) {
+        struct rays rays = {margins->work.blocks, count};
+        margins_start(margins, (const double(*)[2])places, &rays);
+        rays_trace(pupil->light->system, &rays, NULL);
+        for (size_t i = 0; i < count; i++) {
+            const size_t surface = ray_block_surface(rays.blocks, i);
+            if (limits[i] == EXIT_PUPIL_CLEAR && ray_block_status(rays.blocks, i) != RAY_OK) {
+                limits[i] = margins_missed(surface) + RAY_CLIPPED;
+            }
+        }
+    }
+}
+
+void exit_pupil_look(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                     size_t *limits)
+{
+    for (size_t done = 0; done < count; done += RAYS_BLOCK) {
+        const size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        look_block(pupil, at + done, here, limits + done);
+    }
+}
+
+static void value_block(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                        double *waves, double *amplitudes)
+{
+    const struct bundle_source *source = &pupil->light->source;
+    const struct margins *margins = &source->region->margins;
+    double places[RAYS_BLOCK][2];
+    for (size_t i = 0; i < count; i++) {
+        const struct way_back back = way_back(pupil, at[i]);
+        const double u = back.place[0], v = back.place[1];
+        places[i][0] = u;
+        places[i][1] = v;
+        amplitudes[i] = sqrt(back.area * stop_beam_density(&source->pupil, u, v));
+    }
+    struct rays rays = {margins->work.blocks, count};
+    margins_start(margins, (const double(*)[2])places, &rays);
+    rays_trace(pupil->light->open, &rays, NULL);
+    for (size_t i = 0; i < count; i++) {
+        const struct meeting meeting = meet(pupil, rays.blocks, i);
+        double wave = pupil->zero - meeting.path;
+        for (int k = 0; k < 2; k++) {
+            wave += meeting.slope[k] * (at[i][k] - meeting.at[k]);
+        }
+        waves[i] = wave * pupil->waves;
+    }
+}
+
+void exit_pupil_values(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                       double *waves, double *amplitudes)
+{
+    for (size_t done = 0; done < count; done += RAYS_BLOCK) {
+        const size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        value_block(pupil, at + done, here, waves + done, amplitudes + done);
+    }
+}
+
+void exit_pupil_range(const struct exit_pupil *pupil, const double along[2], double range[2])
+{
+    enum { ABOUT = 5 };
+    const size_t n = pupil->rim_count;
+    for (int end = 0; end < 2; end++) {
+        const double sign = end == 0 ? -1 : 1;
+        size_t top = 0;
+        double highest = -INFINITY, t[ABOUT];
+        for (size_t i = 0; i < n; i++) {
+            const double here = sign * (pupil->rim[i][0] * along[0] + pupil->rim[i][1] * along[1]);
+            top = here > highest ? i : top;
+            highest = fmax(highest, here);
+        }
+        for (size_t k = 0; k < ABOUT; k++) {
+            const double *at = pupil->rim[(top + n + k - ABOUT / 2) % n];
+            t[k] = sign * (at[0] * along[0] + at[1] * along[1]);
+        }
+        /* the top of a parabola, where the rim is smooth */
+        const double bend = t[1] - 2 * t[2] + t[3], slope = (t[3] - t[1]) / 2;
+        const double beside = fmin(t[0] - 2 * t[1] + t[2], t[2] - 2 * t[3] + t[4]);
+        const bool smooth = bend < 0 && bend > 2 * beside;
+        range[end] = sign * (t[2] - (smooth ? slope * slope / (2 * bend) : 0));
+    }
+}

@@ -1,0 +1,67 @@
+/* analysis/exit_pupil.h - a beam behind the lens, over the direction cosines of the image space. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_ANALYSIS_EXIT_PUPIL_H
+#define LENSCALC_ANALYSIS_EXIT_PUPIL_H
+
+#include "analysis/wave_reference.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { EXIT_PUPIL_RIM = 256 + STAR_CORNERS };
+
+/*
+ * What passes the pupil of one field at one wavelength. Its points are named by a and b, the
+ * components in x and y of the unit vector from the reference sphere to its centre, along the
+ * light; of an infinite sphere that is the direction of the ray.
+ */
+struct exit_pupil {
+    const struct wave_light *light;
+    const struct wave_reference *reference;
+    double n, waves;               /* index; wavelengths in a mm of path */
+    double zero;                   /* path of the chief ray, mm */
+    double energy;                 /* integral of the squared amplitude */
+    double middle[2], half[2];     /* the box about its rim */
+    double rim[EXIT_PUPIL_RIM][2]; /* once around */
+    size_t rim_count;
+    double off; /* what the map leaves between a point and where its ray goes, in half boxes */
+    /* internal: u and v of the beam as polynomials */
+    size_t order, terms;
+    double *map[2];
+    bool is_blocked; /* something may stand within */
+};
+
+/*
+ * Find the rim, and the way back from a and b to the rays.
+ *
+ * Given     lights, wavelength  made by wave_open; reference: with a sphere
+ * Formula   u and v as polynomials in a and b of a degree up to 14, by least squares over a
+ *           quadrature and the rim
+ * Errors    ERROR_DOMAIN: nothing is clear; no reference sphere; an image infinitely far away
+ */
+bool exit_pupil_open(const struct wave_lights *lights, size_t wavelength,
+                     const struct wave_reference *reference, struct arena *arena,
+                     struct exit_pupil *pupil, struct error *error);
+
+/* Where nothing ends a ray, and names of what does. */
+enum { EXIT_PUPIL_CLEAR = 0 };
+
+/* Is light there? Receives EXIT_PUPIL_CLEAR or a number of what stops it, one a point. */
+void exit_pupil_look(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                     size_t *limits);
+
+/*
+ * The wave front and the amplitude at points, whether they are clear or not.
+ *
+ * Given     waves  receives W, wavelengths; amplitudes: roots of energy per area of a and b
+ * Formula   the ray that the polynomials name, traced, and from where it goes to the point by the
+ *           slope dW/da = n (e_z m_x - e_x m_z)/c, m from the centre across to the ray, c the third
+ *           component: what is left is of second order in `off`
+ */
+void exit_pupil_values(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                       double *waves, double *amplitudes);
+
+/* From where to where it reaches in a direction of unit length. */
+void exit_pupil_range(const struct exit_pupil *pupil, const double along[2], double range[2]);
+
+#endif

@@ -1,0 +1,62 @@
+/* analysis/mtf.h - contrast of the image of a field, by waves or by rays. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_ANALYSIS_MTF_H
+#define LENSCALC_ANALYSIS_MTF_H
+
+#include "analysis/hopkins.h"
+#include "trace/islands.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct mtf_question {
+    struct bundle_question bundle; /* its wavelength, pattern and weight are not used */
+    bool by_rays;
+    double error; /* of contrasts, absolute */
+};
+
+enum { MTF_TANGENTIAL, MTF_SAGITTAL, MTF_DIRECTIONS };
+
+/* A field made ready. */
+struct mtf_source {
+    const struct mtf_question *question;
+    struct wave_lights lights;
+    struct wave_reference reference; /* about the first chief ray */
+    struct exit_pupil *pupils;       /* one a wavelength */
+    struct exit_lines *lines;        /* [wavelength][direction] */
+    double along[MTF_DIRECTIONS][2]; /* in the image plane, of unit length */
+    double cutoff[MTF_DIRECTIONS];   /* 1/mm: no wavelength has contrast beyond it */
+    struct islands islands;          /* light that it leaves out, of the first wavelength */
+};
+
+struct mtf {
+    double contrast[MTF_DIRECTIONS];
+    double phase[MTF_DIRECTIONS]; /* rad, of the Fourier transform about the reference */
+    double limit[MTF_DIRECTIONS]; /* of the same pupils with perfect wave fronts */
+    double error;                 /* of the contrasts */
+    bool has_converged;
+};
+
+/*
+ * Make a field ready.
+ *
+ * Errors    as wave_open, wave_reference_find and exit_pupil_open
+ */
+bool mtf_open(const struct mtf_question *question, struct arena *arena, struct mtf_source *source,
+              struct error *error);
+
+/*
+ * Contrasts at a frequency.
+ *
+ * Given     frequency  1/mm in the image plane, >= 0: along the section of axis and field point
+ *                      (tangential: lines across it), and across that
+ * Formula   overlap_find of each wavelength at the shift wavelength frequency/n, added by their
+ *           weights and light; by rays: the mean of exp(-2 pi i frequency x), by energy, rays
+ *           doubled until the error is met
+ * Source    [Hopkins55], [Goodman05] 6.3
+ * Errors    as bundle_trace
+ */
+bool mtf_find(const struct mtf_source *source, double frequency, struct arena *arena,
+              struct mtf *mtf, struct error *error);
+
+#endif

@@ -1,0 +1,295 @@
+/* commands/analysis/mtf_figure.c - contrast drawn against frequency, focus or field. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_map.h"
+#include "commands/analysis/analysis_words.h"
+#include "commands/analysis/mtf_input.h"
+#include "draw/plot.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { STEPS = 61, MOST = 4096, CURVES_MOST = 14, FIELDS_MANY = 4 };
+
+/* What contrast is drawn against. */
+enum axis { BY_FREQUENCY, BY_FOCUS, BY_FIELD };
+
+/* A point of the drawing. */
+struct entry {
+    double x, contrast[MTF_DIRECTIONS], limit;
+    const char *label, *lens; /* of its curve */
+};
+
+struct painter {
+    const struct artifact_job *job;
+    const struct mtf_input *input;
+    struct arena *arena;
+    enum axis axis;
+    bool is_angle;
+    double highest; /* frequency; NaN: as the light has it */
+    struct entry *list;
+    size_t count;
+    const char *subtitle;
+};
+
+static bool add_entry(struct painter *painter, const struct mtf_source *source, double frequency,
+                      const struct entry *place, struct error *error)
+{
+    struct mtf mtf;
+    if (painter->count == MOST) {
+        return fail(error, ERROR_USAGE, "{--plot} has room for %d points, not for more", MOST);
+    }
+    if (!mtf_with_pixels(source, painter->input, frequency, painter->arena, &mtf, error)) {
+        return false;
+    }
+    struct entry *entry = &painter->list[painter->count++];
+    *entry = *place;
+    memcpy(entry->contrast, mtf.contrast, sizeof entry->contrast);
+    entry->limit = fmax(mtf.limit[0], mtf.limit[1]);
+    return true;
+}
+
+/* Where contrast by waves ends, but no farther than anybody looks: twice what rows have. */
+static double highest_of(const struct painter *painter, const struct mtf_source *source)
+{
+    const double cutoff = fmax(source->cutoff[0], source->cutoff[1]);
+    return isnan(painter->highest) ? fmin(cutoff, 160) : painter->highest;
+}
+
+static bool add(const struct analysis_case *one, size_t field, void *context, struct error *error)
+{
+    struct painter *painter = context;
+    struct arena *arena = painter->arena;
+    struct mtf_source source;
+    if (!mtf_of_case(one, field, painter->input, arena, &source, error)) {
+        return false;
+    }
+    const struct analysis_point point = analysis_point_of(one, field);
+    const double frequency = painter->input->frequency;
+    struct analysis_question question = *one->question;
+    struct analysis_case named = *one;
+    named.question = &question;
+    question.defocus = painter->axis == BY_FOCUS ? (double)NAN : question.defocus;
+    struct entry place = {.label = analysis_map_title(&named, field, arena),
+                          .lens = one->setup->lens->title};
+    painter->subtitle = arena_printf(arena, "%s; focus %s",
+                                     painter->input->method == MTF_BY_RAYS ? "by rays" : "by waves",
+                                     one->setup->focus);
+    painter->is_angle = !isnan(point.field);
+    if (painter->axis == BY_FREQUENCY) {
+        const double highest = highest_of(painter, &source);
+        painter->highest = highest;
+        for (size_t i = 0; i < STEPS; i++) {
+            place.x = highest * (double)i / (STEPS - 1);
+            if (!add_entry(painter, &source, place.x, &place, error)) {
+                return false;
+            }
+        }
+        return true;
+    }
+    if (painter->axis == BY_FOCUS) {
+        place.x = point.defocus;
+    } else {
+        place.x = painter->is_angle ? degrees_from_radians(point.field) : point.height;
+        place.label = arena_printf(arena, "%.4g/mm", frequency);
+    }
+    return add_entry(painter, &source, frequency, &place, error);
+}
+
+static bool skip(const struct analysis_point *point, void *context)
+{
+    (void)point;
+    (void)context;
+    return true;
+}
+
+/* How many different values something has among the inputs. */
+static size_t values_of(const struct artifact_job *job, size_t offset)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < job->count; i++) {
+        bool is_new = true;
+        double value, other;
+        memcpy(&value, (const char *)job->inputs[i] + offset, sizeof value);
+        for (size_t k = 0; k < i && is_new; k++) {
+            memcpy(&other, (const char *)job->inputs[k] + offset, sizeof other);
+            is_new = !(memcmp(&value, &other, sizeof value) == 0);
+        }
+        count += is_new;
+    }
+    return count;
+}
+
+static bool choose_axis(struct painter *painter, struct error *error)
+{
+    const struct artifact_job *job = painter->job;
+    const size_t frequencies = values_of(job, offsetof(struct mtf_input, frequency));
+    const struct mtf_input *last = job->inputs[job->count - 1];
+    const size_t fields = values_of(job, offsetof(struct mtf_input, question.field)) +
+                          values_of(job, offsetof(struct mtf_input, question.height)) - 1;
+    const bool given = !isnan(last->frequency);
+    painter->axis = values_of(job, offsetof(struct mtf_input, question.defocus)) > 2 ? BY_FOCUS
+                    : given && fields > FIELDS_MANY                                  ? BY_FIELD
+                                                                                     : BY_FREQUENCY;
+    if (painter->axis == BY_FOCUS && (!given || frequencies > 1)) {
+        return fail(error, ERROR_USAGE, "{--plot} through focus shows one {--frequency}");
+    }
+    for (size_t i = 0; i < job->count; i++) {
+        painter->highest =
+            fmax(painter->highest, ((const struct mtf_input *)job->inputs[i])->frequency);
+    }
+    return true;
+}
+
+/* All points of the sweep; against frequency the curves hold all of them anyway. */
+static bool collect(struct painter *painter, struct error *error)
+{
+    static const struct analysis_answers answers = {add, skip};
+    const struct artifact_job *job = painter->job;
+    const double first = ((const struct mtf_input *)job->inputs[0])->frequency;
+    for (size_t i = 0; i < job->count; i++) {
+        painter->input = job->inputs[i];
+        const bool again = painter->axis == BY_FREQUENCY && painter->input->frequency != first &&
+                           !isnan(painter->input->frequency);
+        if (!again && !analysis_each_field(&painter->input->question, &mtf_policy, job->run,
+                                           &answers, painter, error)) {
+            return false;
+        }
+    }
+    return painter->count > 0 || fail(error, ERROR_DOMAIN, "there is no contrast to draw");
+}
+
+/* The title; curves of several lenses are called by them too. */
+static const char *name_curves(const struct painter *painter)
+{
+    const char *lens = painter->list[0].lens;
+    bool one = true;
+    for (size_t i = 0; i < painter->count; i++) {
+        one = one && strcmp(painter->list[i].lens, lens) == 0;
+    }
+    for (size_t i = 0; i < painter->count && !one; i++) {
+        struct entry *entry = &painter->list[i];
+        entry->label = arena_printf(painter->arena, "%s, %s", entry->label, entry->lens);
+    }
+    return one ? arena_printf(painter->arena, "Contrast of %s", lens) : "Contrast";
+}
+
+static int by_value(const void *first, const void *second)
+{
+    const double a = *(const double *)first, b = *(const double *)second;
+    return (a > b) - (a < b);
+}
+
+/* The different x, ascending. */
+static size_t find_x(const struct painter *painter, double *x)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < painter->count; i++) {
+        x[i] = painter->list[i].x;
+    }
+    qsort(x, painter->count, sizeof *x, by_value);
+    for (size_t i = 0; i < painter->count; i++) {
+        if (count == 0 || x[i] > x[count - 1]) {
+            x[count++] = x[i];
+        }
+    }
+    return count;
+}
+
+/* The different labels in their order. */
+static size_t find_labels(const struct painter *painter, const char **labels, struct error *error)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < painter->count; i++) {
+        size_t k = 0;
+        while (k < count && strcmp(labels[k], painter->list[i].label) != 0) {
+            k++;
+        }
+        if (k == CURVES_MOST) {
+            fail(error, ERROR_USAGE, "{--plot} would draw more than %d pairs of curves",
+                 CURVES_MOST);
+            return 0;
+        }
+        labels[k] = painter->list[i].label;
+        count += k == count;
+    }
+    return count;
+}
+
+/* The values of all curves in their places; limits: of the first, or null. */
+static void put_values(const struct painter *painter, const double *x, size_t points,
+                       const char *const *labels, double *y, double *limits)
+{
+    for (size_t i = 0; i < painter->count; i++) {
+        const struct entry *entry = &painter->list[i];
+        size_t at = 0, curve = 0;
+        while (x[at] < entry->x) {
+            at++;
+        }
+        while (strcmp(labels[curve], entry->label) != 0) {
+            curve++;
+        }
+        for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
+            y[(MTF_DIRECTIONS * curve + k) * points + at] = entry->contrast[k];
+        }
+        if (limits != NULL && curve == 0) {
+            limits[at] = entry->limit;
+        }
+    }
+}
+
+static bool draw(const struct painter *painter, struct svg *svg, struct error *error)
+{
+    struct arena *arena = painter->arena;
+    const char *title = name_curves(painter);
+    double *x = ARENA_ARRAY(arena, painter->count, double);
+    const size_t points = find_x(painter, x);
+    const char *labels[CURVES_MOST];
+    const size_t curves = find_labels(painter, labels, error);
+    const size_t limits = painter->axis == BY_FREQUENCY ? 1 : 0;
+    const size_t count = MTF_DIRECTIONS * curves + limits;
+    double *y = ARENA_ARRAY(arena, points * count, double);
+    struct plot_series *series = ARENA_ARRAY(arena, count, struct plot_series);
+    if (curves == 0) {
+        return false;
+    }
+    for (size_t i = 0; i < points * count; i++) {
+        y[i] = NAN;
+    }
+    for (size_t k = 0; k < count; k++) {
+        const bool is_limit = k == MTF_DIRECTIONS * curves;
+        series[k] = (struct plot_series){
+            is_limit ? "limit"
+                     : arena_printf(arena, "%s %s", k % 2 == 0 ? "T" : "S", labels[k / 2]),
+            y + k * points, is_limit ? MTF_DIRECTIONS * curves : k};
+    }
+    put_values(painter, x, points, labels, y,
+               limits > 0 ? y + MTF_DIRECTIONS * curves * points : NULL);
+    const struct plot plot = {
+        .title = title,
+        .subtitle =
+            painter->axis != BY_FREQUENCY
+                ? arena_printf(arena, "%s%s", painter->subtitle,
+                               painter->axis == BY_FOCUS
+                                   ? arena_printf(arena, "; %.4g/mm", painter->input->frequency)
+                                   : "")
+                : painter->subtitle,
+        .x_label = painter->axis == BY_FREQUENCY ? "spatial frequency (1/mm)"
+                   : painter->axis == BY_FOCUS   ? "defocus (mm)"
+                   : painter->is_angle           ? "field (deg)"
+                                                 : "field (mm)",
+        .y_label = "contrast",
+        .x = x,
+        .count = points,
+        .series = series,
+        .series_count = count};
+    return plot_draw(&plot, svg, error);
+}
+
+bool mtf_figure(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct svg svg = {.arena = job->run->arena};
+    struct painter painter = {.job = job, .arena = svg.arena, .highest = NAN};
+    painter.list = ARENA_ARRAY(svg.arena, MOST, struct entry);
+    return choose_axis(&painter, error) && collect(&painter, error) &&
+           draw(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
+}

@@ -1,0 +1,30 @@
+/* commands/analysis/mtf_input.h - what lenscalc mtf is asked, and its drawing. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_ANALYSIS_MTF_INPUT_H
+#define LENSCALC_COMMANDS_ANALYSIS_MTF_INPUT_H
+
+#include "analysis/mtf.h"
+#include "commands/analysis/analysis_options.h"
+
+enum { MTF_BY_WAVES, MTF_BY_RAYS };
+
+struct mtf_input {
+    struct analysis_question question;
+    double frequency, pitch; /* 1/mm, mm; NaN = not given */
+    int method;
+};
+
+extern const struct analysis_policy mtf_policy;
+
+/* One of the fields of a case made ready. Errors as mtf_open. */
+bool mtf_of_case(const struct analysis_case *one, size_t field, const struct mtf_input *input,
+                 struct arena *arena, struct mtf_source *source, struct error *error);
+
+/* Contrasts with the pixels' own where there are some. Errors as mtf_find. */
+bool mtf_with_pixels(const struct mtf_source *source, const struct mtf_input *input,
+                     double frequency, struct arena *arena, struct mtf *mtf, struct error *error);
+
+/* The drawing of --plot. */
+bool mtf_figure(const struct artifact_job *job, struct output *sink, struct error *error);
+
+#endif
