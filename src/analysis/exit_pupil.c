@@ -136,7 +136,8 @@ static bool find_rim(struct exit_pupil *pupil, struct arena *arena, struct pairs
             angles[count++] = angle;
         }
     }
-    const struct quadrature_rim edge = quadrature_edge(region, angles, count, arena);
+    const struct edge_directions directions = {.angles = angles, .count = count};
+    const struct quadrature_rim edge = quadrature_edge(region, &directions, arena);
     double(*points)[2] = arena_array(arena, count, sizeof *points);
     for (size_t i = 0; i < count; i++) {
         for (int k = 0; k < 2; k++) {
