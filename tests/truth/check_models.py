@@ -281,6 +281,12 @@ def check_focus(render):
     for focus, place in ("thick", thick), ("sharpest", sharp):
         moved = render.plane_of(*lens, "--gap", "last", "--focus-at", focus)
         checks.check(abs(moved - place) < 1e-7, f"--gap last: {moved}, expected {place}")
+    # models focus on the card themselves, whatever was moved for the exact rays
+    for words in ("thick", "--focus-at", "sharpest"), ("thin",), ("paraxial",):
+        rays = render.rays(*lens, "--gap", "2", "--sensor", "1e-9x1e-9mm", "--samples", "64",
+                           "--model", *words)
+        off = max(math.hypot(*at(ray, -500)) for ray in rays)
+        checks.check(len(rays) > 50 and off < 1e-7, f"{words}: {off} mm off the card")
     # by the gap before the last surface: the film stays where it was
     moved = render.plane_of(*lens[:3], "10m", "--from", "front", "--gap", "2")
     checks.check(abs(moved - own) < 1e-7, f"--gap 2: the film stands at {moved}, not {own}")

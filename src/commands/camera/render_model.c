@@ -85,7 +85,8 @@ static bool fit_lens_of(const struct render_opening *opening, const struct analy
 }
 
 /* Where the film of a model stands: in its own image if that is what was asked for. */
-static struct plane_value plane_of(const struct analysis_case *one, enum lens_model model)
+static struct plane_value plane_of(const struct analysis_case *one,
+                                   const struct render_input *input)
 {
     const struct plane_value *asked = &one->question->focus;
     const enum focus_kind own = one->setup->lens->focus;
@@ -94,8 +95,8 @@ static struct plane_value plane_of(const struct analysis_case *one, enum lens_mo
     if (asked->kind == PLANE_TABLE || (is_of_lens && own == FOCUS_TABLE)) {
         return (struct plane_value){.kind = PLANE_AT, .distance = one->setup->image - defocus};
     }
-    if (model == MODEL_PARAXIAL &&
-        (asked->kind == PLANE_BEST || (is_of_lens && own == FOCUS_BEST))) {
+    if (input->gap != NULL || (input->model == MODEL_PARAXIAL &&
+                               (asked->kind == PLANE_BEST || (is_of_lens && own == FOCUS_BEST)))) {
         return (struct plane_value){.kind = PLANE_PARAXIAL};
     }
     return *asked;
@@ -112,7 +113,7 @@ bool render_model(const struct render_opening *opening, const struct analysis_ca
     }
     struct analysis_question *question = ARENA_NEW(run->arena, struct analysis_question);
     *question = *one->question;
-    question->focus = plane_of(one, model);
+    question->focus = plane_of(one, opening->input);
     if (lens_model_replaces(model)) {
         struct lens *stand_in = ARENA_NEW(run->arena, struct lens);
         if (!lens_model_check(setup->lens, &setup->first, error) ||
