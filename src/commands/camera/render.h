@@ -171,7 +171,7 @@ double render_white(const struct render_input *input);
  *
  * Given     setup       of the photograph
  *           photograph  each channel receives less light, the axis as the brightest of them
- * Formula   2^-stops times mired_transmittance at the wavelength of the channel
+ * Formula   2^-stops times mired_transmittance, its mean over the wavelengths of the channel
  */
 void render_filter(const struct render_input *input, const struct setup *setup,
                    struct photograph *photograph);

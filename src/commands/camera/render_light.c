@@ -23,6 +23,21 @@ double render_white(const struct render_input *input)
     return isnan(ev) ? input->luminance : exposure_white(ev);
 }
 
+/* Mean over the wavelengths of a channel, by their weights. */
+static double mean_transmittance(const struct render_input *input, const struct setup *setup,
+                                 size_t channel)
+{
+    const size_t parts = render_is_grey(input) ? 1 : PHOTOGRAPH_CHANNELS;
+    const size_t waves = setup->wavelength_count / parts;
+    double sum = 0, all = 0;
+    for (size_t i = 0; i < waves; i++) {
+        const struct setup_wavelength *one = &setup->wavelengths[channel % parts * waves + i];
+        sum += one->weight * mired_transmittance(input->filter.mired, one->wavelength);
+        all += one->weight;
+    }
+    return exp2(-input->filter.stops) * sum / all;
+}
+
 void render_filter(const struct render_input *input, const struct setup *setup,
                    struct photograph *photograph)
 {
@@ -32,9 +47,7 @@ void render_filter(const struct render_input *input, const struct setup *setup,
         return;
     }
     for (size_t k = 0; k < PHOTOGRAPH_CHANNELS; k++) {
-        const size_t w = k < setup->wavelength_count ? k : 0;
-        through[k] = exp2(-input->filter.stops) *
-                     mired_transmittance(input->filter.mired, setup->wavelengths[w].wavelength);
+        through[k] = mean_transmittance(input, setup, k);
         most = fmax(most, through[k]);
     }
     for (size_t i = 0; i < image->width * image->height; i++) {
