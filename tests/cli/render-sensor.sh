@@ -27,6 +27,11 @@ printf 'wavelength_nm,R\n400,0.4\n700,\n' > hole.csv
 lenscalc render "$@" --response hole.csv -o lost.png
 printf 'wavelength_nm,R,G,B\n400,0.4,0.4,0.4\n700,0.5,0.5,0.5\n' > same.csv
 lenscalc render "$@" --response same.csv -o lost.png
+lenscalc render "$@" --response mono --white tungsten -o lost.png
+lenscalc render "$@" --white 5600K --pitch 4um -o white.png 2>&1 | sed 1,2d
+grep -ao 'White balance.x 0.3302' white.png | tr '\0' ' '
+rm white.png
+lenscalc render "$@" --white 900K -o lost.png
 lenscalc render "$@" --gain 1 --iso 200 -o lost.png
 lenscalc render "$@" --black 20000 -o lost.png
 lenscalc render "$@" --adc 18 -o lost.png

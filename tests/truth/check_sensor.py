@@ -90,6 +90,27 @@ def check_table(checks, program, folder):
     checks.check(worst < 65535 * 0.004, f"a table changes the colours by {worst} of 65535")
 
 
+def linear(number):
+    """Of sRGB's 16 bits."""
+    v = number / 65535
+    return v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4
+
+
+def check_white(checks, program, folder):
+    """Light of a tungsten lamp, and of daylight of 5000 K, becomes grey; or what is given does."""
+    to_rgb = ((3.2406, -1.5372, -0.4986), (-0.9689, 1.8758, 0.0415), (0.0557, -0.2040, 1.0570))
+    for white, x, y in ("tungsten", 0.44757, 0.40745), ("5000K", 0.34567, 0.35850), ("auto", 0.4, 0.4):
+        xyz = x / y, 1, (1 - x - y) / y
+        pixel = [0.4 * sum(a * b for a, b in zip(row, xyz)) for row in to_rgb]
+        with open(os.path.join(folder, "lamp.pfm"), "wb") as file:
+            file.write(b"PF\n1 1\n-1.0\n" + struct.pack("<3f", *pixel))
+        found = take(program, checks, folder, "lamp.pfm", *PLAIN, "12x8", "--white", white, "--bits",
+                     "16", name="lamp.png")
+        # rays are lost at the edges of pupils, which differ: their mean over the picture
+        sums = [sum(linear(pixel[k]) for row in found or [] for pixel in row) for k in range(3)]
+        checks.check(max(sums) - min(sums) < 0.006 * max(sums) > 0, f"{white}: {sums} are not grey")
+
+
 def check_noise(checks, program, folder):
     """Scores of a white card: their variance is 1; saturation; threads; seeds."""
     write_pfm(os.path.join(folder, "white.pfm"), [[1.0, 1.0], [1.0, 1.0]])
@@ -169,6 +190,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="lenscalc-sensor-") as folder:
         check_numbers(checks, program, folder)
         check_table(checks, program, folder)
+        check_white(checks, program, folder)
         check_noise(checks, program, folder)
         check_acceptance(checks, program, folder)
     return checks.finish()

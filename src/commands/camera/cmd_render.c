@@ -189,6 +189,10 @@ static const struct example examples[] = {
      "a chart, photographed wide open"},
     {"render chart:grid --lens fisheye-16 -s 1m -t 1/60 --iso 200 -o grid.exr",
      "exposed, as light in lx s"},
+    {"render chart:star --lens double-gauss-50 -s 1m --film \"HP5 Plus\" --grain 17 -o hp5.png",
+     "on film, printed"},
+    {"render chart:star --lens double-gauss-50 -s 1m --noise --pitch 4um --mosaic rggb -o star.png",
+     "by a sensor: its noise and mosaic"},
     {"render --lens double-gauss-50 --rays rays.csv", "rays for another renderer"},
     {NULL, NULL},
 };

@@ -153,8 +153,13 @@ bool render_check_sensor(const struct artifact_job *job, size_t columns, struct 
             error, ERROR_USAGE,
             "{--white} auto is the mean of a whole picture, which a {--crop} does not have");
     }
-    return !render_senses(input) ||
-           open_sensor(input, columns, or_else(input->time, 0), job->run->arena, &model, error);
+    if (!render_senses(input)) {
+        return true;
+    }
+    return open_sensor(input, columns, or_else(input->time, 0), job->run->arena, &model, error) &&
+           (input->white == NULL || sensor_traits(&model.sensor)->channels > 1 ||
+            fail(error, ERROR_USAGE,
+                 "{--white} balances colours, which a sensor of one channel does not have"));
 }
 
 bool render_speed(const struct render_input *input, size_t columns, struct arena *arena,
@@ -221,6 +226,17 @@ static void add_remarks(const struct sensor_model *model, const struct sensor_ra
     }
 }
 
+/* Which light became white. */
+static void note_white(const struct developed *made, struct image *picture, struct growing *remarks)
+{
+    const double *xyz = made->white.part, sum = xyz[0] + xyz[1] + xyz[2];
+    const char *said =
+        arena_printf(remarks->arena, "x %.4f, y %.4f becomes white, by Bradford's adaptation",
+                     xyz[0] / sum, xyz[1] / sum);
+    growing_format(remarks, "%s\n", said);
+    image_note(picture, remarks->arena, text_of("White balance"), text_of(said));
+}
+
 bool render_sense(const struct render_input *input, double time, const struct render_frame *frame,
                   struct image *image, struct growing *remarks, struct error *error)
 {
@@ -251,6 +267,9 @@ bool render_sense(const struct render_input *input, double time, const struct re
             return false;
         }
         sensed = made.picture;
+        if (input->white != NULL) {
+            note_white(&made, &sensed, remarks);
+        }
     }
     *image = sensed;
     return true;
