@@ -10,6 +10,8 @@
 #include <string.h>
 
 enum { ACROSS = PHOTOGRAPH_ACROSS, DOWN = PHOTOGRAPH_DOWN, PIXELS = PHOTOGRAPH_PIXELS };
+/* Of a channel, between two pauses: about a second. */
+enum { SLICE_RAYS = 1 << 22 };
 _Static_assert(PIXELS == (int)RAYS_BLOCK, "a block of points for a tile");
 
 struct work {
@@ -18,12 +20,13 @@ struct work {
     struct card card;
     const struct relief *relief; /* null: the card is flat */
     struct image *image;
-    unsigned char *done;        /* of each tile */
-    atomic_ullong *convergence; /* CONVERGENCE_COUNTS of them */
-    double unit;                /* of means, in errors that are asked for */
-    atomic_ullong *sights;      /* how many rays found out how much, RELIEF_SIGHTS of them */
-    double scale;               /* (n'/n)^2, n of the scene */
-    size_t passes;              /* one a wavelength, or one for all where nothing disperses */
+    unsigned char *done; /* of each tile */
+    size_t first;        /* tile of the slice that is taken */
+    struct arena *arena;
+    atomic_ullong *counts; /* PHOTOGRAPH_COUNTS of them */
+    double unit;           /* of means, in errors that are asked for */
+    double scale;          /* (n'/n)^2, n of the scene */
+    size_t passes;         /* one a wavelength, or one for all where nothing disperses */
     const struct pass *pass;
 };
 
@@ -38,8 +41,7 @@ struct room {
     struct film_samples samples;
     struct rays rays;
     double sums[PIXELS][PHOTOGRAPH_CHANNELS], half[PIXELS][PHOTOGRAPH_CHANNELS];
-    uint64_t convergence[CONVERGENCE_COUNTS];
-    unsigned long long sights[RELIEF_SIGHTS]; /* how many rays found out how much */
+    uint64_t counts[PHOTOGRAPH_COUNTS];
 };
 
 static struct room *room_of(struct arena *arena)
@@ -119,7 +121,7 @@ static bool see(const struct work *work, struct room *room, size_t i, struct car
                                    .slope = {slope[0], slope[1]}};
     enum relief_sight sight;
     *light = relief_look(work->relief, &ray, &sight);
-    room->sights[sight]++;
+    room->counts[sight]++;
     return true;
 }
 
@@ -148,6 +150,12 @@ static struct tiling tiling_of(const struct photograph_question *question)
     return tiling;
 }
 
+size_t photograph_tiles(const struct photograph_question *question)
+{
+    const struct tiling tiling = tiling_of(question);
+    return tiling.across * tiling.down;
+}
+
 /* Where a tile of the crop begins in the frame: column and row of pixels. */
 static void begin_of(const struct tiling *tiling, size_t tile, size_t *column, size_t *row)
 {
@@ -155,11 +163,9 @@ static void begin_of(const struct tiling *tiling, size_t tile, size_t *column, s
     *row = (tiling->top + tile / tiling->across) * DOWN;
 }
 
-/* A tile between a picture and an array by itself, 0 outside the crop. */
-enum photograph_way { TILE_FROM_PICTURE, TILE_TO_PICTURE };
-static void photograph_tile(const struct photograph_question *question, const struct image *image,
-                            size_t tile, enum photograph_way way,
-                            float pixels[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS])
+void photograph_tile(const struct photograph_question *question, const struct image *image,
+                     size_t tile, enum photograph_way way,
+                     float pixels[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS])
 {
     const struct tiling tiling = tiling_of(question);
     const struct image_area *crop = &tiling.crop;
@@ -251,7 +257,7 @@ static size_t sum_until(const struct work *work, const struct film_plan *plan, s
             work->unit * convergence_halves((const double *)room->half, (const double *)room->sums,
                                             PIXELS * PHOTOGRAPH_CHANNELS, (double)samples);
     }
-    convergence_add(room->convergence, error, samples);
+    convergence_add(room->counts + PHOTOGRAPH_CONVERGENCE, error, samples);
     return samples;
 }
 
@@ -298,18 +304,16 @@ static void take_tiles(void *context, const struct parallel_piece *piece)
     struct watch *watch = work->question->watch;
     const struct arena_mark mark = arena_mark(piece->arena);
     struct room *room = room_of(piece->arena);
-    for (size_t tile = piece->begin; tile < piece->end && !watch_is_ended(watch); tile++) {
+    for (size_t i = piece->begin; i < piece->end && !watch_is_ended(watch); i++) {
+        const size_t tile = work->first + i;
         if (work->done[tile] == 0) {
             take_tile(work, tile, room);
             work->done[tile] = 1;
             watch_add(watch, PIXELS);
         }
     }
-    for (int i = 0; i < RELIEF_SIGHTS; i++) {
-        atomic_fetch_add(&work->sights[i], room->sights[i]);
-    }
-    for (int i = 0; i < CONVERGENCE_COUNTS; i++) {
-        atomic_fetch_add(&work->convergence[i], room->convergence[i]);
+    for (int i = 0; i < PHOTOGRAPH_COUNTS; i++) {
+        atomic_fetch_add(&work->counts[i], room->counts[i]);
     }
     arena_reset(piece->arena, mark);
 }
@@ -410,16 +414,35 @@ static bool open_relief(struct work *work, struct arena *arena, struct error *er
     return relief_open(&asked, arena, relief, error);
 }
 
-/* Shares of the rays that looked at the relief. */
-static void share_sights(const struct work *work, double shares[RELIEF_SIGHTS])
+double photograph_share(const struct photograph *photograph, enum relief_sight sight)
 {
     double all = 0;
     for (int i = 0; i < RELIEF_SIGHTS; i++) {
-        all += (double)atomic_load(&work->sights[i]);
+        all += (double)photograph->counts[i];
     }
-    for (int i = 0; i < RELIEF_SIGHTS; i++) {
-        shares[i] = all > 0 ? (double)atomic_load(&work->sights[i]) / all : 0;
+    return all > 0 ? (double)photograph->counts[sight] / all : 0;
+}
+
+/* All tiles that are wanted, in slices where somebody wants to see how far they are. */
+static void take_all(struct work *work, size_t tiles, struct photograph *photograph)
+{
+    const struct photograph_question *question = work->question;
+    struct parallel *parallel = arena_array(work->arena, 1, sizeof *parallel);
+    const size_t of_rays = SLICE_RAYS / (PIXELS * question->samples);
+    const size_t least = 4 * (size_t)(question->threads > 1 ? question->threads : 1);
+    const size_t slice = question->pause == NULL ? tiles : of_rays > least ? of_rays : least;
+    parallel->threads = question->threads;
+    for (; work->first < tiles && !watch_is_ended(question->watch); work->first += slice) {
+        const size_t left = tiles - work->first;
+        parallel_pieces(parallel, left < slice ? left : slice, 4, take_tiles, work);
+        for (int i = 0; i < PHOTOGRAPH_COUNTS; i++) {
+            photograph->counts[i] = atomic_load(&work->counts[i]);
+        }
+        if (question->pause != NULL) {
+            question->pause(question->pauser, photograph);
+        }
     }
+    parallel_free(parallel);
 }
 
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
@@ -443,8 +466,8 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                         .film = &film,
                         .card = question->card,
                         .image = &photograph->image,
-                        .convergence = ARENA_ARRAY(arena, CONVERGENCE_COUNTS, atomic_ullong),
-                        .sights = ARENA_ARRAY(arena, RELIEF_SIGHTS, atomic_ullong),
+                        .arena = arena,
+                        .counts = ARENA_ARRAY(arena, PHOTOGRAPH_COUNTS, atomic_ullong),
                         .scale = n * n,
                         .passes = is_alike(&film, wavelengths) ? 1 : wavelengths};
     work.pass = passes_of(question, work.passes, arena);
@@ -461,14 +484,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     photograph->axis = axis_light(&work, room);
     work.unit = work.scale / (photograph->axis * question->error);
     watch_begin(question->watch, "pixels", PIXELS * count_missing(&work, tiles));
-    struct parallel *parallel = ARENA_NEW(arena, struct parallel);
-    parallel->threads = question->threads;
-    parallel_pieces(parallel, tiles, 4, take_tiles, &work);
-    parallel_free(parallel);
-    share_sights(&work, photograph->sights);
-    for (int i = 0; i < CONVERGENCE_COUNTS; i++) {
-        photograph->convergence[i] = atomic_load(&work.convergence[i]);
-    }
+    take_all(&work, tiles, photograph);
     photograph->is_incomplete = count_missing(&work, tiles) > 0;
     return true;
 }

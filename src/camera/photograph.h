@@ -21,12 +21,20 @@ enum {
     PHOTOGRAPH_PIXELS = PHOTOGRAPH_ACROSS * PHOTOGRAPH_DOWN
 };
 
+/* What is counted: rays of a picture with depths by their sight, and as in camera/convergence.h. */
+enum {
+    PHOTOGRAPH_CONVERGENCE = RELIEF_SIGHTS, /* where those begin */
+    PHOTOGRAPH_COUNTS = PHOTOGRAPH_CONVERGENCE + CONVERGENCE_COUNTS
+};
+
 /* The depths of a picture: as camera/relief.h has them. */
 struct photograph_depths {
     const struct image *map; /* null: all in the plane of the card */
     const char *name;        /* of its file */
     enum relief_hidden hidden;
 };
+
+struct photograph;
 
 struct photograph_question {
     /* its setup has wavelengths that all are of all channels, or, with is_coloured, as many for
@@ -47,18 +55,37 @@ struct photograph_question {
     /* One a tile of the crop, in rows from its top left: those that are not 0 are left out, black;
        others become 1 when they are taken. Null: all are taken */
     unsigned char *done;
+    /* Called now and then, when some tiles are done and no thread is at work; null: it is not. */
+    void (*pause)(void *pauser, struct photograph *so_far);
+    void *pauser;
     struct watch *watch; /* null: nobody looks */
 };
 
+/*
+ * Tiles that a picture is taken in, each by itself.
+ *
+ * Result    those of the crop, in rows from its top left; what a tile gets depends on its place in
+ *           the frame alone, so that the same pixel is the same in every crop
+ */
+size_t photograph_tiles(const struct photograph_question *question);
+
+/* A tile's channels between a picture and an array by itself, 0 outside the crop. */
+enum photograph_way { TILE_FROM_PICTURE, TILE_TO_PICTURE };
+void photograph_tile(const struct photograph_question *question, const struct image *image,
+                     size_t tile, enum photograph_way way,
+                     float pixels[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS]);
+
 struct photograph {
-    struct image image;           /* of the crop: E/L, sr, of the white of the card; upright */
-    struct card card;             /* with its size */
-    double axis;                  /* that of a white scene in the middle of the film */
-    double sights[RELIEF_SIGHTS]; /* shares of the rays that arrive, of a picture with depths */
-    uint64_t convergence[CONVERGENCE_COUNTS]; /* of tiles, with an error */
+    struct image image; /* of the crop: E/L, sr, of the white of the card; upright */
+    struct card card;   /* with its size */
+    double axis;        /* that of a white scene in the middle of the film */
+    uint64_t counts[PHOTOGRAPH_COUNTS]; /* they add up over parts of a picture */
     double largest, corner; /* how far from the axis light arrives, and the film goes, mm */
     bool is_incomplete;     /* the watch has ended it: tiles are missing, and black */
 };
+
+/* The share of the rays that arrive which found out so much, of a picture with depths. */
+double photograph_share(const struct photograph *photograph, enum relief_sight sight);
 
 /*
  * Take it.

@@ -30,9 +30,10 @@ bool drawing_write(const struct artifact_job *job, const struct svg *drawing, st
 }
 
 /* Endings that tell everyone what is in a file: nothing else goes into it. */
-static const char *const known_endings[] = {
-    ".svg", ".png", ".pfm", ".jpg",  ".jpeg", ".pdf",  ".hdr", ".exr", ".tif", ".tiff", ".gif",
-    ".eps", ".csv", ".tsv", ".json", ".html", ".lens", ".zmx", ".seq", ".len", ".agf",  NULL};
+static const char *const known_endings[] = {".svg", ".png", ".pfm",  ".jpg",  ".jpeg", ".pdf",
+                                            ".hdr", ".exr", ".tif",  ".tiff", ".gif",  ".eps",
+                                            ".csv", ".tsv", ".json", ".html", ".part", ".lens",
+                                            ".zmx", ".seq", ".len",  ".agf",  NULL};
 
 static bool has_known_ending(struct text path)
 {
@@ -196,13 +197,17 @@ static bool order(struct artifacts *artifacts, const struct artifact_setting *se
     }
     const bool is_each = artifact->scope == ARTIFACT_OF_EACH;
     job.count = is_each || artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;
-    job.first = artifacts->files;
-    job.files = is_each ? job.count : 1;
     job.inputs = inputs_of(setting, job.count);
     job.asking = setting->asking;
     job.run = setting->run;
-    if (!choose_type(&job, setting->arena, error) ||
-        (artifact->check != NULL && !artifact->check(&job, error)) ||
+    if (!choose_type(&job, setting->arena, error)) {
+        return false;
+    }
+    const bool gathers = artifact->gathers != NULL && job.type != NULL &&
+                         strcmp(job.type->ending, artifact->gathers) == 0;
+    job.first = artifacts->files;
+    job.files = is_each && !gathers ? job.count : 1;
+    if ((artifact->check != NULL && !artifact->check(&job, error)) ||
         !check_place(artifacts, &job, setting, error)) {
         return false;
     }

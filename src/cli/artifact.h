@@ -54,9 +54,10 @@ struct artifact_job {
 struct artifact {
     struct option option; /* "scale", whose value is the file; ARTIFACT_OPTION */
     enum artifact_scope scope;
-    const char *varies; /* ARTIFACT_OF_EACH: options that may be swept, separated by blanks */
-    bool is_kept;       /* a file that is there already is replaced with --force only */
-    bool is_binary;     /* bytes that are not shown on a terminal */
+    const char *varies;  /* ARTIFACT_OF_EACH: options that may be swept, separated by blanks */
+    const char *gathers; /* ARTIFACT_OF_EACH: the ending of files that hold all inputs; or null */
+    bool is_kept;        /* a file that is there already is replaced with --force only */
+    bool is_binary;      /* bytes that are not shown on a terminal */
     /* The type that the input asks for, whatever the file is called; null: its name decides. */
     const struct file_type *(*choose)(const void *input);
     const char *chooser; /* the option that does that */
@@ -68,7 +69,7 @@ struct artifact {
      * Given     job   after `run` has answered, if the command has one: what that allocated in
      *                 run->arena is still there
      *           sink  takes any bytes; what it got is kept only if all goes well;
-     *                 ARTIFACT_OF_EACH: an array of job->count
+     *                 ARTIFACT_OF_EACH: an array of job->files
      */
     bool (*make)(const struct artifact_job *job, struct output *sink, struct error *error);
 };

@@ -25,7 +25,10 @@ struct run {
     const struct report *report;
     struct doubts *doubts; /* what is doubtful about the answer, see report/doubts.h; or null */
     const struct error
-        *no_solver;         /* why the solver that may be needed is missing; null: it is not */
+        *no_solver; /* why the solver that may be needed is missing; null: it is not */
+    const struct arguments *arguments; /* that were typed */
+    const struct part_file *parts; /* of a divided run that are merged, in order; null: none are */
+    size_t part_count;
     struct watch *watch;    /* of work on one input that may be long, see base/watch.h; or null */
     struct error shortfall; /* set by a command whose rows stand, but are less than was asked: it is
                                printed beside them, and the question counts as failed */
@@ -57,6 +60,15 @@ struct block {
 };
 
 enum { BLOCK_INPUTS = 128 };
+
+/* A question of another command: words behind its name, and the parts that answer it. */
+struct again {
+    const struct command *command;
+    char **words;
+    int count;
+    const struct part_file *parts;
+    size_t part_count;
+};
 
 struct command {
     const char *name;
@@ -106,6 +118,12 @@ struct command {
     const char *plot; /* columns to plot, separated by commas; further choices by '|' */
     const char *cell; /* columns in the cells of --table */
     unsigned reads;   /* enum reads: data that `run` uses beside what its options read */
+    /*
+     * Its answer is that of another command, which finds what was worked out elsewhere in
+     * run->parts. Given the input; the question lies in run->kept. Null: it answers itself.
+     */
+    bool (*again)(const void *input, struct run *run, struct again *question, struct error *error);
+    bool is_divided; /* it makes parts, and takes them: see cli/division.h */
     /* When it runs in lenscalc-ceres, the program with the solver: always (""), with an option's
        word ("model=fitted"); null: never */
     const char *needs_ceres;

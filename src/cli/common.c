@@ -42,7 +42,8 @@ const struct option common_options[] = {
      .help = "cross-table of two swept options; VALUE is a column, or two as near_m+far_m"},
     {COMMON(plot), .name = "plot", .value = "FILE", .flags = OPTION_FILE, .types = drawing_types,
      .help = "draw the results against the swept option"},
-    {COMMON(explain), .name = "explain", .help = "print formulas, numbers put in, and sources"},
+    {COMMON(explain), .name = "explain", .flags = OPTION_ASIDE,
+     .help = "print formulas, numbers put in, and sources"},
     {COMMON(nominal), .name = "nominal",
      .help = "f-numbers, times and ISO are labels of stop series: use their exact values"},
     {COMMON(batch), .name = "batch", .value = "FILE", .flags = OPTION_FILE,
@@ -50,9 +51,10 @@ const struct option common_options[] = {
     {COMMON(batch_format), .name = "batch-format", .value = "FORMAT", .word_at = batch_format_word,
      .fallback = "auto", .help = "what the rows of --batch are"},
     {COMMON(fail_fast), .name = "fail-fast", .help = "stop at the first row that fails"},
-    {COMMON(force), .name = "force",
+    {COMMON(force), .name = "force", .flags = OPTION_ASIDE,
      .help = "allow sweeps of more than a million rows; overwrite files that exist"},
-    {COMMON(output), .name = "output", .letter = 'o', .value = "FILE", .flags = OPTION_FILE,
+    {COMMON(output), .name = "output", .letter = 'o', .value = "FILE",
+     .flags = OPTION_FILE | OPTION_ASIDE,
      .help = "write to FILE, which appears only when it is complete"},
     {COMMON(lensdb), .name = "lensdb", .value = "DIR", .flags = OPTION_FILE,
      .help = "folder with your own data, searched first (also the variable LENSCALC_DB)"},
@@ -61,9 +63,10 @@ const struct option common_options[] = {
     {COMMON(lossy), .name = "lossy",
      .help =
          "drop what cannot be carried over between file formats, and list it on standard error"},
-    {COMMON(color), .name = "color", .value = "WHEN", .words = color_words, .fallback = "auto",
-     .help = "colour the heads of tables, warnings and errors"},
-    {COMMON(help), .name = "help", .letter = 'h', .help = "show examples and options"},
+    {COMMON(color), .name = "color", .value = "WHEN", .flags = OPTION_ASIDE, .words = color_words,
+     .fallback = "auto", .help = "colour the heads of tables, warnings and errors"},
+    {COMMON(help), .name = "help", .letter = 'h', .flags = OPTION_ASIDE,
+     .help = "show examples and options"},
 };
 
 const size_t common_option_count = sizeof common_options / sizeof common_options[0];

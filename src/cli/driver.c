@@ -198,6 +198,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
     driver->run = (struct run){.arena = &driver->row_arena,
                                .doubts = &driver->doubts,
                                .watch = &driver->progress.watch,
+                               .arguments = &driver->arguments,
                                .kept = &driver->kept,
                                .db = &driver->db,
                                .emit = rows_emit,
@@ -391,24 +392,56 @@ static bool needs_solver(const struct driver *driver)
     return argument->is_given && text_same(argument->text, word + 1);
 }
 
-int command_execute(const struct command *command, int argc, char **argv, const char *database)
+static int execute(const struct again *question, char **argv, const char *database);
+
+/* A command that has another one answer. */
+static int ask_again(struct driver *driver, char **argv)
 {
-    struct driver driver = {.command = command, .database = database};
-    struct error error = {0}, missing;
+    struct again question = {0};
+    struct error error = {0};
+    if (!sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false, driver->input,
+                     &error) ||
+        !driver->command->again(driver->input, &driver->run, &question, &error)) {
+        complain(&error, &driver->arguments, &driver->batch);
+        return (int)error.code;
+    }
+    return execute(&question, argv, driver->database);
+}
+
+static int answer_question(struct driver *driver, char **argv)
+{
+    const struct command *command = driver->command;
+    struct error missing;
+    if (driver->common.help) {
+        return help_command(command, &driver->arena);
+    }
+    if (columns_are_asked(&driver->common)) {
+        return columns_print(command, &driver->common, &driver->arena);
+    }
+    if (command->again != NULL) {
+        return ask_again(driver, argv);
+    }
+    const bool lacks = needs_solver(driver) && !relay_to_ceres(argv, &driver->arena, &missing);
+    driver->run.no_solver = lacks ? &missing : NULL;
+    const int status = command->run == NULL ? answer_without_rows(driver)
+                                            : compute(driver, lacks ? &missing : NULL);
+    print_remark(driver->db.losses.data, driver->db.losses.length); /* of --lossy */
+    return status;
+}
+
+/* Given argv, that of the program, for another one to take over. */
+static int execute(const struct again *question, char **argv, const char *database)
+{
+    struct driver driver = {.command = question->command, .database = database};
+    struct error error = {0};
     int status;
-    if (!prepare(&driver, argc - 2, argv + 2, &error)) {
+    if (!prepare(&driver, question->count, question->words, &error)) {
         complain(&error, &driver.arguments, &driver.batch);
         status = (int)error.code;
-    } else if (driver.common.help) {
-        status = help_command(command, &driver.arena);
-    } else if (columns_are_asked(&driver.common)) {
-        status = columns_print(command, &driver.common, &driver.arena);
     } else {
-        const bool lacks = needs_solver(&driver) && !relay_to_ceres(argv, &driver.arena, &missing);
-        driver.run.no_solver = lacks ? &missing : NULL;
-        status = command->run == NULL ? answer_without_rows(&driver)
-                                      : compute(&driver, lacks ? &missing : NULL);
-        print_remark(driver.db.losses.data, driver.db.losses.length); /* of --lossy */
+        driver.run.parts = question->parts;
+        driver.run.part_count = question->part_count;
+        status = answer_question(&driver, argv);
     }
     if (driver.is_batch) {
         batch_close(&driver.batch);
@@ -419,4 +452,10 @@ int command_execute(const struct command *command, int argc, char **argv, const 
     arena_free(&driver.doubts.arena);
     arena_free(&driver.arena);
     return status;
+}
+
+int command_execute(const struct command *command, int argc, char **argv, const char *database)
+{
+    const struct again question = {.command = command, .words = argv + 2, .count = argc - 2};
+    return execute(&question, argv, database);
 }

@@ -14,6 +14,7 @@
 #include "cli/option_ray.h"
 #include "cli/option_spectrum.h"
 #include "data/lensdb.h"
+#include "file/part.h"
 #include "photo/format.h"
 #include "report/doubts.h"
 
@@ -58,7 +59,7 @@ struct option_kind {
 extern const struct option_kind kind_quantity, kind_choice, kind_flag, kind_text, kind_count,
     kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass, kind_interval,
     kind_lens, kind_lens_text, kind_wavelength, kind_vector, kind_pupil, kind_plane, kind_target,
-    kind_fields, kind_spectrum, kind_print;
+    kind_fields, kind_spectrum, kind_print, kind_part;
 
 /* A sensor as the user named it. */
 struct sensor_value {
@@ -119,7 +120,8 @@ struct coc_value {
         struct target_value: &kind_target, \
         struct fields_value: &kind_fields, \
         struct spectrum_value: &kind_spectrum, \
-        struct print_value: &kind_print)
+        struct print_value: &kind_print, \
+        struct part: &kind_part)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
 
@@ -138,7 +140,8 @@ enum option_flag {
     OPTION_BELOW_HIGHEST = 2048, /* the highest value itself is not allowed */
     OPTION_T_STOP = 4096,        /* an f-number that is a T-stop: T2.2 says nothing odd */
     OPTION_TOGETHER = 8192,      /* an operand that is all words that are left, as one value */
-    OPTION_NO_SERIES = 16384     /* no setting of a camera: it has no labels of a stop series */
+    OPTION_NO_SERIES = 16384,    /* no setting of a camera: it has no labels of a stop series */
+    OPTION_ASIDE = 32768 /* says how work is done, not what comes of it: threads, a part of it */
 };
 
 struct option {

@@ -15,7 +15,7 @@ extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_spot, command_fan, command_field, command_wavefront,
     command_mtf;
 extern const struct command command_distortion;
-extern const struct command command_fit, command_render;
+extern const struct command command_fit, command_merge, command_render;
 extern const struct command command_help, command_completion;
 extern const struct command command_illumination;
 
@@ -53,8 +53,9 @@ const struct command *const commands[] = {
     &command_field,
     &command_color,
     &command_distortion, /* analyses */
-    &command_fit,        /* design */
-    &command_render,     /* camera */
+    &command_fit,
+    &command_merge,  /* design */
+    &command_render, /* camera */
     &command_list,
     &command_glass,
     &command_convert, /* data */

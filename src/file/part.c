@@ -55,23 +55,91 @@ struct part_range part_range(struct part part, uint64_t total)
                                each * number + (number < longer ? number : longer)};
 }
 
-struct text part_write(const struct part_head *head, struct text body, struct arena *arena)
+struct text part_lines(const struct part_head *head, struct text body, struct arena *arena)
 {
-    const char *lines = arena_printf(
-        arena,
-        "%s\ncommand %.*s\nversion %.*s\ninput %s\nseed %" PRIu64 "\npart %ld/%ld\nitems %" PRIu64
-        "\nlength %zu\nbody %s\n\n",
-        first_line, (int)head->command.length, head->command.start, (int)head->version.length,
-        head->version.start, head->input.text, head->seed, head->part.number, head->part.count,
-        head->total, body.length, digest_of(body).text);
-    const size_t length = strlen(lines);
-    char *bytes = ARENA_ARRAY(arena, length + body.length, char);
-    memcpy(bytes, lines, length);
-    if (body.length > 0) {
-        memcpy(bytes + length, body.start, body.length);
-    }
-    return (struct text){bytes, length + body.length};
+    return text_of(
+        arena_printf(arena,
+                     "%s\ncommand %.*s\nwords %.*s\nversion %.*s\ninput %s\nseed %" PRIu64
+                     "\npart %ld/%ld\nitems %" PRIu64 "\ndone %" PRIu64 "\nlength %zu\nbody %s\n\n",
+                     first_line, (int)head->command.length, head->command.start,
+                     (int)head->words.length, head->words.start, (int)head->version.length,
+                     head->version.start, head->input.text, head->seed, head->part.number,
+                     head->part.count, head->total, head->done, body.length, digest_of(body).text));
 }
+
+/* -------- words -------- */
+
+static bool is_bare(char c)
+{
+    return c > ' ' && c <= '~' && c != '\\';
+}
+
+struct text part_words(char *const *words, int count, struct arena *arena)
+{
+    size_t room = 1, used = 0;
+    for (int i = 0; i < count; i++) {
+        room += 4 * strlen(words[i]) + 5;
+    }
+    char *line = ARENA_ARRAY(arena, room, char);
+    for (int i = 0; i < count; i++) {
+        const char *word = words[i];
+        if (i > 0) {
+            line[used++] = ' ';
+        }
+        do {
+            const unsigned char c = (unsigned char)*word;
+            if (is_bare(*word)) {
+                line[used++] = *word;
+            } else {
+                line[used++] = '\\';
+                line[used++] = (char)('0' + c / 64);
+                line[used++] = (char)('0' + c / 8 % 8);
+                line[used++] = (char)('0' + c % 8);
+            }
+        } while (*word != '\0' && *++word != '\0');
+    }
+    return (struct text){line, used};
+}
+
+/* A word as it was; null: it is none. */
+static char *unescape(struct text word, struct arena *arena)
+{
+    char *plain = ARENA_ARRAY(arena, word.length + 1, char), *to = plain;
+    for (size_t i = 0; i < word.length; i++) {
+        int value = 0, digits = 0;
+        if (word.start[i] != '\\') {
+            *to++ = word.start[i];
+            continue;
+        }
+        for (; digits < 3 && i + 1 < word.length; digits++) {
+            const char c = word.start[++i];
+            if (c < '0' || c > '7') {
+                return NULL;
+            }
+            value = 8 * value + (c - '0');
+        }
+        if (digits < 3 || value > 255) {
+            return NULL;
+        }
+        *to++ = (char)value;
+    }
+    return plain;
+}
+
+char **part_split(struct text line, int *count, struct arena *arena)
+{
+    char **words = ARENA_ARRAY(arena, line.length + 1, char *);
+    *count = 0;
+    for (struct text rest = line; rest.length > 0;) {
+        words[*count] = unescape(text_cut(&rest, ' '), arena);
+        if (words[(*count)++] == NULL) {
+            return NULL;
+        }
+    }
+    return words;
+}
+
+/* -------- a part is read -------- */
 
 /* The value of the next line, which must begin with `word` and a blank. */
 static bool take_line(struct text *rest, const char *word, struct text *value, struct error *error)
@@ -114,9 +182,16 @@ static bool is_plain(struct text value)
     return i == value.length;
 }
 
-enum line { COMMAND, VERSION, INPUT, SEED, PART, ITEMS, LENGTH, BODY, LINES };
-static const char *const line_words[LINES] = {"command", "version", "input",  "seed",
-                                              "part",    "items",   "length", "body"};
+enum line { COMMAND, WORDS, VERSION, INPUT, SEED, PART, ITEMS, DONE, LENGTH, BODY, LINES };
+static const char *const line_words[LINES] = {"command", "words", "version", "input",  "seed",
+                                              "part",    "items", "done",    "length", "body"};
+
+/* Items that a part has when it is complete. */
+static uint64_t items_of(const struct part_head *head)
+{
+    const struct part_range range = part_range(head->part, head->total);
+    return range.end - range.begin;
+}
 
 /* The values of the head's lines, made what they are. Result: the line that is wrong, or LINES. */
 static enum line understand(const struct text values[LINES], struct part_head *head,
@@ -124,16 +199,19 @@ static enum line understand(const struct text values[LINES], struct part_head *h
 {
     const char *at = values[PART].start;
     head->command = values[COMMAND];
+    head->words = values[WORDS];
     head->version = values[VERSION];
-    return !is_plain(values[COMMAND])                               ? COMMAND
-           : !is_plain(values[VERSION])                             ? VERSION
-           : !digest_of_line(values[INPUT], &head->input)           ? INPUT
-           : !whole_of(values[SEED], &head->seed)                   ? SEED
-           : !take_part(&at, at + values[PART].length, &head->part) ? PART
-           : !whole_of(values[ITEMS], &head->total)                 ? ITEMS
-           : !whole_of(values[LENGTH], length)                      ? LENGTH
-           : !digest_of_line(values[BODY], body)                    ? BODY
-                                                                    : LINES;
+    return !is_plain(values[COMMAND])                                            ? COMMAND
+           : !is_plain(values[WORDS])                                            ? WORDS
+           : !is_plain(values[VERSION])                                          ? VERSION
+           : !digest_of_line(values[INPUT], &head->input)                        ? INPUT
+           : !whole_of(values[SEED], &head->seed)                                ? SEED
+           : !take_part(&at, at + values[PART].length, &head->part)              ? PART
+           : !whole_of(values[ITEMS], &head->total)                              ? ITEMS
+           : !whole_of(values[DONE], &head->done) || head->done > items_of(head) ? DONE
+           : !whole_of(values[LENGTH], length)                                   ? LENGTH
+           : !digest_of_line(values[BODY], body)                                 ? BODY
+                                                                                 : LINES;
 }
 
 bool part_read(const char *path, struct text content, struct part_file *file, struct error *error)
@@ -174,25 +252,41 @@ bool part_read(const char *path, struct text content, struct part_file *file, st
     return true;
 }
 
-/* A part that is not of the first one's run: which line of its head says so. */
-static bool is_stranger(const struct part_head *first, const struct part_head *other,
-                        enum line *line)
+/* Which line of a head is not that of its run's; LINES: none. */
+static enum line different(const struct part_head *run, const struct part_head *head)
 {
-    *line = !text_identical(first->command, other->command)     ? COMMAND
-            : !text_identical(first->version, other->version)   ? VERSION
-            : strcmp(first->input.text, other->input.text) != 0 ? INPUT
-            : first->seed != other->seed                        ? SEED
-            : first->part.count != other->part.count            ? PART
-            : first->total != other->total                      ? ITEMS
-                                                                : LINES;
-    return *line != LINES;
+    return !text_identical(run->command, head->command)     ? COMMAND
+           : !text_identical(run->words, head->words)       ? WORDS
+           : !text_identical(run->version, head->version)   ? VERSION
+           : strcmp(run->input.text, head->input.text) != 0 ? INPUT
+           : run->seed != head->seed                        ? SEED
+           : run->part.count != head->part.count            ? PART
+           : run->total != head->total                      ? ITEMS
+                                                            : LINES;
 }
 
-static const char *said(const struct part_head *head, enum line line, struct arena *arena)
+/* The first word that another head does not have there. */
+static struct text first_word(struct text line, struct text other)
 {
+    while (line.length > 0) {
+        const struct text word = text_cut(&line, ' ');
+        if (!text_identical(word, text_cut(&other, ' '))) {
+            return word;
+        }
+    }
+    return text_of("nothing more");
+}
+
+/* What a head says in a line, beside another one. */
+static const char *said(const struct part_head *head, const struct part_head *other, enum line line,
+                        struct arena *arena)
+{
+    const struct text word = first_word(head->words, other->words);
     switch (line) {
     case COMMAND:
         return arena_string(arena, head->command.start, head->command.length);
+    case WORDS:
+        return arena_string(arena, word.start, word.length);
     case VERSION:
         return arena_string(arena, head->version.start, head->version.length);
     case INPUT:
@@ -204,6 +298,16 @@ static const char *said(const struct part_head *head, enum line line, struct are
     default:
         return arena_printf(arena, "%" PRIu64, head->total);
     }
+}
+
+bool part_is_of_run(const struct part_file *file, const struct part_head *run, const char *which,
+                    struct arena *arena, struct error *error)
+{
+    const enum line line = different(run, &file->head);
+    return line == LINES ||
+           fail(error, ERROR_DATA, "%s is not of %s: %s %.120s, not %.120s", file->path, which,
+                line == WORDS ? "asked" : line_words[line], said(&file->head, run, line, arena),
+                said(run, &file->head, line, arena));
 }
 
 static int by_number(const void *a, const void *b)
@@ -236,22 +340,27 @@ static const char *list_missing(const struct part_file *files, size_t count, str
 
 bool parts_order(struct part_file *files, size_t count, struct arena *arena, struct error *error)
 {
+    const char *first = arena_printf(arena, "the run of %s", files[0].path);
+    const struct part_head run = files[0].head;
     for (size_t i = 1; i < count; i++) {
-        enum line line;
-        if (is_stranger(&files[0].head, &files[i].head, &line)) {
-            return fail(error, ERROR_DATA, "%s is not of the run of %s: %s %s, not %s",
-                        files[i].path, files[0].path, line_words[line],
-                        said(&files[i].head, line, arena), said(&files[0].head, line, arena));
+        if (!part_is_of_run(&files[i], &run, first, arena, error)) {
+            return false;
         }
     }
     qsort(files, count, sizeof *files, by_number);
-    for (size_t i = 1; i < count; i++) {
-        if (files[i].head.part.number == files[i - 1].head.part.number) {
+    for (size_t i = 0; i < count; i++) {
+        const struct part_head *head = &files[i].head;
+        if (i > 0 && head->part.number == files[i - 1].head.part.number) {
             return fail(error, ERROR_DATA, "%s and %s are both part %s", files[i - 1].path,
-                        files[i].path, said(&files[i].head, PART, arena));
+                        files[i].path, said(head, head, PART, arena));
+        }
+        if (head->done < items_of(head)) {
+            return fail(error, ERROR_DATA,
+                        "%s is incomplete: %" PRIu64 " of %" PRIu64
+                        " items; its run was interrupted",
+                        files[i].path, head->done, items_of(head));
         }
     }
-    return (long)count == files[0].head.part.count ||
-           fail(error, ERROR_DATA, "of the run of %s there is no part %s", files[0].path,
-                list_missing(files, count, arena));
+    return (long)count == run.part.count || fail(error, ERROR_DATA, "of %s there is no part %s",
+                                                 first, list_missing(files, count, arena));
 }

@@ -101,4 +101,25 @@ lenscalc render chart:edge --lens double-gauss-50 -s 1m --radiance -o lost.png
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --samples 1 --luminance 1e9 -t 1 --bits 16 -o lost.exr 2>&1 | tail -1
 lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 8x8 --bits 8 -o lost.exr
 rm -f lost.png
+# parts, and what is refused of them
+edge() { lenscalc render chart:edge --lens double-gauss-50 -s 1m --size 40x20 --samples 1 "$@"; }
+edge --part 1/2 -o first.part
+edge --part 2/2 -o second.part
+edge --part 2/2 --resume -o second.part
+sed '/^$/,$d' first.part | sed 's/^\(version\|input\|length\|body\) .*/\1 .../'
+lenscalc merge second.part first.part -o both.pfm && head -2 both.pfm
+lenscalc merge first.part -o lost.pfm
+lenscalc merge first.part second.part -o lost.part
+lenscalc merge first.part second.part -o lost
+lenscalc merge first.part lost.part -o lost.pfm
+lenscalc merge
+edge --part 3/2 -o lost.part
+edge --part 1/2 -o lost.pfm
+edge --resume -o lost.pfm
+edge --seed 1 --part 2/2 --resume -o second.part
+edge --part 1/2 --resume -o second.part
+edge --part 1/2 -o lost.part --rays lost.csv
+lenscalc convert double-gauss-50 | lenscalc render chart:edge --lens - -s 1m --part 1/2 -o lost.part
+lenscalc convert double-gauss-50 -o own.lens && lenscalc render chart:edge --lens own.lens -s 1m --size 40x20 --samples 1 -o own.part
+echo >> own.lens && lenscalc merge own.part -o lost.pfm 2>&1 | sed 's/input .*/input .../'
 ls lost.*

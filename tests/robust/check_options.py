@@ -61,6 +61,7 @@ ASKED = {
     "distortion": ("double-gauss --field 10", ("field", "5,10", "w", "486,587"),
                    "field\n5\n10\n"),
     "fit": ("double-gauss -N 5.6 --distortion 0", ("N", "4,8", "w", "486,587"), "N\n4\n8\n"),
+    "merge": ("", None, None),
     "list": ("formats", None, None),
     "glass": ("N-BK7 -w 500 --thickness 10mm", ("w", "486,587", "thickness", "5,10"),
               "w\n486\n587\n"),

@@ -83,21 +83,31 @@ static const char input[] = "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6e
 static struct part_head head_of(long number, long count)
 {
     struct part_head head = {.command = text_of("render"),
+                             .words = text_of("--seed=7 edge"),
                              .version = text_of("1.2"),
                              .seed = 7,
                              .total = 1000,
                              .part = {number, count}};
+    const struct part_range range = part_range(head.part, head.total);
+    head.done = range.end - range.begin;
     memcpy(head.input.text, input, sizeof input);
     return head;
 }
 
 /* The file byte for byte, and back. */
+static struct text part_write(const struct part_head *head, struct text body, struct arena *arena)
+{
+    const struct text lines = part_lines(head, body, arena);
+    return text_of(arena_printf(arena, "%.*s%.*s", (int)lines.length, lines.start, (int)body.length,
+                                body.length > 0 ? body.start : ""));
+}
+
 static void test_file(struct arena *arena)
 {
     static const char known[] =
-        "lenscalc part 1\ncommand render\nversion 1.2\n"
+        "lenscalc part 1\ncommand render\nwords --seed=7 edge\nversion 1.2\n"
         "input 248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1\n"
-        "seed 7\npart 3/8\nitems 1000\nlength 3\n"
+        "seed 7\npart 3/8\nitems 1000\ndone 125\nlength 3\n"
         "body ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\n\nabc";
     const struct part_head head = head_of(3, 8);
     const struct text bytes = part_write(&head, text_of("abc"), arena);
@@ -137,21 +147,42 @@ static void test_bad_files(void)
     check_bad("P6\n", "no part of a divided run", 0);
     check_bad("lenscalc part 2\n", "no part of a divided run", 0);
     check_bad("lenscalc part 1\ncommand render\nseed 7\n",
-              "the head of a part must say 'version' here", 3);
+              "the head of a part must say 'words' here", 3);
     check_bad("lenscalc part 1\ncommand \n", "the head of a part must say 'command' here", 2);
-    check_bad("lenscalc part 1\ncommand a\tb\nversion 1.2\ninput a\nseed 7\npart 1/1\nitems 1\n"
-              "length 0\nbody b\n\n",
+    check_bad("lenscalc part 1\ncommand a\tb\nwords a\nversion 1.2\ninput a\nseed 7\npart 1/1\n"
+              "items 1\ndone 1\nlength 0\nbody b\n\n",
               "'command a?b' is not what the head of a part says", 2);
-#define BEGIN  "lenscalc part 1\ncommand render\nversion 1.2\ninput "
+#define BEGIN  "lenscalc part 1\ncommand render\nwords a b\nversion 1.2\ninput "
 #define DIGEST "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1"
-    check_bad(BEGIN "abc\nseed 7\npart 1/1\nitems 1\nlength 0\nbody " DIGEST "\n\n",
-              "'input abc' is not what the head of a part says", 4);
-    check_bad(BEGIN DIGEST "\nseed -7\npart 1/1\nitems 1\nlength 0\nbody " DIGEST "\n\n",
-              "'seed -7' is not what the head of a part says", 5);
-    check_bad(BEGIN DIGEST "\nseed 7\npart 2/1\nitems 1\nlength 0\nbody " DIGEST "\n\n",
-              "'part 2/1' is not what the head of a part says", 6);
-    check_bad(BEGIN DIGEST "\nseed 7\npart 1/1\nitems 1\nlength 5\nbody " DIGEST "\n\nabc",
+    check_bad(BEGIN "abc\nseed 7\npart 1/1\nitems 1\ndone 1\nlength 0\nbody " DIGEST "\n\n",
+              "'input abc' is not what the head of a part says", 5);
+    check_bad(BEGIN DIGEST "\nseed -7\npart 1/1\nitems 1\ndone 1\nlength 0\nbody " DIGEST "\n\n",
+              "'seed -7' is not what the head of a part says", 6);
+    check_bad(BEGIN DIGEST "\nseed 7\npart 2/1\nitems 1\ndone 1\nlength 0\nbody " DIGEST "\n\n",
+              "'part 2/1' is not what the head of a part says", 7);
+    check_bad(BEGIN DIGEST "\nseed 7\npart 1/1\nitems 1\ndone 2\nlength 0\nbody " DIGEST "\n\n",
+              "'done 2' is not what the head of a part says", 9);
+    check_bad(BEGIN DIGEST "\nseed 7\npart 1/1\nitems 1\ndone 1\nlength 5\nbody " DIGEST "\n\nabc",
               "the part is cut off or longer than it says: 3 bytes, not 5", 0);
+}
+
+/* Words come back as they were, whatever is in them. */
+static void test_words(struct arena *arena)
+{
+    char *words[] = {"render", "a b", "", "back\\slash", "caf\xc3\xa9\n", "--x=1"};
+    enum { WORDS = sizeof words / sizeof *words };
+    const struct text line = part_words(words, WORDS, arena);
+    CHECK(text_equal(line, "render a\\040b \\000 back\\134slash caf\\303\\251\\012 --x=1"));
+    int count;
+    char **back = part_split(line, &count, arena);
+    CHECK(back != NULL && count == WORDS);
+    for (int i = 0; i < WORDS && back != NULL; i++) {
+        CHECK_TEXT(back[i], words[i]);
+    }
+    CHECK(part_split(text_of("a\\08b"), &count, arena) == NULL);
+    CHECK(part_split(text_of("a\\04"), &count, arena) == NULL);
+    CHECK(part_split(text_of("a\\777"), &count, arena) == NULL);
+    CHECK(part_split(text_of(""), &count, arena) != NULL && count == 0);
 }
 
 /* Any order of the files gives that of the parts. */
@@ -177,6 +208,10 @@ static void test_order(struct arena *arena)
     one[0].head = head_of(20, 20);
     CHECK(!parts_order(one, 1, arena, &error));
     CHECK(strstr(error.message, "11/20, 12/20 and 7 more") != NULL);
+    one[0].head = head_of(1, 1);
+    one[0].head.done = 999;
+    CHECK(!parts_order(one, 1, arena, &error) && error.code == ERROR_DATA);
+    CHECK_TEXT(error.message, "b is incomplete: 999 of 1000 items; its run was interrupted");
 }
 
 static void check_stranger(struct part_head stranger, const char *message, struct arena *arena)
@@ -197,6 +232,12 @@ static void test_strangers(struct arena *arena)
     head = head_of(2, 2);
     head.version = text_of("1.3");
     check_stranger(head, "b.part is not of the run of a.part: version 1.3, not 1.2", arena);
+    head = head_of(2, 2);
+    head.words = text_of("--seed=8 edge");
+    check_stranger(head, "b.part is not of the run of a.part: asked --seed=8, not --seed=7", arena);
+    head = head_of(2, 2);
+    head.words = text_of("--seed=7");
+    check_stranger(head, "b.part is not of the run of a.part: asked nothing more, not edge", arena);
     head = head_of(2, 2);
     head.input.text[3] = '0';
     check_stranger(head, "b.part is not of the run of a.part: input 24806a61d206, not 248d6a61d206",
@@ -219,6 +260,7 @@ int main(void)
     test_parse();
     test_file(&arena);
     test_bad_files();
+    test_words(&arena);
     test_order(&arena);
     test_strangers(&arena);
     arena_free(&arena);

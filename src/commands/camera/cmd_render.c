@@ -134,7 +134,11 @@ static const struct option options[] = {
     {OPTION(struct render_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
      .fallback = "0", .value = "NUMBER", .help = "another one gives other rays"},
     {OPTION(struct render_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
-     .value = "N", .fallback = "1", .help = "threads; 0 = one a core"},
+     .value = "N", .fallback = "1", .flags = OPTION_ASIDE, .help = "threads; 0 = one a core"},
+    {OPTION(struct render_input, part), .name = "part", .value = "I/N", .flags = OPTION_ASIDE,
+     .help = "only part I of N, into a .part for 'lenscalc merge'"},
+    {OPTION(struct render_input, resume), .name = "resume", .flags = OPTION_ASIDE,
+     .help = "keep what a .part has already"},
 };
 
 /* -------- the command -------- */
@@ -159,9 +163,9 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "subject", "band",   "autofocus", "error",       "radiance",  "packing", "ev",
-        "scene",   "filter", "depth-map", "field-width", "luminance", "time",    "iso",
-        "size",    "crop",   "bits",      "film",        "grain",     "threads", NULL};
+        "part", "resume", "subject", "band",      "autofocus",   "error",     "radiance", "packing",
+        "ev",   "scene",  "filter",  "depth-map", "field-width", "luminance", "time",     "iso",
+        "size", "crop",   "bits",    "film",      "grain",       "threads",   NULL};
     const char *const *const lists[] = {of_pictures, render_sensor_options};
     const bool also_picture = asking_given(job->asking, "output");
     for (size_t k = 0; k < 2 && !also_picture; k++) {
@@ -177,8 +181,8 @@ static bool check_rays(const struct artifact_job *job, struct error *error)
 }
 
 static const struct artifact artifacts[] = {
-    {ARTIFACT_ANSWER(image_file_types), .scope = ARTIFACT_OF_EACH, .varies = "time iso",
-     .is_binary = true, .check = check_picture, .make = render_picture},
+    {ARTIFACT_ANSWER(render_picture_types), .scope = ARTIFACT_OF_EACH, .varies = "time iso",
+     .gathers = ".part", .is_binary = true, .check = check_picture, .make = render_picture},
     {ARTIFACT_OPTION("rays", render_ray_types,
                      "write the rays that leave the lens towards the scene"),
      .check = check_rays, .make = render_rays},
@@ -202,6 +206,7 @@ const struct command command_render = {
     .group = "camera",
     .summary = "photographs through exact lenses",
     COMMAND_ASKS(struct render_input),
+    .is_divided = true,
     COMMAND_MAKES(artifacts),
     .needs_ceres = "model=fitted",
 };

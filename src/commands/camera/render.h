@@ -27,6 +27,8 @@ struct render_input {
     int model, focus_at;               /* enum lens_model; enum render_focus_at */
     const char *autofocus;             /* "0.5:0.5"; null = on the distance */
     const char *gap;                   /* "d5,10:-1"; null = the whole lens moves */
+    struct part part;                  /* no count: all of it */
+    bool resume;                       /* the tiles that are in its file stay */
     bool radiance;                     /* cd/m^2 in place of lx s */
     int packing;                       /* of render_packings */
     bool noise, raw;                   /* of a sensor */
@@ -330,6 +332,8 @@ void render_note(struct image *image, struct arena *arena, const char *key, cons
 file_types render_ray_types;
 bool render_rays(const struct artifact_job *job, struct output *sink, struct error *error);
 
+/* Of pictures, and of their parts. */
+file_types render_picture_types;
 bool render_check_picture(const struct artifact_job *job, struct error *error);
 bool render_picture(const struct artifact_job *job, struct output *sinks, struct error *error);
 

@@ -46,8 +46,8 @@ void render_say_depths(const struct render_input *input, const struct photograph
                        struct growing *remarks)
 {
     static const char *const seen[] = {"what lies next to it", "black"};
-    const double behind = 100 * photograph->sights[SIGHT_BEHIND];
-    const double beside = 100 * photograph->sights[SIGHT_BESIDE];
+    const double behind = 100 * photograph_share(photograph, SIGHT_BEHIND);
+    const double beside = 100 * photograph_share(photograph, SIGHT_BESIDE);
     if (input->depth_map == NULL) {
         return;
     }

@@ -1,6 +1,7 @@
 /* commands/camera/render_picture.c - a photograph of a card, exposed and written. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/camera/render.h"
+#include "commands/camera/render_part.h"
+#include "file/image_file.h"
 #include "report/version.h"
 
 /* -------- what is asked -------- */
@@ -17,10 +18,12 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
         fail(error, ERROR_USAGE, "how far away the card is is not said");
         return error_hint(error, "give {--distance}, as -s 2m");
     }
-    return render_check_file(input, job->type, error) && render_check_light(input, error) &&
-           render_check_samples(input, error) && render_check_colours(input, error) &&
-           render_check_autofocus(input, error) && render_check_film(job, error) &&
-           render_check_depths(input, error) && render_frame_read(input, &frame, error) &&
+    return render_check_part(job, error) &&
+           (render_is_part(job) || render_check_file(input, job->type, error)) &&
+           render_check_light(input, error) && render_check_samples(input, error) &&
+           render_check_colours(input, error) && render_check_autofocus(input, error) &&
+           render_check_film(job, error) && render_check_depths(input, error) &&
+           render_frame_read(input, &frame, error) &&
            render_check_sensor(job, frame.columns, error);
 }
 
@@ -62,6 +65,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
     struct render_shot shot;
+    struct render_part part;
     struct growing doubts = {.arena = arena};
     struct photograph_question question = {
         .film = render_film(input, one),
@@ -81,9 +85,15 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     if (!render_acceptance(input, arena, &question.film.acceptance, error) ||
         !render_scene(input, arena, &question.card, error) ||
         !render_depths(input, question.card.picture, arena, &question.depths, error) ||
+        !render_part_begin(job, one, &question, &part, error) ||
         !photograph_take(&question, arena, &shot.photograph, error)) {
         return false;
     }
+    if (render_is_part(job)) {
+        render_part_write(&part, &shot.photograph, picture->sinks);
+        return true;
+    }
+    render_part_fill(&part, &shot.photograph);
     render_filter(input, one->setup, &shot.photograph);
     add_notes(one, input, &shot.photograph.image, arena);
     if (shot.photograph.is_incomplete) {
@@ -114,4 +124,13 @@ bool render_picture(const struct artifact_job *job, struct output *sinks, struct
     return render_autofocus(input, job->run->arena, &focused, error) &&
            render_open(&focused, render_is_grey(input) ? NULL : &colours, job->run, take_picture,
                        &picture, error);
+}
+
+const struct file_type *render_picture_types(size_t i)
+{
+    size_t images = 0;
+    while (image_file_types(images) != NULL) {
+        images++;
+    }
+    return i < images ? image_file_types(i) : division_types(i - images);
 }

@@ -28,7 +28,7 @@ void render_ask_samples(const struct render_input *input, struct photograph_ques
 void render_say_samples(const struct render_input *input, const struct photograph *photograph,
                         struct growing *remarks)
 {
-    const uint64_t *counts = photograph->convergence;
+    const uint64_t *counts = photograph->counts + PHOTOGRAPH_CONVERGENCE;
     if (isnan(input->error) || counts[CONVERGENCE_TILES] == 0) {
         return;
     }

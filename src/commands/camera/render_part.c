@@ -1,0 +1,268 @@
+/* commands/camera/render_part.c - parts of a picture: their tiles in files, and back. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render_part.h"
+
+#include "base/image/bytes.h"
+
+#include <inttypes.h>
+#include <string.h>
+#include <time.h>
+
+/*
+ * A part's body: what was counted, eight bytes each; a byte a tile that says whether it is there;
+ * and those that are, a float a channel.
+ */
+enum {
+    TILE_FLOATS = PHOTOGRAPH_PIXELS * PHOTOGRAPH_CHANNELS,
+    TILE_BYTES = 4 * TILE_FLOATS,
+    COUNT_BYTES = 8 * PHOTOGRAPH_COUNTS,
+    SAVED_EVERY = 30 /* s, while it is worked on */
+};
+enum tile { TILE_WANTED, TILE_DONE, TILE_ELSEWHERE };
+
+bool render_is_part(const struct artifact_job *job)
+{
+    return job->type == division_types(0);
+}
+
+bool render_check_part(const struct artifact_job *job, struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    if (job->run->parts != NULL) {
+        return !render_is_part(job) ||
+               fail(error, ERROR_USAGE, "a merged picture is whole: %s is the name of a part",
+                    job->path);
+    }
+    if (!render_is_part(job)) {
+        const char *option = input->part.count > 0 ? "part" : input->resume ? "resume" : NULL;
+        return option == NULL ||
+               fail(error, ERROR_USAGE, "{--%s} needs {--output} with a name that ends in .part",
+                    option);
+    }
+    return !asking_given(job->asking, "rays") ||
+           fail(error, ERROR_USAGE,
+                "rays are not divided: {--rays} with a .part makes all of them");
+}
+
+/* What a result depends on besides words and files: glasses, formats, films. */
+static bool find_facts(const struct render_input *input, const struct analysis_case *one,
+                       struct growing *facts, struct error *error)
+{
+    const struct setup *setup = one->setup;
+    for (size_t w = 0; w < setup->wavelength_count; w++) {
+        struct setup_light light;
+        if (!setup_light(setup, w, &light, error)) {
+            return false;
+        }
+        growing_format(facts, "%a %a ", light.first.power, light.first.bfl);
+    }
+    growing_format(facts, "%a %a %a %a", setup->image, input->sensor.size.width,
+                   input->sensor.size.height, render_is_film(input) ? input->film.speed : 0);
+    return true;
+}
+
+static bool is_own(const struct render_part *part, size_t tile)
+{
+    return tile >= part->own.begin && tile < part->own.end;
+}
+
+/* What a file holds of its tiles: its flags and its length must agree with its head. */
+static bool check_body(const struct part_file *file, struct error *error)
+{
+    const struct part_range range = part_range(file->head.part, file->head.total);
+    const size_t tiles = (size_t)(range.end - range.begin);
+    size_t there = 0;
+    for (size_t i = 0; i < tiles && COUNT_BYTES + i < file->body.length; i++) {
+        there += file->body.start[COUNT_BYTES + i] == TILE_DONE;
+    }
+    return (there == file->head.done &&
+            file->body.length == COUNT_BYTES + tiles + there * TILE_BYTES) ||
+           fail(error, ERROR_DATA, "%s: its tiles are not those that its head says", file->path);
+}
+
+/* The files whose tiles are there already. */
+static bool find_files(struct render_part *part, struct error *error)
+{
+    const struct artifact_job *job = part->job;
+    const struct render_input *input = job->inputs[0];
+    struct arena *arena = job->run->arena;
+    const char *which = "a run of these words and files";
+    part->files = job->run->parts;
+    part->file_count = job->run->part_count;
+    if (part->files == NULL && input->resume) {
+        struct part_file *file = ARENA_NEW(arena, struct part_file);
+        if (!division_read(job->path, arena, file, error)) {
+            return error->code == ERROR_NONE;
+        }
+        if (file->head.part.count == part->head.part.count &&
+            file->head.part.number != part->head.part.number) {
+            return fail(error, ERROR_DATA, "%s is part %ld/%ld, not %ld/%ld", job->path,
+                        file->head.part.number, file->head.part.count, part->head.part.number,
+                        part->head.part.count);
+        }
+        part->files = file;
+        part->file_count = 1;
+    }
+    for (size_t i = 0; i < part->file_count; i++) {
+        if (!part_is_of_run(&part->files[i], &part->head, which, arena, error) ||
+            !check_body(&part->files[i], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Which tiles are to be taken. */
+static void mark_tiles(struct render_part *part)
+{
+    for (size_t tile = 0; tile < part->tiles; tile++) {
+        part->done[tile] = is_own(part, tile) ? TILE_WANTED : TILE_ELSEWHERE;
+    }
+    for (size_t i = 0; i < part->file_count; i++) {
+        const struct part_file *file = &part->files[i];
+        const struct part_range range = part_range(file->head.part, file->head.total);
+        memcpy(part->done + range.begin, file->body.start + COUNT_BYTES, range.end - range.begin);
+    }
+}
+
+/* Tiles that are there already go into the picture, once. */
+static void fill(struct render_part *part, struct photograph *photograph)
+{
+    for (size_t i = 0; i < part->file_count && !part->is_filled; i++) {
+        const struct part_file *file = &part->files[i];
+        const struct part_range range = part_range(file->head.part, file->head.total);
+        const unsigned char *body = (const unsigned char *)file->body.start;
+        const unsigned char *flags = body + COUNT_BYTES;
+        const unsigned char *from = flags + (range.end - range.begin);
+        for (int k = 0; k < PHOTOGRAPH_COUNTS; k++) {
+            part->counts[k] += bytes_little(body + 8 * k, 8);
+        }
+        for (size_t tile = range.begin; tile < range.end; tile++) {
+            float pixels[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS];
+            if (flags[tile - range.begin] != TILE_DONE) {
+                continue;
+            }
+            for (size_t k = 0; k < TILE_FLOATS; k++, from += 4) {
+                pixels[k / PHOTOGRAPH_CHANNELS][k % PHOTOGRAPH_CHANNELS] =
+                    bytes_float((uint32_t)bytes_little(from, 4));
+            }
+            photograph_tile(part->question, &photograph->image, tile, TILE_TO_PICTURE, pixels);
+        }
+    }
+    part->is_filled = true;
+}
+
+/* The bytes of the part's file but its head, whose `done` is set. */
+static struct text body_of(struct render_part *part, struct photograph *photograph,
+                           struct arena *arena)
+{
+    const size_t own = (size_t)(part->own.end - part->own.begin);
+    struct bytes body = {.arena = arena};
+    part->head.done = 0;
+    for (int k = 0; k < PHOTOGRAPH_COUNTS; k++) {
+        bytes_put_little(&body, photograph->counts[k] + part->counts[k], 8);
+    }
+    for (size_t tile = part->own.begin; tile < part->own.end; tile++) {
+        bytes_put_little(&body, part->done[tile], 1);
+        part->head.done += part->done[tile] == TILE_DONE;
+    }
+    bytes_room(&body, own * TILE_BYTES);
+    for (size_t tile = part->own.begin; tile < part->own.end; tile++) {
+        float pixels[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS];
+        if (part->done[tile] == TILE_DONE) {
+            photograph_tile(part->question, &photograph->image, tile, TILE_FROM_PICTURE, pixels);
+            for (size_t k = 0; k < TILE_FLOATS; k++) {
+                const float value = pixels[k / PHOTOGRAPH_CHANNELS][k % PHOTOGRAPH_CHANNELS];
+                bytes_put_little(&body, bytes_bits(value), 4);
+            }
+        }
+    }
+    return bytes_text(&body);
+}
+
+static void write_file(struct render_part *part, struct photograph *photograph, struct output *sink)
+{
+    struct arena arena = {0};
+    fill(part, photograph);
+    const struct text body = body_of(part, photograph, &arena);
+    division_write(&part->head, body, &arena, sink);
+    arena_free(&arena);
+}
+
+/* What there is so far is saved now and then: who is killed loses little. */
+static void save(void *context, struct photograph *photograph)
+{
+    struct render_part *part = context;
+    struct arena arena = {0};
+    struct output sink;
+    struct error ignored; /* what cannot be written is said at the end */
+    if (time(NULL) < part->saved + SAVED_EVERY) {
+        return;
+    }
+    part->saved = time(NULL);
+    if (output_open(&sink, part->job->path, &arena, &ignored)) {
+        write_file(part, photograph, &sink);
+        output_close(&sink, true, &ignored);
+    }
+    arena_free(&arena);
+}
+
+bool render_part_begin(const struct artifact_job *job, const struct analysis_case *one,
+                       struct photograph_question *question, struct render_part *part,
+                       struct error *error)
+{
+    const struct render_input *input = job->inputs[0];
+    struct growing facts = {.arena = job->run->arena};
+    *part = (struct render_part){.job = job, .question = question};
+    if (!render_is_part(job) && job->run->parts == NULL) {
+        return true;
+    }
+    part->tiles = photograph_tiles(question);
+    struct division division = {.part = {1, 1}, .seed = question->seed, .total = part->tiles};
+    if (job->run->parts != NULL) {
+        division.part.count = job->run->parts[0].head.part.count;
+    } else if (input->part.count > 0) {
+        division.part = input->part;
+    }
+    if (!find_facts(input, one, &facts, error)) {
+        return false;
+    }
+    division.facts = growing_done(&facts);
+    part->own = part_range(division.part, division.total);
+    if (!division_head(job->run, &division, &part->head, error) || !find_files(part, error)) {
+        return false;
+    }
+    part->done = ARENA_ARRAY(job->run->arena, part->tiles, unsigned char);
+    part->saved = time(NULL);
+    mark_tiles(part);
+    question->done = part->done;
+    if (render_is_part(job)) {
+        question->pause = save;
+        question->pauser = part;
+    }
+    return true;
+}
+
+void render_part_fill(struct render_part *part, struct photograph *photograph)
+{
+    fill(part, photograph);
+    for (int k = 0; k < PHOTOGRAPH_COUNTS; k++) {
+        photograph->counts[k] += part->counts[k];
+    }
+}
+
+void render_part_write(struct render_part *part, struct photograph *photograph, struct output *sink)
+{
+    struct run *run = part->job->run;
+    const struct part_head *head = &part->head;
+    write_file(part, photograph, sink);
+    sink->remarks = text_of(arena_printf(
+        run->arena, "part %ld/%ld: tiles %" PRIu64 " to %" PRIu64 " of %zu\n", head->part.number,
+        head->part.count, part->own.begin + 1, part->own.end, part->tiles));
+    if (photograph->is_incomplete) {
+        fail(&run->shortfall, ERROR_DOMAIN,
+             "interrupted: %s is incomplete, %" PRIu64 " of %" PRIu64
+             " tiles; the same with {--resume} goes on",
+             part->job->path, head->done, part->own.end - part->own.begin);
+    }
+}

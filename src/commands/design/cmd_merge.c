@@ -1,0 +1,95 @@
+/* commands/design/cmd_merge.c - lenscalc merge: the parts of a divided run. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/division.h"
+#include "report/version.h"
+
+struct input {
+    const char *files; /* separated by OPTION_MANY_SEPARATOR */
+    const char *output;
+};
+
+static const struct option options[] = {
+    {OPTION(struct input, files), .name = "parts", .value = "FILE", .types = division_types,
+     .flags = OPTION_OPERAND | OPTION_TOGETHER | OPTION_FILE,
+     .help = "all parts of a run, in any order"},
+    {OPTION(struct input, output), .name = "output", .letter = 'o', .value = "FILE",
+     .flags = OPTION_FILE, .help = "where the whole goes, as of the command that was divided"},
+};
+
+/* -------- the parts -------- */
+
+static bool read_parts(const struct input *input, struct arena *arena, struct part_file **files,
+                       size_t *count, struct error *error)
+{
+    size_t room = 0;
+    *files = NULL;
+    *count = 0;
+    if (input->files == NULL) {
+        fail(error, ERROR_USAGE, "no part is given");
+        return error_hint(error, "name all of a run, as in 'lenscalc merge X*.part -o FILE'");
+    }
+    for (struct text rest = text_of(input->files); rest.start != NULL;) {
+        const struct text name = text_cut(&rest, OPTION_MANY_SEPARATOR);
+        const char *path = arena_string(arena, name.start, name.length);
+        *files = arena_grow(arena, *files, *count, &room, sizeof **files);
+        if (!division_read(path, arena, &(*files)[*count], error)) {
+            return error->code == ERROR_NONE ? fail(error, ERROR_IO, "there is no file %s", path)
+                                             : false;
+        }
+        ++*count;
+    }
+    return parts_order(*files, *count, arena, error);
+}
+
+/* -------- asked again -------- */
+
+static bool again(const void *data, struct run *run, struct again *question, struct error *error)
+{
+    const struct input *input = data;
+    struct part_file *files;
+    size_t count;
+    if (!read_parts(input, run->kept, &files, &count, error)) {
+        return false;
+    }
+    const struct part_head *head = &files[0].head;
+    char **words = part_split(head->words, &question->count, run->kept);
+    question->command = command_find(head->command);
+    if (question->command == NULL || !question->command->is_divided || words == NULL) {
+        return fail(error, ERROR_DATA,
+                    "%s is of a command '%.*s' that this program does not divide", files[0].path,
+                    text_shown(head->command), head->command.start);
+    }
+    if (!text_equal(head->version, LENSCALC_VERSION)) {
+        return fail(error, ERROR_DATA, "%s was made by version %.*s, and this is %s", files[0].path,
+                    text_shown(head->version), head->version.start, LENSCALC_VERSION);
+    }
+    question->words = ARENA_ARRAY(run->kept, (size_t)question->count + 1, char *);
+    int all = 0;
+    if (input->output != NULL) {
+        question->words[all++] = ARENA_JOIN(run->kept, "--output=", input->output);
+    }
+    for (int i = 0; i < question->count; i++) {
+        question->words[all++] = words[i];
+    }
+    question->count = all;
+    question->parts = files;
+    question->part_count = count;
+    return true;
+}
+
+static const struct example examples[] = {
+    {"render chart:star --lens double-gauss-50 -s 3m --size 96x64 --part 1/2 -o star-1.part",
+     "the first part, by one machine"},
+    {"render chart:star --lens double-gauss-50 -s 3m --size 96x64 --part 2/2 -o star-2.part",
+     "the second, by another"},
+    {"merge star-*.part -o star.png", "the picture"},
+    {NULL, NULL},
+};
+
+const struct command command_merge = {
+    .name = "merge",
+    .group = "design",
+    .summary = "puts the parts of a divided run together",
+    COMMAND_ASKS(struct input),
+    .again = again,
+};
