@@ -197,6 +197,10 @@ static const struct example examples[] = {
      "on film, printed"},
     {"render chart:star --lens double-gauss-50 -s 1m --noise --pitch 4um --mosaic rggb -o star.png",
      "by a sensor: its noise and mosaic"},
+    {"render chart:points --lens double-gauss-50 -s 2m --model thick --error 2% -o thick.png",
+     "the thick lens in its place, by as many rays as an error takes"},
+    {"render chart:grid --lens double-gauss-50 -s 3m --scene sunny-16 -N 16 -t 1/100 -o sun.png",
+     "in bright sun"},
     {"render --lens double-gauss-50 --rays rays.csv", "rays for another renderer"},
     {NULL, NULL},
 };
