@@ -94,6 +94,9 @@ $(BUILD)/lenscalc: $(BUILD)/main.o $(objects) $(none) $(BUILD)/objects
 # only, so that it does not matter how others would pass them
 $(BUILD)/optics/paraxial.o: FLOATING += -ftree-slp-vectorize -Wno-psabi
 
+# what it reads of tables stands side by side
+$(foreach set,sse2 avx2 avx512,$(BUILD)/camera/kernel_film_$(set).o): FLOATING += -ftree-slp-vectorize
+
 # of stb's headers not all is used; its sums run over where a JPEG is damaged
 $(BUILD)/base/image/stb.o: FLOATING += -Wno-unused-function -fwrapv
 

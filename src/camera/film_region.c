@@ -387,6 +387,26 @@ static void find_slope(const struct building *building)
     }
 }
 
+/* Both coordinates side by side. */
+static const double *pack(double *const places[2], size_t count, struct arena *arena)
+{
+    double *packed = ARENA_ARRAY(arena, 2 * count, double);
+    for (size_t i = 0; i < count; i++) {
+        packed[2 * i] = places[0][i];
+        packed[2 * i + 1] = places[1][i];
+    }
+    return packed;
+}
+
+static void pack_all(struct arena *arena, struct film_region *region)
+{
+    const size_t nodes = film_region_nodes(region);
+    region->centres = pack(region->centre, nodes, arena);
+    region->outers = pack(region->outer, nodes * FILM_CORNERS, arena);
+    region->inners = region->has_hole ? pack(region->inner, nodes * FILM_CORNERS, arena) : NULL;
+    region->per_mm = 1 / region->ends[0];
+}
+
 static void build(struct building *building)
 {
     struct film_region *region = building->region;
@@ -438,5 +458,6 @@ bool film_region_open(const struct film_lens *lens, struct arena *arena, struct 
                              (pole->edge[OUTLINE_STEPS / (is_round ? 2 : 4)].x - pole->centre.x));
     }
     film_fit_finish(region, is_round);
+    pack_all(arena, region);
     return true;
 }

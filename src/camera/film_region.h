@@ -40,7 +40,10 @@ struct film_region {
     double *centre[2];  /* x, y of the middle, for each row of each column */
     double *inner[2];   /* x, y of FILM_CORNERS corners, the same; only with holes */
     double *outer[2];
-    double ratio; /* about what the hole is of the region, in radii */
+    /* the same as what rays are started by, x and y side by side */
+    const double *centres, *inners, *outers;
+    double per_mm; /* 1/end of a round lens */
+    double ratio;  /* about what the hole is of the region, in radii */
 };
 
 /* How many rows all columns have. */

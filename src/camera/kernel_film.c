@@ -20,24 +20,92 @@ void NAME(kernel_film_plan, KERNEL)(const struct film_plan *plan, uint32_t block
     memcpy(samples->v, points[3], sizeof samples->v);
 }
 
-/* Which rows a point of the film lies between, and where. */
-struct between {
-    int node, next; /* the first row of two, in a column and in the next one */
-    double share, turn;
+/*
+ * Where the region is read, for each ray: as loops of their own, for what stands in tables comes by
+ * one ray after another, and only the rest in vectors.
+ */
+struct reading {
+    int node[RAYS_BLOCK], corner[RAYS_BLOCK];   /* the first of two rows; the corner of it */
+    double share[RAYS_BLOCK], turn[RAYS_BLOCK]; /* to the next row, and the next column */
+    double w[RAYS_BLOCK];                       /* from one corner to the next */
+    double lit[RAYS_BLOCK];                     /* 1 where light arrives, or 0 */
+    double up_x[RAYS_BLOCK], up_y[RAYS_BLOCK];
+    double middle[RAYS_BLOCK][2];                      /* x, y */
+    double outer[RAYS_BLOCK][4], inner[RAYS_BLOCK][4]; /* those of both corners */
 };
 
-/* What stands at `place` of each row, `stride` numbers apart; `is_grid`: has columns. */
-INLINE double between(bool is_grid, const struct between *at, const double *all, int stride,
-                      int place)
+/* The column that a point lies in, and how far from it to the next one: struct film_region. */
+INLINE double column_of(double x, double y, double h)
 {
-    int i = at->node * stride + place;
-    double from = all[i], here = from + at->share * (all[i + stride] - from);
+    double over = 1 / (fabs(x) + fabs(y));
+    double turn = y >= 0 ? 1 - x * over : 3 + x * over;
+    return (h > 0 ? turn : 1) * (0.25 * FILM_COLUMNS);
+}
+
+INLINE void place(const struct film_region *region, bool is_grid,
+                  const struct film_samples *samples, struct reading *reading, int i)
+{
+    double x = samples->x[i] - region->pole[0], y = samples->y[i] - region->pole[1];
+    double h = sqrt(x * x + y * y), over = 1 / h, per_mm = region->per_mm;
+    bool beside = (h > 0) & region->turns;
+    int first = 0;
     if (is_grid) {
-        int j = at->next * stride + place;
-        double other = all[j], beside = other + at->share * (all[j + stride] - other);
-        here += at->turn * (beside - here);
+        double turn = column_of(x, y, h);
+        int column = (int)turn;
+        column = column < FILM_COLUMNS - 1 ? column : FILM_COLUMNS - 1;
+        double end = region->ends[column], next = region->ends[column + 1];
+        reading->turn[i] = turn - column;
+        per_mm = 1 / (end + (turn - column) * (next - end));
+        first = column * region->rows;
     }
-    return here;
+    double rest = 1 - h * per_mm;
+    bool lit = rest >= 0;
+    double rows = (region->rows - 1) * (1 - sqrt(lit ? rest : 0));
+    int row = (int)rows;
+    row = row < region->rows - 2 ? row : region->rows - 2;
+    double sectors = samples->u[i] * FILM_SECTORS;
+    int k = (int)sectors;
+    k = k < FILM_SECTORS - 1 ? k : FILM_SECTORS - 1;
+    reading->up_x[i] = beside ? x * over : 0;
+    reading->up_y[i] = beside ? y * over : 1;
+    reading->share[i] = rows - row;
+    reading->w[i] = sectors - k;
+    reading->lit[i] = lit ? 1 : 0;
+    reading->node[i] = first + row;
+    reading->corner[i] = (first + row) * FILM_CORNERS + k;
+}
+
+/* So many numbers side by side, between two rows and with columns between two of these. */
+INLINE void interpolate(bool is_grid, const double *all, int stride, int rows, int count,
+                        double share, double turn, double *found)
+{
+    for (int j = 0; j < count; j++) {
+        double from = all[j], to = all[j + stride], here = from + share * (to - from);
+        if (is_grid) {
+            double low = all[j + rows * stride], high = all[j + (rows + 1) * stride];
+            here += turn * (low + share * (high - low) - here);
+        }
+        found[j] = here;
+    }
+}
+
+INLINE void look_up(const struct film_region *region, bool is_grid, bool has_hole,
+                    struct reading *reading)
+{
+    const int rows = region->rows, stride = 2 * FILM_CORNERS;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        double share = reading->share[i], turn = is_grid ? reading->turn[i] : 0;
+        int corner = 2 * reading->corner[i];
+        interpolate(is_grid, region->outers + corner, stride, rows, 4, share, turn,
+                    reading->outer[i]);
+        if (has_hole) {
+            interpolate(is_grid, region->inners + corner, stride, rows, 4, share, turn,
+                        reading->inner[i]);
+        } else {
+            interpolate(is_grid, region->centres + 2 * reading->node[i], 2, rows, 2, share, turn,
+                        reading->middle[i]);
+        }
+    }
 }
 
 /* A direction, its y outwards from the pole, and how much of all a unit of u and v is. */
@@ -45,40 +113,25 @@ struct direction {
     double x, y, area;
 };
 
-/* A ring of the region and a place in it: a sector from a to b, its share w. */
-struct place {
-    int k;
-    double w, v;
-};
-
 /* Between a centre and the polygon. */
-INLINE struct direction in_sector(const struct film_region *region, bool is_grid,
-                                  const struct between *at, struct place to)
+INLINE struct direction in_sector(const struct reading *reading, double v, int i)
 {
-    double x = is_grid ? between(is_grid, at, region->centre[0], 1, 0) : 0;
-    double y = between(is_grid, at, region->centre[1], 1, 0);
-    double ax = between(is_grid, at, region->outer[0], FILM_CORNERS, to.k) - x;
-    double ay = between(is_grid, at, region->outer[1], FILM_CORNERS, to.k) - y;
-    double bx = between(is_grid, at, region->outer[0], FILM_CORNERS, to.k + 1) - x;
-    double by = between(is_grid, at, region->outer[1], FILM_CORNERS, to.k + 1) - y;
-    double t = sqrt(to.v);
-    return (struct direction){x + t * (ax + to.w * (bx - ax)), y + t * (ay + to.w * (by - ay)),
+    double x = reading->middle[i][0], y = reading->middle[i][1], w = reading->w[i];
+    double ax = reading->outer[i][0] - x, ay = reading->outer[i][1] - y;
+    double bx = reading->outer[i][2] - x, by = reading->outer[i][3] - y;
+    double t = sqrt(v);
+    return (struct direction){x + t * (ax + w * (bx - ax)), y + t * (ay + w * (by - ay)),
                               0.5 * FILM_SECTORS * fabs(ax * by - bx * ay)};
 }
 
-/* Between two polygons. */
-INLINE struct direction in_ring(const struct film_region *region, bool is_grid,
-                                const struct between *at, struct place to)
+/* Between two polygons; `hole`: how much one is of the other. */
+INLINE struct direction in_ring(const struct reading *reading, double hole, double v, int i)
 {
-    double ax = between(is_grid, at, region->inner[0], FILM_CORNERS, to.k);
-    double ay = between(is_grid, at, region->inner[1], FILM_CORNERS, to.k);
-    double bx = between(is_grid, at, region->inner[0], FILM_CORNERS, to.k + 1);
-    double by = between(is_grid, at, region->inner[1], FILM_CORNERS, to.k + 1);
-    double cx = between(is_grid, at, region->outer[0], FILM_CORNERS, to.k) - ax;
-    double cy = between(is_grid, at, region->outer[1], FILM_CORNERS, to.k) - ay;
-    double dx = between(is_grid, at, region->outer[0], FILM_CORNERS, to.k + 1) - bx;
-    double dy = between(is_grid, at, region->outer[1], FILM_CORNERS, to.k + 1) - by;
-    double hole = region->ratio, w = to.w, r = sqrt(hole * hole + (1 - hole * hole) * to.v);
+    double ax = reading->inner[i][0], ay = reading->inner[i][1];
+    double bx = reading->inner[i][2], by = reading->inner[i][3], w = reading->w[i];
+    double cx = reading->outer[i][0] - ax, cy = reading->outer[i][1] - ay;
+    double dx = reading->outer[i][2] - bx, dy = reading->outer[i][3] - by;
+    double r = sqrt(hole * hole + (1 - hole * hole) * v);
     double t = (r - hole) / (1 - hole), slope = 0.5 * (1 + hole) / r;
     double out_x = cx + w * (dx - cx), out_y = cy + w * (dy - cy);
     double along_x = bx - ax + t * (dx - cx), along_y = by - ay + t * (dy - cy);
@@ -91,45 +144,15 @@ struct started {
     double p[RAYS_BLOCK], q[RAYS_BLOCK], r[RAYS_BLOCK], weight[RAYS_BLOCK];
 };
 
-/* The column that a point lies in, and how far from it to the next one: struct film_region. */
-INLINE double column_of(double x, double y, double h)
-{
-    double over = 1 / (fabs(x) + fabs(y));
-    double turn = y >= 0 ? 1 - x * over : 3 + x * over;
-    return (h > 0 ? turn : 1) * (0.25 * FILM_COLUMNS);
-}
-
 INLINE void start(const struct film_region *region, bool is_grid, bool has_hole,
-                  const struct film_samples *samples, struct started *started, int i)
+                  const struct film_samples *samples, const struct reading *reading,
+                  struct started *started, int i)
 {
-    double x = samples->x[i] - region->pole[0], y = samples->y[i] - region->pole[1];
-    double h = sqrt(x * x + y * y), over = 1 / h, end = region->ends[0];
-    bool beside = (h > 0) & region->turns;
-    double up_x = beside ? x * over : 0, up_y = beside ? y * over : 1;
-    struct between at = {0, 0, 0, 0};
-    if (is_grid) {
-        double turn = column_of(x, y, h);
-        int column = (int)turn;
-        column = column < FILM_COLUMNS - 1 ? column : FILM_COLUMNS - 1;
-        at.turn = turn - column;
-        at.node = column * region->rows;
-        end = region->ends[column] + at.turn * (region->ends[column + 1] - region->ends[column]);
-    }
-    double rest = 1 - h / end;
-    bool lit = rest >= 0;
-    double rows = (region->rows - 1) * (1 - sqrt(lit ? rest : 0));
-    int row = (int)rows;
-    row = row < region->rows - 2 ? row : region->rows - 2;
-    at.share = rows - row;
-    at.node += row;
-    at.next = at.node + region->rows;
-    double sectors = samples->u[i] * FILM_SECTORS;
-    int k = (int)sectors;
-    k = k < FILM_SECTORS - 1 ? k : FILM_SECTORS - 1;
-    struct place to = {k, sectors - k, samples->v[i]};
+    double up_x = reading->up_x[i], up_y = reading->up_y[i], v = samples->v[i];
     struct direction way =
-        has_hole ? in_ring(region, is_grid, &at, to) : in_sector(region, is_grid, &at, to);
+        has_hole ? in_ring(reading, region->ratio, v, i) : in_sector(reading, v, i);
     if (is_grid) {
+        double x = samples->x[i] - region->pole[0], y = samples->y[i] - region->pole[1];
         way.x += region->slope[0] * (x * up_y - y * up_x);
         way.y += region->slope[1] * (x * up_x + y * up_y);
     }
@@ -138,7 +161,7 @@ INLINE void start(const struct film_region *region, bool is_grid, bool has_hole,
     started->p[i] = n * (way.x * up_y + way.y * up_x);
     started->q[i] = n * (way.y * up_y - way.x * up_x);
     started->r[i] = back * sqrt(left > 0 ? left : 0);
-    started->weight[i] = lit ? way.area : 0;
+    started->weight[i] = reading->lit[i] * way.area;
 }
 
 INLINE void store(struct film_samples *samples, double film, const struct started *started,
@@ -160,8 +183,13 @@ INLINE void store(struct film_samples *samples, double film, const struct starte
 INLINE void start_all(const struct film_region *region, bool is_grid, bool has_hole,
                       const struct film_samples *samples, struct started *started)
 {
+    struct reading reading;
     for (int i = 0; i < RAYS_BLOCK; i++) {
-        start(region, is_grid, has_hole, samples, started, i);
+        place(region, is_grid, samples, &reading, i);
+    }
+    look_up(region, is_grid, has_hole, &reading);
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        start(region, is_grid, has_hole, samples, &reading, started, i);
     }
 }
 

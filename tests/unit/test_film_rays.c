@@ -351,11 +351,11 @@ static void test_cylinders(void)
     arena_free(&opened.arena);
 }
 
-static void test_same_bits(void)
+static void check_same_bits(const char *name, double film)
 {
     static const enum instruction_set sets[] = {SET_SSE2, SET_AVX2, SET_AVX512};
     struct opened opened;
-    if (!find_lens(&opened, "questar-35") || !open_region(&opened, 40, 21.6333)) {
+    if (!find_lens(&opened, name) || !open_region(&opened, film, 21.6333)) {
         return;
     }
     static struct film_samples samples[3];
@@ -377,6 +377,14 @@ static void test_same_bits(void)
         CHECK(memcmp(rays[k].blocks, rays[0].blocks, sizeof *rays[0].blocks) == 0);
     }
     arena_free(&opened.arena);
+}
+
+/* With a hole, without, and with columns. */
+static void test_same_bits(void)
+{
+    check_same_bits("questar-35", 40);
+    check_same_bits("double-gauss-50", 36);
+    check_same_bits("schneider-anamorphic-31", 43.3809);
 }
 
 /* Where light ends the weight does, and a film in the last vertex is none. */
