@@ -102,6 +102,46 @@ def check_colours(checks, discs):
             checks.check(abs(a - x) < 0.03, f"{more}: a disc at {a:.3f}, its chief rays at {x:.3f}")
 
 
+def check_blur(checks, program, folder):
+    """A point out of focus: the spread of its rays through a round stop, and through blades."""
+    lens = Singlet((100, -100), 5, (1.5168, 64.17), 2, 10)
+    lens.write(os.path.join(folder, "blurred.lens"))
+    film, pitch, side, disc = lens.paraxial(DISTANCE)[0] + 4, 0.02, 40, 0.5
+    common = ["chart:points", "--lens", "blurred.lens", "-s", f"{DISTANCE}mm", "--from", "front",
+              "--focus", repr(film), "-w", "d", "-t", "0.01", "--sensor",
+              f"{side * pitch}x{side * pitch}mm", "--size", f"{side}x{side}", "--samples", "2048",
+              "--field-width", f"{200 * disc}mm"]
+    light = {}
+    for blades in 0, 5, 8:
+        more = ["--blades", str(blades)] if blades else []
+        rows = take(program, checks, folder, *common, *more)
+        if rows is None:
+            return
+        light[blades] = sum(pixel[1] for row in rows for pixel in row)
+        a, b = centroid(rows, 1)
+        found = sum(pixel[1] * ((i + 0.5 - a) ** 2 + (j + 0.5 - b) ** 2)
+                    for j, row in enumerate(rows) for i, pixel in enumerate(row)) / light[blades]
+        # of the rays, of the disc, and of the pixel
+        moment, steps, count = 0, 40, 0
+        for n in range(steps ** 2):
+            x, y = (((2 * k + 1) / steps - 1) * lens.diameter / 2 for k in (n % steps, n // steps))
+            turn = 2 * math.pi / blades if blades else 0
+            apothem = math.cos(turn / 2) * lens.diameter / 2
+            inside = (all(x * math.cos((k + 0.5) * turn) + y * math.sin((k + 0.5) * turn) < apothem
+                          for k in range(blades)) if blades else math.hypot(x, y) < apothem)
+            if inside:
+                u, v, _ = lens.forward((0, 0), (x, y), LINES["d"], film, DISTANCE)
+                moment, count = moment + (u * u + v * v) / pitch ** 2, count + 1
+        scale = lens.forward((1e-3, 0), (0, 0), LINES["d"], film, DISTANCE)[0] * 1e3 / pitch
+        expected = moment / count + (scale * disc / 2) ** 2 / 2 + 2 / 12
+        checks.check(abs(found - expected) < 0.01 * expected,
+                     f"{blades} blades: a blur of {found} square pixels, expected {expected}")
+        if blades:
+            area = blades / (2 * math.pi) * math.sin(2 * math.pi / blades)
+            share = light[blades] / light[0]
+            checks.check(abs(share - area) < 5e-3, f"{blades} blades let {share} pass, not {area}")
+
+
 def marginal_sine(lens, film, edge):
     """Of the ray from the middle of the film that meets the edge of the stop."""
     low, high = 0.0, 0.5
@@ -146,7 +186,7 @@ def check_furnace(checks, program, folder):
                    "surface -100 5 air 60\nstop - 30 air 12\n")
     for film, time, more in (30, 1, ["-w", "d"]), (45, 0.004, []), (90, 30, ["--seed", "3"]):
         rows = take(program, checks, folder, "white.pfm", "--lens", "last.lens", "-s", "3m",
-                    "--focus", str(film), "-t", str(time), "--size", "12x8", "--samples", "1024",
+                    "--focus", str(film), "-t", str(time), "--size", "12x8", "--samples", "256",
                     "--field-width", "100m", *more)
         if rows is None:
             return
@@ -195,6 +235,7 @@ def main():
         discs = Discs(checks, program, folder)
         check_places(checks, discs)
         check_colours(checks, discs)
+        check_blur(checks, program, folder)
         check_exchange(checks, program, folder)
         check_furnace(checks, program, folder)
         check_errors(checks, program, folder)

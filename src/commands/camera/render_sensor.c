@@ -213,10 +213,14 @@ static void add_remarks(const struct sensor_model *model, const struct sensor_ra
                    "%.4g electrons saturate a pixel of %.4g um, %.3g numbers an electron\n",
                    model->clip, 1000 * model->sensor.pitch, model->gain);
     const struct sensor_sums *sums = &raw->sums;
-    if (sums->saturated == sums->values) {
+    if (sums->saturated == sums->values && model->dark < model->clip) {
         growing_format(remarks,
-                       "warning: every pixel is saturated: %.3g electrons in the darkest one\n",
-                       sums->darkest + model->dark);
+                       "warning: every pixel is saturated: the darkest has %.3g times the "
+                       "electrons\n",
+                       sums->darkest / (model->clip - model->dark));
+    } else if (model->dark >= model->clip) {
+        growing_format(remarks, "warning: the dark current alone saturates: %.3g electrons\n",
+                       model->dark);
     }
     if (sums->brightest < 1 && sums->brightest > 0) {
         growing_format(remarks,
