@@ -64,7 +64,7 @@ static bool is_marked(const struct panels_scale *scale, size_t i, double stride)
     return inside && fabs(remainder(steps, stride)) < 0.5;
 }
 
-static void draw_x_ticks(struct svg *svg, const struct panels_cell *cell)
+static void draw_x_ticks(struct svg *svg, const struct panels_cell *cell, bool lines)
 {
     double stride = stride_of(&cell->x, cell->width, panels_cell_number(svg, &cell->x.ticks) + 8);
     double bottom = cell->top + cell->height;
@@ -73,7 +73,9 @@ static void draw_x_ticks(struct svg *svg, const struct panels_cell *cell)
             continue;
         }
         double x = at_x(cell, cell->x.ticks.value[i]);
-        svg_line(svg, x, cell->top, x, bottom);
+        if (lines) {
+            svg_line(svg, x, cell->top, x, bottom);
+        }
         if (cell->x_numbers) {
             const struct svg_label label = {
                 .x = x, .y = bottom + 14, .size = NUMBER, .anchor = SVG_MIDDLE};
@@ -82,7 +84,7 @@ static void draw_x_ticks(struct svg *svg, const struct panels_cell *cell)
     }
 }
 
-static void draw_y_ticks(struct svg *svg, const struct panels_cell *cell)
+static void draw_y_ticks(struct svg *svg, const struct panels_cell *cell, bool lines)
 {
     double stride = stride_of(&cell->y, cell->height, 16);
     for (size_t i = 0; i < cell->y.ticks.count; i++) {
@@ -90,7 +92,9 @@ static void draw_y_ticks(struct svg *svg, const struct panels_cell *cell)
             continue;
         }
         double y = at_y(cell, cell->y.ticks.value[i]);
-        svg_line(svg, cell->left, y, cell->left + cell->width, y);
+        if (lines) {
+            svg_line(svg, cell->left, y, cell->left + cell->width, y);
+        }
         if (cell->y_numbers) {
             const struct svg_label label = {
                 .x = cell->left - 6, .y = y + 4, .size = NUMBER, .anchor = SVG_END};
@@ -104,19 +108,20 @@ static bool holds_zero(const struct panels_scale *scale)
     return scale->low <= 0 && scale->high >= 0;
 }
 
-static void draw_frame(struct svg *svg, const struct panels_cell *cell, bool ticks)
+/* lines: of the ticks and of zero; through the words in a panel without points there are none. */
+static void draw_frame(struct svg *svg, const struct panels_cell *cell, bool ticks, bool lines)
 {
     if (ticks) {
         svg_group_begin(svg, &(struct svg_style){.stroke = "#e6e6e6", .width = 1});
-        draw_x_ticks(svg, cell);
-        draw_y_ticks(svg, cell);
+        draw_x_ticks(svg, cell, lines);
+        draw_y_ticks(svg, cell, lines);
         svg_group_end(svg);
     }
     svg_group_begin(svg, &(struct svg_style){.stroke = ticks ? "#999" : "#ddd", .width = 1});
-    if (holds_zero(&cell->x)) {
+    if (lines && holds_zero(&cell->x)) {
         svg_line(svg, at_x(cell, 0), cell->top, at_x(cell, 0), cell->top + cell->height);
     }
-    if (holds_zero(&cell->y)) {
+    if (lines && holds_zero(&cell->y)) {
         svg_line(svg, cell->left, at_y(cell, 0), cell->left + cell->width, at_y(cell, 0));
     }
     svg_group_end(svg);
@@ -125,11 +130,23 @@ static void draw_frame(struct svg *svg, const struct panels_cell *cell, bool tic
     svg_group_end(svg);
 }
 
-/* The curves and spots; false if not one point can be seen. */
-static bool draw_series(const struct panels *panels, struct svg *svg,
-                        const struct panels_cell *cell, const struct panel *panel)
+/* Can one point at least be seen? */
+static bool has_points(const struct panels_cell *cell, const struct panel *panel)
 {
     bool any = false;
+    for (size_t s = 0; s < panel->count; s++) {
+        const struct panel_series *series = &panel->series[s];
+        for (size_t i = 0; i < series->count && !any; i++) {
+            any = isfinite(at_x(cell, series->x[i])) && isfinite(at_y(cell, series->y[i]));
+        }
+    }
+    return any;
+}
+
+/* The curves and spots. */
+static void draw_series(const struct panels *panels, struct svg *svg,
+                        const struct panels_cell *cell, const struct panel *panel)
+{
     struct arena *arena = svg->arena;
     svg_clip_begin(svg, cell->left - 1, cell->top - 1, cell->width + 2, cell->height + 2);
     for (size_t s = 0; s < panel->count; s++) {
@@ -139,7 +156,6 @@ static bool draw_series(const struct panels *panels, struct svg *svg,
         for (size_t i = 0; i < series->count; i++) {
             x[i] = at_x(cell, series->x[i]);
             y[i] = at_y(cell, series->y[i]);
-            any = any || (isfinite(x[i]) && isfinite(y[i]));
         }
         const struct panels_mark mark = {
             .x = x, .y = y, .count = series->count, .key = series->key, .spots = series->spots};
@@ -151,14 +167,13 @@ static bool draw_series(const struct panels *panels, struct svg *svg,
         svg_group_end(svg);
     }
     svg_group_end(svg);
-    return any;
 }
 
 /* Below spots; inside at the top of curves, or in the middle of what is empty. */
 static void draw_note(struct svg *svg, const struct panels_cell *cell, const struct panel *panel,
                       bool square, bool empty)
 {
-    double y = empty    ? cell->top + cell->height / 2 - 8
+    double y = empty    ? cell->top + cell->height / 2 + 4
                : square ? cell->top + cell->height + 14
                         : cell->top + 14;
     struct svg_label label = {.x = cell->left + cell->width / 2,
@@ -173,8 +188,11 @@ static void draw_note(struct svg *svg, const struct panels_cell *cell, const str
 void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct panels_cell *cell,
                       const struct panel *panel)
 {
-    draw_frame(svg, cell, panels->unit == NULL);
-    bool any = draw_series(panels, svg, cell, panel);
+    const bool any = has_points(cell, panel);
+    draw_frame(svg, cell, panels->unit == NULL, any);
+    if (any) {
+        draw_series(panels, svg, cell, panel);
+    }
     draw_note(svg, cell, panel, panels->unit != NULL, !any);
     struct svg_label title = {.x = cell->left + cell->width / 2,
                               .y = cell->top - 7,
