@@ -6,8 +6,8 @@
 
 #include <math.h>
 
-/* How far out edges usually and at most lie in u and v, for the aberrations of the pupil. */
-static const double usual_reach = 1.125, farthest = 64;
+/* How far out edges usually, rarely and at most lie in u and v, as pupils have aberrations. */
+static const double usual_reach = 1.125, wide_reach = 2.25, farthest = 64;
 
 enum { STRIDES = 8, TURNS = 70, SURE = 12 };
 
@@ -96,7 +96,7 @@ static void bracket(struct hunting *all)
         for (size_t k = 0; k < left; k++) {
             far = from;
             for (size_t j = 0; j < parts; j++) {
-                far += far < usual_reach - 1e-9 ? stride : far;
+                far += far < wide_reach - 1e-9 ? stride : far;
                 all->which[lanes] = open[k];
                 all->radius[lanes++] = far;
             }

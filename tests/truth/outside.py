@@ -76,6 +76,12 @@ class Lens:
             n = behind
         return abs(at_stop / v) / (2 * self.one(self.all["aperture"]))
 
+    def open(self):
+        """Nothing takes light but the stop."""
+        for i, surface in enumerate(self.surfaces):
+            if i != self.stop:
+                surface["clear"], surface["blocked"] = math.inf, 0.0
+
     def text(self, wave=None):
         waves = range(len(self.waves)) if wave is None else [wave]
         words = [len(self.surfaces), len(waves), self.stop, self.radius,
