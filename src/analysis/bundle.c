@@ -167,6 +167,9 @@ static bool fill_pattern(const struct bundle_source *source, size_t rays, struct
     bundle->count = sample.count;
     bundle->rays = rays_new(arena, sample.count);
     bundle_aim(source, sample.points, sample.count, &bundle->rays);
+    if (question->weight == WEIGHT_BEAM) {
+        quadrature_weigh_beam(&source->pupil, &bundle->rays, sample.points, arena);
+    }
     return true;
 }
 

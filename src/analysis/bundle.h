@@ -17,11 +17,11 @@
 struct bundle_question {
     const struct setup *setup;
     const struct field_point *field;
-    size_t wavelength;       /* its place in the setup */
-    bool clip;               /* clear apertures and the stop lose rays */
-    bool from_entrance;      /* points are those of the paraxial entrance pupil, not of the stop */
-    enum stop_weight weight; /* other than WEIGHT_PUPIL: of PATTERN_GAUSS only */
-    enum pattern pattern;    /* PATTERN_GAUSS: a quadrature of what is clear */
+    size_t wavelength;  /* its place in the setup */
+    bool clip;          /* clear apertures and the stop lose rays */
+    bool from_entrance; /* points are those of the paraxial entrance pupil, not of the stop */
+    enum stop_weight weight;
+    enum pattern pattern; /* PATTERN_GAUSS: a quadrature of what is clear */
     uint64_t seed;
 };
 
@@ -81,7 +81,8 @@ void bundle_aim(const struct bundle_source *source, const struct pupil_point *po
  * Given     rays  about how many
  *           to    the place behind the last surface that they pass; source->system->places: all
  * Formula   PATTERN_GAUSS: quadrature_make. Other patterns: points of the full stop or entrance
- *           pupil, each of the same weight, those that arrive nowhere lost
+ *           pupil, each of the same weight, with WEIGHT_BEAM by quadrature_weigh_beam; those that
+ *           arrive nowhere lost
  * Errors    as sample_make and aim_at_entrance; ERROR_DOMAIN: no ray arrives, with the surface
  *           where most are lost
  */

@@ -151,12 +151,11 @@ struct mapping {
     struct ray_block *tangents; /* two */
 };
 
-static struct mapping mapping_open(const struct margins *margins, struct arena *arena)
+static struct mapping mapping_open(const struct margins *margins, bool weighs, struct arena *arena)
 {
-    const struct stop_beam *beam = margins->beam;
     struct mapping mapping = {.margins = margins, .before = *margins->system};
     mapping.before.places = system_place(margins->system, margins->system->stop) + 1;
-    if (beam->weight == WEIGHT_PUPIL) {
+    if (weighs) {
         mapping.tape = derivative_tape_new(&mapping.before, arena);
         mapping.tangents = rays_new(arena, (size_t)2 * RAYS_BLOCK).blocks;
     }
@@ -260,11 +259,10 @@ static void find_areas_beside(const struct mapping *mapping, const double (*poin
     }
 }
 
-/* Areas of up to 128 points; false: they do not stand where they cross the stop. */
-static bool weigh(const struct mapping *mapping, const double (*from)[2], size_t count,
-                  struct pupil_point *points)
+/* One way or the other; false: the rays do not stand where they cross the stop. */
+static bool find_any_areas(const struct mapping *mapping, const double (*from)[2], size_t count,
+                           double *areas)
 {
-    double areas[RAYS_BLOCK];
     bool known = true;
     find_areas(mapping, from, count, areas);
     for (size_t i = 0; i < count; i++) {
@@ -273,6 +271,15 @@ static bool weigh(const struct mapping *mapping, const double (*from)[2], size_t
     if (!known) {
         find_areas_beside(mapping, from, count, areas);
     }
+    return known;
+}
+
+/* Up to 128 points by their areas; false: as find_any_areas. */
+static bool weigh(const struct mapping *mapping, const double (*from)[2], size_t count,
+                  struct pupil_point *points)
+{
+    double areas[RAYS_BLOCK];
+    const bool known = find_any_areas(mapping, from, count, areas);
     for (size_t i = 0; i < count; i++) {
         points[i].weight *= areas[i];
     }
@@ -420,10 +427,48 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
         point->weight *= stop_beam_density(beam, point->x, point->y);
     }
     if (!isnan(beam->radius)) {
-        const struct mapping mapping = mapping_open(margins, arena);
+        const struct mapping mapping = mapping_open(margins, beam->weight == WEIGHT_PUPIL, arena);
         map_to_stop(&mapping, &all.sample);
     }
     return all;
+}
+
+/* u and v of the rays of a block, where they start. */
+static void name_rays(const struct stop_beam *all, const struct rays *rays, size_t first,
+                      size_t count, double (*from)[2])
+{
+    const double *m = all->axes, det = m[0] * m[3] - m[1] * m[2];
+    for (size_t i = 0; i < count; i++) {
+        const struct ray ray = rays_get(rays, first + i, all->system->index_first);
+        double at[2];
+        beam_place(all->beam, ray.point, at);
+        const double a = at[0] - all->origin[0], b = at[1] - all->origin[1];
+        from[i][0] = (m[3] * a - m[1] * b) / det;
+        from[i][1] = (m[0] * b - m[2] * a) / det;
+    }
+}
+
+void quadrature_weigh_beam(const struct stop_beam *beam, const struct rays *rays,
+                           struct pupil_point *points, struct arena *arena)
+{
+    for (size_t i = 0; i < rays->count && isnan(beam->radius); i++) {
+        points[i].weight *= stop_beam_density(beam, points[i].x, points[i].y);
+    }
+    if (isnan(beam->radius)) {
+        return;
+    }
+    const struct margins margins = margins_open(beam, arena);
+    const struct mapping mapping = mapping_open(&margins, true, arena);
+    for (size_t done = 0; done < rays->count; done += RAYS_BLOCK) {
+        const size_t here = rays->count - done < RAYS_BLOCK ? rays->count - done : RAYS_BLOCK;
+        double from[RAYS_BLOCK][2], areas[RAYS_BLOCK];
+        name_rays(beam, rays, done, here, from);
+        find_any_areas(&mapping, (const double(*)[2])from, here, areas);
+        for (size_t i = 0; i < here; i++) {
+            /* one that has none is lost on its way to the stop */
+            points[done + i].weight /= areas[i] > 0 ? areas[i] : 1;
+        }
+    }
 }
 
 struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena)

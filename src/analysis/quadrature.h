@@ -87,6 +87,15 @@ void quadrature_rays_within(const struct quadrature_region *region,
                             const struct quadrature_rim *rim, const double *shares, size_t rings,
                             const struct rays *rays);
 
+/*
+ * Equal areas of the stop, or of the disc that is aimed at, as what they are of the beam.
+ *
+ * Given     rays    through the points, where they start
+ *           points  of radius 1, whose weights change; that of a ray lost before the stop does not
+ */
+void quadrature_weigh_beam(const struct stop_beam *beam, const struct rays *rays,
+                           struct pupil_point *points, struct arena *arena);
+
 /* The same as quadrature_fill for one time. */
 struct quadrature quadrature_make(const struct stop_beam *beam, size_t rays, struct arena *arena);
 

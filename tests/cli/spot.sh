@@ -17,7 +17,7 @@ lenscalc spot double-gauss --spectrum d:-1
 lenscalc spot double-gauss --spectrum d -w F
 lenscalc spot double-gauss --energy 0
 lenscalc spot double-gauss --field 1 --height 2
-lenscalc spot double-gauss --pattern sobol --weight beam --rays 100
+lenscalc spot double-gauss --field 14 --pattern square --weight beam --rays 1000 --csv --digits 3 --columns rms,weights
 lenscalc spot double-gauss --rays 100 --error 1e-3
 lenscalc spot double-gauss --error 2
 lenscalc spot double-gauss --field 14 -w d --energy 80% --reference chief --csv --digits 6 --columns radius,energy_radius

@@ -36,9 +36,6 @@ static bool check(const struct analysis_question *question, const struct analysi
         return fail(error, ERROR_DOMAIN,
                     "{--field} and {--field-x}: where neither is 0 both must be below 90 degrees");
     }
-    if (question->weight == ANALYSIS_WEIGHT_BEAM && question->pattern != PATTERN_GAUSS) {
-        return fail(error, ERROR_USAGE, "{--weight} beam works with {--pattern} gauss only");
-    }
     if (question->spectrum.text != NULL && policy->one_wavelength) {
         return fail(error, ERROR_USAGE, "{--spectrum}: this is an answer for one wavelength");
     }
