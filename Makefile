@@ -8,6 +8,7 @@
 #   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1
 #   coverage   lines and branches that the fast tests reach, by folder
 #   mutate     is a changed sign noticed? COUNT=60 SEED=1,2,3
+#   cluster    parts of a picture as an array of Slurm, a task killed
 #   cross      build for aarch64, run the command-line tests under qemu
 
 PREFIX  = /usr/local
@@ -163,7 +164,7 @@ $(BUILD)/ceres/%: tests/ceres/%.c $(objects) $(ceres)
 
 ceres_packages_1 = g++ libceres-dev
 build_packages = gcc make libc6-dev libstb-dev $(ceres_packages_$(CERES))
-check_packages = $(build_packages) python3 binutils pmccabe librsvg2-bin
+check_packages = $(build_packages) python3 binutils pmccabe librsvg2-bin parallel
 all_packages   = $(check_packages) clang clang-format libclang-rt-14-dev valgrind mawk mandoc \
                  zsh fish
 cross_packages = $(build_packages) python3 gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user-static
@@ -207,6 +208,12 @@ coverage: deps
 mutate: deps
 	@tests/mutate/run $(BUILD) $(COUNT) $(SEED)
 
+# a picture divided over a Slurm, one of this machine if none answers
+cluster:
+	@tests/deps $(build_packages) python3
+	@$(MAKE) -s all
+	@python3 tests/cluster/check_cluster.py $(BUILD)
+
 # another processor, the same answers
 cross:
 	@tests/deps $(cross_packages)
@@ -248,4 +255,4 @@ dist:
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: FORCE all deps demo check check-all accept bench fuzz stress coverage mutate cross format install uninstall dist clean
+.PHONY: FORCE all deps demo check check-all accept bench fuzz stress coverage mutate cluster cross format install uninstall dist clean

@@ -3,13 +3,14 @@
 
 A crop has the pixels of the whole picture, to the bit, whatever is made of them. Parts that are
 merged are the file of one run, whatever it holds and in any order, with threads, and where one was
-killed and run again, or interrupted and resumed; gaps, repeats, strangers, damage, and files that
+killed and run again, also by GNU parallel, or interrupted and resumed; gaps, repeats, strangers, damage, and files that
 have changed since are refused by name.
 """
 # SPDX-License-Identifier: MIT
 
 import os
 import random
+import shutil
 import signal
 import struct
 import subprocess
@@ -206,6 +207,43 @@ def check_stopped(folder):
         os.remove(os.path.join(folder.path, "s2.part"))
 
 
+# Its first worker of part 2 is killed in the middle of it.
+WORKER = """
+if [ $1 = 2 ] && mkdir first 2> /dev/null; then
+    lenscalc render %s --part $1/4 -o g$1.part &
+    sleep 0.1
+    kill -9 $!
+    wait $!
+else
+    lenscalc render %s --part $1/4 -o g$1.part
+fi
+"""
+
+
+def check_parallel(folder):
+    """Under GNU parallel, which runs again what has failed."""
+    if shutil.which("parallel") is None:
+        print("no GNU parallel here: skipped")
+        return
+    words = ["chart:star", "--lens", "double-gauss-50", "-s", "1m", "--size", "160x120",
+             "--samples", "64", *SENSOR]
+    folder.write("worker", (WORKER % (" ".join(words), " ".join(words))).encode())
+    environment = {**folder.program.environment(), "HOME": folder.path}
+    result = subprocess.run(["parallel", "--will-cite", "--retries", "2", "-j", "2", "--joblog",
+                             "jobs", "sh", "worker", ":::", "1", "2", "3", "4"], cwd=folder.path,
+                            capture_output=True, text=True, env=environment)
+    folder.checks.check(result.returncode == 0, f"parallel: {result.stderr}")
+    log = [line.split("\t") for line in folder.read("jobs").decode().split("\n")[1:-1]]
+    folder.checks.check(os.path.exists(os.path.join(folder.path, "first")) and
+                        sorted(line[6] for line in log) == ["0"] * 4, f"jobs: {log}")
+    folder.checks.check("Killed" in result.stderr or result.stderr.count("part 2/4") == 1,
+                        f"no worker was killed: {result.stderr}")
+    folder.good("merge", *[f"g{i}.part" for i in (4, 2, 3, 1)], "-o", "merged.png")
+    folder.good("render", *words, "-o", "whole.png")
+    folder.checks.check(folder.read("merged.png") == folder.read("whole.png"),
+                        "parallel: not the picture of one run")
+
+
 def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-divided-") as path:
@@ -216,6 +254,7 @@ def main():
         check_many(folder)
         check_refused(folder)
         check_stopped(folder)
+        check_parallel(folder)
     return checks.finish()
 
 
