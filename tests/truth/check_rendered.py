@@ -106,10 +106,10 @@ def check_blur(checks, program, folder):
     """A point out of focus: the spread of its rays through a round stop, and through blades."""
     lens = Singlet((100, -100), 5, (1.5168, 64.17), 2, 10)
     lens.write(os.path.join(folder, "blurred.lens"))
-    film, pitch, side, disc = lens.paraxial(DISTANCE)[0] + 4, 0.02, 40, 0.5
+    film, pitch, side, disc = lens.paraxial(DISTANCE)[0] + 4, 0.02, 40, 2
     common = ["chart:points", "--lens", "blurred.lens", "-s", f"{DISTANCE}mm", "--from", "front",
               "--focus", repr(film), "-w", "d", "-t", "0.01", "--sensor",
-              f"{side * pitch}x{side * pitch}mm", "--size", f"{side}x{side}", "--samples", "2048",
+              f"{side * pitch}x{side * pitch}mm", "--size", f"{side}x{side}", "--samples", "256",
               "--field-width", f"{200 * disc}mm"]
     light = {}
     for blades in 0, 5, 8:
