@@ -116,11 +116,15 @@ bool render_develop(const struct render_input *input, bool is_print,
         return false;
     }
     add_remarks(input, &film, image, remarks);
+    const char *said = arena_printf(
+        arena, "ISO 6 from the speed, gamma %.4g, base %.4g, most %.4g, granularity %.4g",
+        film.curve.gradient, negative.base, negative.most, film.granularity);
     if (is_print) {
         emulsion_print(&film, &density);
     } else {
         density.names = names;
     }
     *image = density;
+    image_note(image, arena, text_of("Film curve"), text_of(said));
     return true;
 }

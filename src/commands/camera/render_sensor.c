@@ -206,12 +206,9 @@ bool render_acceptance(const struct render_input *input, struct arena *arena,
            error_prefix(error, "%.200s: ", input->acceptance);
 }
 
-static void add_remarks(const struct sensor_model *model, const struct sensor_raw *raw,
-                        struct growing *remarks)
+static void add_warnings(const struct sensor_model *model, const struct sensor_raw *raw,
+                         struct growing *remarks)
 {
-    growing_format(remarks,
-                   "%.4g electrons saturate a pixel of %.4g um, %.3g numbers an electron\n",
-                   model->clip, 1000 * model->sensor.pitch, model->gain);
     const struct sensor_sums *sums = &raw->sums;
     if (sums->saturated == sums->values && model->dark < model->clip) {
         growing_format(remarks,
@@ -256,7 +253,11 @@ bool render_sense(const struct render_input *input, double time, const struct re
         !sensor_expose(&model, image, &place, arena, &raw, error)) {
         return false;
     }
-    add_remarks(&model, &raw, remarks);
+    const char *said =
+        arena_printf(arena, "%.4g electrons saturate a pixel of %.4g um, %.3g numbers an electron",
+                     model.clip, 1000 * model.sensor.pitch, model.gain);
+    growing_format(remarks, "%s\n", said);
+    add_warnings(&model, &raw, remarks);
     struct image sensed = raw.image;
     if (input->raw) {
         sensor_codes(&model, &place, &sensed, arena);
@@ -276,5 +277,6 @@ bool render_sense(const struct render_input *input, double time, const struct re
         }
     }
     *image = sensed;
+    image_note(image, arena, text_of("Sensor"), text_of(said));
     return true;
 }
