@@ -1,6 +1,7 @@
 /* commands/camera/render_sensor.c - a picture as a sensor sees it. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
+#include "base/number.h"
 #include "camera/demosaic.h"
 #include "camera/develop.h"
 #include "camera/response.h"
@@ -9,7 +10,6 @@
 #include "photo/sensitometry.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 const struct word render_mosaics[] = {
@@ -24,6 +24,12 @@ static const struct {
 } balances[] = {
     {"daylight", BALANCE_DAYLIGHT}, {"tungsten", BALANCE_TUNGSTEN}, {"auto", BALANCE_AUTO}};
 
+/* A number at the beginning of a text, and what follows it; null: there is none. */
+static const char *read_number(const char *text, double *value)
+{
+    return number_read(text, text + strlen(text), NUMBER_UNSCALED, value);
+}
+
 /* "daylight", "tungsten", "auto" or a colour temperature: 5600K. */
 static bool read_white(const char *text, struct develop_way *way, struct error *error)
 {
@@ -37,10 +43,9 @@ static bool read_white(const char *text, struct develop_way *way, struct error *
             return true;
         }
     }
-    char *end;
+    const char *end = read_number(text, &way->kelvin);
     way->white = BALANCE_KELVIN;
-    way->kelvin = strtod(text, &end);
-    return (end != text && (strcmp(end, "K") == 0 || strcmp(end, "k") == 0) && way->kelvin > 0) ||
+    return (end != NULL && (strcmp(end, "K") == 0 || strcmp(end, "k") == 0) && way->kelvin > 0) ||
            fail(error, ERROR_USAGE,
                 "{--white} '%.40s': daylight, tungsten, auto or a colour temperature, as 5600K",
                 text);
@@ -186,9 +191,9 @@ bool render_acceptance(const struct render_input *input, struct arena *arena,
     }
     struct acceptance *made = ARENA_NEW(arena, struct acceptance);
     *acceptance = made;
-    char *end;
-    const double power = strtod(input->acceptance, &end);
-    if (end != input->acceptance && *end == '\0') {
+    double power;
+    const char *end = read_number(input->acceptance, &power);
+    if (end != NULL && *end == '\0') {
         return acceptance_power(power, made, error);
     }
     struct number_table file;
