@@ -231,5 +231,12 @@ bool falloff_open(const struct falloff_question *question, struct falloff *fallo
         return false;
     }
     falloff->axis = look(falloff, (double[2]){0, 0}, false, &falloff->axis_field).light;
+    const double behind = copysign(own->image, own->image * falloff->first.index_image);
+    if (!(falloff->axis.value > 0) && behind < 0) {
+        fail(error, ERROR_DOMAIN,
+             "the image plane lies %.4g mm before the last vertex: no light gets there",
+             fabs(own->image));
+        return error_hint(error, "say with {focus} how far behind the last vertex it is");
+    }
     return true;
 }

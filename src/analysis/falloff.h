@@ -33,7 +33,7 @@ struct falloff_question {
  * Make a lens ready.
  *
  * Errors    ERROR_DOMAIN: no stop, no diameter of it, one beyond its own; a telecentric object
- *           space; no image plane, or one in the last vertex
+ *           space; no image plane, one in the last vertex, or one before it that no light reaches
  */
 bool falloff_open(const struct falloff_question *question, struct falloff *falloff,
                   struct error *error);

@@ -24,3 +24,4 @@ lenscalc illumination double-gauss --height 10 --clip --no-clip
 lenscalc illumination double-gauss --height 10 --error 2
 lenscalc illumination double-gauss --height 0 --plot light.svg --columns height
 lenscalc illumination double-gauss --height 0..25#6 -N 2,4 --table height,aperture --plot light.svg && grep -o '<text[^>]*>[^<]*</text>' light.svg | sed 's/<[^>]*>//g' | tail -6
+lenscalc illumination double-gauss --object 30
