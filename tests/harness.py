@@ -7,7 +7,9 @@ LENSCALC_WRAPPER (for example "valgrind -q --error-exitcode=99") is put before t
 """
 # SPDX-License-Identifier: MIT
 
+import csv
 import fcntl
+import io
 import os
 import pty
 import select
@@ -28,6 +30,7 @@ class Checks:
     def __init__(self, most=40):
         self.passed = self.failed = 0
         self.most = most
+        self.worst = {}  # of each kind the share of what is allowed that was needed, and where
 
     def check(self, condition, what):
         if condition:
@@ -39,6 +42,15 @@ class Checks:
         elif self.failed == self.most + 1:
             print("(more failures are not shown)")
         return False
+
+    def near(self, kind, name, actual, expected, allowed):
+        """A number of a table, as text; `worst` keeps the largest error of its kind."""
+        if actual == "":
+            return self.check(False, f"{name} is absent, expected {expected}")
+        error = abs(float(actual) - float(expected))
+        self.worst[kind] = max(self.worst.get(kind, (0, "")), (error / allowed, name))
+        return self.check(error <= allowed, f"{name} is {actual}, expected {expected} "
+                                            f"within {allowed:.3g}")
 
     def finish(self):
         print(f"{self.passed} passed, {self.failed} failed")
@@ -134,6 +146,13 @@ class Program:
             more["input"] = stdin
         return subprocess.run(self.command + [str(word) for word in words], timeout=timeout,
                               env={**self.environment(), **variables}, **more)
+
+    def rows(self, *words, text=None):
+        """The rows of a command's table; where it fails what it says."""
+        result = self.run(*words, "--csv", stdin=text or "")
+        if result.returncode != 0:
+            return result.stderr.decode()
+        return list(csv.DictReader(io.StringIO(result.stdout.decode(), newline="")))
 
     def shell(self, script, folder, timeout=60):
         """An sh script in a folder, with the program in PATH."""

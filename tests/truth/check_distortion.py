@@ -8,15 +8,12 @@ written out here, over chief rays between the fitted ones; profiles as lensfun a
 """
 # SPDX-License-Identifier: MIT
 
-import csv
 import functools
 import glob
-import io
 import json
 import math
 import os
 import re
-import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as tree
@@ -40,14 +37,6 @@ PROJECTIONS = {"rectilinear": math.tan, "equidistant": lambda t: t,
                "stereographic": lambda t: 2 * math.tan(t / 2), "orthographic": math.sin}
 
 
-def rows(program, *words, text=None):
-    result = subprocess.run(program.command + ["distortion", *words, "--csv"], input=text,
-                            text=True, capture_output=True, env=program.environment())
-    if result.returncode != 0:
-        return result.stderr
-    return list(csv.DictReader(io.StringIO(result.stdout)))
-
-
 # -------- chief rays --------
 
 def truth_percents():
@@ -69,10 +58,10 @@ def ask(program, case, fraction):
     """The row of a field; an object's height is one of the lens file."""
     size = case["field"]["value"] * float(fraction)
     if case["field"]["type"] == "angle_deg":
-        return rows(program, "-", "--field", repr(size), "--focus", case["plane"],
-                    text=case["lens"])
+        return program.rows("distortion", "-", "--field", repr(size), "--focus", case["plane"],
+                            text=case["lens"])
     text = re.sub(r"(?m)^field .*$", f"field height {size!r}", case["lens"])
-    return rows(program, "-", "--focus", case["plane"], text=text)
+    return program.rows("distortion", "-", "--focus", case["plane"], text=text)
 
 
 def check_case(checks, program, case, percents):
@@ -141,9 +130,11 @@ def apply(model, k, unit, r):
 @functools.lru_cache(maxsize=None)
 def chief_rays(program, lens, radius, projection):
     """(projection of the field for a focal length of 1, image height) as far as the radius."""
-    edge = rows(program, lens, "--height", repr(radius), "--real", "--projection", projection)
+    edge = program.rows("distortion", lens, "--height", repr(radius), "--real",
+                        "--projection", projection)
     far = float(edge[0]["angle_deg"])
-    table = rows(program, lens, "--field", f"0..{far!r}#101", "--projection", projection)
+    table = program.rows("distortion", lens, "--field", f"0..{far!r}#101",
+                         "--projection", projection)
     return [(PROJECTIONS[projection](math.radians(float(row["angle_deg"]))),
              float(row["image_height_mm"])) for row in table]
 
@@ -186,7 +177,7 @@ def check_fit(checks, program, lens, sensor, model, projection):
     name = f"{lens} {model}"
     words = ["--projection", projection] if projection else []
     size = f"{sensor[0]}x{sensor[1]}mm"
-    table = rows(program, lens, "--fit", model, "--sensor", size, *words)
+    table = program.rows("distortion", lens, "--fit", model, "--sensor", size, *words)
     if not checks.check(isinstance(table, list) and len(table) == 2, f"{name}: {table}"):
         return
     projection = table[0]["projection"]
@@ -222,15 +213,15 @@ def check_round_trip(checks, name, table, rays):
 def check_calibrated(checks, program):
     """The focal length that fits best: none nearby leaves less, with the best coefficients."""
     for lens, model in (("wide-35", "opencv"), ("wide-35", "poly3"), ("double-gauss-50", "brown")):
-        plain = rows(program, lens, "--fit", model)
-        best = rows(program, lens, "--fit", model, "--calibrated")
+        plain = program.rows("distortion", lens, "--fit", model)
+        best = program.rows("distortion", lens, "--fit", model, "--calibrated")
         if not checks.check(isinstance(best, list), f"{lens} {model}: {best}"):
             continue
         checks.check(float(best[0]["rms_um"]) < float(plain[0]["rms_um"]),
                      f"{lens} {model}: a free focal length fits no better")
         rays = chief_rays(program, lens, float(best[0]["radius_mm"]), "rectilinear")
         check_direction(checks, f"{lens} {model} calibrated", best[0], rays)
-    table = rows(program, "wide-35", "--field", "0.01..38#200", "--calibrated")
+    table = program.rows("distortion", "wide-35", "--field", "0.01..38#200", "--calibrated")
     percents = [float(row["distortion_percent"]) for row in table]
     checks.check(abs(max(percents) + min(percents)) < 1e-4 * max(percents),
                  f"calibrated: {max(percents)} and {min(percents)} %")
@@ -263,7 +254,7 @@ def lensfun_distorted(profile, lens, width, height, crop, x, y):
 def check_lensfun(checks, program, model):
     with tempfile.TemporaryDirectory(prefix="lenscalc-test-") as folder:
         path = os.path.join(folder, "x.xml")
-        table = rows(program, "wide-35", "--fit", model, "-o", path)
+        table = program.rows("distortion", "wide-35", "--fit", model, "-o", path)
         root = tree.parse(path).getroot()
     lens = root.find("lens")
     profile = lens.find("calibration/distortion")
@@ -294,7 +285,7 @@ def matrix(text, name):
 def check_opencv(checks, program, lens, model, projection):
     with tempfile.TemporaryDirectory(prefix="lenscalc-test-") as folder:
         path = os.path.join(folder, "x.yml")
-        table = rows(program, lens, "--fit", model, "--pitch", "4um", "-o", path)
+        table = program.rows("distortion", lens, "--fit", model, "--pitch", "4um", "-o", path)
         with open(path, encoding="utf-8") as file:
             text = file.read()
     checks.check(text.startswith("%YAML:1.0\n---\n") and "image_width: 9000\n" in text and

@@ -8,8 +8,6 @@ irradiance over the film of four camera lenses is an independent quadrature on a
 """
 # SPDX-License-Identifier: MIT
 
-import csv
-import io
 import json
 import math
 import os
@@ -20,7 +18,6 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
 
-worst = {}
 
 # film radius in mm: irradiance per unit radiance, good to about 1e-4
 IRRADIANCE = {
@@ -33,23 +30,6 @@ IRRADIANCE = {
 }
 
 
-def rows(program, *words, text=None):
-    result = subprocess.run(program.command + list(words) + ["--csv"], input=text, text=True,
-                            capture_output=True, env=program.environment())
-    if result.returncode != 0:
-        return result.stderr
-    return list(csv.DictReader(io.StringIO(result.stdout)))
-
-
-def near(checks, kind, name, actual, expected, allowed):
-    if actual == "":
-        return checks.check(False, f"{name} is absent, expected {expected}")
-    error = abs(float(actual) - float(expected))
-    worst[kind] = max(worst.get(kind, (0, "")), (error / allowed, name))
-    return checks.check(error <= allowed, f"{name} is {actual}, expected {expected} "
-                                          f"within {allowed:.3g}")
-
-
 def pick(table, quantity, fraction):
     for row in table:
         if row["quantity"] == quantity and abs(float(row["fraction"]) - fraction) < 1e-9:
@@ -58,7 +38,7 @@ def pick(table, quantity, fraction):
 
 
 def check_aperture(checks, program, case):
-    table = rows(program, "check", "-", text=case["lens"])
+    table = program.rows("check", "-", text=case["lens"])
     name = case["name"]
     if not checks.check(isinstance(table, list), f"{name}: {table}"):
         return
@@ -67,17 +47,17 @@ def check_aperture(checks, program, case):
         place = pick(table, "bfl", h) or pick(table, "image", h)
         if place is not None:
             z = float(truth["z_axis"])
-            near(checks, "axis", f"{name}: axis at {pupil}", place["exact"], z,
-                 1e-13 * (abs(z) + 100) / min(1, 10 * abs(float(truth["NA"]))))
+            checks.near("axis", f"{name}: axis at {pupil}", place["exact"], z,
+                        1e-13 * (abs(z) + 100) / min(1, 10 * abs(float(truth["NA"]))))
         speed = pick(table, "working_fnumber", h)
         if speed is not None:
             expected = 1 / (2 * abs(float(truth["NA"])))
-            near(checks, "f-number", f"{name}: f-number at {pupil}", speed["exact"], expected,
-                 1e-11 * expected)
+            checks.near("f-number", f"{name}: f-number at {pupil}", speed["exact"], expected,
+                        1e-11 * expected)
         height = pick(table, "transverse", h)
         if height is not None and case["focus"] == "paraxial":
-            near(checks, "transverse", f"{name}: transverse at {pupil}", height["exact"],
-                 truth["ty"], 2e-12)
+            checks.near("transverse", f"{name}: transverse at {pupil}", height["exact"],
+                        truth["ty"], 2e-12)
 
 
 def field_words(case, fraction):
@@ -94,16 +74,16 @@ def check_fields(checks, program, case):
         words = field_words(case, fraction) if angle else []
         if not angle and fraction != 1:
             continue
-        table = rows(program, "check", "-", "--steps", "1", *words, text=case["lens"])
+        table = program.rows("check", "-", "--steps", "1", *words, text=case["lens"])
         if not checks.check(isinstance(table, list), f"{name}: {table}"):
             continue
         row = pick(table, "image_height", 1)
         if not checks.check(row is not None, f"{name}: no image height"):
             continue
-        near(checks, "height", f"{name}: height at {fraction}", row["exact"], field["y"],
-             1e-13 * (abs(float(field["y"])) + 10))
-        near(checks, "paraxial", f"{name}: paraxial height at {fraction}", row["paraxial"],
-             field["y_parax"], 1e-13 * (abs(float(field["y_parax"])) + 10))
+        checks.near("height", f"{name}: height at {fraction}", row["exact"], field["y"],
+                    1e-13 * (abs(float(field["y"])) + 10))
+        checks.near("paraxial", f"{name}: paraxial height at {fraction}", row["paraxial"],
+                    field["y_parax"], 1e-13 * (abs(float(field["y_parax"])) + 10))
 
 
 def check_illumination(checks, program, case):
@@ -115,12 +95,12 @@ def check_illumination(checks, program, case):
     for field in case["fields"]:
         if field["rel_illum_point"] is None or float(case["plane"]) < 0:
             continue
-        table = rows(program, "pupil", "-", "--height", field["y"], "--focus", case["plane"],
-                     "--side", "exit", text=rimless)
+        table = program.rows("pupil", "-", "--height", field["y"], "--focus", case["plane"],
+                             "--side", "exit", text=rimless)
         if not checks.check(isinstance(table, list), f"{name}: {table}"):
             continue
-        near(checks, "illumination", f"{name}: illumination at {field['fraction']}",
-             table[0]["illumination"], field["rel_illum_point"], 1e-12)
+        checks.near("illumination", f"{name}: illumination at {field['fraction']}",
+                    table[0]["illumination"], field["rel_illum_point"], 1e-12)
 
 
 def check_irradiance(checks, program):
@@ -136,21 +116,21 @@ def check_irradiance(checks, program):
                 continue
             words, text = ["-"], "\n".join(lines) + "\n"
         heights = ",".join(str(radius) for radius in truth)
-        table = rows(program, "pupil", *words, "--height", heights, "--focus", "paraxial",
-                     "--side", "exit", text=text)
+        table = program.rows("pupil", *words, "--height", heights, "--focus", "paraxial",
+                             "--side", "exit", text=text)
         if not checks.check(isinstance(table, list), f"{key}: {table}"):
             continue
         for row in table:
             expected = truth[float(row["height_mm"])]
-            near(checks, "irradiance", f"{key}: E/L at {row['height_mm']}",
-                 row["irradiance_per_radiance"], expected, 2e-4 * expected)
+            checks.near("irradiance", f"{key}: E/L at {row['height_mm']}",
+                        row["irradiance_per_radiance"], expected, 2e-4 * expected)
 
 
 def check_mirror(checks, program):
     """R(1 - 1/(2 sqrt(1 - (y/R)^2))) from the vertex; the principal surface is the mirror."""
     R, D = 400.0, 300.0
     text = f"lens mirror\nobject inf\naperture epd {D}\nstop - 0 air {D}\nsurface -{R} -200 mirror {D}\n"
-    table = rows(program, "check", "-", "--steps", "5", text=text)
+    table = program.rows("check", "-", "--steps", "5", text=text)
     if not checks.check(isinstance(table, list), f"mirror: {table}"):
         return
     for row in table:
@@ -158,8 +138,8 @@ def check_mirror(checks, program):
             continue
         y = float(row["fraction"]) * D / 2
         focus = -(R - R / (2 * math.sqrt(1 - (y / R) ** 2)))
-        near(checks, "mirror", f"mirror at {y}", row["exact"], focus, 1e-14 * R)
-        near(checks, "mirror", "mirror, paraxial", row["paraxial"], -R / 2, 1e-13 * R)
+        checks.near("mirror", f"mirror at {y}", row["exact"], focus, 1e-14 * R)
+        checks.near("mirror", "mirror, paraxial", row["paraxial"], -R / 2, 1e-13 * R)
         checks.check(abs(float(row["order"]) - 2) < 0.02, f"mirror: order {row['order']}")
     row = pick(table, "transverse", 1)
     checks.check(abs(float(row["order"]) - 3) < 0.02, f"mirror, across: order {row['order']}")
@@ -170,22 +150,22 @@ def check_ball(checks, program):
     n, R = 1.5, 10.0
     text = (f"lens ball\nobject inf\naperture epd 12\nstop - 0 air 12\nsurface {R} {2 * R} {n} -\n"
             f"surface -{R} 5 air -\n")
-    table = rows(program, "check", "-", "--steps", "5", text=text)
+    table = program.rows("check", "-", "--steps", "5", text=text)
     if not checks.check(isinstance(table, list), f"ball: {table}"):
         return
     for row in table:
         y = float(row["fraction"]) * 6
         turn = 2 * (math.asin(y / R) - math.asin(y / (n * R)))
         if row["quantity"] == "efl":
-            near(checks, "ball", f"ball: efl at {y}", row["exact"], y / math.sin(turn), 1e-14 * R)
-            near(checks, "ball", "ball: efl", row["paraxial"], n * 2 * R / (4 * (n - 1)), 1e-13 * R)
+            checks.near("ball", f"ball: efl at {y}", row["exact"], y / math.sin(turn), 1e-14 * R)
+            checks.near("ball", "ball: efl", row["paraxial"], n * 2 * R / (4 * (n - 1)), 1e-13 * R)
         if row["quantity"] == "bfl":
-            near(checks, "ball", f"ball: bfl at {y}", row["exact"], y / math.sin(turn) - R,
-                 1e-14 * R)
+            checks.near("ball", f"ball: bfl at {y}", row["exact"], y / math.sin(turn) - R,
+                        1e-14 * R)
         if row["quantity"] == "rear_principal":
             # both lines pass the centre at y: they meet on the line that halves their angle
             z = y * math.tan(turn / 2) - R
-            near(checks, "ball", f"ball: principal surface at {y}", row["exact"], z, 1e-13 * R)
+            checks.near("ball", f"ball: principal surface at {y}", row["exact"], z, 1e-13 * R)
         if row["quantity"] in ("efl", "bfl", "rear_principal", "ffl", "front_principal"):
             checks.check(abs(float(row["order"]) - 2) < 0.02, f"ball: order {row['order']}")
 
@@ -197,12 +177,12 @@ def check_stigmatic(checks, program):
                          "surface -400 -200 mirror 150 k=-1\n"),
             ("hyperboloid", "lens hyperboloid\nobject inf\naperture epd 40\nstop - 0 air 40\n"
                             "surface - 20 1.5 -\nsurface -50 100 air - k=-2.25\n")):
-        table = rows(program, "check", "-", text=text)
+        table = program.rows("check", "-", text=text)
         if not checks.check(isinstance(table, list), f"{name}: {table}"):
             continue
         for row in table:
             if row["quantity"] == "bfl":
-                near(checks, "stigmatic", f"{name}: bfl", row["exact"], row["paraxial"], 1e-12)
+                checks.near("stigmatic", f"{name}: bfl", row["exact"], row["paraxial"], 1e-12)
                 checks.check(row["order"] == "" and "equal to rounding" in row["verdict"],
                              f"{name}: {row['verdict']}")
 
@@ -213,7 +193,7 @@ def check_orders(checks, program):
                 "working_fnumber": 2, "transverse": 3, "image_height": 3, "entrance_pupil": 2,
                 "exit_pupil": 2}
     for lens in ("double-gauss", "cooke-triplet-50", "telephoto-200", "wide-35"):
-        for row in rows(program, "check", lens, "--steps", "1"):
+        for row in program.rows("check", lens, "--steps", "1"):
             checks.check(row["order"] != "" and
                          abs(float(row["order"]) - expected[row["quantity"]]) < 0.06,
                          f"{lens}: order of {row['quantity']} is {row['order']}")
@@ -224,26 +204,26 @@ def check_shapes(checks, program):
     a = 5.0
     text = "lens stop\nobject inf\naperture stop\nstop - 10 air 10\nsurface - 10 air -\n"
     for t in (0, 30, 60):
-        row = rows(program, "pupil", "-", "--field", f"{t}deg", text=text)[0]
+        row = program.rows("pupil", "-", "--field", f"{t}deg", text=text)[0]
         disc = math.pi * a * a
-        near(checks, "disc", f"disc at {t}", row["area_mm2"], disc, 1e-12 * disc)
-        near(checks, "disc", f"disc at {t}", row["projected_mm2"],
-             disc * math.cos(math.radians(t)), 1e-12 * disc)
+        checks.near("disc", f"disc at {t}", row["area_mm2"], disc, 1e-12 * disc)
+        checks.near("disc", f"disc at {t}", row["projected_mm2"],
+                    disc * math.cos(math.radians(t)), 1e-12 * disc)
         for end in ("x_max", "y_max"):
-            near(checks, "disc", f"disc at {t}: {end}", row[f"{end}_mm"], a, 1e-9)
+            checks.near("disc", f"disc at {t}: {end}", row[f"{end}_mm"], a, 1e-9)
     text = "lens two rims\nobject inf\naperture stop\nstop - 10 air 10\nsurface - 10 air 10\n"
     t = math.atan(0.4)  # the rims are seen 4 mm apart
-    row = rows(program, "pupil", "-", "--field", f"{math.degrees(t)!r}deg", text=text)[0]
+    row = program.rows("pupil", "-", "--field", f"{math.degrees(t)!r}deg", text=text)[0]
     d = 4.0
     eye = 2 * a * a * math.acos(d / (2 * a)) - d / 2 * math.sqrt(4 * a * a - d * d)
-    near(checks, "eye", "cat's eye: area", row["area_mm2"], eye, 2e-5 * eye)
-    near(checks, "eye", "cat's eye: top", row["y_max_mm"], a - d, 1e-9)
-    near(checks, "eye", "cat's eye: bottom", row["y_min_mm"], -a, 1e-9)
-    near(checks, "eye", "cat's eye: side", row["x_max_mm"], math.sqrt(a * a - d * d / 4), 1e-4)
-    near(checks, "eye", "cat's eye: vignetting", row["vignetting_upper"], d / a, 1e-9)
+    checks.near("eye", "cat's eye: area", row["area_mm2"], eye, 2e-5 * eye)
+    checks.near("eye", "cat's eye: top", row["y_max_mm"], a - d, 1e-9)
+    checks.near("eye", "cat's eye: bottom", row["y_min_mm"], -a, 1e-9)
+    checks.near("eye", "cat's eye: side", row["x_max_mm"], math.sqrt(a * a - d * d / 4), 1e-4)
+    checks.near("eye", "cat's eye: vignetting", row["vignetting_upper"], d / a, 1e-9)
     checks.check((row["upper_surface"], row["lower_surface"]) == ("2", "1"),
                  f"cat's eye: limits {row['upper_surface']} {row['lower_surface']}")
-    row = rows(program, "pupil", "-", "--field", "60deg", text=text)[0]
+    row = program.rows("pupil", "-", "--field", "60deg", text=text)[0]
     checks.check(row["status"] == "clipped" and row["surface"] == "2" and
                  float(row["fraction"]) == 0, f"nothing arrives: {row['status']} {row['surface']}")
 
@@ -252,31 +232,31 @@ def check_film(checks, program):
     """One film for all wavelengths: at the primary one's paraxial image, by the program of 50
     digits."""
     for line in ("d", "F", "C"):
-        table = rows(program, "pupil", "double-gauss", "-w", line, "--height", "5")
+        table = program.rows("pupil", "double-gauss", "-w", line, "--height", "5")
         if checks.check(isinstance(table, list), f"film at {line}: {table}"):
-            near(checks, "film", f"film at {line}", table[0]["film_mm"], 72.211810477084275, 1e-12)
+            checks.near("film", f"film at {line}", table[0]["film_mm"], 72.211810477084275, 1e-12)
 
 
 def check_symmetry(checks, program):
     """What a lens with an axis lets through is the same on both sides, also without a chief ray."""
     for lens, field in (("fisheye-16", 75), ("double-gauss", 14), ("wide-35", 30)):
-        for row in rows(program, "pupil", lens, "--field", f"{field}deg"):
+        for row in program.rows("pupil", lens, "--field", f"{field}deg"):
             for plane in ("", "vertex_"):
                 right = float(row[f"{plane}x_max_mm"])
-                near(checks, "symmetry", f"{lens}, {row['pupil']}: {plane}x_min",
-                     row[f"{plane}x_min_mm"], -right, 1e-12 * right)
+                checks.near("symmetry", f"{lens}, {row['pupil']}: {plane}x_min",
+                            row[f"{plane}x_min_mm"], -right, 1e-12 * right)
 
 
 def check_sweep(checks, program):
     """Points of a sweep say what they say alone: shapes on the axis that are kept are the right
     ones."""
     names = ("double-gauss", "cs348b-dgauss-50")
-    swept = [rows(program, "pupil", name, "--height", "0,7,14", "-w", wave, "-N", stop)
+    swept = [program.rows("pupil", name, "--height", "0,7,14", "-w", wave, "-N", stop)
              for name in names for wave in ("d", "F") for stop in ("2.8", "4")]
     text = "lens,height,w,N\n" + "".join(
         f"{name},{height},{wave},{stop}\n" for height in (0, 7, 14) for stop in ("2.8", "4")
         for wave in ("d", "F") for name in names)
-    mixed = rows(program, "pupil", "--batch", "-", text=text)
+    mixed = program.rows("pupil", "--batch", "-", text=text)
     if not checks.check(isinstance(mixed, list), f"sweep: {mixed}"):
         return
     keys = ("wavelength_nm", "height_mm", "pupil", "film_mm", "area_mm2", "fraction",
@@ -305,7 +285,7 @@ def main():
     check_orders(checks, program)
     check_shapes(checks, program)
     if os.environ.get("SHOW"):
-        for kind, (used, name) in worst.items():
+        for kind, (used, name) in checks.worst.items():
             print(f"{kind}: {used:.3g} of what is allowed, {name}")
     checks.finish()
 

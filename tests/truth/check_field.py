@@ -8,13 +8,10 @@ say the same.
 """
 # SPDX-License-Identifier: MIT
 
-import csv
 import glob
-import io
 import json
 import os
 import re
-import subprocess
 import sys
 
 sys.dont_write_bytecode = True
@@ -22,24 +19,6 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import SHARED, Checks, Program
 
 EPSILON = 2.0 ** -53
-worst = {}
-
-
-def rows(program, *words, text):
-    result = subprocess.run(program.command + list(words) + ["--csv"], input=text, text=True,
-                            capture_output=True, env=program.environment())
-    if result.returncode != 0:
-        return result.stderr
-    return list(csv.DictReader(io.StringIO(result.stdout)))
-
-
-def near(checks, kind, name, actual, expected, allowed):
-    if actual == "":
-        return checks.check(False, f"{name} is absent, expected {expected}")
-    error = abs(float(actual) - float(expected))
-    worst[kind] = max(worst.get(kind, (0, "")), (error / allowed, name))
-    return checks.check(error <= allowed, f"{name} is {actual}, expected {expected} "
-                                          f"within {allowed:.3g}")
 
 
 def size_of(case):
@@ -67,19 +46,19 @@ def check_case(checks, program, case, truth):
         if words is None:
             height = case["field"]["value"] * float(field["fraction"])
             text, words = re.sub(r"field height .*", f"field height {height!r}", text), []
-        table = rows(program, "field", "-", "--focus", case["plane"], *words, text=text)
+        table = program.rows("field", "-", "--focus", case["plane"], *words, text=text)
         if not checks.check(isinstance(table, list) and len(table) == 1, f"{name}: {table}"):
             continue
         row, where = table[0], f"{name} at {field['fraction']}"
         for section, key in (("tangential", "zt"), ("sagittal", "zs")):
             z = float(field[key])
             allowed = allowed_of(case, z, 1 / 40)
-            near(checks, section, f"{where}: {section} z", row[f"{section}_z_mm"], field[key],
-                 allowed)
-            near(checks, section, f"{where}: {section}", row[f"{section}_mm"],
-                 z - float(case["plane"]), allowed)
-        near(checks, "chief", f"{where}: image height", row["image_height_mm"], field["y"],
-             1e-13 * (abs(float(field["y"])) + 10))
+            checks.near(section, f"{where}: {section} z", row[f"{section}_z_mm"], field[key],
+                        allowed)
+            checks.near(section, f"{where}: {section}", row[f"{section}_mm"],
+                        z - float(case["plane"]), allowed)
+        checks.near("chief", f"{where}: image height", row["image_height_mm"], field["y"],
+                    1e-13 * (abs(float(field["y"])) + 10))
         checks.check(row["section_turn_deg"] == "0", f"{where}: turned {row['section_turn_deg']}")
 
 
@@ -113,7 +92,7 @@ def main():
         check_shared(checks, cases)
     else:
         print("skipped: ../shared is not here, the values of tests/truth stand alone")
-    for kind, (share, name) in sorted(worst.items()):
+    for kind, (share, name) in sorted(checks.worst.items()):
         if os.environ.get("SHOW"):
             print(f"{kind}: {share:.3g} of what is allowed, {name}")
     checks.finish()

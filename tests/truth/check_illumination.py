@@ -14,7 +14,6 @@ import io
 import json
 import math
 import os
-import subprocess
 import sys
 
 sys.dont_write_bytecode = True
@@ -22,25 +21,6 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from check_exact import IRRADIANCE
 from harness import Checks, Program
 
-worst = {}
-
-
-def rows(program, *words, text=None):
-    result = subprocess.run(program.command + ["illumination"] + list(words) + ["--csv"],
-                            input=text, text=True, capture_output=True,
-                            env=program.environment())
-    if result.returncode != 0:
-        return result.stderr
-    return list(csv.DictReader(io.StringIO(result.stdout)))
-
-
-def near(checks, kind, name, actual, expected, allowed):
-    if actual == "":
-        return checks.check(False, f"{name} is absent, expected {expected}")
-    error = abs(float(actual) - float(expected))
-    worst[kind] = max(worst.get(kind, (0, "")), (error / allowed, name))
-    return checks.check(error <= allowed, f"{name} is {actual}, expected {expected} "
-                                          f"within {allowed:.3g}")
 
 
 def check_relative(checks, program, case, truth):
@@ -49,16 +29,17 @@ def check_relative(checks, program, case, truth):
     if not fields or float(case["plane"]) < 0:
         return
     name = case["name"]
-    table = rows(program, "-", "--height=" + ",".join(field["y"] for field in fields),
-                 "--focus", case["plane"], "--no-clip", "--error", "1e-12", text=case["lens"])
+    heights = ",".join(field["y"] for field in fields)
+    table = program.rows("illumination", "-", "--height=" + heights, "--focus", case["plane"],
+                         "--no-clip", "--error", "1e-12", text=case["lens"])
     if not checks.check(isinstance(table, list) and len(table) == len(fields), f"{name}: {table}"):
         return
     for row, field in zip(table, fields):
         where = f"{name} at {field['fraction']}"
-        near(checks, "point", f"{where}: relative_point", row["relative_point"],
-             field["rel_illum_point"], 1e-12)
-        near(checks, "field", f"{where}: relative_field", row["relative_field"],
-             field["rel_illum_field"], 1e-12)
+        checks.near("point", f"{where}: relative_point", row["relative_point"],
+                    field["rel_illum_point"], 1e-12)
+        checks.near("field", f"{where}: relative_field", row["relative_field"],
+                    field["rel_illum_field"], 1e-12)
         checks.check(row["vignetted_fraction"] == "0", f"{where}: vignetted without clip")
 
 
@@ -66,14 +47,14 @@ def check_irradiance(checks, program):
     for key, truth in IRRADIANCE.items():
         lens, _, stop = key.partition("@")
         heights = ",".join(str(radius) for radius in truth)
-        table = rows(program, lens, "--height", heights, "--focus", "paraxial",
-                     *(["--stop-diameter", stop] if stop else []))
+        table = program.rows("illumination", lens, "--height", heights, "--focus", "paraxial",
+                             *(["--stop-diameter", stop] if stop else []))
         if not checks.check(isinstance(table, list), f"{key}: {table}"):
             continue
         for row in table:
             expected = truth[float(row["height_mm"])]
-            near(checks, "irradiance", f"{key}: E/L at {row['height_mm']}",
-                 row["irradiance_per_radiance"], expected, 2e-4 * expected)
+            checks.near("irradiance", f"{key}: E/L at {row['height_mm']}",
+                        row["irradiance_per_radiance"], expected, 2e-4 * expected)
             checks.check(float(row["irradiance_error"]) <= 1e-4 * expected,
                          f"{key}: error {row['irradiance_error']} at {row['height_mm']}")
 
@@ -87,13 +68,14 @@ def disc(tan_a, tan_t):
 
 def check_disc(checks, program):
     lens = "lens disc\nobject inf\naperture stop\nstop - 0 air 50\n"
-    table = rows(program, "-", "--focus", "50", "--height", "0,10,40,100", "--error", "1e-13",
-                 text=lens)
+    table = program.rows("illumination", "-", "--focus", "50", "--height", "0,10,40,100",
+                         "--error", "1e-13",
+                         text=lens)
     if checks.check(isinstance(table, list), f"disc: {table}"):
         for row in table:
             expected = disc(0.5, float(row["height_mm"]) / 50)
-            near(checks, "disc", f"disc at {row['height_mm']}", row["irradiance_per_radiance"],
-                 expected, 1e-13 * expected)
+            checks.near("disc", f"disc at {row['height_mm']}", row["irradiance_per_radiance"],
+                        expected, 1e-13 * expected)
     # the film 1 mm behind a window of no power: it sees the disc far beside the last vertex
     near_film = "lens disc\nobject inf\naperture stop\nstop - 49 air 50\nsurface - 0 air -\n"
     for command in ("illumination", "pupil"):
@@ -104,12 +86,13 @@ def check_disc(checks, program):
         checks.check(len(table) >= 4, f"{command}, a film close by: {result.stderr.decode()}")
         for row in table:
             expected = disc(0.5, float(row["height_mm"]) / 50)
-            near(checks, "close", f"{command}, a film close by, at {row['height_mm']}",
-                 row["irradiance_per_radiance"], expected, 1e-7 * expected)
-    half = rows(program, "-", "--focus", "50", "--height", "10", "--stop-diameter", "25", text=lens)
+            checks.near("close", f"{command}, a film close by, at {row['height_mm']}",
+                        row["irradiance_per_radiance"], expected, 1e-7 * expected)
+    half = program.rows("illumination", "-", "--focus", "50", "--height", "10",
+                        "--stop-diameter", "25", text=lens)
     if checks.check(isinstance(half, list), f"half a disc: {half}"):
-        near(checks, "disc", "a disc of half the diameter", half[0]["irradiance_per_radiance"],
-             disc(0.25, 0.2), 1e-12)
+        checks.near("disc", "a disc of half the diameter", half[0]["irradiance_per_radiance"],
+                    disc(0.25, 0.2), 1e-12)
 
 
 def main():
@@ -123,7 +106,7 @@ def main():
     check_irradiance(checks, program)
     check_disc(checks, program)
     if os.environ.get("SHOW"):
-        for kind, (share, name) in sorted(worst.items()):
+        for kind, (share, name) in sorted(checks.worst.items()):
             print(f"{kind}: {share:.3g} of what is allowed, {name}")
     checks.finish()
 
