@@ -2,27 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/lens_film.h"
 
-#include "base/constants.h"
-
 #include <math.h>
 
-/* All through the middle of the hole, whatever u and v. */
-static void start_pinhole(const struct lens_film *film, struct film_samples *samples,
+static void start_in_disc(const struct lens_film *film, struct film_samples *samples,
                           struct ray_block *block)
 {
-    const double z = film->hole - film->region.film, n = film->region.index;
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        const double x = samples->x[i], y = samples->y[i], p2 = x * x + y * y + z * z;
-        const double over = n / sqrt(p2);
-        block->x[i] = x;
-        block->y[i] = y;
-        block->z[i] = film->region.film;
-        block->p[i] = -x * over;
-        block->q[i] = -y * over;
-        block->r[i] = z * over;
-        block->path[i] = block->lost[i] = 0;
-        samples->weight[i] = film->hole_area * (z * z) / (p2 * p2);
-    }
+    disc_start(&film->disc, samples, SET_BEST, block);
 }
 
 static void start_in_region(const struct lens_film *film, struct film_samples *samples,
@@ -58,6 +43,56 @@ static bool open_systems(const struct film_question *question, struct arena *are
     return true;
 }
 
+/* Does nothing but a stop limit the rays, with the same picture at all wavelengths? */
+static bool is_disc(const struct film_question *question, const struct lens_film *film)
+{
+    const struct setup *setup = question->setup;
+    const struct lens *lens = setup->lens;
+    bool is = lens_model_replaces(question->model) && isfinite(setup->first.exit_pupil);
+    if (question->model == MODEL_PINHOLE) {
+        return true; /* straight on, whatever the media */
+    }
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        is = is && (i == lens->stop || !surface->has_diameter) && surface->aperture_count == 0;
+    }
+    for (size_t w = 1; w < setup->wavelength_count; w++) {
+        const struct system *one = film->systems[w], *first = film->systems[0];
+        is = is && !(fabs(one->index_first / one->index_last -
+                          first->index_first / first->index_last) > 0);
+    }
+    return is;
+}
+
+/* The pupil as a disc, and a region of no more than how far it is seen: all over the film. */
+static void open_disc(const struct film_question *question, struct lens_film *film)
+{
+    const struct setup *setup = question->setup;
+    const double radius = fabs(setup->first.exit_diameter) / 2;
+    const double index = film->systems[0]->index_first;
+    film->start = start_in_disc;
+    film->region =
+        (struct film_region){.film = setup->image, .index = index, .largest = film->corner};
+    film->disc.film = setup->image;
+    film->disc.place = setup->first.exit_pupil;
+    film->disc.index = index;
+    (question->model == MODEL_PINHOLE ? disc_open_pinhole : disc_open)(radius, &film->disc);
+}
+
+/* What the edges of all surfaces leave. */
+static bool open_region(const struct film_question *question, struct arena *arena,
+                        struct lens_film *film, struct error *error)
+{
+    const struct setup *setup = question->setup;
+    const struct film_lens lens = {.systems = film->systems,
+                                   .count = setup->wavelength_count,
+                                   .first = &setup->first,
+                                   .film = setup->image,
+                                   .reach = film->corner};
+    film->start = start_in_region;
+    return film_region_open(&lens, arena, &film->region, error);
+}
+
 bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error)
 {
@@ -79,12 +114,9 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
     if (!open_systems(question, arena, film, error)) {
         return false;
     }
-    const struct film_lens lens = {.systems = film->systems,
-                                   .count = setup->wavelength_count,
-                                   .first = &setup->first,
-                                   .film = setup->image,
-                                   .reach = film->corner};
-    if (!film_region_open(&lens, arena, &film->region, error)) {
+    if (is_disc(question, film)) {
+        open_disc(question, film);
+    } else if (!open_region(question, arena, film, error)) {
         return false;
     }
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
@@ -92,12 +124,6 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
     }
     if (film->region.largest == 0) {
         return fail(error, ERROR_DOMAIN, "no light reaches the film at %.6g mm", setup->image);
-    }
-    film->start = start_in_region;
-    if (question->model == MODEL_PINHOLE) {
-        film->start = start_pinhole;
-        film->hole = setup->first.exit_pupil;
-        film->hole_area = PI / 4 * setup->first.exit_diameter * setup->first.exit_diameter;
     }
     return true;
 }

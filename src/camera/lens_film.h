@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/sobol.h"
 #include "camera/acceptance.h"
+#include "camera/disc_rays.h"
 #include "camera/film_rays.h"
 #include "camera/lens_model.h"
 #include "optics/blades.h"
@@ -20,9 +21,8 @@ struct lens_film {
     struct film_region region;
     struct sobol sobol[FILM_DIMENSIONS];
     const struct acceptance *acceptance;
-    double corner; /* how far from the axis the film goes, mm */
-    /* of a pinhole: behind the last vertex, mm; its area, mm^2 */
-    double hole, hole_area;
+    double corner;    /* how far from the axis the film goes, mm */
+    struct disc disc; /* the pupil, of thick and thin lenses; then no region has been looked for */
 };
 
 /* A film, and what the lens has for a stop. */
@@ -35,8 +35,7 @@ struct film_question {
 };
 
 /*
- * Formula   a pinhole of area A, z before the film: p = sqrt(x^2 + y^2 + z^2), weight A z^2/p^4
- *           wherever in the pupil; cos(theta) = z/p at both ends [BornWolf99] 4.8
+ * Result    rays of regions of pupils, but of models whose pupil is a disc through that
  * Errors    ERROR_DOMAIN: blades of a pinhole; as film_region_open and blades_stop; no stop, or
  *           none with a diameter; no image plane; no light reaches the film; as setup_system
  */

@@ -37,6 +37,8 @@ bool lens_model_check(const struct lens *lens, const struct first_order *first, 
         why = "it is afocal and has no principal planes";
     } else if (first->index_image * first->index_object < 0) {
         why = "its light comes back to the side it came from";
+    } else if (lens->stop == LENS_NONE) {
+        why = "it has no stop";
     } else if (!isfinite(first->entrance_pupil)) {
         why = "its entrance pupil lies at infinity";
     } else if (!(fabs(first->entrance_diameter) > 0)) {

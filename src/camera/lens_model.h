@@ -45,7 +45,7 @@ static inline bool lens_model_replaces(enum lens_model model)
  * Can one focal length and one place of each plane say what a lens does?
  *
  * Errors    ERROR_DOMAIN: surfaces that are not round about one axis, an afocal lens, one whose
- *           light comes back, an entrance pupil at infinity, no aperture
+ *           light comes back, no stop, an entrance pupil at infinity, no aperture
  */
 bool lens_model_check(const struct lens *lens, const struct first_order *first,
                       struct error *error);
