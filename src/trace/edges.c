@@ -5,6 +5,7 @@
 #include "base/constants.h"
 
 #include <math.h>
+#include <stdint.h>
 
 /* How far out edges usually, rarely and at most lie in u and v, as pupils have aberrations. */
 static const double usual_reach = 1.125, wide_reach = 2.25, farthest = 64;
@@ -17,6 +18,7 @@ static const double usual_slack = 0.03;
 /* One edge, while it is looked for: a radius that passes, one that does not, and a third. */
 struct hunt {
     double at[3], excess[3];
+    size_t limits[3]; /* what is the worst there */
     size_t limit;
     bool is_closed, is_done;
 };
@@ -69,12 +71,14 @@ static void step_out(struct hunt *hunt, double radius, double excess, size_t lim
     if (place == 0) {
         hunt->at[2] = hunt->at[0];
         hunt->excess[2] = hunt->excess[0];
+        hunt->limits[2] = hunt->limits[0];
     } else {
         hunt->limit = limit;
         hunt->is_closed = true;
     }
     hunt->at[place] = radius;
     hunt->excess[place] = excess;
+    hunt->limits[place] = limit;
 }
 
 /* Outwards step by step, several of them at once. */
@@ -129,20 +133,23 @@ static void try_guesses(struct hunting *all, const double *near, double slack)
             size_t dark = excess[i + 1] > 0 ? i + 1 : i + 2, clear = dark - 1;
             size_t other = dark == i + 1 ? i + 2 : i;
             if (excess[clear] <= 0 && excess[dark] > 0) {
+                const size_t *limit = all->margins->limit;
                 struct hunt *hunt = &all->hunts[all->which[i]];
                 *hunt = (struct hunt){.at = {r[clear], r[dark], r[other]},
                                       .excess = {excess[clear], excess[dark], excess[other]},
-                                      .limit = all->margins->limit[dark],
+                                      .limits = {limit[clear], limit[dark], limit[other]},
+                                      .limit = limit[dark],
                                       .is_closed = true};
             }
         }
     }
 }
 
-/* The next radius to try, within the bracket. */
-static double next_of(const struct hunt *hunt, int turn)
+/* The next radius to try, within the bracket; is it a root of the parabola? */
+static double next_of(const struct hunt *hunt, int turn, bool *is_root)
 {
     const double *t = hunt->at, *f = hunt->excess, middle = (t[0] + t[1]) / 2;
+    *is_root = false;
     if (!isfinite(f[1]) || (turn > SURE && turn % 2 == 0)) {
         return middle;
     }
@@ -154,6 +161,7 @@ static double next_of(const struct hunt *hunt, int turn)
             double value = f[0] + (at - t[0]) * (slope + bend * (at - t[1]));
             at -= value / (slope + bend * (2 * at - t[0] - t[1]));
         }
+        *is_root = at > t[0] && at < t[1];
     }
     if (!(at > t[0] && at < t[1])) {
         at = t[0] - f[0] / slope;
@@ -166,8 +174,10 @@ static void take(struct hunt *hunt, double radius, double excess, size_t limit, 
     int place = excess <= 0 ? 0 : 1;
     hunt->at[2] = hunt->at[place];
     hunt->excess[2] = hunt->excess[place];
+    hunt->limits[2] = hunt->limits[place];
     hunt->at[place] = radius;
     hunt->excess[place] = excess;
+    hunt->limits[place] = limit;
     if (place == 1 || fabs(excess) <= tolerance) {
         hunt->limit = limit;
     }
@@ -179,16 +189,38 @@ static void take(struct hunt *hunt, double radius, double excess, size_t limit, 
     hunt->is_done = hunt->is_done || !(hunt->at[1] - hunt->at[0] > width * hunt->at[1]);
 }
 
+/*
+ * Is it sure where a step leads? A parabola through three excesses of one rim, which are nearly
+ * quadratic, is off by less than the product of the ways to them.
+ */
+static bool is_sure(const struct hunt *hunt, double radius, double tolerance)
+{
+    const double *t = hunt->at;
+    const size_t limit = hunt->limits[0];
+    const double product = (radius - t[0]) * (radius - t[1]) * (radius - t[2]);
+    return limit == hunt->limits[1] && limit == hunt->limits[2] && isfinite(hunt->excess[2]) &&
+           !margins_lost(limit) && fabs(product) <= tolerance * radius * radius * radius;
+}
+
 static void close_brackets(struct hunting *all, double tolerance)
 {
     for (int turn = 0; turn < TURNS; turn++) {
         size_t lanes = 0;
         for (size_t i = 0; i < all->count; i++) {
-            const struct hunt *hunt = &all->hunts[i];
-            if (hunt->is_closed && !hunt->is_done) {
-                all->which[lanes] = i;
-                all->radius[lanes++] = next_of(hunt, turn);
+            struct hunt *hunt = &all->hunts[i];
+            if (!hunt->is_closed || hunt->is_done) {
+                continue;
             }
+            bool is_root;
+            const double radius = next_of(hunt, turn, &is_root);
+            const bool is_there = fabs(hunt->excess[0]) <= tolerance;
+            if (is_there || (is_root && is_sure(hunt, radius, tolerance))) {
+                hunt->at[0] = is_there ? hunt->at[0] : radius;
+                hunt->is_done = true;
+                continue;
+            }
+            all->which[lanes] = i;
+            all->radius[lanes++] = radius;
         }
         if (lanes == 0) {
             return;
@@ -214,7 +246,7 @@ void edges_find(const struct margins *margins, const struct edge_directions *dir
             all.way[i][0] = all.frame->stretch[0] * sin(directions->angles[done + i]);
             all.way[i][1] = all.frame->stretch[1] * cos(directions->angles[done + i]);
             all.hunts[i] =
-                (struct hunt){.at = {0, 0, NAN}, .excess = {-1, 0, NAN}, .is_closed = false};
+                (struct hunt){.at = {0, 0, NAN}, .excess = {-1, 0, NAN}, .limits = {SIZE_MAX}};
         }
         if (directions->near != NULL) {
             try_guesses(&all, directions->near + done,
