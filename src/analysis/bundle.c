@@ -53,7 +53,8 @@ static void open_without_chief(struct bundle_source *source)
 /* The ray through the centre of the stop. */
 static bool open_chief(struct bundle_source *source, struct arena *arena, struct error *error)
 {
-    source->has_chief = aim_open(source->open, &source->beam, arena, &source->aim, error);
+    source->has_chief = aim_open_near(source->open, &source->beam, source->question->near, arena,
+                                      &source->aim, error);
     if (source->has_chief) {
         source->chief = aim_chief(&source->aim);
     }

@@ -23,6 +23,7 @@ struct bundle_question {
     enum stop_weight weight;
     enum pattern pattern; /* PATTERN_GAUSS: a quadrature of what is clear */
     uint64_t seed;
+    struct aim_near *near; /* the chief ray of another wavelength, or null; receives this one's */
 };
 
 /* A field point made ready: it may be filled with rays again and again. It points into itself. */

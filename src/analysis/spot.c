@@ -57,9 +57,11 @@ static bool open_sources(struct seeking *seeking, struct arena *arena, struct er
     const struct setup *setup = seeking->question->bundle.setup;
     seeking->sources = ARENA_ARRAY(arena, setup->wavelength_count, struct bundle_source);
     seeking->questions = ARENA_ARRAY(arena, setup->wavelength_count, struct bundle_question);
+    struct aim_near *near = ARENA_NEW(arena, struct aim_near);
     for (size_t g = 0; g < setup->wavelength_count; g++) {
         seeking->questions[g] = seeking->question->bundle;
         seeking->questions[g].wavelength = g;
+        seeking->questions[g].near = near;
         if (!bundle_open(&seeking->questions[g], arena, &seeking->sources[g], error)) {
             return false;
         }

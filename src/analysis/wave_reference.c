@@ -15,11 +15,13 @@ bool wave_open(const struct bundle_question *bundle, struct arena *arena,
     const struct setup *setup = bundle->setup;
     *lights = (struct wave_lights){.count = setup->wavelength_count};
     lights->list = ARENA_ARRAY(arena, lights->count, struct wave_light);
+    struct aim_near *near = ARENA_NEW(arena, struct aim_near);
     for (size_t g = 0; g < lights->count; g++) {
         struct wave_light *light = &lights->list[g];
         const unsigned which = SETUP_PATH | SETUP_IMAGE;
         *light = (struct wave_light){.question = *bundle};
         light->question.wavelength = g;
+        light->question.near = near;
         light->weight = setup->wavelengths[g].weight;
         light->wavelength = setup->wavelengths[g].wavelength;
         if (!bundle_open(&light->question, arena, &light->source, error)) {
