@@ -75,11 +75,17 @@ static void add_film(void *context, const double at[2], double weight)
     struct film_sum *film = context;
     const struct illumination_question *question = film->question;
     const struct beam *beam = question->beam;
-    const double d = fabs(beam->distance), rho = sqrt(d * d + at[0] * at[0] + at[1] * at[1]);
-    const struct ray ray = beam_ray(beam, at[0], at[1]);
-    const double share =
-        question->pass != NULL ? question->pass(question->open, &ray, film->arena) : 1;
-    film->sum += weight * d / (rho * rho * rho) * fabs(ray.cosine[2]) * share;
+    const double d = fabs(beam->distance), rho2 = d * d + at[0] * at[0] + at[1] * at[1];
+    const double side = beam->distance > 0 ? 1 : -1;
+    const double along =
+        d * beam->axis[2] + side * (at[0] * beam->across[0][2] + at[1] * beam->across[1][2]);
+    double share = 1;
+    if (question->pass != NULL) {
+        const struct ray ray = beam_ray(beam, at[0], at[1]);
+        share = question->pass(question->open, &ray, film->arena);
+    }
+    /* d/rho^3 times the cosine to the axis, along/rho */
+    film->sum += weight * d / (rho2 * rho2) * fabs(along) * share;
 }
 
 static double sum_film(const struct illumination_question *question, struct bundle_part *part,
@@ -97,7 +103,7 @@ struct field_sum {
     const struct illumination_question *question;
     struct derivative_tape tape;
     struct ray_block *start, *tangents; /* one, and two */
-    double weights[RAYS_BLOCK];
+    double a[RAYS_BLOCK], b[RAYS_BLOCK], weights[RAYS_BLOCK];
     size_t count;
     double sum;
 };
@@ -106,10 +112,17 @@ struct field_sum {
 static void flush(struct field_sum *field)
 {
     const struct system *system = field->question->open;
-    const struct ray_block *a = &field->tangents[0], *b = &field->tangents[1];
+    const struct beam *beam = field->question->beam;
+    struct ray_block *tangents = field->tangents;
+    const size_t lanes = (size_t)kernel_lanes(field->count);
+    field->tape.lanes = (int)lanes;
+    beam_start(beam, field->a, field->b, field->count, field->start);
+    beam_tangents(beam, (double[2]){1, 0}, field->start, lanes, &tangents[0]);
+    beam_tangents(beam, (double[2]){0, 1}, field->start, lanes, &tangents[1]);
     derivative_trace(system, field->start, SET_BEST, &field->tape);
-    tangent_trace(system, NULL, 2, SET_BEST, &field->tape, field->tangents);
+    tangent_trace(system, NULL, 2, SET_BEST, &field->tape, tangents);
     const double over = 1 / (system->index_first * system->index_first);
+    const struct ray_block *a = &tangents[0], *b = &tangents[1];
     for (size_t i = 0; i < field->count; i++) {
         double area = fabs(a->p[i] * b->q[i] - b->p[i] * a->q[i]);
         /* a ray on the edge may be lost by rounding */
@@ -121,25 +134,9 @@ static void flush(struct field_sum *field)
 static void add_field(void *context, const double at[2], double weight)
 {
     struct field_sum *field = context;
-    const struct beam *beam = field->question->beam;
-    const struct ray ray = beam_ray(beam, at[0], at[1]);
-    const struct rays start = {field->start, RAYS_BLOCK};
-    const size_t i = field->count;
-    rays_set(&start, i, beam->n, &ray);
-    for (int k = 0; k < 2; k++) {
-        double point[3], direction[3];
-        struct ray_block *tangent = &field->tangents[k];
-        beam_slope(beam, at, k, point, direction);
-        tangent->x[i] = point[0];
-        tangent->y[i] = point[1];
-        tangent->z[i] = point[2];
-        tangent->p[i] = direction[0];
-        tangent->q[i] = direction[1];
-        tangent->r[i] = direction[2];
-        tangent->path[i] = 0;
-    }
-    field->weights[i] = weight;
-    field->count++;
+    field->a[field->count] = at[0];
+    field->b[field->count] = at[1];
+    field->weights[field->count++] = weight;
     if (field->count == RAYS_BLOCK) {
         flush(field);
     }
@@ -154,7 +151,9 @@ static double sum_field(const struct illumination_question *question, struct bun
     field->start = rays_new(arena, RAYS_BLOCK).blocks;
     field->tangents = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
     each_point(part, rays, arena, add_field, field);
-    flush(field);
+    if (field->count > 0) {
+        flush(field);
+    }
     return field->sum;
 }
 

@@ -162,39 +162,6 @@ static struct mapping mapping_open(const struct margins *margins, bool weighs, s
     return mapping;
 }
 
-/* How rays of the beam start to change with u (k = 0) or v. */
-static void start_tangents(const struct stop_beam *all, const struct ray_block *rays, int k,
-                           size_t count, struct ray_block *tangent)
-{
-    const struct beam *beam = all->beam;
-    const double a = all->axes[k], b = all->axes[2 + k];
-    double across[3];
-    for (int j = 0; j < 3; j++) {
-        across[j] = a * beam->across[0][j] + b * beam->across[1][j];
-    }
-    for (size_t i = 0; i < count; i++) {
-        double turn[3] = {0, 0, 0};
-        if (isfinite(beam->distance)) {
-            /* the direction is the point less the object, of length d */
-            const double point[3] = {rays->x[i], rays->y[i], rays->z[i]};
-            const double way[3] = {rays->p[i] / beam->n, rays->q[i] / beam->n,
-                                   rays->r[i] / beam->n};
-            double square = beam->distance * beam->distance, along = 0;
-            for (int j = 0; j < 3; j++) {
-                square += point[j] * point[j];
-                along += across[j] * way[j];
-            }
-            double over = copysign(beam->n / sqrt(square), beam->distance);
-            for (int j = 0; j < 3; j++) {
-                turn[j] = (across[j] - along * way[j]) * over;
-            }
-        }
-        tangent->x[i] = across[0], tangent->y[i] = across[1], tangent->z[i] = across[2];
-        tangent->p[i] = turn[0], tangent->q[i] = turn[1], tangent->r[i] = turn[2];
-        tangent->path[i] = 0;
-    }
-}
-
 /* |d(x, y in the stop)/d(u, v)| of up to 128 points; where they cross it stands in the block. */
 static void find_areas(const struct mapping *mapping, const double (*points)[2], size_t count,
                        double *areas)
@@ -207,7 +174,9 @@ static void find_areas(const struct mapping *mapping, const double (*points)[2],
     tape.lanes = kernel_lanes(count);
     margins_go(margins, points, count, 0);
     for (int k = 0; k < 2; k++) {
-        start_tangents(margins->beam, block, k, (size_t)tape.lanes, &mapping->tangents[k]);
+        const double *axes = margins->beam->axes + k;
+        beam_tangents(margins->beam->beam, (double[2]){axes[0], axes[2]}, block, (size_t)tape.lanes,
+                      &mapping->tangents[k]);
     }
     *block = *derivative_trace(&mapping->before, block, SET_BEST, &tape);
     tangent_trace(&mapping->before, NULL, 2, SET_BEST, &tape, mapping->tangents);

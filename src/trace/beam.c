@@ -212,6 +212,33 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+void beam_tangents(const struct beam *beam, const double way[2], const struct ray_block *rays,
+                   size_t count, struct ray_block *tangents)
+{
+    const double d = beam->distance, n = beam->n, *foot = beam->foot;
+    double u[3];
+    for (int j = 0; j < 3; j++) {
+        u[j] = way[0] * beam->across[0][j] + way[1] * beam->across[1][j];
+    }
+    for (size_t i = 0; i < count; i++) {
+        double turn[3] = {0, 0, 0};
+        if (isfinite(d)) {
+            /* the direction is the point less the object, of length sqrt(d^2 + r^2) */
+            const double x = rays->x[i] - foot[0], y = rays->y[i] - foot[1];
+            const double z = rays->z[i] - foot[2], square = d * d + x * x + y * y + z * z;
+            const double p = rays->p[i] / n, q = rays->q[i] / n, r = rays->r[i] / n;
+            const double along = u[0] * p + u[1] * q + u[2] * r;
+            const double over = copysign(n / sqrt(square), d);
+            turn[0] = (u[0] - along * p) * over;
+            turn[1] = (u[1] - along * q) * over;
+            turn[2] = (u[2] - along * r) * over;
+        }
+        tangents->x[i] = u[0], tangents->y[i] = u[1], tangents->z[i] = u[2];
+        tangents->p[i] = turn[0], tangents->q[i] = turn[1], tangents->r[i] = turn[2];
+        tangents->path[i] = 0;
+    }
+}
+
 void beam_place(const struct beam *beam, const double at[3], double place[2])
 {
     const double point[3] = {at[0] - beam->foot[0], at[1] - beam->foot[1], at[2] - beam->foot[2]};

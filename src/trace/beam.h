@@ -107,6 +107,15 @@ void beam_fill(const struct beam *beam, const double (*at)[2], size_t count,
 void beam_start(const struct beam *beam, const double *a, const double *b, size_t count,
                 struct ray_block *block);
 
+/*
+ * How rays start to change that are moved along the plane of the beam: beam_slope of a block.
+ *
+ * Given     way   by how much of the two coordinates
+ *           rays  where they start
+ */
+void beam_tangents(const struct beam *beam, const double way[2], const struct ray_block *rays,
+                   size_t count, struct ray_block *tangents);
+
 /* The coordinates where a line meets the plane of the beam: point + t cosine. */
 void beam_place(const struct beam *beam, const double at[3], double place[2]);
 
