@@ -191,15 +191,15 @@ static void take(struct hunt *hunt, double radius, double excess, size_t limit, 
 
 /*
  * Is it sure where a step leads? A parabola through three excesses of one rim, which are nearly
- * quadratic, is off by less than the product of the ways to them.
+ * quadratic, is off by less than the product of the ways to them: here by rounding.
  */
-static bool is_sure(const struct hunt *hunt, double radius, double tolerance)
+static bool is_sure(const struct hunt *hunt, double radius)
 {
-    const double *t = hunt->at;
+    const double *t = hunt->at, rounding = 1e-14 * radius * radius * radius;
     const size_t limit = hunt->limits[0];
     const double product = (radius - t[0]) * (radius - t[1]) * (radius - t[2]);
     return limit == hunt->limits[1] && limit == hunt->limits[2] && isfinite(hunt->excess[2]) &&
-           !margins_lost(limit) && fabs(product) <= tolerance * radius * radius * radius;
+           !margins_lost(limit) && fabs(product) <= rounding;
 }
 
 static void close_brackets(struct hunting *all, double tolerance)
@@ -214,7 +214,7 @@ static void close_brackets(struct hunting *all, double tolerance)
             bool is_root;
             const double radius = next_of(hunt, turn, &is_root);
             const bool is_there = fabs(hunt->excess[0]) <= tolerance;
-            if (is_there || (is_root && is_sure(hunt, radius, tolerance))) {
+            if (is_there || (is_root && is_sure(hunt, radius))) {
                 hunt->at[0] = is_there ? hunt->at[0] : radius;
                 hunt->is_done = true;
                 continue;

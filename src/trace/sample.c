@@ -31,15 +31,14 @@ static void legendre(size_t n, double x, double *value, double *slope)
 
 void gauss_rule(size_t count, double *x, double *w)
 {
-    const double n = (double)count, inwards = 1 - (n - 1) / (8 * n * n * n);
     for (size_t i = 0; i < (count + 1) / 2; i++) {
-        double root = inwards * cos(PI * ((double)i + 0.75) / (n + 0.5)), value, slope;
+        double root = cos(PI * ((double)i + 0.75) / ((double)count + 0.5)), value, slope;
         for (int step = 0; step < 20; step++) {
             legendre(count, root, &value, &slope);
             double move = value / slope;
             root -= move;
-            if (fabs(move) < 1e-9) {
-                break; /* convergence is quadratic */
+            if (fabs(move) < 1e-15) {
+                break;
             }
         }
         legendre(count, root, &value, &slope);
