@@ -213,7 +213,7 @@ static void close_brackets(struct hunting *all, double tolerance)
             }
             bool is_root;
             const double radius = next_of(hunt, turn, &is_root);
-            const bool is_there = fabs(hunt->excess[0]) <= tolerance;
+            const bool is_there = fabs(hunt->excess[0]) <= 1e-13;
             if (is_there || (is_root && is_sure(hunt, radius))) {
                 hunt->at[0] = is_there ? hunt->at[0] : radius;
                 hunt->is_done = true;
