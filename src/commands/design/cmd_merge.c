@@ -78,11 +78,11 @@ static bool again(const void *data, struct run *run, struct again *question, str
 }
 
 static const struct example examples[] = {
-    {"render chart:star --lens double-gauss-50 -s 3m --size 96x64 --part 1/2 -o star-1.part",
+    {"render chart:star --lens double-gauss-50 -s 3m --size 96x64 --part 1/2 -o half-1.part",
      "the first part, by one machine"},
-    {"render chart:star --lens double-gauss-50 -s 3m --size 96x64 --part 2/2 -o star-2.part",
+    {"render chart:star --lens double-gauss-50 -s 3m --size 96x64 --part 2/2 -o half-2.part",
      "the second, by another"},
-    {"merge star-*.part -o star.png", "the picture"},
+    {"merge half-*.part -o whole.png", "the picture"},
     {NULL, NULL},
 };
 
