@@ -308,6 +308,7 @@ struct render_shot {
     struct render_frame frame;
     struct photograph photograph; /* with notes of what is the same in all exposures */
     struct text doubts;           /* lines about the lens */
+    bool is_last;                 /* this exposure of it may use it up */
 };
 
 /* Errors: ERROR_USAGE: something that this kind of file cannot hold */
@@ -315,7 +316,7 @@ bool render_check_file(const struct render_input *input, const struct file_type 
                        struct error *error);
 
 /*
- * Expose a picture, and write it; several exposures are of one shot, which stays as it is.
+ * Expose a picture, and write it; several exposures are of one shot.
  *
  * Given     job   of a picture; `which` of its inputs has time, speed and the like
  *           sink  gets the file, and what is to be said of it

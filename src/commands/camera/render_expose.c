@@ -108,12 +108,13 @@ static double unit_of(const struct render_input *input, const struct exposure *e
                                                 : light;
 }
 
-/* The same picture in other units, in room of its own. */
-static bool scale(const struct image *from, double by, struct arena *arena, struct image *image,
-                  struct error *error)
+/* A picture in other units, in its own place if nobody needs it any more. */
+static bool scale(const struct render_shot *shot, double by, struct arena *arena,
+                  struct image *image, struct error *error)
 {
+    const struct image *from = &shot->photograph.image;
     *image = *from;
-    if (!image_new(image, arena, error)) {
+    if (!shot->is_last && !image_new(image, arena, error)) {
         return false;
     }
     for (size_t i = 0; i < image->width * image->height * image->channels; i++) {
@@ -237,7 +238,7 @@ static bool expose(const struct render_input *input, const struct render_shot *s
     }
     growing_text(remarks, shot->doubts);
     const double unit = unit_of(input, &exposure, type, photograph->axis);
-    if (!scale(&photograph->image, unit, remarks->arena, &image, error)) {
+    if (!scale(shot, unit, remarks->arena, &image, error)) {
         return false;
     }
     add_notes(input, &exposure, &image, remarks->arena);

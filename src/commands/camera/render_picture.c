@@ -110,6 +110,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     shot.doubts = growing_done(&doubts);
     bool done = true;
     for (size_t i = 0; i < job->count && done; i++) {
+        shot.is_last = i + 1 == job->count;
         done = render_expose(job, i, &shot, &picture->sinks[i], error);
     }
     return done;
