@@ -360,6 +360,14 @@ def check_error(render):
             checks.check(len(same) == 1, f"tile {left}, {top} is as with {same} samples")
     crop, _ = take("crop.pfm", "--error", "0.005", "--crop", "10:5:30x20")
     checks.check(crop == [row[10:40] for row in pictures[0.005][5:25]], "a crop is another")
+    for part in "1/2", "2/2":
+        take_part = render.run(*common, "--error", "0.005", "--part", part, "-o",
+                               f"{part[0]}.part")
+        checks.check(take_part.returncode == 0, take_part.stderr)
+    merged = render.run("merge", "1.part", "2.part", "-o", "merged.pfm")
+    checks.check(merged.returncode == 0 and
+                 read_pfm(os.path.join(render.folder, "merged.pfm")) == pictures[0.005] and
+                 re.search(r"error [0-9.]+ % of white", merged.stderr) is not None, merged.stderr)
     _, words = take("few.pfm", "--error", "0.0001", "--samples", "32")
     missed = re.search(r"warning: 12 of 12 tiles have not reached the error: they have ([0-9.]+) %",
                        words)

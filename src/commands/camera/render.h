@@ -102,6 +102,10 @@ struct render_opening {
 bool render_model(const struct render_opening *opening, const struct analysis_case *one,
                   const struct analysis_policy *policy, struct error *error);
 
+/* Which, unless it is the exact lens; of a fitted one how well it fits. */
+void render_say_model(const struct render_input *input, const struct analysis_case *one,
+                      struct growing *remarks);
+
 /* -------- commands/camera/render_case.c -------- */
 
 /*

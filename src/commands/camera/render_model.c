@@ -128,3 +128,15 @@ bool render_model(const struct render_opening *opening, const struct analysis_ca
     }
     return analysis_each(question, policy, run->arena, opening->visit, opening->context, error);
 }
+
+void render_say_model(const struct render_input *input, const struct analysis_case *one,
+                      struct growing *remarks)
+{
+    const struct lens *lens = one->setup->lens;
+    const bool is_fitted = input->model == MODEL_FITTED && lens->note_count > 0;
+    if (input->model != MODEL_EXACT) {
+        growing_format(remarks, "model %s: f %.6g mm%s%s\n", lens_models[input->model].word,
+                       one->setup->first.efl, is_fitted ? "; " : "",
+                       is_fitted ? lens->notes[0] : "");
+    }
+}

@@ -106,6 +106,7 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     render_say_light(input, &doubts);
     render_say_scene(&shot.photograph, one->setup, &doubts);
     render_say_depths(input, &shot.photograph, &doubts);
+    render_say_model(input, one, &doubts);
     render_doubts(one, shot.photograph.largest, shot.photograph.corner, &doubts);
     shot.doubts = growing_done(&doubts);
     bool done = true;

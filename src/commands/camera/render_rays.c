@@ -121,6 +121,7 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
         return false;
     }
     struct growing remarks = {.arena = job->run->arena};
+    render_say_model(input, one, &remarks);
     render_doubts(one, result.largest, result.corner, &remarks);
     rays_job->sink->remarks = growing_done(&remarks);
     return true;
