@@ -227,6 +227,36 @@ void film_fit_start_hole(const struct film_region *region, const struct outline 
     }
 }
 
+static double radius_of(const struct film_region *region, size_t node, size_t k)
+{
+    const size_t i = node * FILM_CORNERS + k;
+    return hypot(region->outer[0][i] - region->centre[0][node],
+                 region->outer[1][i] - region->centre[1][node]);
+}
+
+struct film_radii film_fit_radii(const struct film_region *region, struct arena *arena)
+{
+    const size_t nodes = film_region_nodes(region);
+    double *radii = ARENA_ARRAY(arena, nodes * FILM_CORNERS, double);
+    for (size_t i = 0; i < nodes * FILM_CORNERS; i++) {
+        radii[i] = radius_of(region, i / FILM_CORNERS, i % FILM_CORNERS);
+    }
+    return (struct film_radii){radii};
+}
+
+void film_fit_follow(const struct film_region *region, const struct film_radii *before, size_t row)
+{
+    const struct fit fit = {.corners = region->outer, .centres = region->centre};
+    for (size_t k = 0; k < FILM_CORNERS; k++) {
+        double by = 1;
+        for (size_t node = row - 1; node <= row + 1; node += 2) {
+            const double old = before->of[node * FILM_CORNERS + k];
+            by = old > 0 ? fmax(by, radius_of(region, node, k) / old) : by;
+        }
+        stretch(&fit, row, k, by);
+    }
+}
+
 /* The other half of a polygon, or its last corner, which is the first again. */
 static void complete(double *const corners[2], size_t node, bool is_half)
 {

@@ -6,6 +6,7 @@
 #include "trace/star.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Edges are searched to a share of what regions are grown by. */
 static const double roughly = 1e-4, around = 2, farthest = 100;
@@ -83,32 +84,98 @@ static void open_view(const struct outline_search *search, size_t wavelength,
 
 /* -------- one outline -------- */
 
+/* Directions towards the corners of the ring, and how far the edge is. */
+struct spokes {
+    size_t count;
+    double angles[FILM_SECTORS + 1];
+    struct edge ends[FILM_SECTORS + 1];
+};
+
+/* How deep rays at shares of the spokes are within what blocks. */
+static void look_at_spokes(const struct view *view, const struct spokes *spokes,
+                           const double *shares, double *depth)
+{
+    for (size_t done = 0; done < spokes->count; done += RAYS_BLOCK) {
+        const size_t left = spokes->count - done, here = left < RAYS_BLOCK ? left : RAYS_BLOCK;
+        double at[RAYS_BLOCK][2];
+        size_t parts[RAYS_BLOCK];
+        for (size_t i = 0; i < here; i++) {
+            const size_t k = done + i;
+            double uv[2];
+            edge_point(&view->frame, spokes->angles[k], shares[k] * spokes->ends[k].radius, uv);
+            stop_beam_place(&view->disc, uv[0], uv[1], at[i]);
+        }
+        probe_depth(&view->probe, (const double(*)[2])at, here, depth + done, parts);
+    }
+}
+
+/* Where the dark ends, about as far out as it did; false: somewhere it is not so any more. */
+static bool follow_hole(const struct view *view, const struct spokes *spokes, double *shares)
+{
+    enum { HALVES = 8 };
+    const double slack = 0.25;
+    double dark[FILM_SECTORS + 1], lit[FILM_SECTORS + 1], tried[FILM_SECTORS + 1];
+    double depth[FILM_SECTORS + 1], beyond[FILM_SECTORS + 1];
+    bool holds = true;
+    for (size_t k = 0; k < spokes->count; k++) {
+        dark[k] = (1 - slack) * shares[k];
+        lit[k] = fmin((1 + slack) * shares[k], 0.999);
+    }
+    look_at_spokes(view, spokes, dark, depth);
+    look_at_spokes(view, spokes, lit, beyond);
+    for (size_t k = 0; k < spokes->count; k++) {
+        holds = holds && depth[k] > 0 && beyond[k] <= 0;
+    }
+    for (int turn = 0; turn < HALVES && holds; turn++) {
+        for (size_t k = 0; k < spokes->count; k++) {
+            tried[k] = (dark[k] + lit[k]) / 2;
+        }
+        look_at_spokes(view, spokes, tried, depth);
+        for (size_t k = 0; k < spokes->count; k++) {
+            *(depth[k] > 0 ? &dark[k] : &lit[k]) = tried[k];
+        }
+    }
+    for (size_t k = 0; k < spokes->count && holds; k++) {
+        shares[k] = dark[k];
+    }
+    return holds;
+}
+
+/* Where it ends on the way out, wherever that is. */
+static void search_hole(const struct view *view, const struct spokes *spokes, double *shares)
+{
+    struct spans spans[FILM_SECTORS + 1];
+    const struct edge_directions directions = {view->frame, spokes->angles, NULL, spokes->count, 0};
+    star_spans(&view->margins, &view->probe, &directions, spokes->ends, spans);
+    for (size_t k = 0; k < spokes->count; k++) {
+        shares[k] = spans[k].count > 0 ? spans[k].low[0] : 1;
+    }
+}
+
 /* What is dark in the middle, if it is so in all directions. */
 static void find_hole(const struct view *view, const double *angles, const struct edge *edges,
                       struct outline *outline)
 {
-    const size_t corners = outline_sectors(outline) + 1;
-    const size_t step = OUTLINE_STEPS / (corners - 1) / outline->each;
-    double some[FILM_SECTORS + 1];
-    struct edge ends[FILM_SECTORS + 1];
-    struct spans spans[FILM_SECTORS + 1];
+    struct spokes spokes = {.count = outline_sectors(outline) + 1};
+    const size_t step = OUTLINE_STEPS / (spokes.count - 1) / outline->each;
     outline->has_hole = outline->asks_hole && view->probe.full != NULL;
     if (!outline->has_hole) {
         return;
     }
-    for (size_t k = 0; k < corners; k++) {
-        some[k] = angles[step * k];
-        ends[k] = edges[step * k];
+    for (size_t k = 0; k < spokes.count; k++) {
+        spokes.angles[k] = angles[step * k];
+        spokes.ends[k] = edges[step * k];
     }
-    const struct edge_directions directions = {view->frame, some, NULL, corners, 0};
-    star_spans(&view->margins, &view->probe, &directions, ends, spans);
-    for (size_t k = 0; k < corners; k++) {
+    if (!(outline->knows_hole && follow_hole(view, &spokes, outline->share))) {
+        search_hole(view, &spokes, outline->share);
+    }
+    for (size_t k = 0; k < spokes.count; k++) {
         double at[2];
-        const double share = spans[k].count > 0 ? spans[k].low[0] : 1;
-        edge_point(&view->frame, some[k], share * ends[k].radius, at);
+        edge_point(&view->frame, spokes.angles[k], outline->share[k] * spokes.ends[k].radius, at);
         outline->hole[k] = from_disc(view, at);
-        outline->has_hole = outline->has_hole && share > 0;
+        outline->has_hole = outline->has_hole && outline->share[k] > 0;
     }
+    outline->knows_hole = outline->has_hole;
 }
 
 /* Half widths of what was found, and its centroid. */
@@ -180,6 +247,10 @@ static bool look_within(const struct view *view, const struct outline *near,
     double angles[OUTLINE_STEPS + 1], radii[OUTLINE_STEPS + 1];
     struct edge edges[OUTLINE_STEPS + 1];
     bool fills = false;
+    if (near != NULL && near->knows_hole) {
+        outline->knows_hole = true;
+        memcpy(outline->share, near->share, sizeof near->share);
+    }
     guess_edge(view, outline, near, angles, radii);
     const struct edge_directions directions = {view->frame, angles, near != NULL ? radii : NULL,
                                                OUTLINE_STEPS / outline->each + 1, 0};
@@ -226,6 +297,7 @@ static bool look(const struct outline_search *search, size_t wavelength, const s
 struct patch {
     double centre[2], half[2];
     double points[RAYS_BLOCK][2];
+    double least;      /* by which one fails, so far */
     double deepest[2]; /* the ray that passes best, in the middle of a lens with two halves */
 };
 
@@ -242,7 +314,8 @@ static void look_at_patch(const struct view *view, struct patch *patch)
     margins_look(&view->margins, (const double(*)[2])patch->points, ALL);
 }
 
-/* A smaller one about the rays that pass, or about that which fails by least; how many pass? */
+/* A smaller one about the rays that pass, or about that which fails by least; how many pass?
+ * SIZE_MAX: none does, nor will. */
 static size_t narrow(const struct view *view, bool is_half, struct patch *patch)
 {
     const double *excess = view->margins.excess;
@@ -267,14 +340,17 @@ static size_t narrow(const struct view *view, bool is_half, struct patch *patch)
         patch->centre[k] = (low[k] + high[k]) / 2;
         patch->half[k] = (high[k] - low[k]) / 2 + (lit == 0 ? 1.5 : 0.5) * step;
     }
-    return isfinite(excess[best]) ? lit : SIZE_MAX;
+    /* nearing a place that passes it would be less by more than the square is smaller */
+    const bool is_dark = lit == 0 && !(excess[best] < patch->least / 2);
+    patch->least = excess[best];
+    return is_dark ? SIZE_MAX : lit;
 }
 
 bool outline_is_lit(const struct outline_search *search, size_t wavelength, struct outline *outline)
 {
     enum { LEVELS = 9, ENOUGH = 5 };
     const struct arena_mark mark = arena_mark(search->arena);
-    struct patch patch = {.half = {0.8, 0.8}};
+    struct patch patch = {.half = {0.8, 0.8}, .least = INFINITY};
     struct view view;
     size_t lit = 0;
     open_view(search, wavelength, outline, around, &view);

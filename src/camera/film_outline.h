@@ -47,6 +47,9 @@ struct outline {
     struct outline_point centre, size; /* size: half widths */
     struct outline_point edge[OUTLINE_STEPS + 1];
     struct outline_point hole[FILM_SECTORS + 1]; /* of every corner of the ring */
+    /* how far out it is of the edge there, of this outline or of the last that has one */
+    bool knows_hole;
+    double share[FILM_SECTORS + 1];
 };
 
 struct outline_search {

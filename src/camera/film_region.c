@@ -8,7 +8,10 @@
 #include <stdlib.h>
 
 /* Holes change little from one row to the next: so many rows apart. */
-enum { HOLE_ROWS = 4, STRIDES = 8, BISECTIONS = 16 };
+enum { HOLE_ROWS = 4, STRIDES = 8 };
+
+/* Where light ends is found to a share of the film. */
+static const double finest = 1e-4;
 
 /* One lens, its region as far as it is known, and the edges at its rows. */
 struct building {
@@ -84,47 +87,33 @@ static bool step_to(const struct building *building, size_t wavelength, double c
     return true;
 }
 
+/* The same at any wavelength; one of them answers for long steps. */
+static bool step_at_any(const struct building *building, double column, double stride,
+                        double farthest, struct seen seen[2])
+{
+    const double height = fmin(seen[1].height + stride, farthest);
+    const size_t all = stride * STRIDES < farthest ? building->search.lens->count : 1;
+    bool is_lit = false;
+    for (size_t w = 0; w < all && !is_lit; w++) {
+        is_lit = step_to(building, w, column, height, seen);
+    }
+    return is_lit;
+}
+
 /* How far light arrives in a column, at most as far as is asked. */
-static double find_end(const struct building *building, size_t wavelength, double column,
-                       double farthest)
+static double find_end(const struct building *building, double column, double farthest)
 {
     struct outline pole = outline_at(building, column, 0);
-    double dark = farthest;
-    bool is_lit = true;
-    if (!outline_discover(&building->search, wavelength, &pole)) {
+    if (!outline_discover(&building->search, 0, &pole)) {
         return 0;
     }
     struct seen seen[2] = {{0, pole.centre, pole.size}, {0, pole.centre, pole.size}};
-    for (int i = 1; i <= STRIDES && is_lit; i++) {
-        dark = farthest * i / STRIDES;
-        is_lit = step_to(building, wavelength, column, dark, seen);
+    double stride = farthest / STRIDES;
+    /* what a long step does not find may be lit all the same */
+    while (stride > finest * farthest && seen[1].height < farthest) {
+        stride *= step_at_any(building, column, stride, farthest, seen) ? 1.25 : 0.5;
     }
-    for (int turn = 0; turn < BISECTIONS && !is_lit; turn++) {
-        const double middle = (seen[1].height + dark) / 2;
-        dark = step_to(building, wavelength, column, middle, seen) ? dark : middle;
-    }
-    return dark;
-}
-
-/* The same for all wavelengths, and what lies beyond a gap that steps have met. */
-static double find_farthest(const struct building *building, double column, double farthest)
-{
-    double end = 0;
-    for (size_t w = 0; w < building->search.lens->count && end < farthest; w++) {
-        end = fmax(end, find_end(building, w, column, farthest));
-    }
-    const double beyond = fmin(farthest, end + 0.01 * farthest);
-    struct outline outline = outline_at(building, column, beyond);
-    if (!(end < farthest && outline_discover(&building->search, 0, &outline))) {
-        return end;
-    }
-    double lit = beyond, dark = farthest;
-    for (int turn = 0; turn < BISECTIONS; turn++) {
-        const double middle = (lit + dark) / 2;
-        outline = outline_at(building, column, middle);
-        *(outline_discover(&building->search, 0, &outline) ? &lit : &dark) = middle;
-    }
-    return dark;
+    return fmin(seen[1].height + stride, farthest);
 }
 
 /* A lit point of the film, the middle of it if it is one: the pole. */
@@ -169,14 +158,14 @@ static void find_ends(const struct building *building)
     const double farthest = building->search.lens->reach + pole;
     const size_t columns = region->is_grid ? FILM_COLUMNS : 1;
     for (size_t c = 0; c < columns; c++) {
-        ends[c] = find_farthest(building, (double)c, farthest);
+        ends[c] = find_end(building, (double)c, farthest);
     }
     if (region->is_grid) {
         ends[columns] = ends[0];
         for (size_t c = 0; c < columns; c++) {
             const double middle = (ends[c] + ends[c + 1]) / 2;
             const double end =
-                middle < farthest ? find_farthest(building, (double)c + 0.5, farthest) : middle;
+                middle < farthest ? find_end(building, (double)c + 0.5, farthest) : middle;
             const double by = middle > 0 ? fmax(1, 1.001 * end / middle) : 1;
             ends[c] = fmin(farthest, ends[c] * by);
             ends[c + 1] = fmin(farthest, ends[c + 1] * by);
@@ -239,6 +228,7 @@ static void follow(const struct building *building, size_t column)
         *here =
             outline_at(building, (double)column, height_of(building, (double)column, (double)i));
         here->asks_hole = i % HOLE_ROWS == 0;
+        here->each = building->is_round ? 2 : 1;
         find_next(building, 0, near, 1, here);
     }
 }
@@ -264,6 +254,9 @@ static void look_between(const struct building *building, double column, double 
         outline_foresee(near, NULL, 0, &here);
     }
     film_fit(building->region, nodes, &here);
+    if (building->is_round && node % 4 > 0 && 4 * node < 3 * (size_t)building->region->rows) {
+        return;
+    }
     const size_t turn = 4 * node + nodes->count + (column > floor(column));
     const size_t count = outline_scatter(&building->search, turn % wavelengths, &here, turn, lit);
     film_fit_points(building->region, nodes, &here, lit, count);
@@ -293,11 +286,21 @@ static void look_at_all(const struct building *building)
     }
 }
 
+/* What wavelengths add is smooth: of a round lens every other row tells it, but near the end. */
+static bool is_asked(const struct building *building, size_t row)
+{
+    const size_t rows = (size_t)building->region->rows;
+    return !building->is_round || row % 2 == 0 || 2 * row >= rows;
+}
+
 /* Another wavelength, at the rows themselves, each from its outline at the first. */
 static void accompany(const struct building *building, size_t wavelength, bool *has_hole)
 {
     const size_t nodes = film_region_nodes(building->region);
     for (size_t i = 0; i < nodes; i++) {
+        if (!is_asked(building, i)) {
+            continue;
+        }
         const struct outline *first = &building->nodes[i], *near = lit_before(building, i);
         if (near == NULL) {
             continue;
@@ -311,6 +314,24 @@ static void accompany(const struct building *building, size_t wavelength, bool *
         outline_find(&building->search, wavelength, near, &here);
         film_fit(building->region, &(struct film_nodes){{i}, 1}, &here);
         *has_hole = *has_hole && (here.has_hole || !here.asks_hole);
+    }
+}
+
+/* All other wavelengths; rows that are not asked are stretched as their neighbours are. */
+static void accompany_all(const struct building *building)
+{
+    struct film_region *region = building->region;
+    const size_t rows = (size_t)region->rows;
+    const struct film_radii before = film_fit_radii(region, building->search.arena);
+    bool has_hole = region->has_hole;
+    for (size_t w = 1; w < building->search.lens->count; w++) {
+        accompany(building, w, &has_hole);
+    }
+    region->has_hole = has_hole;
+    for (size_t i = 0; i < rows; i++) {
+        if (!is_asked(building, i)) {
+            film_fit_follow(region, &before, i);
+        }
     }
 }
 
@@ -446,11 +467,7 @@ bool film_region_open(const struct film_lens *lens, struct arena *arena, struct 
     choose_turning(&building);
     find_ends(&building);
     build(&building);
-    for (size_t w = 1; w < lens->count; w++) {
-        bool has_hole = region->has_hole;
-        accompany(&building, w, &has_hole);
-        region->has_hole = has_hole;
-    }
+    accompany_all(&building);
     if (region->has_hole) {
         const struct outline *pole = &building.nodes[0];
         const size_t side = outline_sectors(pole) / (is_round ? 2 : 4);
