@@ -195,7 +195,7 @@ static const struct example examples[] = {
      "exposed, as light in lx s"},
     {"render chart:star --lens double-gauss-50 -s 1m --film \"HP5 Plus\" --grain 17 -o hp5.png",
      "on film, printed"},
-    {"render chart:star --lens double-gauss-50 -s 1m --noise --pitch 4um --mosaic rggb -o noisy.png",
+    {"render chart:star --lens double-gauss-50 -s 1m --noise --pitch 4um --mosaic rggb -o cfa.png",
      "by a sensor: its noise and mosaic"},
     {"render chart:points --lens double-gauss-50 -s 2m --model thick --error 2% -o thick.png",
      "the thick lens in its place, by as many rays as an error takes"},
