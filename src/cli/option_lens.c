@@ -25,10 +25,14 @@ static bool find_lens(struct lensdb *db, struct text name, struct arena *arena,
             i == 0 ? warnings.texts[i] : arena_printf(arena, "%s; %s", warning, warnings.texts[i]);
     }
     size_t positions = lens->position_count > 0 ? lens->position_count : 1;
+    const char *called =
+        text_equal(name, "-") ? "standard input" : arena_string(arena, name.start, name.length);
+    if (lens->title == NULL) {
+        lens->title = called; /* drawings and answers call every lens by a title */
+    }
     *value = (struct lens_value){
         .lens = lens,
-        .name =
-            text_equal(name, "-") ? "standard input" : arena_string(arena, name.start, name.length),
+        .name = called,
         .warning = warning,
         .arena = arena,
         .memo = ARENA_ARRAY(arena, positions, struct lens_memo),
@@ -46,11 +50,22 @@ static const struct lens_value *known_lens(const struct lens_cache *cache, struc
     return NULL;
 }
 
+enum { MOST_KEPT = 64 };
+
+void option_lens_keep(struct lens_cache *cache, const struct lens_value *value)
+{
+    if (cache->lenses == NULL) {
+        cache->lenses = ARENA_ARRAY(cache->arena, MOST_KEPT, struct lens_value);
+    }
+    if (cache->count < MOST_KEPT && known_lens(cache, text_of(value->name)) == NULL) {
+        cache->lenses[cache->count++] = *value;
+    }
+}
+
 /* The first lenses of a batch are kept; of more, each row reads its own. */
 static bool read_lens_of_row(struct lensdb *db, struct lens_cache *cache, struct text name,
                              struct arena *arena, struct lens_value *value, struct error *error)
 {
-    enum { MOST = 64 };
     const struct lens_value *known = known_lens(cache, name);
     if (known != NULL) {
         *value = *known;
@@ -62,17 +77,14 @@ static bool read_lens_of_row(struct lensdb *db, struct lens_cache *cache, struct
     if (!find_lens(db, name, arena, value, error)) {
         return false;
     }
-    if (cache->count == MOST) {
+    if (cache->count == MOST_KEPT) {
         return true;
     }
     /* once more, now that it is good, to stay */
-    if (cache->lenses == NULL) {
-        cache->lenses = ARENA_ARRAY(cache->arena, MOST, struct lens_value);
-    }
     if (!find_lens(db, name, cache->arena, value, error)) {
         return false;
     }
-    cache->lenses[cache->count++] = *value;
+    option_lens_keep(cache, value);
     return true;
 }
 

@@ -33,6 +33,9 @@ struct lens_cache {
     size_t count;
 };
 
+/* Keep one more, as long as there is room; `value` and all it points to live as long. */
+void option_lens_keep(struct lens_cache *cache, const struct lens_value *value);
+
 /* A lens that is still text: it is read by the command. */
 struct lens_text_value {
     const char *source; /* what to call it in messages; null = not given */
