@@ -216,14 +216,26 @@ static bool order(struct artifacts *artifacts, const struct artifact_setting *se
     return true;
 }
 
-static bool open_sinks(struct artifacts *artifacts, struct arena *arena, struct error *error)
+static bool open_sink(const struct artifact_setting *setting, const char *path, struct output *sink,
+                      struct error *error)
 {
+    if (setting->is_inside) {
+        output_inside(sink, setting->arena);
+        return true;
+    }
+    return output_open(sink, path, setting->arena, error);
+}
+
+static bool open_sinks(struct artifacts *artifacts, const struct artifact_setting *setting,
+                       struct error *error)
+{
+    struct arena *arena = setting->arena;
     artifacts->sinks = ARENA_ARRAY(arena, artifacts->files + 1, struct output);
     for (size_t i = 0; i < artifacts->count; i++) {
         const struct artifact_job *job = &artifacts->jobs[i];
         for (size_t k = 0; k < job->files; k++) {
-            if (!output_open(&artifacts->sinks[artifacts->open], numbered(job, k, arena), arena,
-                             error)) {
+            if (!open_sink(setting, numbered(job, k, arena), &artifacts->sinks[artifacts->open],
+                           error)) {
                 return false;
             }
             artifacts->open++;
@@ -267,7 +279,7 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
     const struct artifact_job job = {
         .artifact = columns, .path = setting->common->plot, .context = context};
     return (columns == NULL || order(artifacts, setting, job, error)) &&
-           open_sinks(artifacts, setting->arena, error);
+           open_sinks(artifacts, setting, error);
 }
 
 bool artifacts_make(const struct artifacts *artifacts, struct error *error)

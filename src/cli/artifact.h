@@ -114,6 +114,7 @@ struct artifact_setting {
     const struct sweep *sweep;
     void *input; /* changes with the sweep */
     bool is_batch, many;
+    bool is_inside; /* sinks stay in memory */
     const struct asking *asking;
     struct run *run;
     struct arena *arena;

@@ -153,6 +153,7 @@ static bool order_artifacts(struct driver *driver, struct error *error)
                                              .input = driver->input,
                                              .is_batch = driver->is_batch,
                                              .many = driver->report.many,
+                                             .is_inside = driver->is_inside,
                                              .asking = &driver->asking,
                                              .run = &driver->run,
                                              .arena = &driver->arena};
@@ -247,8 +248,15 @@ static void choose_sheet(struct driver *driver)
     }
 }
 
-static bool take_output(struct driver *driver)
+static bool open_output(struct driver *driver, struct error *error)
 {
+    if (driver->is_inside) {
+        output_inside(&driver->output, &driver->arena);
+        return true;
+    }
+    if (!output_open(&driver->output, driver->common.output, &driver->arena, error)) {
+        return false;
+    }
     driver->is_open = true;
     if (driver->report.format == &format_text) {
         terminal_prepare(&driver->output, driver->arguments.color);
@@ -281,8 +289,7 @@ static bool ask(struct driver *driver, struct error *error)
         columns_from_options(command, driver->report.sheet, common->columns, ",", &driver->arena);
     return check_sheets(driver, error) && set_up_report(driver, error) &&
            set_up_collection(driver, error) && order_artifacts(driver, error) &&
-           output_open(&driver->output, common->output, &driver->arena, error) &&
-           take_output(driver);
+           open_output(driver, error);
 }
 
 static bool answer(struct driver *driver, struct error *error)
@@ -290,15 +297,19 @@ static bool answer(struct driver *driver, struct error *error)
     const bool prints =
         !driver->collects && !driver->common.explain && driver->artifacts.count == 0;
     driver->run.report = prints ? &driver->report : NULL;
-    progress_begin(&driver->progress, driver->command->name, rows_state, driver);
-    driver->output.before_write = progress_make_way;
-    driver->output.context = &driver->progress;
+    if (!driver->is_inside) {
+        progress_begin(&driver->progress, driver->command->name, rows_state, driver);
+        driver->output.before_write = progress_make_way;
+        driver->output.context = &driver->progress;
+    }
     if (driver->report.many) {
         interrupt_watch(); /* rows so far are worth something */
     }
     bool done = (driver->is_batch ? rows_of_batch(driver, error) : rows_of_sweep(driver, error)) &&
                 finish(driver, error);
-    progress_erase(&driver->progress);
+    if (!driver->is_inside) {
+        progress_erase(&driver->progress);
+    }
     if (!done) {
         rows_break_off(driver, error);
     }
@@ -392,6 +403,57 @@ static bool needs_solver(const struct driver *driver)
     return argument->is_given && text_same(argument->text, word + 1);
 }
 
+static void free_driver(struct driver *driver)
+{
+    if (driver->is_batch) {
+        batch_close(&driver->batch);
+    }
+    team_close(driver->team);
+    arena_free(&driver->row_arena);
+    arena_free(&driver->kept);
+    arena_free(&driver->doubts.arena);
+    arena_free(&driver->arena);
+}
+
+/* The answer in memory: a drawing if there is one, else the rows. */
+static bool answer_inside(struct driver *driver, struct text *answered, struct error *error)
+{
+    if (driver->command->run != NULL) {
+        if (!ask(driver, error) || !answer(driver, error)) {
+            return false;
+        }
+    } else if (!sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false,
+                            driver->input, error) ||
+               !order_artifacts(driver, error) || !artifacts_make(&driver->artifacts, error)) {
+        return false;
+    }
+    *answered =
+        output_kept(driver->artifacts.count > 0 ? &driver->artifacts.sinks[0] : &driver->output);
+    return true;
+}
+
+bool command_embed(const struct embedding *embedding, struct run *outer, struct text *answered,
+                   struct error *error)
+{
+    struct driver *parent = outer->driver;
+    struct driver driver = {
+        .command = embedding->command, .database = parent->database, .is_inside = true};
+    struct text text = {NULL, 0};
+    bool done = prepare(&driver, (int)embedding->count, embedding->words, error);
+    if (done) {
+        if (embedding->lens != NULL) {
+            option_lens_keep(&parent->lenses, embedding->lens);
+        }
+        driver.reader.db = driver.run.db = &parent->db;
+        driver.reader.lenses = &parent->lenses;
+        driver.run.watch = outer->watch;
+        done = answer_inside(&driver, &text, error);
+    }
+    *answered = text_of(arena_string(outer->arena, done ? text.start : "", done ? text.length : 0));
+    free_driver(&driver);
+    return done;
+}
+
 static int execute(const struct again *question, char **argv, const char *database);
 
 /* A command that has another one answer. */
@@ -443,14 +505,7 @@ static int execute(const struct again *question, char **argv, const char *databa
         driver.run.part_count = question->part_count;
         status = answer_question(&driver, argv);
     }
-    if (driver.is_batch) {
-        batch_close(&driver.batch);
-    }
-    team_close(driver.team);
-    arena_free(&driver.row_arena);
-    arena_free(&driver.kept);
-    arena_free(&driver.doubts.arena);
-    arena_free(&driver.arena);
+    free_driver(&driver);
     return status;
 }
 

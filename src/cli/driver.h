@@ -5,6 +5,25 @@
 
 #include "cli/command.h"
 
+/* A command inside another, with the words that follow its name. */
+struct embedding {
+    const struct command *command;
+    char **words;
+    size_t count;
+    const struct lens_value *lens; /* known by its name: it is not read again; null: none */
+};
+
+/*
+ * Answer a question inside a command: the drawing that its words ask for ("--plot", "-"), else its
+ * rows, as people read them.
+ *
+ * Given     outer     of the command that asks, whose lenses and database it shares
+ *           answered  receives the text, in outer->arena
+ * Errors    all that the command may have, with nothing said on standard error
+ */
+bool command_embed(const struct embedding *embedding, struct run *outer, struct text *answered,
+                   struct error *error);
+
 /*
  * Run a command.
  *

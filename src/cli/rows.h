@@ -36,7 +36,8 @@ struct driver {
     void *input;
     const char *database;
     bool is_batch, is_open, begun, collects;
-    size_t index; /* of the present combination of the sweep */
+    bool is_inside; /* another command: its answer stays in memory, nothing is said */
+    size_t index;   /* of the present combination of the sweep */
     size_t good, failed;
     bool answered;         /* at least one input, if only in part */
     const void *explained; /* the row whose numbers --explain puts in */

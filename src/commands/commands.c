@@ -17,7 +17,7 @@ extern const struct command command_spot, command_fan, command_field, command_wa
 extern const struct command command_distortion;
 extern const struct command command_fit, command_merge, command_render;
 extern const struct command command_help, command_completion;
-extern const struct command command_illumination;
+extern const struct command command_illumination, command_report;
 
 const struct command *const commands[] = {
     &command_dof,
@@ -52,7 +52,8 @@ const struct command *const commands[] = {
     &command_mtf,
     &command_field,
     &command_color,
-    &command_distortion, /* analyses */
+    &command_distortion,
+    &command_report, /* analyses */
     &command_fit,
     &command_merge,  /* design */
     &command_render, /* camera */

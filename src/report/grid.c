@@ -127,30 +127,11 @@ void grid_write_markdown(const struct grid *grid, struct output *output, bool wi
     }
 }
 
-static void write_html(struct output *output, const char *string)
-{
-    for (; *string != '\0'; string++) {
-        switch (*string) {
-        case '&':
-            output_string(output, "&amp;");
-            break;
-        case '<':
-            output_string(output, "&lt;");
-            break;
-        case '>':
-            output_string(output, "&gt;");
-            break;
-        default:
-            output_character(output, *string);
-        }
-    }
-}
-
 void grid_html_begin(struct output *output, const char *title)
 {
     output_string(output, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                           "<title>");
-    write_html(output, title);
+    output_escaped(output, text_of(title));
     output_string(output,
                   "</title>\n<style>\n"
                   "body { font-family: Helvetica, Arial, sans-serif; margin: 2em; }\n"
@@ -172,7 +153,7 @@ void grid_html_end(struct output *output)
 void grid_html_paragraph(struct output *output, const char *text)
 {
     output_string(output, "<p>");
-    write_html(output, text);
+    output_escaped(output, text_of(text));
     output_string(output, "</p>\n");
 }
 
@@ -182,7 +163,7 @@ static void write_html_row(const struct grid *grid, struct output *output, size_
     output_string(output, "<tr>");
     for (size_t j = 0; j < grid->columns; j++) {
         output_printf(output, "<%s%s>", tag, grid->left[j] ? " class=\"w\"" : "");
-        write_html(output, grid_cell(grid, row, j));
+        output_escaped(output, text_of(grid_cell(grid, row, j)));
         output_printf(output, "</%s>", tag);
     }
     output_string(output, "</tr>\n");
@@ -196,7 +177,7 @@ void grid_write_html(const struct grid *grid, struct output *output, bool with_h
     }
     if (with_head && grid->title != NULL) {
         output_string(output, "<caption>");
-        write_html(output, grid_printable(grid->arena, grid->title));
+        output_escaped(output, text_of(grid_printable(grid->arena, grid->title)));
         output_string(output, "</caption>\n");
     }
     bool has_head = with_head && grid->head_rows > 0;

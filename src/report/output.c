@@ -109,8 +109,43 @@ bool output_open(struct output *output, const char *path, struct arena *arena, s
     return true;
 }
 
+enum { NOWHERE = -1 }; /* the descriptor of what stays in memory */
+
+void output_inside(struct output *output, struct arena *arena)
+{
+    output_begin(output, NOWHERE, arena);
+    output->arena = arena;
+}
+
+static void keep_inside(struct output *output, const char *start, size_t length)
+{
+    if (output->kept_room - output->kept_length < length) {
+        const size_t room = 2 * (output->kept_length + length);
+        char *more = arena_buffer(output->arena, room);
+        if (output->kept_length > 0) {
+            memcpy(more, output->kept, output->kept_length);
+        }
+        output->kept = more;
+        output->kept_room = room;
+    }
+    memcpy(output->kept + output->kept_length, start, length);
+    output->kept_length += length;
+}
+
+struct text output_kept(struct output *output)
+{
+    output_flush(output);
+    return (struct text){output->kept, output->kept_length};
+}
+
 static void write_all(struct output *output, const char *start, size_t length)
 {
+    if (output->descriptor == NOWHERE) {
+        if (length > 0) {
+            keep_inside(output, start, length);
+        }
+        return;
+    }
     if (output->before_write != NULL && length > 0) {
         output->before_write(output->context);
     }
@@ -164,6 +199,25 @@ void output_string(struct output *output, const char *string)
 void output_character(struct output *output, char c)
 {
     output_text(output, &c, 1);
+}
+
+void output_escaped(struct output *output, struct text text)
+{
+    for (size_t i = 0; i < text.length; i++) {
+        switch (text.start[i]) {
+        case '&':
+            output_string(output, "&amp;");
+            break;
+        case '<':
+            output_string(output, "&lt;");
+            break;
+        case '>':
+            output_string(output, "&gt;");
+            break;
+        default:
+            output_character(output, text.start[i]);
+        }
+    }
 }
 
 void output_spaces(struct output *output, size_t count)

@@ -26,6 +26,9 @@ struct output {
     void (*before_write)(void *context); /* called before anything is handed over; or null */
     void *context;
     struct text remarks; /* lines for standard error when all went well */
+    /* of output_inside: what was handed over */
+    char *kept;
+    size_t kept_length, kept_room;
 };
 
 /*
@@ -40,6 +43,12 @@ bool output_open(struct output *output, const char *path, struct arena *arena, s
 /* Write to what is open already: standard error. Ends with output_flush. */
 void output_begin(struct output *output, int descriptor, struct arena *arena);
 
+/* Keep what is written in memory: it goes nowhere. */
+void output_inside(struct output *output, struct arena *arena);
+
+/* What it has kept, in its arena. */
+struct text output_kept(struct output *output);
+
 /* Room for `length` characters (at most OUTPUT_RESERVE): write there, then output_advance. */
 enum { OUTPUT_RESERVE = 4096 };
 char *output_reserve(struct output *output, size_t length);
@@ -48,6 +57,10 @@ void output_advance(struct output *output, const char *end);
 void output_text(struct output *output, const char *start, size_t length);
 void output_string(struct output *output, const char *string);
 void output_character(struct output *output, char c);
+
+/* A text as HTML and XML have it: & < and > escaped. */
+void output_escaped(struct output *output, struct text text);
+
 /*
  * A text broken at blanks into lines of at most `width` characters; ends with a line feed.
  *

@@ -55,11 +55,13 @@ ASKED = {
     "illumination": ("double-gauss -N 5.6 --height 5", ("N", "4,8", "height", "5,10"),
                      "height\n5\n10\n"),
     "color": ("double-gauss -N 5.6 --field 5 --spectrum F,d,C", None, "field\n5\n10\n"),
-    "wavefront": ("double-gauss -N 5.6 --field 0", None, "N\n5.6\n8\n"),
-    "mtf": ("double-gauss -N 8 --field 0 -w d --frequency 40", None, "N\n5.6\n8\n"),
+    "wavefront": ("double-gauss -N 5.6 --field 0", ("N", "4,8", "field", "0,5"), "N\n5.6\n8\n"),
+    "mtf": ("double-gauss -N 8 --field 0 -w d --frequency 40", ("N", "8,16", "field", "0,5"),
+            "N\n5.6\n8\n"),
     "fan": ("double-gauss -N 5.6 --field 0 -w d --points 3", None, "N\n4\n8\n"),
     "distortion": ("double-gauss --field 10", ("field", "5,10", "w", "486,587"),
                    "field\n5\n10\n"),
+    "report": ("double-gauss -N 5.6", None, None),
     "fit": ("double-gauss -N 5.6 --distortion 0", ("N", "4,8", "w", "486,587"), "N\n4\n8\n"),
     "merge": ("", None, None),
     "list": ("formats", None, None),
@@ -240,7 +242,7 @@ def try_force(asked):
 
 def try_output(asked):
     ending = {"draw": "out.svg", "convert": "out.lens", "fit": "out.lens",
-              "render": "out.png"}.get(asked.command, "out")
+              "render": "out.png", "report": "out.html"}.get(asked.command, "out")
     saves = {"distortion": "double-gauss --fit poly3 -o out.xml".split()}
     if asked.command in saves:
         return asked.run(question=saves[asked.command]).returncode == 0

@@ -278,25 +278,6 @@ struct saving {
     bool begun;
 };
 
-static void write_escaped(struct output *sink, const char *text)
-{
-    for (; *text != '\0'; text++) {
-        switch (*text) {
-        case '&':
-            output_string(sink, "&amp;");
-            break;
-        case '<':
-            output_string(sink, "&lt;");
-            break;
-        case '>':
-            output_string(sink, "&gt;");
-            break;
-        default:
-            output_character(sink, *text);
-        }
-    }
-}
-
 /* A profile without its coefficients. */
 static void begin_lensfun(const struct saving *saving, const struct analysis_case *one,
                           const struct found *found)
@@ -317,7 +298,7 @@ static void begin_lensfun(const struct saving *saving, const struct analysis_cas
                         "    <lens>\n"
                         "        <maker>lenscalc</maker>\n"
                         "        <model>");
-    write_escaped(sink, title != NULL ? title : "lens");
+    output_escaped(sink, text_of(title != NULL ? title : "lens"));
     output_printf(sink,
                   "</model>\n"
                   "        <mount>Generic</mount>\n"

@@ -1,0 +1,220 @@
+/* commands/analysis/cmd_report.c - lenscalc report: all about a lens on one page. */
+/* SPDX-License-Identifier: MIT */
+#include "cli/driver.h"
+#include "commands/analysis/report_page.h"
+#include "commands/lens/lens_options.h"
+#include "file/lens_file.h"
+#include "report/version.h"
+
+#include <string.h>
+
+struct input {
+    struct lens_question question;
+};
+
+static const struct option options[] = {
+    LENS_OPTION(struct input, question),
+    LENS_FNUMBER_OPTION(struct input, question),
+    {OPTION(struct input, question.position), .name = "position", .value = "NAME",
+     .help = "a name or focal length (135mm), a list, or all; default up to three of them"},
+};
+
+/* What a part needs of the options. */
+enum { TAKES_FNUMBER = 1, TAKES_POSITION = 2, TAKES_BOTH = 3, OF_WHOLE_LENS = 4 };
+
+/* A part: a command, and which of its drawings; without one its rows. */
+struct section {
+    const char *title, *command, *drawing;
+    unsigned takes;
+    bool is_drawing;
+};
+
+static const struct section sections[] = {
+    {"Prescription", "convert", NULL, OF_WHOLE_LENS, false},
+    {"Cross-section", "draw", NULL, TAKES_BOTH, true},
+    {"First-order data", "lens", NULL, TAKES_BOTH, false},
+    {"Surfaces", "surfaces", NULL, TAKES_BOTH, false},
+    {"Third order", "seidel", "--plot", TAKES_BOTH, true},
+    {"Ray fans", "fan", "--plot", TAKES_BOTH, true},
+    {"Spots", "spot", "--plot", TAKES_BOTH, true},
+    {"Spots in numbers", "spot", NULL, TAKES_BOTH, false},
+    {"Wave fronts", "wavefront", "--plot", TAKES_BOTH, true},
+    {"Wave fronts in numbers", "wavefront", NULL, TAKES_BOTH, false},
+    {"Field curvature", "field", "--plot", TAKES_BOTH, true},
+    {"Distortion", "distortion", "--plot", TAKES_BOTH, true},
+    {"Light over the image", "illumination", "--plot", TAKES_BOTH, true},
+    {"Colour", "color", "--plot", TAKES_BOTH, true},
+};
+enum { SECTIONS = sizeof sections / sizeof sections[0], MOST_WORDS = 8, MOST_POSITIONS = 3 };
+
+/* A page in the making. */
+struct writer {
+    const struct input *input;
+    struct run *run;
+    struct page_part *parts;
+    size_t count;
+};
+
+/* What a lens is called that was read from there. */
+static const char from_pipe[] = "standard input";
+
+/* A word as a shell reads it. */
+static const char *quoted(const char *word, struct arena *arena)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                "-_./:,=+@%";
+    return word[strspn(word, plain)] == '\0' && word[0] != '\0' ? word
+           : strchr(word, '\'') == NULL                         ? arena_printf(arena, "'%s'", word)
+                                        : arena_printf(arena, "\"%s\"", word);
+}
+
+static const char *command_line(const struct section *part, char *const *words, size_t count,
+                                struct arena *arena)
+{
+    const char *line = arena_printf(arena, "lenscalc %s", part->command);
+    for (size_t i = 0; i < count; i++) {
+        const char *said = strcmp(words[i], from_pipe) == 0 ? "-" : words[i];
+        line = arena_printf(arena, "%s %s", line, quoted(said, arena));
+    }
+    return line;
+}
+
+static char *word(const char *text, struct arena *arena)
+{
+    return arena_string(arena, text, strlen(text));
+}
+
+/* Ask one of the commands, and keep what it says or why it cannot. */
+static void add_part(struct writer *writer, const struct section *part, const char *position)
+{
+    struct arena *arena = writer->run->arena;
+    const struct lens_question *question = &writer->input->question;
+    struct page_part *page = &writer->parts[writer->count++];
+    struct error error = {0};
+    char *words[MOST_WORDS];
+    size_t count = 0;
+    words[count++] = word(question->lens.name, arena);
+    if (!isnan(question->fnumber) && (part->takes & TAKES_FNUMBER) != 0) {
+        words[count++] = word("-N", arena);
+        words[count++] = word(arena_printf(arena, "%.17g", question->fnumber), arena);
+    }
+    if (position != NULL && (part->takes & TAKES_POSITION) != 0) {
+        words[count++] = word("--position", arena);
+        words[count++] = word(position, arena);
+    }
+    if (part->drawing != NULL) {
+        words[count++] = word(part->drawing, arena);
+        /* it stays in memory, but this is how it would be called */
+        words[count++] = word(arena_printf(arena, "%s.svg", part->command), arena);
+    }
+    *page = (struct page_part){.title = part->title,
+                               .command = command_line(part, words, count, arena),
+                               .is_drawing = part->is_drawing};
+    if (part->takes == OF_WHOLE_LENS && strcmp(question->lens.name, from_pipe) == 0) {
+        page->text = lens_write(question->lens.lens, arena); /* a pipe is not read again */
+        return;
+    }
+    const struct embedding embedding = {command_find(text_of(part->command)), words, count,
+                                        &question->lens};
+    if (!command_embed(&embedding, writer->run, &page->text, &error)) {
+        page->failure = word(error.message, arena);
+        page->text = (struct text){NULL, 0};
+    }
+}
+
+/* The positions of a lens without a choice: all of a few, else first, a middle one, last. */
+static const char *usual_positions(const struct lens *lens, struct arena *arena)
+{
+    const size_t count = lens->position_count;
+    return count == 0 ? NULL
+           : count <= MOST_POSITIONS
+               ? "all"
+               : arena_printf(arena, "%s,%s,%s", lens->positions[0], lens->positions[count / 2],
+                              lens->positions[count - 1]);
+}
+
+static bool fill_page(struct writer *writer, struct page *page, struct error *error)
+{
+    struct arena *arena = writer->run->arena;
+    const struct lens_question *question = &writer->input->question;
+    const struct lens *lens = question->lens.lens;
+    const char *names =
+        question->position != NULL ? question->position : usual_positions(lens, arena);
+    const size_t *positions;
+    size_t count;
+    if (!lens_positions(lens, names, arena, &positions, &count, error)) {
+        return false;
+    }
+    writer->parts = ARENA_ARRAY(arena, count * (SECTIONS + 1), struct page_part);
+    for (size_t i = 0; i < count; i++) {
+        const char *name = lens->position_count > 0 ? lens->positions[positions[i]] : NULL;
+        if (count > 1) {
+            writer->parts[writer->count++] =
+                (struct page_part){.title = arena_printf(arena, "Position %s", name)};
+        }
+        for (size_t k = 0; k < SECTIONS; k++) {
+            if (i == 0 || sections[k].takes != OF_WHOLE_LENS) {
+                add_part(writer, &sections[k], name);
+            }
+        }
+    }
+    page->parts = writer->parts;
+    page->count = writer->count;
+    return true;
+}
+
+static const struct file_type types[] = {{{"html", "page"}, ".html"}, {{"svg", "drawing"}, ".svg"}};
+
+static const struct file_type *report_types(size_t i)
+{
+    return i < sizeof types / sizeof types[0] ? &types[i] : NULL;
+}
+
+static bool check(const struct artifact_job *job, struct error *error)
+{
+    const struct input *input = job->inputs[0];
+    if (input->question.lens.lens == NULL) {
+        fail(error, ERROR_USAGE, "no lens is given");
+        return error_hint(error, "lenscalc report NAME, see 'lenscalc list lenses'");
+    }
+    return true;
+}
+
+static bool make(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct writer writer = {.input = job->inputs[0], .run = job->run};
+    const struct lens *lens = writer.input->question.lens.lens;
+    struct arena *arena = job->run->arena;
+    struct page page = {
+        .title = lens->title != NULL ? lens->title : writer.input->question.lens.name,
+        .subtitle = arena_printf(arena, "%s%slenscalc %s", lens->source != NULL ? lens->source : "",
+                                 lens->source != NULL ? ". " : "", LENSCALC_VERSION),
+    };
+    if (!fill_page(&writer, &page, error)) {
+        return false;
+    }
+    if (job->type == &types[0]) {
+        page_write_html(&page, sink);
+    } else {
+        page_write_svg(&page, arena, sink);
+    }
+    return true;
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_ANSWER(report_types), .check = check, .make = make},
+};
+
+static const struct example examples[] = {
+    {"report double-gauss -o report.html", "a page for a browser"},
+    {"report double-gauss -N 4 -o report.svg", "stopped down, as one drawing"},
+    {NULL, NULL},
+};
+
+const struct command command_report = {
+    .name = "report",
+    .group = "analyses",
+    .summary = "all about a lens on one page",
+    COMMAND_ASKS(struct input),
+    COMMAND_MAKES(artifacts),
+};

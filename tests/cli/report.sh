@@ -1,0 +1,17 @@
+# one page about a lens; what it holds is checked by check_report.py
+lenscalc report double-gauss -N 4 -o page.html
+sed -n 's/.*<code>\(.*\)<\/code>.*/\1/p' page.html
+lenscalc report canon-nfd-70-210 --position wide,tele | grep '<h2>'
+lenscalc report canon-nfd-70-210 --position tele | grep -c figcaption
+lenscalc convert double-gauss | lenscalc report - | grep -c '<p>'
+printf 'object inf\nsurface 50 3 1.5168/64.2 -\nsurface -50 0 air -\n' > bare.lens
+lenscalc report bare.lens | grep '<p>'
+# refused
+lenscalc report
+lenscalc report double-gauss -o page.pdf
+lenscalc report no-such-lens
+lenscalc report double-gauss --position wide
+lenscalc report double-gauss wide-35
+lenscalc report double-gauss -N 2,4
+lenscalc report double-gauss -w d
+ls
