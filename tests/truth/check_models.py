@@ -294,6 +294,17 @@ def check_focus(render):
     for focus, place in ("thick", thick), ("sharpest", sharp):
         moved = render.plane_of(*lens, "--gap", "last", "--focus-at", focus)
         checks.check(abs(moved - place) < 1e-7, f"--gap last: {moved}, expected {place}")
+    # sharpest: rays back from the film come closest to each other at the card
+    for gaps in "last", "2":
+        off = []
+        for focus in "thick", "sharpest":
+            rays = render.rays(*lens, "--gap", gaps, "--sensor", "1e-9x1e-9mm", "--samples",
+                               "1024", "--focus-at", focus)
+            crossing = [(at(ray, 0), ray["cos_x"] / ray["cos_z"], ray["cos_y"] / ray["cos_z"])
+                        for ray in rays]
+            off.append(500 - sum(x * u + y * v for (x, y), u, v in crossing) /
+                       sum(u * u + v * v for _, u, v in crossing))
+        checks.check(abs(off[1]) < 0.02 * abs(off[0]), f"--gap {gaps}: {off} mm off the card")
     # models focus on the card themselves, whatever was moved for the exact rays
     for words in ("thick", "--focus-at", "sharpest"), ("thin",), ("paraxial",):
         rays = render.rays(*lens, "--gap", "2", "--sensor", "1e-9x1e-9mm", "--samples", "64",

@@ -118,27 +118,33 @@ static bool move_gaps(const struct moving *moving, double shift, struct state *s
                 -state->object);
 }
 
-/* The sharpest image in the film: aberrations change little from one turn to the next. */
+/*
+ * The sharpest image in the film: the shift of the paraxial one that its aberration undoes, by
+ * secants, as aberrations change with the gaps.
+ */
 static bool sharpen(const struct moving *moving, struct state *state, struct error *error)
 {
     enum { TURNS = 30 };
     const double enough = 1e-9; /* mm */
-    double shift = 0;
-    for (int turn = 0; turn < TURNS; turn++) {
+    double shift = 0, before = 0, off_before = 0;
+    for (int turn = 0; turn < TURNS && isfinite(shift); turn++) {
+        if (turn > 0 && !move_gaps(moving, shift, state, error)) {
+            return error_prefix(error, "the sharpest image: ");
+        }
         if (!find_aberration(moving, state, error)) {
             return false;
         }
-        if (fabs(state->aberration - shift) < enough) {
+        const double off = state->aberration - shift;
+        if (fabs(off) < enough) {
             return true;
         }
-        shift = state->aberration;
-        if (!move_gaps(moving, shift, state, error)) {
-            return error_prefix(error, "the sharpest image: ");
-        }
+        const double slope = turn == 0 ? -1 : (off - off_before) / (shift - before);
+        before = shift;
+        off_before = off;
+        shift -= off / slope;
     }
     return fail(error, ERROR_DOMAIN,
-                "no movement of the gaps was found that brings the sharpest "
-                "image to the film");
+                "no movement of the gaps was found that brings the sharpest image to the film");
 }
 
 /* The lens in the only position that is asked for. */
