@@ -200,12 +200,13 @@ bool distortion_trace(const struct distortion_map *map, double radius, struct ar
 
 /* -------- the fit -------- */
 
-/* One way: out = slope in + sum c_j in^p_j. */
+/* One way: out = (slope in + sum c_j in^p_j)/(1 + sum c_j in^p_j), the last terms below the line. */
 struct equations {
     const struct distortion_profile *profile;
     const struct model_facts *facts;
     const double *in, *out;
-    double slope; /* NaN: to be found */
+    bool is_free; /* the slope is to be found */
+    double slope;
     double c[MODEL_TERMS];
 };
 
@@ -218,30 +219,126 @@ static double power_of(double x, int power)
     return product;
 }
 
-static void solve(struct equations *equations, struct arena *arena)
+/* Is the j-th term below the line? */
+static bool is_below(const struct model_facts *facts, size_t j)
+{
+    return j + facts->below >= facts->terms;
+}
+
+/* What the coefficients make of a height, and what of it stands below the line. */
+static double make(const struct equations *equations, double in, double *below)
 {
     const struct model_facts *facts = equations->facts;
+    double above = equations->slope * in;
+    *below = 1;
+    for (size_t j = 0; j < facts->terms; j++) {
+        *(is_below(facts, j) ? below : &above) += equations->c[j] * power_of(in, facts->powers[j]);
+    }
+    return above / *below;
+}
+
+/* The square of what is left; infinite with a pole among the heights. */
+static double left_over(const struct equations *equations)
+{
+    double sum = 0, below;
+    for (size_t i = 0; i < equations->profile->count; i++) {
+        const double off = equations->out[i] - make(equations, equations->in[i], &below);
+        sum += below > 0 ? equations->profile->weight[i] * off * off : (double)INFINITY;
+    }
+    return sum;
+}
+
+/*
+ * Least squares of the equations times what stands below the line, with that of the coefficients
+ * before; is_step: of their differences.
+ */
+static void solve_linear(const struct equations *equations, bool is_step, struct arena *arena,
+                         double *x)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    const struct model_facts *facts = equations->facts;
     const size_t rows = equations->profile->count, terms = facts->terms;
-    const bool is_free = isnan(equations->slope);
-    const size_t columns = terms + (is_free ? 1 : 0);
+    const size_t columns = terms + (equations->is_free ? 1 : 0);
     double *a = ARENA_ARRAY(arena, rows * columns, double), *b = ARENA_ARRAY(arena, rows, double);
-    double x[MODEL_TERMS + 1];
     for (size_t i = 0; i < rows; i++) {
-        const double root = sqrt(equations->profile->weight[i]), in = equations->in[i];
+        const double in = equations->in[i], out = equations->out[i];
+        double below, made = make(equations, in, &below);
+        const double root = sqrt(equations->profile->weight[i]), over = root / below;
         for (size_t j = 0; j < terms; j++) {
-            a[i * columns + j] = root * power_of(in, facts->powers[j]);
+            const double factor = is_below(facts, j) ? -(is_step ? made : out) : 1;
+            a[i * columns + j] = over * factor * power_of(in, facts->powers[j]);
         }
-        if (is_free) {
-            a[i * columns + terms] = root * in;
+        if (equations->is_free) {
+            a[i * columns + terms] = over * in;
         }
-        b[i] = root * (equations->out[i] - (is_free ? 0 : equations->slope * in));
+        b[i] = is_step ? root * (out - made)
+                       : over * (out - (equations->is_free ? 0 : equations->slope * in));
     }
     const struct linear_factors factors = linear_factor(a, rows, columns, 1e-12, arena);
+    x[terms] = 0;
     linear_solve(&factors, b, x);
+    arena_reset(arena, mark);
+}
+
+/* Coefficients and slope by so much of a step more. */
+static struct equations moved(const struct equations *equations, const double *step, double share)
+{
+    struct equations next = *equations;
+    const size_t terms = equations->facts->terms;
     for (size_t j = 0; j < terms; j++) {
-        equations->c[j] = x[j];
+        next.c[j] += share * step[j];
     }
-    equations->slope = is_free ? x[terms] : equations->slope;
+    next.slope += equations->is_free ? share * step[terms] : 0;
+    return next;
+}
+
+/* Solved as linear ones, with what stood below the line before. */
+static struct equations solved(const struct equations *equations, struct arena *arena)
+{
+    struct equations next = *equations;
+    double x[MODEL_TERMS + 1];
+    solve_linear(equations, false, arena, x);
+    for (size_t j = 0; j < equations->facts->terms; j++) {
+        next.c[j] = x[j];
+    }
+    next.slope = equations->is_free ? x[equations->facts->terms] : equations->slope;
+    return next;
+}
+
+/* A step of Gauss and Newton, halved until it leaves less; false: none does. */
+static bool improve(struct equations *equations, struct arena *arena)
+{
+    const double before = left_over(equations);
+    double step[MODEL_TERMS + 1];
+    solve_linear(equations, true, arena, step);
+    for (double share = 1; share > 1e-4; share /= 2) {
+        const struct equations next = moved(equations, step, share);
+        const double after = left_over(&next);
+        if (after < before) {
+            *equations = next;
+            return after < before * (1 - 1e-9);
+        }
+    }
+    return false;
+}
+
+/* Polynomials at once; quotients from there, and from linear equations made from them. */
+static void solve(struct equations *equations, struct arena *arena)
+{
+    enum { ROUNDS = 8, MOST = 200 };
+    if (equations->facts->below == 0) {
+        *equations = solved(equations, arena);
+        return;
+    }
+    struct equations next = *equations;
+    for (int round = 0; round < ROUNDS; round++) {
+        next = solved(&next, arena);
+        if (left_over(&next) < left_over(equations)) {
+            *equations = next;
+        }
+    }
+    for (int step = 0; step < MOST && improve(equations, arena); step++) {
+    }
 }
 
 static const double *scaled(const double *x, size_t count, double factor, struct arena *arena)
@@ -293,7 +390,11 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
                                   .facts = facts,
                                   .in = distorts ? ideal : profile->real,
                                   .out = distorts ? profile->real : ideal,
-                                  .slope = is_free ? (double)NAN : 1};
+                                  .is_free = is_free,
+                                  .slope = 1};
+    if (is_free) {
+        equations.slope = equations.out[0] / equations.in[0];
+    }
     struct distortion_polynomial *polynomial = &fit->ways[way];
     solve(&equations, arena);
     if (is_free) {
@@ -302,10 +403,13 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
     fit->unit = unit_of(fit, sensor);
     for (size_t j = 0; j < facts->terms; j++) {
         /* what was found of a focal length of 1 becomes mm */
+        const bool below = is_below(facts, j);
         const double mm = !is_free   ? 1
                           : distorts ? 1 / power_of(fit->focal, facts->powers[j])
+                          : below    ? 1
                                      : fit->focal;
-        polynomial->reduced[j] = equations.c[j] * mm * power_of(fit->unit, facts->powers[j] - 1);
+        polynomial->reduced[j] =
+            equations.c[j] * mm * power_of(fit->unit, facts->powers[j] - (below ? 0 : 1));
     }
     measure(profile, fit, way, polynomial);
     return distortion_publish(fit->model, polynomial->reduced, polynomial->published) ||

@@ -65,7 +65,8 @@ struct distortion_question {
  *
  * Formula   least squares of the heights that a way makes, over the radius in the real image; the
  *           inverse is another polynomial of the same kind, fitted alike
- * Source    linear in the coefficients K of distortion_model.h, by base/linear
+ * Source    linear in the coefficients K of distortion_model.h, by base/linear; with some below the
+ *           line from linear equations, in turns, to Gauss and Newton's steps
  * Errors    ERROR_DOMAIN: the distortion is too strong for a model that leaves r = 1 in its place
  * Limits    the residual is that of the profile's fields, as it is printed
  */

@@ -21,6 +21,15 @@ const struct model_facts distortion_models[DISTORTION_MODELS] = {
                       .terms = 3,
                       .names = {"k1", "k2", "k3"},
                       .powers = {3, 5, 7}},
+    [MODEL_RATIONAL] = {.word = {"opencv-rational",
+                                 "OpenCV's rational model k1 to k6, r over the focal length"},
+                        .way = WAY_DISTORT,
+                        .unit = UNIT_FOCAL,
+                        .projection = RECTILINEAR,
+                        .terms = 6,
+                        .below = 3,
+                        .names = {"k1", "k2", "k3", "k4", "k5", "k6"},
+                        .powers = {3, 5, 7, 2, 4, 6}},
     [MODEL_FISHEYE] = {.word = {"fisheye", "OpenCV's fisheye k1 to k4, of the field angle"},
                        .way = WAY_DISTORT,
                        .unit = UNIT_FOCAL,
@@ -65,11 +74,13 @@ static double power_of(double x, int power)
 double distortion_apply(enum distortion_model model, const double *reduced, double in)
 {
     const struct model_facts *facts = &distortion_models[model];
-    double out = in;
+    double out = in, below = 1;
     for (size_t j = 0; j < facts->terms; j++) {
-        out += reduced[j] * power_of(in, facts->powers[j]);
+        const double term = reduced[j] * power_of(in, facts->powers[j]);
+        out += j + facts->below < facts->terms ? term : 0;
+        below += j + facts->below < facts->terms ? 0 : term;
     }
-    return out;
+    return below > 0 ? out / below : (double)NAN;
 }
 
 /* The d of d - 1 + sum K_j d^p_j = 0 that 1 leads to; NaN: to none. */

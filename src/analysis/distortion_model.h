@@ -12,6 +12,7 @@
 enum distortion_model {
     MODEL_BROWN,
     MODEL_OPENCV,
+    MODEL_RATIONAL,
     MODEL_FISHEYE,
     MODEL_POLY3,
     MODEL_POLY5,
@@ -19,7 +20,7 @@ enum distortion_model {
     DISTORTION_MODELS
 };
 
-enum { MODEL_TERMS = 4 };
+enum { MODEL_TERMS = 6 };
 
 /* Which way a polynomial goes: from the ideal image to the real one, or back. */
 enum distortion_way { WAY_DISTORT, WAY_UNDISTORT, DISTORTION_WAYS };
@@ -28,12 +29,13 @@ enum distortion_way { WAY_DISTORT, WAY_UNDISTORT, DISTORTION_WAYS };
 enum model_unit { UNIT_MILLIMETRE, UNIT_FOCAL, UNIT_HALF_SIDE };
 
 /*
- * A model: out = in + sum K_j in^p_j in its own unit, along the radius; tangential terms of a
- * centred lens are 0.
+ * A model: out = (in + sum K_j in^p_j)/(1 + sum L_j in^q_j) in its own unit, along the radius;
+ * tangential terms of a centred lens are 0.
  *
  * Formula   brown    r_u = r_d (1 + k1 r_d^2 + k2 r_d^4 + k3 r_d^6), r in mm
  *           opencv   r_d = r_u (1 + k1 r_u^2 + k2 r_u^4 + k3 r_u^6), r over the focal length: the
  *                    five coefficients k1 k2 p1 p2 k3 with p1 = p2 = 0
+ *           opencv-rational  the same over 1 + k4 r_u^2 + k5 r_u^4 + k6 r_u^6
  *           fisheye  t_d = t (1 + k1 t^2 + k2 t^4 + k3 t^6 + k4 t^8), r_d = f t_d, t the angle
  *           poly3    r_d = r_u (1 - k1 + k1 r_u^2)
  *           poly5    r_d = r_u (1 + k1 r_u^2 + k2 r_u^4)
@@ -48,7 +50,7 @@ struct model_facts {
     enum distortion_way way; /* of the published form; its inverse is fitted alike */
     enum model_unit unit;
     enum projection projection; /* of the ideal image; PROJECTIONS: any */
-    size_t terms;
+    size_t terms, below;        /* below: how many of the terms, the last, stand below the line */
     const char *names[MODEL_TERMS];
     int powers[MODEL_TERMS];
     bool keeps_unit; /* r = 1 stays where it is */
@@ -66,7 +68,7 @@ extern const struct model_facts distortion_models[DISTORTION_MODELS];
  */
 bool distortion_publish(enum distortion_model model, const double *reduced, double *published);
 
-/* out = in + sum K_j in^p_j */
+/* out = (in + sum K_j in^p_j)/(1 + sum L_j in^q_j); NaN: beyond a pole */
 double distortion_apply(enum distortion_model model, const double *reduced, double in);
 
 #endif

@@ -54,3 +54,4 @@ lenscalc distortion schneider-anamorphic-31 --fit opencv
 lenscalc distortion double-gauss --fit opencv --pitch 30mm
 lenscalc distortion double-gauss --projection flat
 ls
+lenscalc distortion canon-retrofocus-14 --sensor 30x20mm --fit opencv-rational --csv --digits 2 --columns direction,max_pixels

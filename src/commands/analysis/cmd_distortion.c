@@ -210,7 +210,8 @@ static const struct artifact artifacts[] = {
                 .types = distortion_file_types,
                 .wants = "fit!=none",
                 .help = "write what --fit found: for lensfun (.xml) poly3, poly5 or ptlens, for "
-                        "OpenCV (.yml) opencv or fisheye; rows go to standard output"},
+                        "OpenCV (.yml) opencv, opencv-rational or fisheye; rows go to standard "
+                        "output"},
      .is_kept = true,
      .check = distortion_fit_check,
      .make = distortion_fit_save},
@@ -244,6 +245,10 @@ static const struct explanation explanations[] = {
     {"rms_pixels model=opencv",
      "of r_d = r_u (1 + k1 r_u^2 + k2 r_u^4 + k3 r_u^6), r over f" FITTED, "[OpenCV], p1 = p2 = 0",
      "the inverse is another polynomial of the same kind"},
+    {"rms_pixels model=opencv-rational",
+     "of r_d = r_u (1 + k1 r_u^2 + k2 r_u^4 + k3 r_u^6)/(1 + k4 r_u^2 + k5 r_u^4 + k6 r_u^6), r "
+     "over f" FITTED,
+     "[OpenCV], p1 = p2 = 0", "the inverse is another quotient of the same kind"},
     {"rms_pixels model=fisheye",
      "of t_d = t (1 + k1 t^2 + k2 t^4 + k3 t^6 + k4 t^8), r_d = f t_d" FITTED, "[OpenCV]",
      "the inverse is another polynomial of the same kind"},

@@ -9,7 +9,7 @@
 struct row {
     struct analysis_point point;
     const char *model, *direction, *form, *projection, *sensor, *resolution;
-    double k1, k2, k3, k4, a, b, c;
+    double k1, k2, k3, k4, k5, k6, a, b, c;
     double rms_pixels, max_pixels, rms, max; /* the last two in mm */
     double unit, focal, radius, pitch;       /* mm */
 };
@@ -40,6 +40,8 @@ static const struct column columns[] = {
     NUMBER(k2, "coefficient"),
     NUMBER(k3, "coefficient"),
     NUMBER(k4, "coefficient"),
+    NUMBER(k5, "coefficient"),
+    NUMBER(k6, "coefficient"),
     NUMBER(a, "coefficient"),
     NUMBER(b, "coefficient"),
     NUMBER(c, "coefficient"),
@@ -162,7 +164,8 @@ static double *coefficient(struct row *row, const char *name)
     const struct {
         const char *name;
         double *at;
-    } all[] = {{"k1", &row->k1}, {"k2", &row->k2}, {"k3", &row->k3}, {"k4", &row->k4},
+    } all[] = {{"k1", &row->k1}, {"k2", &row->k2}, {"k3", &row->k3},
+               {"k4", &row->k4}, {"k5", &row->k5}, {"k6", &row->k6},
                {"a", &row->a},   {"b", &row->b},   {"c", &row->c}};
     size_t i = 0;
     while (strcmp(all[i].name, name) != 0) {
@@ -187,6 +190,8 @@ static struct row row_of(const struct analysis_case *one, const struct found *fo
         .k2 = NAN,
         .k3 = NAN,
         .k4 = NAN,
+        .k5 = NAN,
+        .k6 = NAN,
         .a = NAN,
         .b = NAN,
         .c = NAN,
@@ -349,6 +354,7 @@ static bool write_opencv(const struct analysis_case *one, void *context, struct 
     const double f = found.fit.focal / picture->size.pitch;
     const double *k = found.fit.ways[WAY_DISTORT].published;
     const bool is_fisheye = found.fit.model == MODEL_FISHEYE;
+    const bool is_rational = found.fit.model == MODEL_RATIONAL;
     output_printf(sink,
                   "%%YAML:1.0\n---\n"
                   "# made by lenscalc distortion from the exact chief rays of a design\n"
@@ -364,8 +370,14 @@ static bool write_opencv(const struct analysis_case *one, void *context, struct 
     output_printf(sink,
                   "distortion_coefficients: !!opencv-matrix\n"
                   "   rows: %d\n   cols: 1\n   dt: d\n",
-                  is_fisheye ? 4 : 5);
-    if (is_fisheye) {
+                  is_fisheye    ? 4
+                  : is_rational ? 8
+                                : 5);
+    if (is_rational) {
+        output_printf(sink, "   data: [ %.16e, %.16e, 0., 0.,\n       %.16e, %.16e, %.16e,\n", k[0],
+                      k[1], k[2], k[3], k[4]);
+        output_printf(sink, "       %.16e ]\n", k[5]);
+    } else if (is_fisheye) {
         output_printf(sink, "   data: [ %.16e, %.16e,\n       %.16e, %.16e ]\n", k[0], k[1], k[2],
                       k[3]);
     } else {
