@@ -200,7 +200,7 @@ bool distortion_trace(const struct distortion_map *map, double radius, struct ar
 
 /* -------- the fit -------- */
 
-/* One way: out = (slope in + sum c_j in^p_j)/(1 + sum c_j in^p_j), the last terms below the line. */
+/* One way: out = (slope in + sum c_j in^p_j)/(1 + sum c_j in^p_j), the last terms below. */
 struct equations {
     const struct distortion_profile *profile;
     const struct model_facts *facts;
