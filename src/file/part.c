@@ -338,7 +338,8 @@ static const char *list_missing(const struct part_file *files, size_t count, str
     return list;
 }
 
-bool parts_order(struct part_file *files, size_t count, struct arena *arena, struct error *error)
+bool parts_order(struct part_file *files, size_t count, bool whole, struct arena *arena,
+                 struct error *error)
 {
     const char *first = arena_printf(arena, "the run of %s", files[0].path);
     const struct part_head run = files[0].head;
@@ -354,13 +355,14 @@ bool parts_order(struct part_file *files, size_t count, struct arena *arena, str
             return fail(error, ERROR_DATA, "%s and %s are both part %s", files[i - 1].path,
                         files[i].path, said(head, head, PART, arena));
         }
-        if (head->done < items_of(head)) {
+        if (whole && head->done < items_of(head)) {
             return fail(error, ERROR_DATA,
                         "%s is incomplete: %" PRIu64 " of %" PRIu64
                         " items; its run was interrupted",
                         files[i].path, head->done, items_of(head));
         }
     }
-    return (long)count == run.part.count || fail(error, ERROR_DATA, "of %s there is no part %s",
-                                                 first, list_missing(files, count, arena));
+    return !whole || (long)count == run.part.count ||
+           fail(error, ERROR_DATA, "of %s there is no part %s", first,
+                list_missing(files, count, arena));
 }

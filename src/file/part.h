@@ -86,9 +86,11 @@ bool part_is_of_run(const struct part_file *file, const struct part_head *run, c
  * Put the parts of a run in order.
  *
  * Given     files   count of them, at least one, in any order; they are sorted
+ *           whole   all parts must be there, and complete
  * Errors    as part_is_of_run; ERROR_DATA naming the files: a part twice; a part that is
  *           incomplete; the parts that are missing
  */
-bool parts_order(struct part_file *files, size_t count, struct arena *arena, struct error *error);
+bool parts_order(struct part_file *files, size_t count, bool whole, struct arena *arena,
+                 struct error *error);
 
 #endif

@@ -109,6 +109,8 @@ edge --part 2/2 --resume -o second.part
 sed '/^$/,$d' first.part | sed 's/^\(version\|input\|length\|body\) .*/\1 .../'
 lenscalc merge second.part first.part -o both.pfm && head -2 both.pfm
 lenscalc merge first.part -o lost.pfm
+lenscalc merge first.part --incomplete -o half.exr; echo "status $?"; grep -ao 'Incomplete.string.....[a-z ]*' half.exr | tr -d '\0\21'
+lenscalc merge first.part second.part --incomplete -o half.pfm && cmp half.pfm both.pfm
 lenscalc merge first.part second.part -o lost.part
 lenscalc merge first.part second.part -o lost
 lenscalc merge first.part lost.part -o lost.pfm

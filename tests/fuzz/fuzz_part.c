@@ -43,7 +43,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_words(files[0].head.words, &arena);
         REQUIRE(part_read("again", again, &files[1], &error));
         REQUIRE(text_identical(files[0].body, files[1].body));
-        REQUIRE(!parts_order(files, 2, &arena, &error));
+        REQUIRE(!parts_order(files, 2, true, &arena, &error));
         fuzz_require_error(&error);
     } else {
         fuzz_require_error(&error);

@@ -199,6 +199,14 @@ def check_stopped(folder):
             folder.checks.check(status == -sign and not there, "a worker that is killed")
         elif status != 0:  # else it was too fast
             folder.checks.check(status == 1 and there, f"a worker that is interrupted: {status}")
+            result = folder.run("merge", "s1.part", "s2.part", "--incomplete", "-o", "some.png")
+            some, other = (pixels_of(folder.read(name))[0] for name in ("some.png", "whole.png"))
+            black = bytes(16 * 3)
+            wrong = sum(line[x:x + 48] not in (of[x:x + 48], black)
+                        for line, of in zip(some, other) for x in range(0, 720, 48))
+            folder.checks.check(result.returncode == 1 and some != other and wrong == 0 and
+                                some[:72] == other[:72] and b"Incomplete" in
+                                folder.read("some.png"), f"what there is: {wrong} {result.stderr}")
             folder.refused("s2.part is incomplete", "merge", "s1.part", "s2.part", "-o", "no.png")
         folder.good("render", *words, "--part", "2/2", "--resume", "-o", "s2.part")
         folder.good("merge", "s2.part", "s1.part", "-o", "merged.png")

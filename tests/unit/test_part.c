@@ -195,22 +195,23 @@ static void test_order(struct arena *arena)
     for (size_t i = 0; i < 4; i++) {
         files[i] = (struct part_file){paths[i], head_of(shuffled[i], 4), text_of("")};
     }
-    CHECK(parts_order(files, 4, arena, &error));
+    CHECK(parts_order(files, 4, true, arena, &error));
     for (size_t i = 0; i < 4; i++) {
         CHECK(files[i].head.part.number == (long)i + 1 && files[i].path[0] == (char)('a' + i));
     }
     files[4] = (struct part_file){"e", head_of(2, 4), text_of("")};
-    CHECK(!parts_order(files, 5, arena, &error));
+    CHECK(!parts_order(files, 5, true, arena, &error));
     CHECK_TEXT(error.message, "b and e are both part 2/4");
     struct part_file one[] = {{"b", head_of(2, 4), text_of("")}};
-    CHECK(!parts_order(one, 1, arena, &error) && error.code == ERROR_DATA);
+    CHECK(!parts_order(one, 1, true, arena, &error) && error.code == ERROR_DATA);
     CHECK_TEXT(error.message, "of the run of b there is no part 1/4, 3/4, 4/4");
     one[0].head = head_of(20, 20);
-    CHECK(!parts_order(one, 1, arena, &error));
+    CHECK(!parts_order(one, 1, true, arena, &error));
     CHECK(strstr(error.message, "11/20, 12/20 and 7 more") != NULL);
     one[0].head = head_of(1, 1);
     one[0].head.done = 999;
-    CHECK(!parts_order(one, 1, arena, &error) && error.code == ERROR_DATA);
+    CHECK(!parts_order(one, 1, true, arena, &error) && error.code == ERROR_DATA);
+    CHECK(parts_order(one, 1, false, arena, &(struct error){0}));
     CHECK_TEXT(error.message, "b is incomplete: 999 of 1000 items; its run was interrupted");
 }
 
@@ -219,7 +220,7 @@ static void check_stranger(struct part_head stranger, const char *message, struc
     struct part_file files[] = {{"a.part", head_of(1, 2), text_of("")},
                                 {"b.part", stranger, text_of("")}};
     struct error error = {0};
-    CHECK(!parts_order(files, 2, arena, &error) && error.code == ERROR_DATA);
+    CHECK(!parts_order(files, 2, true, arena, &error) && error.code == ERROR_DATA);
     CHECK_TEXT(error.message, message);
 }
 

@@ -115,13 +115,16 @@ static bool find_files(struct render_part *part, struct error *error)
 /* Which tiles are to be taken. */
 static void mark_tiles(struct render_part *part)
 {
-    for (size_t tile = 0; tile < part->tiles; tile++) {
-        part->done[tile] = is_own(part, tile) ? TILE_WANTED : TILE_ELSEWHERE;
-    }
+    const bool is_merged = part->job->run->parts != NULL;
     for (size_t i = 0; i < part->file_count; i++) {
         const struct part_file *file = &part->files[i];
         const struct part_range range = part_range(file->head.part, file->head.total);
         memcpy(part->done + range.begin, file->body.start + COUNT_BYTES, range.end - range.begin);
+    }
+    for (size_t tile = 0; tile < part->tiles; tile++) {
+        if (part->done[tile] != TILE_DONE) {
+            part->done[tile] = is_own(part, tile) && !is_merged ? TILE_WANTED : TILE_ELSEWHERE;
+        }
     }
 }
 
@@ -246,6 +249,9 @@ bool render_part_begin(const struct artifact_job *job, const struct analysis_cas
 void render_part_fill(struct render_part *part, struct photograph *photograph)
 {
     fill(part, photograph);
+    for (size_t tile = 0; tile < part->tiles; tile++) {
+        photograph->is_incomplete = photograph->is_incomplete || part->done[tile] != TILE_DONE;
+    }
     for (int k = 0; k < PHOTOGRAPH_COUNTS; k++) {
         photograph->counts[k] += part->counts[k];
     }

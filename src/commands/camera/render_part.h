@@ -41,7 +41,7 @@ bool render_part_begin(const struct artifact_job *job, const struct analysis_cas
                        struct photograph_question *question, struct render_part *part,
                        struct error *error);
 
-/* After it: tiles that were there already go into it. */
+/* After it: tiles that were there already go into it; it is incomplete if some are missing. */
 void render_part_fill(struct render_part *part, struct photograph *photograph);
 
 /* The file of the part; what is incomplete becomes the shortfall of the run. */

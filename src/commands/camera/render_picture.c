@@ -97,9 +97,10 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     render_filter(input, one->setup, &shot.photograph);
     add_notes(one, input, &shot.photograph.image, arena);
     if (shot.photograph.is_incomplete) {
-        render_note(&shot.photograph.image, arena, "Incomplete", "interrupted");
+        const char *why = job->run->parts != NULL ? "parts are missing" : "interrupted";
+        render_note(&shot.photograph.image, arena, "Incomplete", why);
         fail(&job->run->shortfall, ERROR_DOMAIN,
-             "interrupted: the picture is incomplete, and black where it is missing");
+             "%s: the picture is incomplete, and black where it is missing", why);
     }
     render_say_autofocus(input, render_object(one), &doubts);
     render_say_samples(input, &shot.photograph, &doubts);

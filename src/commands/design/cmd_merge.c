@@ -6,12 +6,15 @@
 struct input {
     const char *files; /* separated by OPTION_MANY_SEPARATOR */
     const char *output;
+    bool incomplete;
 };
 
 static const struct option options[] = {
     {OPTION(struct input, files), .name = "parts", .value = "FILE", .types = division_types,
      .flags = OPTION_OPERAND | OPTION_TOGETHER | OPTION_FILE,
      .help = "all parts of a run, in any order"},
+    {OPTION(struct input, incomplete), .name = "incomplete",
+     .help = "make what there is of parts that are missing or incomplete"},
     {OPTION(struct input, output), .name = "output", .letter = 'o', .value = "FILE",
      .flags = OPTION_FILE, .help = "where the whole goes, as of the command that was divided"},
 };
@@ -38,7 +41,7 @@ static bool read_parts(const struct input *input, struct arena *arena, struct pa
         }
         ++*count;
     }
-    return parts_order(*files, *count, arena, error);
+    return parts_order(*files, *count, !input->incomplete, arena, error);
 }
 
 /* -------- asked again -------- */
