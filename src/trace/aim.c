@@ -3,6 +3,7 @@
 #include "trace/aim.h"
 
 #include "trace/aim_block.h"
+#include "trace/aim_map.h"
 #include "trace/chief.h"
 #include "trace/dispatch.h"
 
@@ -79,19 +80,6 @@ struct search {
 
 enum { STEPS = 60, HALVINGS = 40 };
 
-/*
- * Where a point lies in the stop, mm. One on the very edge is taken a little within, so that the
- * stop lets it pass whichever way its last bits fall.
- */
-static void goal_of(const struct aim *aim, const struct pupil_point *point, double goal[2])
-{
-    const double on_edge = 1e-13, within = 1 - 2e-15;
-    bool is_edge = fabs(point->x * point->x + point->y * point->y - 1) < on_edge;
-    const double radius = aim->stop_radius * (is_edge ? within : 1);
-    goal[0] = point->x * radius;
-    goal[1] = point->y * radius;
-}
-
 static void multiply(const double m[4], const double v[2], double out[2])
 {
     double x = m[0] * v[0] + m[1] * v[1], y = m[2] * v[0] + m[3] * v[1];
@@ -104,7 +92,7 @@ static void start_search(const struct aim *aim, const struct pupil_point *point,
 {
     const double *m = aim->slope, det = m[0] * m[3] - m[1] * m[2];
     double goal[2];
-    goal_of(aim, point, goal);
+    aim_goal(aim, point, goal);
     *search = (struct search){
         .at = {aim->chief[0], aim->chief[1]},
         .miss = {goal[0] - aim->centre[0], goal[1] - aim->centre[1]},
@@ -141,7 +129,7 @@ static void judge(const struct aim *aim, const struct pupil_point *point, size_t
     const struct ray_block *block = aim->work.blocks;
     enum ray_status status = ray_block_status(block, lane);
     double goal[2];
-    goal_of(aim, point, goal);
+    aim_goal(aim, point, goal);
     double miss[2] = {goal[0] - block->x[lane], goal[1] - block->y[lane]};
     double before = hypot(search->miss[0], search->miss[1]), after = hypot(miss[0], miss[1]);
     if (status == RAY_OK && after < before) {
@@ -278,7 +266,7 @@ static bool step_to(const struct aim *aim, const double target[2], double at[2],
 static void lead(const struct aim *aim, const struct pupil_point *point, struct search *search)
 {
     double goal[2];
-    goal_of(aim, point, goal);
+    aim_goal(aim, point, goal);
     double at[2] = {aim->chief[0], aim->chief[1]}, miss[2] = {0, 0}, done = 0, step = 0.25;
     while (done < 1 && step > 1e-4) {
         double share = fmin(done + step, 1), next[2] = {at[0], at[1]}, target[2];
@@ -329,7 +317,7 @@ static void start_block(const struct aim *aim, const struct pupil_point *points,
     block->lanes = (int)lanes;
     for (size_t i = 0; i < lanes; i++) {
         double goal[2];
-        goal_of(aim, &points[i < count ? i : 0], goal);
+        aim_goal(aim, &points[i < count ? i : 0], goal);
         double x = goal[0] - aim->centre[0], y = goal[1] - aim->centre[1];
         block->goal_x[i] = goal[0];
         block->goal_y[i] = goal[1];
@@ -497,14 +485,50 @@ static size_t aim_block(const struct aim *aim, const struct pupil_point *points,
     return aimed;
 }
 
+/* -------- many blocks -------- */
+
+/* From so many rays on a map is worth its own. */
+enum { MANY = 4 * RAYS_BLOCK };
+
+/*
+ * The map of the stop, if the pupil has no fold that could be seen: all of its rays are found on
+ * the sheet of the chief ray, without going astray.
+ */
+static bool make_map(const struct aim *aim, struct aim_map *map)
+{
+    struct aim_block block;
+    struct pupil_point points[MAP_NODES];
+    double at[MAP_NODES][2];
+    aim_map_nodes(at);
+    for (size_t i = 0; i < MAP_NODES; i++) {
+        points[i] = (struct pupil_point){at[i][0], at[i][1], 0};
+    }
+    start_block(aim, points, MAP_NODES, &block);
+    steer_block(aim, MAP_NODES, &block);
+    for (size_t i = 0; i < MAP_NODES; i++) {
+        if (block.state[i] != AIM_DONE) {
+            return false;
+        }
+    }
+    if (!is_plain(aim, &block, MAP_NODES)) {
+        return false;
+    }
+    aim_map_fit(block.a, block.b, map);
+    return true;
+}
+
 size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t count,
                 const struct rays *rays)
 {
+    struct aim_map map;
     size_t aimed = 0;
+    const bool has_map = count >= MANY && make_map(aim, &map);
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
         const struct rays block = {rays->blocks + done / RAYS_BLOCK, here};
-        aimed += aim_block(aim, points + done, here, &block);
+        aimed += has_map && aim_map_follow(&map, aim, points + done, &block)
+                     ? here
+                     : aim_block(aim, points + done, here, &block);
     }
     return aimed;
 }

@@ -3,8 +3,12 @@
 #ifndef LENSCALC_TRACE_AIM_BLOCK_H
 #define LENSCALC_TRACE_AIM_BLOCK_H
 
+#include "trace/aim.h"
 #include "trace/dispatch.h"
 #include "trace/rays.h"
+#include "trace/sample.h"
+
+#include <math.h>
 
 /* Astray: a whole step leads nowhere nearer. The last step: only while a kernel works. */
 enum aim_state { AIM_OPEN, AIM_DONE, AIM_ASTRAY, AIM_LAST };
@@ -34,6 +38,19 @@ typedef void kernel_aim(const struct ray_block *at_stop, double enough2, double 
                         struct aim_block *block);
 kernel_aim kernel_aim_sse2, kernel_aim_avx2, kernel_aim_avx512;
 kernel_aim *dispatch_aim(enum instruction_set set);
+
+/*
+ * Where a point lies in the stop, mm. One on the very edge is taken a little within, so that the
+ * stop lets it pass whichever way its last bits fall.
+ */
+static inline void aim_goal(const struct aim *aim, const struct pupil_point *point, double goal[2])
+{
+    const double on_edge = 1e-13, within = 1 - 2e-15;
+    bool is_edge = fabs(point->x * point->x + point->y * point->y - 1) < on_edge;
+    const double radius = aim->stop_radius * (is_edge ? within : 1);
+    goal[0] = point->x * radius;
+    goal[1] = point->y * radius;
+}
 
 /* How many rays are not done yet, but not astray. */
 static inline size_t aim_block_open(const struct aim_block *block)

@@ -6,6 +6,7 @@
 #include "base/processor.h"
 #include "trace/adjoint.h"
 #include "trace/aim_block.h"
+#include "trace/aim_map.h"
 #include "trace/beam_block.h"
 #include "trace/tangent.h"
 
@@ -71,6 +72,13 @@ kernel_aim *dispatch_aim(enum instruction_set set)
 {
     static kernel_aim *const kernels[] = {NULL, kernel_aim_sse2, kernel_aim_avx2,
                                           kernel_aim_avx512};
+    return kernels[instruction_set_best(set)];
+}
+
+kernel_map *dispatch_map(enum instruction_set set)
+{
+    static kernel_map *const kernels[] = {NULL, kernel_map_sse2, kernel_map_avx2,
+                                          kernel_map_avx512};
     return kernels[instruction_set_best(set)];
 }
 

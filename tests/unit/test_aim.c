@@ -5,6 +5,7 @@
 #include "exchange/lens_open.h"
 #include "trace/aim.h"
 #include "trace/aim_block.h"
+#include "trace/aim_map.h"
 #include "trace/beam_block.h"
 #include "trace/dispatch.h"
 
@@ -42,9 +43,56 @@ static bool open_lens(const char *name, size_t position, struct arena *arena, st
 }
 
 /* Aim at the rim and inside; what arrives must cross the stop there. */
+static void check_sample(const char *name, const struct opened *opened, const struct aim *aim,
+                         const struct sample *sample, struct arena *arena)
+{
+    struct rays rays = rays_new(arena, sample->count);
+    size_t aimed = aim_rays(aim, sample->points, sample->count, &rays), apart = 0;
+    struct rays start = rays_new(arena, sample->count), few = rays_new(arena, RAYS_BLOCK);
+    memcpy(start.blocks, rays.blocks, rays_blocks(&rays) * sizeof *rays.blocks);
+    rays_trace_part(&opened->system, 0, opened->system.stop + 1, &rays, NULL);
+    double worst = 0;
+    for (size_t i = 0; i < sample->count; i++) {
+        struct ray ray = rays_get(&rays, i, 1);
+        if (ray.status == RAY_OK) {
+            double off = hypot(ray.point[0] - sample->points[i].x * aim->stop_radius,
+                               ray.point[1] - sample->points[i].y * aim->stop_radius);
+            worst = fmax(worst, off / aim->stop_radius);
+        }
+    }
+    /* 1.3e-14 at most; a search whose steps do not become right fast ends at 1e-12 */
+    CHECK(worst <= 1e-13);
+    /* many go by a map of the pupil, a few do not: the same rays are found */
+    for (size_t done = 0; done < sample->count; done += RAYS_BLOCK) {
+        size_t left = sample->count - done, here = left < RAYS_BLOCK ? left : RAYS_BLOCK;
+        apart += aim_rays(aim, sample->points + done, here, &few);
+        for (size_t i = 0; i < here; i++) {
+            struct ray one = rays_get(&few, i, 1), other = rays_get(&start, done + i, 1);
+            double off = hypot(one.point[0] - other.point[0], one.point[1] - other.point[1]);
+            CHECK(one.status == other.status && one.surface == other.surface);
+            CHECK(one.status != RAY_OK || off <= 1e-9 * opened->at->surfaces[0].diameter.value.hi ||
+                  !opened->at->surfaces[0].has_diameter);
+        }
+    }
+    CHECK(aimed == apart);
+    if (getenv("AIM_SHOW") != NULL) {
+        printf("%-28s chief %10.5g %10.5g aimed %zu/%zu worst %.2g", name, aim->chief[0],
+               aim->chief[1], aimed, sample->count, worst);
+        for (size_t i = 0; i < sample->count; i++) {
+            struct ray ray = rays_get(&start, i, 1);
+            if (ray.status != RAY_OK) {
+                printf(" %s at %zu", ray_status_name(ray.status), ray.surface);
+                break;
+            }
+        }
+        printf("\n");
+    }
+}
+
 static void check_field(const char *name, const struct opened *opened,
                         const struct field_point *field, struct arena *arena)
 {
+    static const size_t counts[] = {60, 700};
     struct error error;
     struct beam beam;
     struct aim aim;
@@ -55,34 +103,9 @@ static void check_field(const char *name, const struct opened *opened,
         CHECK(false);
         return;
     }
-    sample_make(PATTERN_HEXAPOLAR, 60, 0, arena, &sample, &error);
-    struct rays rays = rays_new(arena, sample.count);
-    size_t aimed = aim_rays(&aim, sample.points, sample.count, &rays);
-    struct rays start = rays_new(arena, sample.count);
-    memcpy(start.blocks, rays.blocks, rays_blocks(&rays) * sizeof *rays.blocks);
-    rays_trace_part(&opened->system, 0, opened->system.stop + 1, &rays, NULL);
-    double worst = 0;
-    for (size_t i = 0; i < sample.count; i++) {
-        struct ray ray = rays_get(&rays, i, 1);
-        if (ray.status == RAY_OK) {
-            double off = hypot(ray.point[0] - sample.points[i].x * aim.stop_radius,
-                               ray.point[1] - sample.points[i].y * aim.stop_radius);
-            worst = fmax(worst, off / aim.stop_radius);
-        }
-    }
-    /* 1.3e-14 at most; a search whose steps do not become right fast ends at 1e-12 */
-    CHECK(worst <= 1e-13);
-    if (getenv("AIM_SHOW") != NULL) {
-        printf("%-28s field %10.5g chief %10.5g %10.5g aimed %zu/%zu worst %.2g", name,
-               field->value[1], aim.chief[0], aim.chief[1], aimed, sample.count, worst);
-        for (size_t i = 0; i < sample.count; i++) {
-            struct ray ray = rays_get(&start, i, 1);
-            if (ray.status != RAY_OK) {
-                printf(" %s at %zu", ray_status_name(ray.status), ray.surface);
-                break;
-            }
-        }
-        printf("\n");
+    for (size_t k = 0; k < sizeof counts / sizeof counts[0]; k++) {
+        CHECK(sample_make(PATTERN_HEXAPOLAR, counts[k], 0, arena, &sample, &error));
+        check_sample(name, opened, &aim, &sample, arena);
     }
 }
 
@@ -164,9 +187,56 @@ static void test_instruction_sets(void)
     }
 }
 
+/* The map of a pupil too. */
+static void test_maps(void)
+{
+    static const enum instruction_set sets[] = {SET_SSE2, SET_AVX2, SET_AVX512};
+    static struct map_block blocks[3];
+    static struct ray_block at;
+    double nodes[MAP_NODES][2], a[MAP_NODES], b[MAP_NODES];
+    struct aim_map map;
+    unsigned state = 7;
+    aim_map_nodes(nodes);
+    for (size_t i = 0; i < MAP_NODES; i++) {
+        /* a polynomial of the third degree, which it meets */
+        const double x = nodes[i][0], y = nodes[i][1];
+        a[i] = 3 * x + 0.2 * x * y - 0.1 * x * (x * x + y * y);
+        b[i] = 1 + 2 * y + 0.3 * x * x - 0.1 * y * y * y;
+    }
+    aim_map_fit(a, b, &map);
+    for (size_t k = 0; k < 3; k++) {
+        memset(&blocks[k], 0, sizeof blocks[k]);
+        blocks[k].lanes = kernel_lanes(117);
+    }
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        for (size_t k = 0; k < 3; k++) {
+            const double x = k == 0 ? 0.7 * next_number(&state) : blocks[0].x[i];
+            const double y = k == 0 ? 0.7 * next_number(&state) : blocks[0].y[i];
+            blocks[k].x[i] = blocks[k].goal_x[i] = x;
+            blocks[k].y[i] = blocks[k].goal_y[i] = y;
+        }
+        at.x[i] = 2 * (blocks[0].x[i] + 0.01 * next_number(&state));
+        at.y[i] = 2 * (blocks[0].y[i] + 0.01 * next_number(&state));
+    }
+    for (size_t k = 0; k < 3; k++) {
+        if (!instruction_set_works(sets[k])) {
+            continue;
+        }
+        dispatch_map(sets[k])(&map, NULL, 0.5, &blocks[k]);
+        for (size_t i = 0; i < 117; i++) {
+            const double x = blocks[k].x[i], y = blocks[k].y[i];
+            CHECK_NEAR(blocks[k].a[i], 3 * x + 0.2 * x * y - 0.1 * x * (x * x + y * y), 1e-14, "a");
+            CHECK_NEAR(blocks[k].b[i], 1 + 2 * y + 0.3 * x * x - 0.1 * y * y * y, 1e-14, "b");
+        }
+        dispatch_map(sets[k])(&map, &at, 0.5, &blocks[k]);
+        CHECK(memcmp(&blocks[k], &blocks[0], sizeof blocks[0]) == 0);
+    }
+}
+
 int main(void)
 {
     test_instruction_sets();
+    test_maps();
     struct arena arena = {0};
     struct lensdb db = {.arena = &arena};
     struct error error;
