@@ -186,7 +186,7 @@ def check_furnace(checks, program, folder):
                    "surface -100 5 air 60\nstop - 30 air 12\n")
     for film, time, more in (30, 1, ["-w", "d"]), (45, 0.004, []), (90, 30, ["--seed", "3"]):
         rows = take(program, checks, folder, "white.pfm", "--lens", "last.lens", "-s", "3m",
-                    "--focus", str(film), "-t", str(time), "--size", "12x8", "--samples", "256",
+                    "--focus", str(film), "-t", str(time), "--size", "12x8", "--samples", "8192",
                     "--field-width", "100m", *more)
         if rows is None:
             return
@@ -200,7 +200,7 @@ def check_furnace(checks, program, folder):
                 root = math.sqrt(tan2 ** 2 + 2 * tan2 * (1 - tan2a) + (1 + tan2a) ** 2)
                 expected += math.pi / 2 * (1 - (1 + tan2 - tan2a) / root) / 16 * 1000 * time
             for found in rows[j][i]:
-                checks.check(abs(found - expected) < 4e-3 * expected,
+                checks.check(abs(found - expected) < 1.5e-3 * expected,
                              f"{found} lx s of white at pixel {i}, {j}, film {film}: {expected}")
 
 
