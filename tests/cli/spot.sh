@@ -26,3 +26,4 @@ lenscalc spot double-gauss -w d --field 0,14 --defocus -0.1..0.1#11 --plot curve
 # what RMS figures may be off, and why a row fails
 lenscalc spot double-gauss --field 0,95 --csv --digits 3 --columns rms,error
 lenscalc spot double-gauss --field 0 -w d --csv --digits 3 --columns rms,error
+lenscalc spot questar-35 --to 2 --plot feet.svg > /dev/null && grep -o ">[^<]* mm<" feet.svg | sort -u

@@ -32,15 +32,21 @@ struct drawing {
     size_t count, room;
     const char *title, *focus, *failure;
     double airy; /* radius of the Airy disc, um or mrad; NaN = not known */
-    bool is_angular;
+    bool is_angular, is_footprint;
     const double *wavelengths; /* of the keys, ascending, um */
     size_t wavelength_count;
 };
 
 static const struct unit *unit_for(const struct drawing *drawing)
 {
-    return drawing->is_angular ? unit_find(&dimension_angle, text_of("mrad"))
-                               : unit_find(&dimension_length, text_of("um"));
+    return drawing->is_angular
+               ? unit_find(&dimension_angle, text_of("mrad"))
+               : unit_find(&dimension_length, text_of(drawing->is_footprint ? "mm" : "um"));
+}
+
+static const char *unit_words(const struct drawing *drawing)
+{
+    return drawing->is_angular ? "mrad" : drawing->is_footprint ? "mm" : "\xc2\xb5m";
 }
 
 static struct place place_of(const struct analysis_case *one, size_t field, struct arena *arena)
@@ -157,10 +163,11 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
         return true;
     }
     drawing->is_angular = spot.is_angular;
+    drawing->is_footprint = question.to > 0;
     drawing->airy = question.to > 0 ? (double)NAN : airy_radius(setup, spot.is_angular);
     drawn->rms = unit_from_own(unit_for(drawing), spot.rms);
-    drawn->panel.note = arena_printf(drawing->arena, "RMS %.3g %s", drawn->rms,
-                                     spot.is_angular ? "mrad" : "\xc2\xb5m");
+    drawn->panel.note =
+        arena_printf(drawing->arena, "RMS %.3g %s", drawn->rms, unit_words(drawing));
     if (drawing->with_points) {
         list_wavelengths(drawing, setup);
         add_points(drawing, one, &question, drawn);
@@ -273,7 +280,7 @@ static bool draw_spots(const struct drawing *drawing, const struct grid *grid, s
                               drawing->input->to > 0 ? "Footprints" : "Spots", drawing->title,
                               focus ? " through focus" : ""),
         .subtitle = subtitle_of(drawing),
-        .unit = drawing->is_angular ? "mrad" : "\xc2\xb5m",
+        .unit = unit_words(drawing),
         .column_heads = focus ? column_heads(drawing, grid) : NULL,
         .row_heads = focus ? row_heads(drawing, grid) : NULL,
         .keys = keys_of(drawing),
@@ -318,7 +325,7 @@ static bool draw_curves(const struct drawing *drawing, const struct grid *grid, 
         .x_label = focus                            ? "defocus (mm)"
                    : drawing->all[0].place.is_angle ? "field (deg)"
                                                     : "field (mm)",
-        .y_label = drawing->is_angular ? "RMS radius (mrad)" : "RMS radius (\xc2\xb5m)",
+        .y_label = arena_printf(drawing->arena, "RMS radius (%s)", unit_words(drawing)),
         .x = x,
         .count = count,
         .series = series,
