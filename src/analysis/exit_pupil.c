@@ -2,13 +2,19 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/exit_pupil.h"
 
+#include "analysis/exit_map.h"
 #include "base/constants.h"
 #include "base/linear.h"
+#include "base/processor.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
 
-enum { ORDER_FIRST = 8, ORDER_MOST = 14, TERMS_MOST = (ORDER_MOST + 1) * (ORDER_MOST + 2) / 2 };
+enum {
+    ORDER_FIRST = 8,
+    ORDER_MOST = EXIT_MAP_ORDER,
+    TERMS_MOST = (ORDER_MOST + 1) * (ORDER_MOST + 2) / 2
+};
 
 /* So well the polynomials are to name rays, in half boxes; rims lie so far within. */
 static const double fine = 1e-7, within = 1 - 1e-12;
@@ -58,30 +64,35 @@ static void chebyshev(double x, size_t order, double *values, double *slopes)
     }
 }
 
-/* A point of the beam's u and v, and what an area of a and b is there. */
-struct way_back {
-    double place[2], area;
-};
-
-static struct way_back way_back(const struct exit_pupil *pupil, const double at[2])
+static kernel_exit_map *kernel(void)
 {
-    double x[ORDER_MOST + 1], y[ORDER_MOST + 1], dx[ORDER_MOST + 1], dy[ORDER_MOST + 1];
-    double sum[2] = {0, 0}, by_a[2] = {0, 0}, by_b[2] = {0, 0};
-    const size_t order = pupil->order;
-    chebyshev((at[0] - pupil->middle[0]) / pupil->half[0], order, x, dx);
-    chebyshev((at[1] - pupil->middle[1]) / pupil->half[1], order, y, dy);
-    for (size_t i = 0, term = 0; i <= order; i++) {
-        for (size_t j = 0; i + j <= order; j++, term++) {
-            for (int k = 0; k < 2; k++) {
-                const double c = pupil->map[k][term];
-                sum[k] += c * x[i] * y[j];
-                by_a[k] += c * dx[i] * y[j];
-                by_b[k] += c * x[i] * dy[j];
-            }
+    return processor_has_avx512() ? kernel_exit_map_avx512
+           : processor_has_avx2() ? kernel_exit_map_avx2
+                                  : kernel_exit_map_sse2;
+}
+
+/* Points of the beam's u and v, and what areas of a and b are there. */
+static void way_back(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                     double (*places)[2], double *areas)
+{
+    kernel_exit_map *find = kernel();
+    const struct exit_map map = {pupil->order, pupil->map[0], pupil->map[1]};
+    const double *middle = pupil->middle, *half = pupil->half;
+    struct exit_map_lanes lanes;
+    for (size_t done = 0; done < count; done += EXIT_MAP_LANES) {
+        const size_t left = count - done, here = left < EXIT_MAP_LANES ? left : EXIT_MAP_LANES;
+        for (size_t i = 0; i < EXIT_MAP_LANES; i++) {
+            const size_t from = done + (i < here ? i : 0);
+            lanes.x[i] = (at[from][0] - middle[0]) / half[0];
+            lanes.y[i] = (at[from][1] - middle[1]) / half[1];
+        }
+        find(&map, &lanes);
+        for (size_t i = 0; i < here; i++) {
+            places[done + i][0] = lanes.first[i];
+            places[done + i][1] = lanes.second[i];
+            areas[done + i] = lanes.area[i] / (half[0] * half[1]);
         }
     }
-    const double area = (by_a[0] * by_b[1] - by_a[1] * by_b[0]) / (pupil->half[0] * pupil->half[1]);
-    return (struct way_back){{sum[0], sum[1]}, fabs(area)};
 }
 
 /* -------- opening -------- */
@@ -185,7 +196,6 @@ static double fit(struct exit_pupil *pupil, const struct pairs *all, size_t orde
     }
     const struct linear_factors factors = linear_factor(a, all->count, terms, 1e-12, arena);
     pupil->order = order;
-    pupil->terms = terms;
     for (int k = 0; k < 2; k++) {
         for (size_t row = 0; row < all->count; row++) {
             b[row] = all->from[row][k];
@@ -193,10 +203,11 @@ static double fit(struct exit_pupil *pupil, const struct pairs *all, size_t orde
         linear_solve(&factors, b, pupil->map[k]);
     }
     const double *extent = pupil->light->source.region->star->frame.stretch;
+    double(*places)[2] = arena_array(arena, all->count, sizeof *places);
+    way_back(pupil, (const double(*)[2])all->to, all->count, places, b);
     for (size_t row = 0; row < all->count; row++) {
-        const struct way_back back = way_back(pupil, all->to[row]);
         for (int k = 0; k < 2; k++) {
-            worst = fmax(worst, fabs(back.place[k] - all->from[row][k]) / extent[k]);
+            worst = fmax(worst, fabs(places[row][k] - all->from[row][k]) / extent[k]);
         }
     }
     return worst;
@@ -231,21 +242,12 @@ static void find_map(struct exit_pupil *pupil, const struct pairs *rim,
     }
 }
 
-bool exit_pupil_open(const struct wave_lights *lights, size_t wavelength,
-                     const struct wave_reference *reference, struct arena *arena,
-                     struct exit_pupil *pupil, struct error *error)
+static bool open_pupil(const struct wave_light *light, const struct wave_reference *reference,
+                       struct arena *arena, struct exit_pupil *pupil, struct error *error)
 {
     enum { RAYS = 2 * TERMS_MOST };
-    const struct wave_light *light = &lights->list[wavelength];
     const struct bundle_source *source = &light->source;
     struct pairs rim;
-    if (reference->no_opd != NULL) {
-        return fail(error, ERROR_DOMAIN, "%s", reference->no_opd);
-    }
-    if (reference->is_angular) {
-        return fail(error, ERROR_DOMAIN,
-                    "the image lies infinitely far away: its light is not added up by waves");
-    }
     *pupil = (struct exit_pupil){.light = light,
                                  .reference = reference,
                                  .n = light->open->index_last,
@@ -269,18 +271,51 @@ bool exit_pupil_open(const struct wave_lights *lights, size_t wavelength,
     return true;
 }
 
+bool exit_pupils_open(const struct bundle_question *bundle, struct arena *arena,
+                      struct exit_pupils *pupils, struct error *error)
+{
+    struct bundle_question asked = *bundle;
+    asked.pattern = PATTERN_GAUSS;
+    asked.weight = WEIGHT_BEAM;
+    if (!wave_open(&asked, arena, &pupils->lights, error) ||
+        !wave_reference_find(&pupils->lights, WAVE_CHIEF, arena, &pupils->reference, error)) {
+        return false;
+    }
+    if (pupils->reference.is_angular) {
+        return fail(error, ERROR_DOMAIN,
+                    "the image lies infinitely far away: its light is not added up by waves");
+    }
+    if (pupils->reference.no_opd != NULL) {
+        return fail(error, ERROR_DOMAIN, "%s", pupils->reference.no_opd);
+    }
+    const size_t count = pupils->lights.count;
+    pupils->list = ARENA_ARRAY(arena, count, struct exit_pupil);
+    pupils->islands = bundle_islands(&pupils->lights.list[0].source, arena);
+    for (size_t g = 0; g < count; g++) {
+        if (!open_pupil(&pupils->lights.list[g], &pupils->reference, arena, &pupils->list[g],
+                        error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+double exit_pupil_weight(const struct exit_pupil *pupil)
+{
+    const struct stop_beam *beam = &pupil->light->source.pupil;
+    const double *axes = beam->axes;
+    return pupil->light->weight *
+           (beam->has_disc ? 1 : fabs(axes[0] * axes[3] - axes[1] * axes[2]));
+}
+
 /* -------- asking -------- */
 
 static void look_block(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                        size_t *limits)
 {
     const struct margins *margins = &pupil->light->source.region->margins;
-    double places[RAYS_BLOCK][2];
-    for (size_t i = 0; i < count; i++) {
-        const struct way_back back = way_back(pupil, at[i]);
-        places[i][0] = back.place[0];
-        places[i][1] = back.place[1];
-    }
+    double places[RAYS_BLOCK][2], areas[RAYS_BLOCK];
+    way_back(pupil, at, count, places, areas);
     margins_look(margins, (const double(*)[2])places, count);
     for (size_t i = 0; i < count; i++) {
         limits[i] = margins->excess[i] <= 0 ? EXIT_PUPIL_CLEAR : 1 + margins->limit[i];
@@ -313,12 +348,10 @@ static void value_block(const struct exit_pupil *pupil, const double (*at)[2], s
     const struct bundle_source *source = &pupil->light->source;
     const struct margins *margins = &source->region->margins;
     double places[RAYS_BLOCK][2];
+    way_back(pupil, at, count, places, amplitudes);
     for (size_t i = 0; i < count; i++) {
-        const struct way_back back = way_back(pupil, at[i]);
-        const double u = back.place[0], v = back.place[1];
-        places[i][0] = u;
-        places[i][1] = v;
-        amplitudes[i] = sqrt(back.area * stop_beam_density(&source->pupil, u, v));
+        amplitudes[i] =
+            sqrt(amplitudes[i] * stop_beam_density(&source->pupil, places[i][0], places[i][1]));
     }
     struct rays rays = {margins->work.blocks, count};
     margins_start(margins, (const double(*)[2])places, &rays);

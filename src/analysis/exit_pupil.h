@@ -4,6 +4,7 @@
 #define LENSCALC_ANALYSIS_EXIT_PUPIL_H
 
 #include "analysis/wave_reference.h"
+#include "trace/islands.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -26,22 +27,33 @@ struct exit_pupil {
     size_t rim_count;
     double off; /* what the map leaves between a point and where its ray goes, in half boxes */
     /* internal: u and v of the beam as polynomials */
-    size_t order, terms;
+    size_t order;
     double *map[2];
     bool is_blocked; /* something may stand within */
 };
 
+/* A field at all wavelengths of its setup, about the first chief ray. */
+struct exit_pupils {
+    struct wave_lights lights;
+    struct wave_reference reference;
+    struct exit_pupil *list; /* lights.count */
+    struct islands islands;  /* light that they leave out, of the first wavelength */
+};
+
 /*
- * Find the rim, and the way back from a and b to the rays.
+ * Make a field ready.
  *
- * Given     lights, wavelength  made by wave_open; reference: with a sphere
- * Formula   u and v as polynomials in a and b of a degree up to 14, by least squares over a
- *           quadrature and the rim
- * Errors    ERROR_DOMAIN: nothing is clear; no reference sphere; an image infinitely far away
+ * Given     bundle  its wavelength, pattern and weight are not used
+ * Formula   u and v of the beam as polynomials in a and b of a degree up to 14, by least squares
+ *           over a quadrature and the rim
+ * Errors    as wave_open and wave_reference_find; ERROR_DOMAIN: nothing is clear; no reference
+ *           sphere; an image infinitely far away
  */
-bool exit_pupil_open(const struct wave_lights *lights, size_t wavelength,
-                     const struct wave_reference *reference, struct arena *arena,
-                     struct exit_pupil *pupil, struct error *error);
+bool exit_pupils_open(const struct bundle_question *bundle, struct arena *arena,
+                      struct exit_pupils *pupils, struct error *error);
+
+/* What energy of 1 stands for beside other wavelengths: its weight, and the area of u and v. */
+double exit_pupil_weight(const struct exit_pupil *pupil);
 
 /* Where nothing ends a ray, and names of what does. */
 enum { EXIT_PUPIL_CLEAR = 0 };

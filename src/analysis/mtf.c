@@ -14,43 +14,26 @@ struct sums {
     double re[MTF_DIRECTIONS], im[MTF_DIRECTIONS], perfect[MTF_DIRECTIONS], light;
 };
 
-/* The area of the beam that 1 of u and v stands for. */
-static double unit_of(const struct bundle_source *source)
-{
-    const double *axes = source->pupil.axes;
-    return source->pupil.has_disc ? 1 : fabs(axes[0] * axes[3] - axes[1] * axes[2]);
-}
-
 bool mtf_open(const struct mtf_question *question, struct arena *arena, struct mtf_source *source,
               struct error *error)
 {
-    struct bundle_question bundle = question->bundle;
-    bundle.pattern = PATTERN_GAUSS;
-    bundle.weight = WEIGHT_BEAM;
     *source = (struct mtf_source){.question = question};
-    if (!wave_open(&bundle, arena, &source->lights, error) ||
-        !wave_reference_find(&source->lights, WAVE_CHIEF, arena, &source->reference, error)) {
+    if (!exit_pupils_open(&question->bundle, arena, &source->pupils, error)) {
         return false;
     }
-    const size_t count = source->lights.count;
-    source->pupils = ARENA_ARRAY(arena, count, struct exit_pupil);
+    const size_t count = source->pupils.lights.count;
     source->lines = ARENA_ARRAY(arena, count * MTF_DIRECTIONS, struct exit_lines);
-    wave_section(bundle.field, source->along[MTF_TANGENTIAL]);
+    wave_section(question->bundle.field, source->along[MTF_TANGENTIAL]);
     source->along[MTF_SAGITTAL][0] = source->along[MTF_TANGENTIAL][1];
     source->along[MTF_SAGITTAL][1] = 0.0 - source->along[MTF_TANGENTIAL][0];
-    source->islands = bundle_islands(&source->lights.list[0].source, arena);
-    for (size_t g = 0; g < count; g++) {
-        struct exit_pupil *pupil = &source->pupils[g];
-        if (!exit_pupil_open(&source->lights, g, &source->reference, arena, pupil, error)) {
-            return false;
-        }
-        for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-            double range[2];
-            exit_lines_find(pupil, source->along[k], arena, &source->lines[g * MTF_DIRECTIONS + k]);
-            exit_pupil_range(pupil, source->along[k], range);
-            source->cutoff[k] =
-                fmax(source->cutoff[k], (range[1] - range[0]) * pupil->n * pupil->waves);
-        }
+    for (size_t i = 0; i < count * MTF_DIRECTIONS; i++) {
+        const struct exit_pupil *pupil = &source->pupils.list[i / MTF_DIRECTIONS];
+        const size_t k = i % MTF_DIRECTIONS;
+        double range[2];
+        exit_lines_find(pupil, source->along[k], arena, &source->lines[i]);
+        exit_pupil_range(pupil, source->along[k], range);
+        source->cutoff[k] =
+            fmax(source->cutoff[k], (range[1] - range[0]) * pupil->n * pupil->waves);
     }
     return true;
 }
@@ -59,10 +42,9 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
 static void add_waves(const struct mtf_source *source, size_t g, double frequency,
                       struct arena *arena, struct sums *sums, struct mtf *mtf)
 {
-    const struct wave_light *light = &source->lights.list[g];
-    const struct exit_pupil *pupil = &source->pupils[g];
+    const struct exit_pupil *pupil = &source->pupils.list[g];
     const double shift = frequency / (pupil->waves * pupil->n);
-    const double weight = light->weight * unit_of(&light->source);
+    const double weight = exit_pupil_weight(pupil);
     sums->light += weight * pupil->energy;
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
         const struct exit_lines *lines = &source->lines[g * MTF_DIRECTIONS + k];
@@ -80,8 +62,8 @@ static void add_waves(const struct mtf_source *source, size_t g, double frequenc
 static bool add_rays(const struct mtf_source *source, size_t g, size_t rays, double frequency,
                      struct arena *arena, struct sums *sums, struct error *error)
 {
-    const struct wave_light *light = &source->lights.list[g];
-    const double unit = light->weight * unit_of(&light->source);
+    const struct wave_light *light = &source->pupils.lights.list[g];
+    const double unit = exit_pupil_weight(&source->pupils.list[g]);
     struct bundle bundle;
     light->source.region->in_beam = false;
     const bool traced =
@@ -93,8 +75,8 @@ static bool add_rays(const struct mtf_source *source, size_t g, size_t rays, dou
         if (ray_block_status(block, lane) != RAY_OK) {
             continue;
         }
-        const double off[2] = {block->x[lane] - source->reference.centre[0],
-                               block->y[lane] - source->reference.centre[1]};
+        const double off[2] = {block->x[lane] - source->pupils.reference.centre[0],
+                               block->y[lane] - source->pupils.reference.centre[1]};
         sums->light += weight;
         for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
             double c, s;
@@ -113,7 +95,7 @@ static bool sum_rays(const struct mtf_source *source, size_t rays, double freque
     const struct arena_mark mark = arena_mark(arena);
     *sums = (struct sums){.light = 0};
     bool traced = true;
-    for (size_t g = 0; g < source->lights.count && traced; g++) {
+    for (size_t g = 0; g < source->pupils.lights.count && traced; g++) {
         traced = add_rays(source, g, rays, frequency, arena, sums, error);
     }
     arena_reset(arena, mark);
@@ -149,8 +131,8 @@ bool mtf_find(const struct mtf_source *source, double frequency, struct arena *a
 {
     struct sums waves = {.light = 0};
     *mtf = (struct mtf){.has_converged = true, .error = 1e-12};
-    for (size_t g = 0; g < source->lights.count; g++) {
-        if (source->lights.list[g].weight > 0) {
+    for (size_t g = 0; g < source->pupils.lights.count; g++) {
+        if (source->pupils.lights.list[g].weight > 0) {
             add_waves(source, g, frequency, arena, &waves, mtf);
         }
     }

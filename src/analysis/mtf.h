@@ -4,7 +4,6 @@
 #define LENSCALC_ANALYSIS_MTF_H
 
 #include "analysis/hopkins.h"
-#include "trace/islands.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -20,13 +19,10 @@ enum { MTF_TANGENTIAL, MTF_SAGITTAL, MTF_DIRECTIONS };
 /* A field made ready. */
 struct mtf_source {
     const struct mtf_question *question;
-    struct wave_lights lights;
-    struct wave_reference reference; /* about the first chief ray */
-    struct exit_pupil *pupils;       /* one a wavelength */
+    struct exit_pupils pupils;
     struct exit_lines *lines;        /* [wavelength][direction] */
     double along[MTF_DIRECTIONS][2]; /* in the image plane, of unit length */
     double cutoff[MTF_DIRECTIONS];   /* 1/mm: no wavelength has contrast beyond it */
-    struct islands islands;          /* light that it leaves out, of the first wavelength */
 };
 
 struct mtf {
@@ -40,7 +36,7 @@ struct mtf {
 /*
  * Make a field ready.
  *
- * Errors    as wave_open, wave_reference_find and exit_pupil_open
+ * Errors    as exit_pupils_open
  */
 bool mtf_open(const struct mtf_question *question, struct arena *arena, struct mtf_source *source,
               struct error *error);

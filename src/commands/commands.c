@@ -13,7 +13,7 @@ extern const struct command command_lens, command_surfaces, command_matrix, comm
 extern const struct command command_seidel, command_color;
 extern const struct command command_list, command_glass, command_convert;
 extern const struct command command_spot, command_fan, command_field, command_wavefront,
-    command_mtf;
+    command_mtf, command_psf;
 extern const struct command command_distortion;
 extern const struct command command_fit, command_merge, command_render;
 extern const struct command command_help, command_completion;
@@ -49,6 +49,7 @@ const struct command *const commands[] = {
     &command_illumination,
     &command_fan,
     &command_wavefront,
+    &command_psf,
     &command_mtf,
     &command_field,
     &command_color,

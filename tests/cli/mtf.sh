@@ -16,6 +16,6 @@ lenscalc mtf double-gauss --pitch 2mm
 lenscalc mtf double-gauss --spectrum d --wavelength F
 lenscalc mtf double-gauss -N 5.6 -w d --plot frequency.svg > rows && lenscalc mtf double-gauss -N 5.6 -w d --field 0 --frequency 30 --defocus -0.1..0.1#3 --plot focus.svg > rows && lenscalc mtf double-gauss -N 5.6 -w d --field 0..14#5 --frequency 30 --plot field.svg > rows
 for drawing in frequency.svg focus.svg field.svg; do
-    grep -o '>[^<>]*</text>' $drawing | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$'
+    grep -o '>[^<>]*</text>' $drawing | sed 's/^>//; s/<.*//' | grep -v '^[−0-9.]*$' | sort
 done
 lenscalc mtf double-gauss -N 5.6 -w d --field 0 --frequency 30,40 --defocus -0.1..0.1#3 --columns defocus --csv --plot focus.svg

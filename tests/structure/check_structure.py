@@ -101,8 +101,7 @@ FOR_TESTS = {
     "srgb_encoded": "",
     "blades_area": "the opening of an iris in closed form",
     "blades_aperture": "its shape by itself",
-    # point spread functions stand on it next
-    "fft_has": "", "fft_length_from": "", "fft_open": "", "fft_plane": "", "fft_transform": "",
+    "fft_has": "which lengths there are", "fft_transform": "lines, with every set of instructions",
     # what divided runs stand on
     "digest_add": "", "digest_begin": "", "digest_end": "", "digest_item": "",
     "part_parse": "", "part_range": "", "part_read": "", "part_write": "", "parts_order": "",

@@ -20,8 +20,7 @@ struct fixture {
     struct lens lens;
     struct setup setup;
     struct field_point field;
-    struct wave_lights lights;
-    struct wave_reference reference;
+    struct exit_pupils pupils;
     struct exit_pupil pupil;
 };
 
@@ -37,17 +36,17 @@ static bool open_fixture(const char *text, double image, double angle, struct fi
     fixture->field = (struct field_point){FIELD_ANGLE, {0, angle}};
     const struct bundle_question bundle = {
         .setup = &fixture->setup, .field = &fixture->field, .clip = true};
-    const bool opened =
-        lens_read("test", text_of(text), NULL, arena, &fixture->lens, &error) &&
-        setup_open(&question, arena, &fixture->setup, &error) &&
-        setup_place_image(&fixture->setup, &plane, &error) &&
-        wave_open(&bundle, arena, &fixture->lights, &error) &&
-        wave_reference_find(&fixture->lights, WAVE_CHIEF, arena, &fixture->reference, &error) &&
-        exit_pupil_open(&fixture->lights, 0, &fixture->reference, arena, &fixture->pupil, &error);
+    const bool opened = lens_read("test", text_of(text), NULL, arena, &fixture->lens, &error) &&
+                        setup_open(&question, arena, &fixture->setup, &error) &&
+                        setup_place_image(&fixture->setup, &plane, &error) &&
+                        exit_pupils_open(&bundle, arena, &fixture->pupils, &error);
     if (!opened) {
         printf("%s\n", error.message);
     }
     CHECK(opened);
+    if (opened) {
+        fixture->pupil = fixture->pupils.list[0];
+    }
     return opened;
 }
 

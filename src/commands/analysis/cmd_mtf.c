@@ -139,8 +139,8 @@ static bool answer(const struct analysis_case *one, size_t field, void *context,
         }
         fill(&mtf, &source, &row);
         row.method = words[asked->input->method];
-        row.point.warning = lens_warnings_join(row.point.warning,
-                                               lens_island_warning(&source.islands, arena), arena);
+        row.point.warning = lens_warnings_join(
+            row.point.warning, lens_island_warning(&source.pupils.islands, arena), arena);
         if (!mtf.has_converged) {
             row.point.warning = lens_warnings_join(
                 row.point.warning, "the contrast has not converged: see its error", arena);

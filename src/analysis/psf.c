@@ -1,0 +1,228 @@
+/* analysis/psf.c - images of points by waves. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/psf.h"
+
+#include "analysis/psf_light.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { SLOPES = 33 };
+
+/* Of what the waves resolve, a pixel's side; of the spread of rays, half the image. */
+static const double fine = 0.25, roomy = 1.1;
+
+/* How far rays go from the reference at most: the slope of W over a grid within the pupil, mm. */
+static double find_spread(const struct exit_pupil *pupil, struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    enum { COUNT = SLOPES * SLOPES };
+    double(*at)[2] = arena_array(arena, COUNT, sizeof *at);
+    double *waves = ARENA_ARRAY(arena, COUNT, double), *other = ARENA_ARRAY(arena, COUNT, double);
+    size_t *limits = ARENA_ARRAY(arena, COUNT, size_t);
+    double worst = 0;
+    for (size_t i = 0; i < COUNT; i++) {
+        for (int k = 0; k < 2; k++) {
+            const double place = (double)(k == 0 ? i % SLOPES : i / SLOPES);
+            at[i][k] = pupil->middle[k] + pupil->half[k] * (2 * place / (SLOPES - 1) - 1);
+        }
+    }
+    exit_pupil_look(pupil, (const double(*)[2])at, COUNT, limits);
+    exit_pupil_values(pupil, (const double(*)[2])at, COUNT, waves, other);
+    for (size_t i = 0; i < COUNT; i++) {
+        for (int k = 0; k < 2; k++) {
+            const size_t next = i + (k == 0 ? 1 : SLOPES);
+            const bool last = k == 0 ? i % SLOPES == SLOPES - 1 : i / SLOPES == SLOPES - 1;
+            if (last || limits[i] != EXIT_PUPIL_CLEAR || limits[next] != EXIT_PUPIL_CLEAR) {
+                continue;
+            }
+            const double step = 2 * pupil->half[k] / (SLOPES - 1);
+            const double slope = fabs(waves[next] - waves[i]) / (step * pupil->n * pupil->waves);
+            worst = fmax(worst, slope);
+        }
+    }
+    arena_reset(arena, mark);
+    return 1.15 * worst; /* steeper at the edge itself */
+}
+
+/* A pixel that resolves the waves of all wavelengths, and an image that has room for the rays. */
+static double choose_pitch(const struct exit_pupils *pupils, const double *spreads, size_t size)
+{
+    double finest = INFINITY, spread = 0;
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        const struct exit_pupil *pupil = &pupils->list[g];
+        const double wide = 2 * fmax(pupil->half[0], pupil->half[1]);
+        finest = fmin(finest, 1 / (pupil->n * pupil->waves * wide));
+        spread = fmax(spread, spreads[g]);
+    }
+    const double room = 2 * roomy * spread / (double)size;
+    return fmin(fmax(fine * finest, room), 0.9 * finest);
+}
+
+/* -------- what the pixels say -------- */
+
+/* The top of a parabola through three values, from -1/2 to 1/2, and how high it is. */
+static double top_of(const double y[3], double *at)
+{
+    const double bend = y[0] - 2 * y[1] + y[2], slope = (y[2] - y[0]) / 2;
+    *at = bend < 0 ? fmax(-0.5, fmin(0.5, -slope / bend)) : 0;
+    return y[1] + *at * slope + *at * *at * bend / 2;
+}
+
+static void find_peak(struct psf *psf)
+{
+    const size_t size = psf->size;
+    size_t top = 0;
+    for (size_t i = 0; i < size * size; i++) {
+        top = psf->values[i] > psf->values[top] ? i : top;
+    }
+    psf->peak = psf->values[top];
+    for (int k = 0; k < 2; k++) {
+        const size_t place = k == 0 ? top % size : top / size, step = k == 0 ? 1 : size;
+        double off = 0;
+        if (place > 0 && place + 1 < size) {
+            const double y[3] = {psf->values[top - step], psf->values[top],
+                                 psf->values[top + step]};
+            psf->peak += top_of(y, &off) - y[1];
+        }
+        psf->peak_at[k] = ((double)place + off - (double)(size / 2)) * psf->pitch;
+        /* from there both ways to half the height */
+        double ends[2] = {NAN, NAN};
+        for (int side = 0; side < 2; side++) {
+            const size_t last = side == 0 ? place : size - 1 - place;
+            for (size_t i = 0; i < last && isnan(ends[side]); i++) {
+                const size_t at = side == 0 ? top - i * step : top + i * step;
+                const double here = psf->values[at];
+                const double next = psf->values[side == 0 ? at - step : at + step];
+                if (next < psf->peak / 2) {
+                    ends[side] = (double)i + (here - psf->peak / 2) / (here - next);
+                }
+            }
+        }
+        psf->width[k] = (ends[0] + ends[1]) * psf->pitch;
+    }
+}
+
+/* A pixel's distance and light. */
+struct pixel {
+    double distance, light;
+};
+
+static int by_distance(const void *first, const void *second)
+{
+    const double a = ((const struct pixel *)first)->distance;
+    const double b = ((const struct pixel *)second)->distance;
+    return (a > b) - (a < b);
+}
+
+/* The radius about the centroid with so much of all light. */
+static double radius_of(const struct psf *psf, double light, struct arena *arena)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    const size_t size = psf->size, count = size * size;
+    struct pixel *pixels = ARENA_ARRAY(arena, count, struct pixel);
+    double sum = 0, radius = NAN;
+    for (size_t i = 0; i < count; i++) {
+        const double x = ((double)(i % size) - (double)(size / 2)) * psf->pitch;
+        const double y = ((double)(i / size) - (double)(size / 2)) * psf->pitch;
+        pixels[i].distance = hypot(x - psf->centroid[0], y - psf->centroid[1]);
+        pixels[i].light = psf->values[i];
+    }
+    qsort(pixels, count, sizeof *pixels, by_distance);
+    for (size_t i = 0; i < count && isnan(radius); i++) {
+        sum += pixels[i].light;
+        radius = sum >= light ? pixels[i].distance : (double)NAN;
+    }
+    arena_reset(arena, mark);
+    return radius;
+}
+
+/* total: of all light, in values of pixels. */
+static void measure(struct psf *psf, double total, struct arena *arena)
+{
+    const size_t size = psf->size;
+    double sum = 0, mean[2] = {0, 0};
+    for (size_t i = 0; i < size * size; i++) {
+        sum += psf->values[i];
+        mean[0] += psf->values[i] * ((double)(i % size) - (double)(size / 2));
+        mean[1] += psf->values[i] * ((double)(i / size) - (double)(size / 2));
+    }
+    for (int k = 0; k < 2; k++) {
+        psf->centroid[k] = mean[k] / sum * psf->pitch;
+    }
+    psf->inside = sum / total;
+    psf->radius80 = psf->inside > 0.8 ? radius_of(psf, 0.8 * total, arena) : (double)NAN;
+    find_peak(psf);
+}
+
+/* -------- the whole -------- */
+
+/* Sums over wavelengths. */
+struct sums {
+    double *values, perfect, total;
+};
+
+static bool add_wavelength(const struct psf_question *question, struct psf_plane *plane,
+                           struct sums *sums, struct error *error)
+{
+    static psf_way *const ways[] = {
+        [PSF_PLANE] = psf_by_plane, [PSF_FFT] = psf_by_fft, [PSF_HUYGENS] = psf_by_huygens};
+    const struct exit_pupil *pupil = plane->pupil;
+    const struct arena_mark mark = arena_mark(plane->arena);
+    const size_t count = plane->size * plane->size;
+    plane->re = ARENA_ARRAY(plane->arena, count, double);
+    plane->im = ARENA_ARRAY(plane->arena, count, double);
+    plane->perfect = 0;
+    for (size_t i = 0; i < count; i++) {
+        plane->re[i] = plane->im[i] = 0;
+    }
+    const bool done = ways[question->method](plane, error);
+    const double waves = pupil->n * pupil->waves;
+    const double weight = exit_pupil_weight(pupil) * waves * waves;
+    for (size_t i = 0; i < count && done; i++) {
+        sums->values[i] += weight * (plane->re[i] * plane->re[i] + plane->im[i] * plane->im[i]);
+    }
+    sums->perfect += weight * plane->perfect * plane->perfect;
+    sums->total += exit_pupil_weight(pupil) * pupil->energy;
+    arena_reset(plane->arena, mark);
+    return done;
+}
+
+bool psf_find(const struct psf_question *question, struct arena *arena, struct psf *psf,
+              struct error *error)
+{
+    struct exit_pupils *pupils = ARENA_NEW(arena, struct exit_pupils);
+    if (!exit_pupils_open(&question->bundle, arena, pupils, error)) {
+        return false;
+    }
+    const size_t count = question->size * question->size;
+    double *spreads = ARENA_ARRAY(arena, pupils->lights.count, double);
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        spreads[g] = find_spread(&pupils->list[g], arena);
+    }
+    struct sums sums = {.values = ARENA_ARRAY(arena, count, double)};
+    *psf =
+        (struct psf){.size = question->size,
+                     .pitch = isnan(question->pitch) ? choose_pitch(pupils, spreads, question->size)
+                                                     : question->pitch,
+                     .values = sums.values,
+                     .islands = pupils->islands};
+    for (size_t i = 0; i < count; i++) {
+        sums.values[i] = 0;
+    }
+    for (size_t g = 0; g < pupils->lights.count; g++) {
+        struct psf_plane plane = {.pupil = &pupils->list[g],
+                                  .size = psf->size,
+                                  .pitch = psf->pitch,
+                                  .spread = spreads[g],
+                                  .arena = arena};
+        if (pupils->lights.list[g].weight > 0 && !add_wavelength(question, &plane, &sums, error)) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        sums.values[i] /= sums.perfect;
+    }
+    measure(psf, sums.total / (sums.perfect * psf->pitch * psf->pitch), arena);
+    return true;
+}

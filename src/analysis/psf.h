@@ -1,0 +1,55 @@
+/* analysis/psf.h - images of points by waves. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_ANALYSIS_PSF_H
+#define LENSCALC_ANALYSIS_PSF_H
+
+#include "analysis/exit_lines.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum psf_method {
+    PSF_PLANE,   /* plane waves, over points of Gauss between the edges of the pupil */
+    PSF_FFT,     /* the same over a grid, by a fast Fourier transform */
+    PSF_HUYGENS, /* spherical wavelets from the reference sphere, over Gauss's points */
+    PSF_METHODS
+};
+
+enum { PSF_SIZE_MOST = 2048, PSF_TRANSFORM_MOST = 4096 };
+
+struct psf_question {
+    struct bundle_question bundle; /* its wavelength, pattern and weight are not used */
+    enum psf_method method;
+    size_t size;  /* pixels along a side */
+    double pitch; /* mm; NaN: a quarter of what the waves resolve, more where rays spread farther */
+};
+
+/* The image of a point; pixel i of a row lies at (i - size/2) pitch from the chief ray. */
+struct psf {
+    size_t size;
+    double pitch;            /* mm */
+    const double *values;    /* size * size, rows from below; 1: the peak of a perfect image */
+    double peak, peak_at[2]; /* the highest of a parabola through it; mm from the chief ray */
+    double centroid[2];      /* of the pixels, mm from the chief ray */
+    double width[2];         /* at half the peak, through it along x and y, mm; NaN: not inside */
+    double inside;           /* share of all light that the pixels have */
+    double radius80;         /* about the centroid, with 80 % of all light; NaN: not inside */
+    struct islands islands;
+};
+
+/*
+ * Find it.
+ *
+ * Formula   E = integral of A exp(2 pi i (W - n (a x + b y)/wavelength)) da db over the pupil; of
+ *           wavelets with the way from the points of the sphere in place of the plane wave. The
+ *           light |E|^2/wavelength^2 of all wavelengths by their weights, over that of W = 0 at
+ *           the reference. A transform takes the means over cells of a grid, 128 across the pupil
+ *           or what the slope of the wave front wants, and undoes what they leave of the waves
+ * Source    [Goodman05] 5.2, [Hopkins55]
+ * Errors    as exit_pupils_open; ERROR_DOMAIN: pixels too coarse for the transform, a wave front
+ *           too steep for PSF_TRANSFORM_MOST or Gauss's points, wavelets without a sphere
+ */
+bool psf_find(const struct psf_question *question, struct arena *arena, struct psf *psf,
+              struct error *error);
+
+#endif

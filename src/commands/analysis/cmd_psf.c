@@ -1,0 +1,186 @@
+/* commands/analysis/cmd_psf.c - lenscalc psf: images of points by waves. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/analysis/analysis_map.h"
+#include "commands/analysis/psf_input.h"
+
+static const struct word methods[] = {
+    [PSF_PLANE] = {"plane", "plane waves, between the edges of the pupil"},
+    [PSF_FFT] = {"fft", "the same on a grid, by a fast Fourier transform"},
+    [PSF_HUYGENS] = {"huygens", "spherical wavelets from the reference sphere"},
+    {NULL, NULL},
+};
+
+static const struct option options[] = {
+    ANALYSIS_OPTIONS(struct psf_input, question, "all of the lens by their weights, together"),
+    ANALYSIS_FIELD_OPTIONS(struct psf_input, question),
+    ANALYSIS_SPECTRUM_OPTION(struct psf_input, question),
+    {OPTION(struct psf_input, method), .name = "method", .words = methods, .fallback = "plane",
+     .value = "METHOD", .help = "how the waves are added up"},
+    {OPTION(struct psf_input, size), .name = "size", .lowest = 8, .highest = PSF_SIZE_MOST,
+     .fallback = "128", .value = "COUNT", .help = "pixels along a side of the image"},
+    {OPTION(struct psf_input, pitch), .name = "pitch", .column = "pitch",
+     .dimension = &dimension_length, .unit = "um", .lowest = 0, .highest = 1,
+     .flags = OPTION_ABOVE_LOWEST, .value = "LENGTH",
+     .help = "side of a pixel; default a quarter of what the waves resolve, more where rays spread "
+             "farther"},
+    {OPTION(struct psf_input, log), .name = "log", .wants = "plot|map",
+     .help = "colours by the logarithm, over five decades"},
+    {OPTION(struct psf_input, question.aim), .name = "aim", .words = analysis_aims,
+     .fallback = "stop", .value = "WHERE", .help = "pupil that limits the beam"},
+    ANALYSIS_CLIP_OPTIONS(struct psf_input, question),
+};
+
+struct row {
+    struct analysis_point point;
+    double peak, peak_x, peak_y, centroid_x, centroid_y, width_x, width_y, radius80, pitch; /* mm */
+    double inside;
+    const char *method;
+};
+
+#define SMALL(member_name, more)                                                                   \
+    COLUMN(struct row, member_name), .dimension = &dimension_length, .unit = "um", .flags = (more)
+
+static const struct column columns[] = {
+    ANALYSIS_POINT_COLUMNS(struct row, point),
+    ANALYSIS_DEFOCUS_COLUMN(struct row, point),
+    ANALYSIS_WAVELENGTH_COLUMN(struct row, point),
+    {COLUMN(struct row, peak), .flags = COLUMN_BRIEF, .name = "peak", .label = "peak",
+     .symbol = "S",
+     .help = "over that of a perfect image through the same pupil: the Strehl ratio"},
+    {SMALL(peak_x, 0), .name = "peak_x", .label = "peak x", .help = "of it, from the chief ray"},
+    {SMALL(peak_y, 0), .name = "peak_y", .label = "peak y", .help = "the same upwards"},
+    {SMALL(centroid_x, 0), .name = "centroid_x", .label = "centroid x",
+     .help = "of the pixels, from the chief ray"},
+    {SMALL(centroid_y, 0), .name = "centroid_y", .label = "centroid y", .help = "the same upwards"},
+    {SMALL(width_x, COLUMN_BRIEF), .name = "width_x", .label = "width in x",
+     .help = "at half the peak, through it; absent where the image ends before"},
+    {SMALL(width_y, COLUMN_BRIEF), .name = "width_y", .label = "width in y",
+     .help = "the same upwards"},
+    {SMALL(radius80, COLUMN_BRIEF), .name = "radius80", .label = "radius of 80 %",
+     .help = "about the centroid, with 80 % of all light; absent where less lies inside"},
+    {COLUMN(struct row, inside), .dimension = &dimension_ratio, .unit = "%", .flags = COLUMN_BRIEF,
+     .name = "inside", .label = "light inside", .help = "share of all light that the pixels have"},
+    {SMALL(pitch, COLUMN_BRIEF), .name = "pitch", .label = "pitch", .help = "side of a pixel"},
+    {COLUMN(struct row, method), .flags = COLUMN_ASSUMED, .name = "method", .depends = "method",
+     .label = "method", .help = "how the waves are added up"},
+    ANALYSIS_SPECTRUM_COLUMN(struct row, point),
+    ANALYSIS_TAIL_COLUMNS(struct row, point),
+};
+
+/* Where the rows go. */
+struct asked {
+    const struct psf_input *input;
+    struct run *run;
+};
+
+static struct row row_of(const struct analysis_point *point)
+{
+    return (struct row){.point = *point,
+                        .peak = NAN,
+                        .peak_x = NAN,
+                        .peak_y = NAN,
+                        .centroid_x = NAN,
+                        .centroid_y = NAN,
+                        .width_x = NAN,
+                        .width_y = NAN,
+                        .radius80 = NAN,
+                        .pitch = NAN,
+                        .inside = NAN};
+}
+
+static bool answer(const struct analysis_case *one, size_t field, void *context,
+                   struct error *error)
+{
+    static const char *const words[PSF_METHODS] = {
+        [PSF_PLANE] = "plane waves, amplitude squared = energy per area of direction cosines in "
+                      "the image space, phase on the reference sphere",
+        [PSF_FFT] = "fast Fourier transform, amplitude squared = energy per area of direction "
+                    "cosines in the image space, phase on the reference sphere",
+        [PSF_HUYGENS] = "spherical wavelets from the reference sphere, amplitude squared = energy "
+                        "per area of direction cosines in the image space"};
+    const struct asked *asked = context;
+    struct psf psf;
+    if (!psf_of_case(one, field, asked->input, asked->run->arena, &psf, error)) {
+        return false;
+    }
+    const struct analysis_point point = analysis_point_of(one, field);
+    struct row row = row_of(&point);
+    row.peak = psf.peak;
+    row.peak_x = psf.peak_at[0];
+    row.peak_y = psf.peak_at[1];
+    row.centroid_x = psf.centroid[0];
+    row.centroid_y = psf.centroid[1];
+    row.width_x = psf.width[0];
+    row.width_y = psf.width[1];
+    row.radius80 = psf.radius80;
+    row.pitch = psf.pitch;
+    row.inside = psf.inside;
+    row.method = words[asked->input->method];
+    row.point.warning = lens_warnings_join(
+        row.point.warning, lens_island_warning(&psf.islands, asked->run->arena), asked->run->arena);
+    return run_emit(asked->run, &row);
+}
+
+static bool lost(const struct analysis_point *point, void *context)
+{
+    const struct asked *asked = context;
+    struct row row = row_of(point);
+    return run_emit(asked->run, &row);
+}
+
+static const struct analysis_answers answers = {answer, lost};
+
+static bool run(const void *data, struct run *run, struct error *error)
+{
+    const struct psf_input *input = data;
+    struct asked asked = {input, run};
+    return analysis_each_field(&input->question, &psf_policy, run, &answers, &asked, error);
+}
+
+static bool makes_many(const void *data)
+{
+    return analysis_makes_many(&((const struct psf_input *)data)->question, &psf_policy);
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types, "draw the images, by field and through focus"),
+     .scope = ARTIFACT_OF_SWEEP, .make = psf_page},
+    {ARTIFACT_OPTION("map", map_types,
+                     "write the image of one field: colours, or numbers, 1 = a perfect peak"),
+     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .make = psf_file},
+};
+
+static const struct explanation explanations[] = {
+    {"peak",
+     "{S} = max |E|^2/|E0|^2, E = integral of A exp(2 pi i (W - n a x/wavelength)) over direction "
+     "cosines a of the image space, E0 at the reference with W = 0",
+     "[Goodman05], [BornWolf99] 9.1",
+     "A^2: energy per area of direction cosines; W: on the reference sphere about the chief ray, "
+     "at "
+     "its points named by the direction to the centre"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const struct example examples[] = {
+    {"psf double-gauss -N 5.6", "the images of all fields, all wavelengths together"},
+    {"psf questar-35 --log --plot images.svg", "those of a telescope, drawn"},
+    {"psf double-gauss -N 8 --field 0 -w d --defocus -0.2..0.2#5 --plot focus.svg",
+     "through focus, drawn"},
+    {"psf double-gauss -N 8 --field 14deg --method huygens --size 64 --map image.pfm",
+     "the numbers for another program"},
+    {NULL, NULL},
+};
+
+const struct command command_psf = {
+    .name = "psf",
+    .group = "analyses",
+    .summary = "images of points by waves: Strehl ratio, widths, maps",
+    COMMAND_ASKS(struct psf_input),
+    COMMAND_ANSWERS(struct row),
+    .makes_many = makes_many,
+    .brings = analysis_brings,
+    .threads = analysis_threads,
+    .varies = analysis_varies,
+    .cell = "peak",
+    COMMAND_MAKES(artifacts),
+};

@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""tests/truth/check_psf.py - lenscalc psf against closed forms: check_psf.py BUILD_DIR
+
+Airy's disc and the axis through focus of a slow paraboloid; the three ways of adding up waves
+against each other; and contrasts from the transform of an image against lenscalc mtf.
+"""
+# SPDX-License-Identifier: MIT
+
+import array
+import cmath
+import csv
+import io
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import Checks, Program
+
+WAVE = 587.5618e-6  # mm
+FOCUS, RADIUS = 1000, 5
+DISH = (f"lens dish\nwavelength d\nobject inf\naperture stop\n"
+        f"surface {-2 * FOCUS} {-FOCUS} mirror {2 * RADIUS} k=-1 stop\n")
+
+
+def image(program, folder, words, text=None):
+    """(the row, the map: rows from below)"""
+    path = os.path.join(folder, "map.pfm")
+    result = subprocess.run(program.command + ["psf"] + words + ["--csv", "--map", path],
+                            input=text, text=True, capture_output=True,
+                            env=program.environment())
+    if result.returncode != 0:
+        sys.exit(result.stderr)
+    with open(path, "rb") as file:
+        kind, size, scale = (file.readline().split() for _ in range(3))
+        values = array.array("f", file.read())
+    width = int(size[0])
+    return (list(csv.DictReader(io.StringIO(result.stdout)))[0],
+            [values[y * width:(y + 1) * width] for y in range(width)])
+
+
+def bessel(x):
+    """J1 by its integral."""
+    count = 400
+    return sum(math.cos(t - x * math.sin(t)) for t in
+               (math.pi * (i + 0.5) / count for i in range(count))) / count
+
+
+def check_airy(checks, program, folder):
+    """The cone is so slow that its pupil is even to 1e-5."""
+    for method, allowed in (("plane", 5e-6), ("fft", 2e-5), ("huygens", 5e-6)):
+        pitch = 0.3 * WAVE * FOCUS / (2 * RADIUS)
+        row, table = image(program, folder, ["-", "--field", "0", "--focus", str(-FOCUS), "--size",
+                                             "48", "--method", method, "--pitch",
+                                             f"{pitch!r}mm"], DISH)
+        worst = 0
+        for y in range(0, 48, 3):
+            for x in range(0, 48, 3):
+                r = math.hypot(x - 24, y - 24) * 0.3 * math.pi
+                exact = 1 if r == 0 else (2 * bessel(r) / r) ** 2
+                worst = max(worst, abs(table[y][x] - exact))
+        checks.check(worst <= allowed, f"Airy, {method}: off by {worst}")
+        checks.check(abs(float(row["width_x_um"]) / (1000 * WAVE * FOCUS / (2 * RADIUS)) - 1.029)
+                     < 0.02, f"Airy, {method}: width {row['width_x_um']}")
+
+
+def check_focus(checks, program, folder):
+    for waves in (0.25, 0.7, 1.0, 1.6):
+        off = waves * WAVE * 2 * FOCUS ** 2 / RADIUS ** 2
+        row, table = image(program, folder, ["-", "--field", "0", "--size", "16", "--pitch", "20um",
+                                             "--focus", repr(-FOCUS - off)], DISH)
+        x = math.pi * waves * FOCUS / (FOCUS + off)
+        checks.check(abs(table[8][8] - (math.sin(x) / x) ** 2) < 2e-5,
+                     f"{waves} waves of defocus: {table[8][8]}, expected {(math.sin(x) / x) ** 2}")
+
+
+def check_methods(checks, program, folder):
+    for words in (["double-gauss", "-N", "5.6", "--field", "14", "-w", "d"],
+                  ["questar-35", "--field", "0.25", "-w", "d"],
+                  ["double-gauss", "-N", "4", "--field", "10", "-w", "d"]):
+        row, plane = image(program, folder, words + ["--size", "32"])
+        for method in ("fft", "huygens"):
+            table = image(program, folder, words + ["--size", "32", "--method", method, "--pitch",
+                                                    row["pitch_um"] + "um"])[1]
+            worst = max(abs(u - v) for a, b in zip(plane, table) for u, v in zip(a, b))
+            checks.check(worst <= 1e-4, f"{words}: {method} is off by {worst}")
+
+
+def check_contrast(checks, program, folder):
+    words = ["double-gauss", "-N", "5.6", "--field", "10", "-w", "d"]
+    row, table = image(program, folder, words + ["--size", "256", "--pitch", "1um"])
+    light = 1e-6 * sum(map(sum, table)) / (float(row["inside_percent"]) / 100)
+    for frequency in (20, 40, 80):
+        result = subprocess.run(program.command + ["mtf"] + words + ["--frequency", str(frequency),
+                                "--csv"], text=True, capture_output=True,
+                                env=program.environment())
+        expected = next(csv.DictReader(io.StringIO(result.stdout)))
+        wave = [cmath.exp(-2j * math.pi * frequency * 1e-3 * i) for i in range(256)]
+        for column, found in (("tangential", sum(sum(line) * w for line, w in zip(table, wave))),
+                              ("sagittal", sum(sum(v * w for v, w in zip(line, wave))
+                                               for line in table))):
+            checks.check(abs(1e-6 * abs(found) / light - float(expected[column])) < 2e-3,
+                         f"{frequency}/mm {column}: {1e-6 * abs(found) / light}, mtf has "
+                         f"{expected[column]}")
+
+
+def main():
+    program, checks = Program(sys.argv[1]), Checks()
+    with tempfile.TemporaryDirectory() as folder:
+        check_airy(checks, program, folder)
+        check_focus(checks, program, folder)
+        check_methods(checks, program, folder)
+        check_contrast(checks, program, folder)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
