@@ -298,6 +298,21 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
     return error_hint(error, "see 'lenscalc %s --help'", arguments->command->name);
 }
 
+/* One more word behind those that an operand has; they may be many. */
+static void append(struct argument *argument, char between, struct text word, struct arena *arena)
+{
+    const size_t length = argument->text.length + 1 + word.length;
+    char *joined = (char *)argument->text.start;
+    if (length > argument->room) {
+        argument->room = 2 * length;
+        joined = ARENA_ARRAY(arena, argument->room + 1, char);
+        memcpy(joined, argument->text.start, argument->text.length);
+    }
+    joined[argument->text.length] = between;
+    memcpy(joined + argument->text.length + 1, word.start, word.length);
+    argument->text = (struct text){joined, length};
+}
+
 /* A word that is no option goes to the next operand that is still free. */
 static bool parse_operand(struct arguments *arguments, struct text word, struct words *words,
                           struct arena *arena, struct error *error)
@@ -319,10 +334,7 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
         }
         if ((flags & (OPTION_REST | OPTION_MANY | OPTION_TOGETHER)) != 0) {
             char between = (flags & OPTION_REST) != 0 ? ' ' : OPTION_MANY_SEPARATOR;
-            char *joined =
-                arena_printf(arena, "%.*s%c%.*s", (int)argument->text.length, argument->text.start,
-                             between, (int)word.length, word.start);
-            argument->text = text_of(joined);
+            append(argument, between, word, arena);
             words->last = NULL;
             return true;
         }

@@ -13,6 +13,7 @@ struct argument {
     bool is_common; /* of struct common; if neither, of an artifact */
     bool is_given;
     struct text text; /* empty for a flag */
+    size_t room;      /* characters behind its start that are its own; 0: it is a word as typed */
 };
 
 /* All options of a command: its own first, those of its artifacts, then the common ones. */
