@@ -6,6 +6,8 @@
 #include "base/image/image.h"
 #include "base/text.h"
 
+#include <stdbool.h>
+
 /*
  * Test charts; white is 1. Directions are those of somebody who looks at the card.
  *
@@ -57,9 +59,16 @@ struct card {
     double width, height;        /* mm */
 };
 
-/* Light of a point, as a share of white, in three channels. */
+enum { CARD_CHANNELS = 3 };
+
+/* Light of a point, as a share of white. */
 struct card_light {
-    float of[3];
+    float of[CARD_CHANNELS];
+};
+
+/* Part of a card's plane, mm from its middle. */
+struct card_part {
+    double low[2], high[2]; /* x, y */
 };
 
 /*
@@ -70,5 +79,13 @@ struct card_light {
  *           lies between four of them goes in a straight line
  */
 struct card_light card_look(const struct card *card, double x, double y);
+
+/*
+ * Has a part the same light everywhere?
+ *
+ * Result    light  of all its points. False also where that is so, but not easily seen: of large
+ *                  parts of a picture, and within the star
+ */
+bool card_is_even(const struct card *card, const struct card_part *part, struct card_light *light);
 
 #endif

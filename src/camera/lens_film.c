@@ -16,6 +16,58 @@ static void start_in_region(const struct lens_film *film, struct film_samples *s
     film_rays_start(&film->region, samples, SET_BEST, block);
 }
 
+/* As kernel_film, of one rectangle for all points. */
+static void start_anywhere(const struct lens_film *film, struct film_samples *samples,
+                           struct ray_block *block)
+{
+    const double n = film->region.index, back = film->region.film > 0 ? -n : n;
+    const double width = film->high[0] - film->low[0], height = film->high[1] - film->low[1];
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        const double x = samples->x[i], y = samples->y[i], h = hypot(x, y);
+        const double up_x = h > 0 ? x / h : 0, up_y = h > 0 ? y / h : 1;
+        const double right = film->low[0] + width * samples->u[i];
+        const double up = film->low[1] + height * samples->v[i];
+        const double left = 1 - right * right - up * up;
+        block->x[i] = x;
+        block->y[i] = y;
+        block->z[i] = film->region.film;
+        block->p[i] = n * (right * up_y + up * up_x);
+        block->q[i] = n * (up * up_y - right * up_x);
+        block->r[i] = back * sqrt(fmax(left, 0));
+        block->path[i] = block->lost[i] = 0;
+        samples->weight[i] = left > 0 ? width * height : 0;
+    }
+}
+
+/* The rectangle that holds the regions of all distances from the axis. */
+static void find_rectangle(struct lens_film *film)
+{
+    enum { RADII = 256 };
+    struct film_samples samples;
+    struct ray_block block;
+    for (int k = 0; k < 2; k++) {
+        film->low[k] = INFINITY;
+        film->high[k] = -INFINITY;
+    }
+    for (int radius = 0; radius <= RADII; radius++) {
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            samples.x[i] = 0;
+            samples.y[i] = film->region.largest * radius / RADII;
+            samples.u[i] = (double)i / RAYS_BLOCK;
+            samples.v[i] = 1;
+        }
+        film->aim(film, &samples, &block);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            const double way[2] = {block.p[i] / film->region.index,
+                                   block.q[i] / film->region.index};
+            for (int k = 0; k < 2; k++) {
+                film->low[k] = fmin(film->low[k], way[k]);
+                film->high[k] = fmax(film->high[k], way[k]);
+            }
+        }
+    }
+}
+
 /* Systems towards the scene, at all wavelengths: with blades in the stop, if there are any. */
 static bool open_systems(const struct film_question *question, struct arena *arena,
                          struct lens_film *film, struct error *error)
@@ -124,6 +176,15 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
     }
     if (film->region.largest == 0) {
         return fail(error, ERROR_DOMAIN, "no light reaches the film at %.6g mm", setup->image);
+    }
+    film->aim = film->start;
+    if (question->is_anywhere) {
+        if (!lens_is_round(film->systems[0]->lens)) {
+            return fail(error, ERROR_DOMAIN,
+                        "{no skip} pupil: the lens is not the same all around its axis");
+        }
+        find_rectangle(film);
+        film->start = start_anywhere;
     }
     return true;
 }

@@ -17,12 +17,17 @@ struct lens_film {
     /* starts a block of rays on the film, as film_rays_start has it */
     void (*start)(const struct lens_film *film, struct film_samples *samples,
                   struct ray_block *block);
+    /* the same where u, v are places in the pupil, whatever `start` makes of them */
+    void (*aim)(const struct lens_film *film, struct film_samples *samples,
+                struct ray_block *block);
     const struct system **systems; /* one a wavelength of the setup */
     struct film_region region;
     struct sobol sobol[FILM_DIMENSIONS];
     const struct acceptance *acceptance;
     double corner;    /* how far from the axis the film goes, mm */
     struct disc disc; /* the pupil, of thick and thin lenses; then no region has been looked for */
+    /* of a start anywhere: direction cosines from (0, h), least and most of x and y */
+    double low[2], high[2];
 };
 
 /* A film, and what the lens has for a stop. */
@@ -32,6 +37,7 @@ struct film_question {
     struct blades blades;                /* count 0: the stop is round */
     enum lens_model model;               /* the setup's lens is that of it */
     const struct acceptance *acceptance; /* of its pixels; null: they take all light */
+    bool is_anywhere; /* rays start in one rectangle of directions for all points of the film */
 };
 
 /*

@@ -23,17 +23,12 @@ struct work {
     unsigned char *done; /* of each tile */
     size_t first;        /* tile of the slice that is taken */
     struct arena *arena;
-    atomic_ullong *counts; /* PHOTOGRAPH_COUNTS of them */
-    double unit;           /* of means, in errors that are asked for */
-    double scale;          /* (n'/n)^2, n of the scene */
-    size_t passes;         /* one a wavelength, or one for all where nothing disperses */
-    const struct pass *pass;
-};
-
-/* The rays of a wavelength. */
-struct pass {
-    size_t begin, end; /* channels that they are for */
-    double share;      /* of each of them */
+    atomic_ullong *counts;     /* PHOTOGRAPH_COUNTS of them */
+    const struct spare *spare; /* null: all is traced */
+    double unit;               /* of means, in errors that are asked for */
+    double scale;              /* (n'/n)^2, n of the scene */
+    size_t passes;             /* one a wavelength, or one for all where nothing disperses */
+    const struct spare_pass *pass;
 };
 
 /* What one thread traces in. */
@@ -42,12 +37,14 @@ struct room {
     struct rays rays;
     double sums[PIXELS][PHOTOGRAPH_CHANNELS], half[PIXELS][PHOTOGRAPH_CHANNELS];
     uint64_t counts[PHOTOGRAPH_COUNTS];
+    struct spare_room *spare;
 };
 
-static struct room *room_of(struct arena *arena)
+static struct room *room_of(size_t passes, struct arena *arena)
 {
     struct room *room = ARENA_NEW(arena, struct room);
     room->rays = rays_new(arena, RAYS_BLOCK);
+    room->spare = spare_room_new(passes, arena);
     return room;
 }
 
@@ -65,21 +62,21 @@ static bool is_alike(const struct lens_film *film, size_t wavelengths)
 }
 
 /* What the wavelengths of the question are for. */
-static const struct pass *passes_of(const struct photograph_question *question, size_t passes,
-                                    struct arena *arena)
+static const struct spare_pass *passes_of(const struct photograph_question *question, size_t passes,
+                                          struct arena *arena)
 {
     const struct setup *setup = question->film.setup;
     const size_t parts = question->is_coloured && passes > 1 ? PHOTOGRAPH_CHANNELS : 1;
     const size_t waves = passes / parts, channels = PHOTOGRAPH_CHANNELS / parts;
-    struct pass *pass = ARENA_ARRAY(arena, passes, struct pass);
+    struct spare_pass *pass = ARENA_ARRAY(arena, passes, struct spare_pass);
     for (size_t i = 0; i < passes; i++) {
         double all = 0;
         for (size_t k = 0; k < waves; k++) {
             all += setup->wavelengths[i / waves * waves + k].weight;
         }
-        pass[i] = (struct pass){.begin = i / waves * channels,
-                                .end = (i / waves + 1) * channels,
-                                .share = setup->wavelengths[i].weight / all};
+        pass[i] = (struct spare_pass){.begin = i / waves * channels,
+                                      .end = (i / waves + 1) * channels,
+                                      .share = setup->wavelengths[i].weight / all};
     }
     return pass;
 }
@@ -212,8 +209,8 @@ static bool is_lit(const struct film_plan *plan, double largest)
 }
 
 /* What one ray brings to its pixel. */
-static void add_ray(const struct work *work, const struct film_plan *plan, const struct pass *pass,
-                    size_t i, struct room *room)
+static void add_ray(const struct work *work, const struct film_plan *plan,
+                    const struct spare_pass *pass, size_t i, struct room *room)
 {
     const struct film_samples *samples = &room->samples;
     const double across = (samples->x[i] - plan->left) / plan->width * ACROSS;
@@ -221,6 +218,7 @@ static void add_ray(const struct work *work, const struct film_plan *plan, const
     const size_t column = (size_t)fmin(across, ACROSS - 1), row = (size_t)fmin(down, DOWN - 1);
     double *sums = room->sums[row * ACROSS + (ACROSS - 1 - column)];
     struct card_light light;
+    room->counts[PHOTOGRAPH_PASSED] += room->rays.blocks->lost[i] == 0;
     if (!see(work, room, i, &light)) {
         return;
     }
@@ -237,6 +235,7 @@ static void sum_blocks(const struct work *work, const struct film_plan *plan, si
     for (size_t pass = 0; pass < work->passes; pass++) {
         for (uint32_t block = (uint32_t)begin; block < end; block++) {
             trace_plan(work->film, plan, block, pass, room);
+            room->counts[PHOTOGRAPH_TRACED] += RAYS_BLOCK;
             for (size_t i = 0; i < RAYS_BLOCK; i++) {
                 add_ray(work, plan, &work->pass[pass], i, room);
             }
@@ -269,6 +268,14 @@ static size_t sum_tile(const struct work *work, struct film_plan *plan, size_t t
     memset(room->sums, 0, sizeof room->sums);
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         plan->scrambling[k] = sobol_scrambling(question->seed, tile, k);
+    }
+    const struct spare_tile spared = {plan, ACROSS, DOWN, question->samples};
+    const enum spare_way way = work->spare != NULL
+                                   ? spare_take(work->spare, &spared, room->spare, room->sums)
+                                   : SPARE_TRACED;
+    room->counts[PHOTOGRAPH_WAYS + way]++;
+    if (way != SPARE_TRACED) {
+        return question->samples;
     }
     if (question->error > 0) {
         return sum_until(work, plan, room);
@@ -303,7 +310,7 @@ static void take_tiles(void *context, const struct parallel_piece *piece)
     const struct work *work = context;
     struct watch *watch = work->question->watch;
     const struct arena_mark mark = arena_mark(piece->arena);
-    struct room *room = room_of(piece->arena);
+    struct room *room = room_of(work->passes, piece->arena);
     for (size_t i = piece->begin; i < piece->end && !watch_is_ended(watch); i++) {
         const size_t tile = work->first + i;
         if (work->done[tile] == 0) {
@@ -311,6 +318,9 @@ static void take_tiles(void *context, const struct parallel_piece *piece)
             work->done[tile] = 1;
             watch_add(watch, PIXELS);
         }
+    }
+    for (int i = 0; i < RELIEF_SIGHTS; i++) {
+        room->counts[i] += spare_room_sights(room->spare)[i];
     }
     for (int i = 0; i < PHOTOGRAPH_COUNTS; i++) {
         atomic_fetch_add(&work->counts[i], room->counts[i]);
@@ -339,7 +349,7 @@ static void look_through(const struct work *work, double x, double y, struct roo
     room->samples.x[0] = share * x;
     room->samples.y[0] = share * y;
     room->samples.v[0] = film->region.has_hole ? 0.5 : 0; /* not at the edge of a hole */
-    lens_film_start(film, &room->samples, room->rays.blocks);
+    film->aim(film, &room->samples, room->rays.blocks);
     rays_trace(film->systems[0], &room->rays, NULL);
     if (!meet(room->rays.blocks, 0, work->card.distance, at)) {
         at[0] = at[1] = 0;
@@ -414,6 +424,29 @@ static bool open_relief(struct work *work, struct arena *arena, struct error *er
     return relief_open(&asked, arena, relief, error);
 }
 
+/* What need not be traced; a table of light costs less than a hundredth of the picture. */
+static void open_spare(struct work *work, struct arena *arena)
+{
+    enum { FEW_SAMPLES = 8 };
+    const struct photograph_question *question = work->question;
+    const unsigned none = 1U << SKIP_BLUR | 1U << SKIP_UNIFORM;
+    const size_t rays = question->columns * question->rows * question->samples;
+    if (question->samples < FEW_SAMPLES || (question->kept & none) == none) {
+        return;
+    }
+    struct spare *spare = ARENA_NEW(arena, struct spare);
+    *spare = (struct spare){.film = work->film,
+                            .card = &work->card,
+                            .relief = work->relief,
+                            .passes = work->passes,
+                            .pass = work->pass,
+                            .kept = question->kept};
+    /* an error is one of all tiles' rays */
+    spare->kept |= question->error > 0 ? 1U << SKIP_BLUR : 0;
+    work->spare = spare;
+    spare_open(spare, rays > 1U << 22 ? 32 : 8, arena);
+}
+
 double photograph_share(const struct photograph *photograph, enum relief_sight sight)
 {
     double all = 0;
@@ -461,6 +494,9 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                                       .largest = film.region.largest,
                                       .corner = film.corner};
     const size_t wavelengths = question->film.setup->wavelength_count;
+    const bool as_one = wavelengths == 1 ||
+                        ((question->kept & 1U << SKIP_COLOUR) == 0 && is_alike(&film, wavelengths));
+    const size_t passes = as_one ? 1 : wavelengths;
     const double n = film.region.index / film.systems[0]->index_last;
     struct work work = {.question = question,
                         .film = &film,
@@ -469,9 +505,10 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
                         .arena = arena,
                         .counts = ARENA_ARRAY(arena, PHOTOGRAPH_COUNTS, atomic_ullong),
                         .scale = n * n,
-                        .passes = is_alike(&film, wavelengths) ? 1 : wavelengths};
+                        .passes = passes};
+    photograph->passes = passes;
     work.pass = passes_of(question, work.passes, arena);
-    struct room *room = room_of(arena);
+    struct room *room = room_of(work.passes, arena);
     if (!size_card(&work, room, &photograph->card, error) ||
         !image_new(&photograph->image, arena, error)) {
         return false;
@@ -480,6 +517,7 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     if (!open_relief(&work, arena, error)) {
         return false;
     }
+    open_spare(&work, arena);
     work.done = question->done != NULL ? question->done : ARENA_ARRAY(arena, tiles, unsigned char);
     photograph->axis = axis_light(&work, room);
     work.unit = work.scale / (photograph->axis * question->error);

@@ -11,20 +11,27 @@
 #include "camera/convergence.h"
 #include "camera/lens_film.h"
 #include "camera/relief.h"
+#include "camera/spare.h"
 
 #include <stdint.h>
 
 enum {
-    PHOTOGRAPH_CHANNELS = 3,
+    PHOTOGRAPH_CHANNELS = CARD_CHANNELS,
     PHOTOGRAPH_ACROSS = 16, /* pixels of a tile: of 128 points of a net in base 2 each has one */
     PHOTOGRAPH_DOWN = 8,
     PHOTOGRAPH_PIXELS = PHOTOGRAPH_ACROSS * PHOTOGRAPH_DOWN
 };
 
-/* What is counted: rays of a picture with depths by their sight, and as in camera/convergence.h. */
+/*
+ * What is counted: rays of a picture with depths by their sight, as in camera/convergence.h, tiles
+ * by what they came to, rays that were traced, and those that passed the lens.
+ */
 enum {
     PHOTOGRAPH_CONVERGENCE = RELIEF_SIGHTS, /* where those begin */
-    PHOTOGRAPH_COUNTS = PHOTOGRAPH_CONVERGENCE + CONVERGENCE_COUNTS
+    PHOTOGRAPH_WAYS = PHOTOGRAPH_CONVERGENCE + CONVERGENCE_COUNTS,
+    PHOTOGRAPH_TRACED = PHOTOGRAPH_WAYS + SPARE_WAYS,
+    PHOTOGRAPH_PASSED,
+    PHOTOGRAPH_COUNTS
 };
 
 /* The depths of a picture: as camera/relief.h has them. */
@@ -49,6 +56,7 @@ struct photograph_question {
     double error;
     uint64_t seed;
     int threads;
+    unsigned kept; /* 1 << enum skip, of what is done though it need not be */
     /* width 0: as large as the film's corners see; height 0: by its own proportions */
     struct card card;
     struct photograph_depths depths; /* of what the card shows; no map: it is flat */
@@ -80,6 +88,7 @@ struct photograph {
     struct card card;   /* with its size */
     double axis;        /* that of a white scene in the middle of the film */
     uint64_t counts[PHOTOGRAPH_COUNTS]; /* they add up over parts of a picture */
+    size_t passes;                      /* one for all colours, or one a wavelength */
     double largest, corner; /* how far from the axis light arrives, and the film goes, mm */
     bool is_incomplete;     /* the watch has ended it: tiles are missing, and black */
 };
@@ -98,6 +107,7 @@ double photograph_share(const struct photograph *photograph, enum relief_sight s
  *           traced exactly, to the plane of the card, or to the relief that it is
  *           With an error as many points as if there were no error and so many samples: twice as
  *           many, CONVERGENCE_LEAST at first, until the tile's halves agree (camera/convergence.h)
+ *           Tiles are spared as camera/spare.h has it, of 8 samples and more
  *           No number depends on the threads, the crop, or what is done already
  * Errors    ERROR_DOMAIN: as lens_film_open; the card within the lens; as relief_open
  */

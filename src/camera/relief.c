@@ -359,3 +359,18 @@ struct card_light relief_look(const struct relief *relief, const struct relief_r
     return *sight == SIGHT_SEEN || relief->hidden == HIDDEN_NEARBY ? light_at(&walk, met, walk.w)
                                                                    : (struct card_light){{0, 0, 0}};
 }
+
+void relief_range(const struct relief *relief, const struct card_part *part, double *least,
+                  double *most)
+{
+    const double columns = (double)relief->columns, rows = (double)relief->rows;
+    const double width = relief->card.width, height = relief->card.height;
+    const long from[AXES] = {floor_of((part->low[X] / width + 0.5) * columns),
+                             floor_of((0.5 - part->high[Y] / height) * rows)};
+    const long to[AXES] = {floor_of((part->high[X] / width + 0.5) * columns),
+                           floor_of((0.5 - part->low[Y] / height) * rows)};
+    const bool is_all =
+        from[X] >= 0 && from[Y] >= 0 && to[X] < (long)relief->columns && to[Y] < (long)relief->rows;
+    bound(relief, from, to, least, most);
+    *least = relief->is_endless || is_all ? *least : 0;
+}

@@ -80,4 +80,12 @@ struct relief_ray {
 struct card_light relief_look(const struct relief *relief, const struct relief_ray *ray,
                               enum relief_sight *sight);
 
+/*
+ * How far away it is within part of its frame.
+ *
+ * Result    least, most  1/distance from the pupil, 1/mm: none is outside, which all may lie within
+ */
+void relief_range(const struct relief *relief, const struct card_part *part, double *least,
+                  double *most);
+
 #endif

@@ -29,6 +29,7 @@ struct run {
     const struct arguments *arguments; /* that were typed */
     const struct part_file *parts; /* of a divided run that are merged, in order; null: none are */
     size_t part_count;
+    bool explain;           /* an artifact says of itself how it was made, on standard error */
     struct watch *watch;    /* of work on one input that may be long, see base/watch.h; or null */
     struct error shortfall; /* set by a command whose rows stand, but are less than was asked: it is
                                printed beside them, and the question counts as failed */
@@ -112,6 +113,7 @@ struct command {
      */
     int (*threads)(const void *input);
     const struct explanation *explanations; /* ends with a null column */
+    bool explains;                          /* artifacts do, by run.explain */
     /* Everything else that it makes, each with its option; --plot among them is its own. */
     const struct artifact *artifacts;
     size_t artifact_count;

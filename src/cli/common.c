@@ -161,7 +161,7 @@ static bool has_distances(const struct command *command)
 
 static bool has_formulas(const struct command *command)
 {
-    return command->explanations != NULL;
+    return command->explanations != NULL || command->explains;
 }
 
 static bool has_series(const struct command *command)

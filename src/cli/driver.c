@@ -200,6 +200,7 @@ static bool prepare(struct driver *driver, int count, char **words, struct error
                                .doubts = &driver->doubts,
                                .watch = &driver->progress.watch,
                                .arguments = &driver->arguments,
+                               .explain = driver->common.explain,
                                .kept = &driver->kept,
                                .db = &driver->db,
                                .emit = rows_emit,

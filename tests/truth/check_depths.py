@@ -86,7 +86,7 @@ def check_flat(fixture):
     write_pfm(fixture.path("card.pfm"), picture)
     film = 110.0
     common = ["card.pfm", "--lens", "thin.lens", "--focus", str(film), "--from", "front", "-t",
-              "0.01", "-w", "d", "--size", "60x40", "--samples", "16"]
+              "0.01", "-w", "d", "--size", "60x40", "--samples", "16", "--no-skip", "blur"]
     near = ["-s", "1100mm", "--field-width", "200mm"]
     far = ["-s", "2200mm", "--field-width", "400mm"]
     thickness = 0.0001

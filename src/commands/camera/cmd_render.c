@@ -131,6 +131,8 @@ static const struct option options[] = {
     {OPTION(struct render_input, grain), .name = "grain", .dimension = &dimension_number,
      .lowest = 0, .highest = 1000, .wants = "film", .value = "NUMBER",
      .help = "with its grain, by the rms granularity of its maker; default none"},
+    {OPTION(struct render_input, no_skip), .name = "no-skip", .value = "NAMES",
+     .help = "do without a skip: pupil, colour, blur, uniform, exposures, or all"},
     {OPTION(struct render_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
      .fallback = "0", .value = "NUMBER", .help = "another one gives other rays"},
     {OPTION(struct render_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
@@ -163,9 +165,10 @@ static bool check_picture(const struct artifact_job *job, struct error *error)
 static bool check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "part", "resume", "subject", "band",      "autofocus",   "error",     "radiance", "packing",
-        "ev",   "scene",  "filter",  "depth-map", "field-width", "luminance", "time",     "iso",
-        "size", "crop",   "bits",    "film",      "grain",       "threads",   NULL};
+        "part",    "resume", "subject", "band",    "autofocus", "error",       "radiance",
+        "packing", "ev",     "scene",   "filter",  "depth-map", "field-width", "luminance",
+        "time",    "iso",    "size",    "crop",    "bits",      "film",        "grain",
+        "threads", "depth",  "hidden",  "no-skip", NULL};
     const char *const *const lists[] = {of_pictures, render_sensor_options};
     const bool also_picture = asking_given(job->asking, "output");
     for (size_t k = 0; k < 2 && !also_picture; k++) {
@@ -211,6 +214,7 @@ const struct command command_render = {
     .summary = "photographs through exact lenses",
     COMMAND_ASKS(struct render_input),
     .is_divided = true,
+    .explains = true,
     COMMAND_MAKES(artifacts),
     .needs_ceres = "model=fitted",
 };

@@ -34,6 +34,7 @@ struct render_input {
     bool noise, raw;                   /* of a sensor */
     int mosaic;                        /* enum sensor_mosaic */
     const char *white;
+    const char *no_skip;                        /* names of skips, null: none */
     const char *depth_map;                      /* null: the card is flat */
     struct interval_value depth;                /* mm, of a PNG; NaN: not given */
     int hidden;                                 /* enum relief_hidden */
@@ -282,6 +283,19 @@ bool render_scene(const struct render_input *input, struct arena *arena, struct 
 /* What a chart measures: angles, frequencies on the film by the paraxial magnification. */
 void render_say_scene(const struct photograph *photograph, const struct setup *setup,
                       struct growing *remarks);
+
+/* -------- commands/camera/render_skips.c -------- */
+
+/*
+ * What is done though it need not be: 1 << enum skip.
+ *
+ * Errors    ERROR_USAGE: a word that is none of skips
+ */
+bool render_kept(const struct render_input *input, unsigned *kept, struct error *error);
+
+/* The equation that a picture solves, and what it did without. */
+void render_explain(const struct photograph_question *question, const struct photograph *photograph,
+                    size_t exposures, struct growing *remarks);
 
 /* -------- commands/camera/render_depth.c -------- */
 

@@ -58,6 +58,66 @@ static void add_notes(const struct analysis_case *one, const struct render_input
     }
 }
 
+static struct text doubts_of(const struct analysis_case *one, const struct artifact_job *job,
+                             const struct photograph_question *question,
+                             const struct photograph *photograph)
+{
+    const struct render_input *input = job->inputs[0];
+    struct growing doubts = {.arena = job->run->arena};
+    render_say_autofocus(input, render_object(one), &doubts);
+    render_say_samples(input, photograph, &doubts);
+    render_say_light(input, &doubts);
+    render_say_scene(photograph, one->setup, &doubts);
+    render_say_depths(input, photograph, &doubts);
+    render_say_model(input, one, &doubts);
+    render_doubts(one, photograph->largest, photograph->corner, &doubts);
+    if (job->run->explain) {
+        render_explain(question, photograph, job->count, &doubts);
+    }
+    return growing_done(&doubts);
+}
+
+/* All that does not depend on the exposure. */
+static void finish(const struct analysis_case *one, const struct artifact_job *job,
+                   const struct photograph_question *question, struct render_shot *shot)
+{
+    const struct render_input *input = job->inputs[0];
+    struct arena *arena = job->run->arena;
+    render_filter(input, one->setup, &shot->photograph);
+    add_notes(one, input, &shot->photograph.image, arena);
+    if (shot->photograph.is_incomplete) {
+        const char *why = job->run->parts != NULL ? "parts are missing" : "interrupted";
+        render_note(&shot->photograph.image, arena, "Incomplete", why);
+        fail(&job->run->shortfall, ERROR_DOMAIN,
+             "%s: the picture is incomplete, and black where it is missing", why);
+    }
+    shot->doubts = doubts_of(one, job, question, &shot->photograph);
+}
+
+/* Each exposure of it, which --no-skip takes anew; a picture that is complete. */
+static bool expose_all(const struct analysis_case *one, const struct picture_job *picture,
+                       struct photograph_question question, struct render_shot *shot,
+                       struct error *error)
+{
+    const struct artifact_job *job = picture->job;
+    const bool each =
+        (question.kept & 1U << SKIP_EXPOSURES) != 0 && !shot->photograph.is_incomplete;
+    bool done = true;
+    question.done = NULL;
+    question.pause = NULL;
+    for (size_t i = 0; i < job->count && done; i++) {
+        if (i > 0 && each) {
+            done = photograph_take(&question, job->run->arena, &shot->photograph, error);
+            if (done) {
+                finish(one, job, &question, shot);
+            }
+        }
+        shot->is_last = i + 1 == job->count;
+        done = done && render_expose(job, i, shot, &picture->sinks[i], error);
+    }
+    return done;
+}
+
 static bool take_picture(const struct analysis_case *one, void *context, struct error *error)
 {
     const struct picture_job *picture = context;
@@ -66,7 +126,6 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     struct arena *arena = job->run->arena;
     struct render_shot shot;
     struct render_part part;
-    struct growing doubts = {.arena = arena};
     struct photograph_question question = {
         .film = render_film(input, one),
         .is_coloured = !render_is_grey(input),
@@ -76,9 +135,11 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
                  .width = isnan(input->field_width) ? 0 : input->field_width},
         .watch = job->run->watch};
     render_ask_samples(input, &question);
-    if (!render_frame_read(input, &shot.frame, error)) {
+    if (!render_frame_read(input, &shot.frame, error) ||
+        !render_kept(input, &question.kept, error)) {
         return false;
     }
+    question.film.is_anywhere = (question.kept & 1U << SKIP_PUPIL) != 0;
     question.columns = shot.frame.columns;
     question.rows = shot.frame.rows;
     question.crop = shot.frame.taken;
@@ -94,28 +155,8 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
         return true;
     }
     render_part_fill(&part, &shot.photograph);
-    render_filter(input, one->setup, &shot.photograph);
-    add_notes(one, input, &shot.photograph.image, arena);
-    if (shot.photograph.is_incomplete) {
-        const char *why = job->run->parts != NULL ? "parts are missing" : "interrupted";
-        render_note(&shot.photograph.image, arena, "Incomplete", why);
-        fail(&job->run->shortfall, ERROR_DOMAIN,
-             "%s: the picture is incomplete, and black where it is missing", why);
-    }
-    render_say_autofocus(input, render_object(one), &doubts);
-    render_say_samples(input, &shot.photograph, &doubts);
-    render_say_light(input, &doubts);
-    render_say_scene(&shot.photograph, one->setup, &doubts);
-    render_say_depths(input, &shot.photograph, &doubts);
-    render_say_model(input, one, &doubts);
-    render_doubts(one, shot.photograph.largest, shot.photograph.corner, &doubts);
-    shot.doubts = growing_done(&doubts);
-    bool done = true;
-    for (size_t i = 0; i < job->count && done; i++) {
-        shot.is_last = i + 1 == job->count;
-        done = render_expose(job, i, &shot, &picture->sinks[i], error);
-    }
-    return done;
+    finish(one, job, &question, &shot);
+    return expose_all(one, picture, question, &shot, error);
 }
 
 bool render_picture(const struct artifact_job *job, struct output *sinks, struct error *error)

@@ -1,0 +1,90 @@
+/* camera/spare.h - parts of a picture that need few rays, or none. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_CAMERA_SPARE_H
+#define LENSCALC_CAMERA_SPARE_H
+
+#include "camera/card.h"
+#include "camera/lens_film.h"
+#include "camera/relief.h"
+
+/* What need not be done where the picture is the same without. */
+enum skip {
+    SKIP_PUPIL,     /* rays that the lens would stop */
+    SKIP_COLOUR,    /* rays of all colours, where they go the same way */
+    SKIP_BLUR,      /* rays through all of the pupil, where they see the same */
+    SKIP_UNIFORM,   /* rays at all, where everything has the same light */
+    SKIP_EXPOSURES, /* a picture for each exposure */
+    SKIP_COUNT
+};
+
+/* Their names, in that order; ends with null. */
+extern const struct word skips[];
+
+/* What a tile came to. */
+enum spare_way {
+    SPARE_TRACED, /* it needs all its rays */
+    SPARE_SHARP,  /* one pupil tells what all of it sees */
+    SPARE_EVEN,   /* all of it has the same light */
+    SPARE_WAYS
+};
+
+enum { SPARE_ROWS = 65 };
+
+/* The rays of a wavelength. */
+struct spare_pass {
+    size_t begin, end; /* channels that they are for */
+    double share;      /* of each of them */
+};
+
+struct spare {
+    const struct lens_film *film;
+    const struct card *card;
+    const struct relief *relief; /* null: the card is flat */
+    size_t passes;               /* one a wavelength, or one for all */
+    const struct spare_pass *pass;
+    unsigned kept; /* 1 << enum skip, of what is done all the same */
+    /* E/L by pass, sr: SPARE_ROWS distances from the axis, closer to each other at the end;
+       null: it is not the same all around */
+    double **light;
+    double plane, frame; /* where rays are told, behind the first vertex; the card before it, mm */
+};
+
+/*
+ * Make ready.
+ *
+ * Given     spare   all above `light`
+ *           blocks  of rays for each number of the table
+ */
+void spare_open(struct spare *spare, size_t blocks, struct arena *arena);
+
+/* What one thread looks with. */
+struct spare_room;
+struct spare_room *spare_room_new(size_t passes, struct arena *arena);
+
+/* How many samples found out how much since: RELIEF_SIGHTS numbers. */
+const unsigned long long *spare_room_sights(const struct spare_room *room);
+
+/* A tile of the film: the points of its pixels, which lie in rows from the upper left. */
+struct spare_tile {
+    const struct film_plan *plan;
+    size_t across, down; /* pixels, 128 in all */
+    size_t samples;      /* of each */
+};
+
+/*
+ * Take a tile, if it may be spared.
+ *
+ * Given     sums   0 for each of 128 pixels: receives what the weights times the light of all
+ *                  samples come to, unless it is SPARE_TRACED
+ * Formula   rays from the tile's corners, within the rim of the pupil, of each wavelength, give the
+ *           part of the card that is seen, with 10 % around it. Where that is even, E/L times its
+ *           light. Where the rays of no corner are a quarter pixel apart, E/L times the mean light
+ *           at half of the samples' points of the film: along rays through the middle of the pupil
+ *           between 16 x 8 that are traced, moved as the pupil of the tile's middle moves them
+ * Limits    where the lens is not the same all around only black is spared; at the end of the light
+ *           and behind a hole in the pupil nothing is
+ */
+enum spare_way spare_take(const struct spare *spare, const struct spare_tile *tile,
+                          struct spare_room *room, double (*sums)[CARD_CHANNELS]);
+
+#endif

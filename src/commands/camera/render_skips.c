@@ -1,0 +1,70 @@
+/* commands/camera/render_skips.c - what a picture does without, and how it says so. */
+/* SPDX-License-Identifier: MIT */
+#include "commands/camera/render.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+/* Which of skips a word is; SKIP_COUNT: all of them; above: none. */
+static size_t find_skip(const char *word, size_t length)
+{
+    size_t i = 0;
+    while (skips[i].word != NULL &&
+           (strlen(skips[i].word) != length || strncmp(skips[i].word, word, length) != 0)) {
+        i++;
+    }
+    return skips[i].word != NULL || (length == 3 && strncmp(word, "all", 3) == 0) ? i : i + 1;
+}
+
+bool render_kept(const struct render_input *input, unsigned *kept, struct error *error)
+{
+    *kept = 0;
+    for (const char *word = input->no_skip; word != NULL;) {
+        const char *comma = strchr(word, ',');
+        const size_t length = comma != NULL ? (size_t)(comma - word) : strlen(word);
+        const size_t which = find_skip(word, length);
+        if (which > SKIP_COUNT) {
+            return fail(error, ERROR_USAGE,
+                        "{--no-skip} '%.*s': pupil, colour, blur, uniform, exposures or all",
+                        (int)(length < 40 ? length : 40), word);
+        }
+        *kept |= which == SKIP_COUNT ? (1U << SKIP_COUNT) - 1 : 1U << which;
+        word = comma != NULL ? comma + 1 : NULL;
+    }
+    return true;
+}
+
+static const char *or_kept(const struct photograph_question *question, enum skip skip)
+{
+    return (question->kept & 1U << skip) != 0 ? ", as --no-skip asks" : "";
+}
+
+void render_explain(const struct photograph_question *question, const struct photograph *photograph,
+                    size_t exposures, struct growing *remarks)
+{
+    const uint64_t *tiles = photograph->counts + PHOTOGRAPH_WAYS;
+    const uint64_t all = tiles[SPARE_TRACED] + tiles[SPARE_SHARP] + tiles[SPARE_EVEN];
+    const double traced = (double)photograph->counts[PHOTOGRAPH_TRACED];
+    const double passed = (double)photograph->counts[PHOTOGRAPH_PASSED];
+    growing_format(remarks,
+                   "H = t/A integral over pixel A and directions w of L(T(x, w)) cos(theta) dw dA: "
+                   "exposure of a pixel, T the way of a ray through the lens; [Kolb95] (1)\n"
+                   "pupil: rays only where light can come from: %.4g %% of %s arrived%s\n",
+                   traced > 0 ? 100 * passed / traced : 0,
+                   traced > 0 ? "those traced" : "none traced", or_kept(question, SKIP_PUPIL));
+    growing_format(remarks, "colour: %s%s\n",
+                   photograph->passes == 1 ? "all colours go the same way: one pass of rays"
+                                           : "a pass of rays for each",
+                   or_kept(question, SKIP_COLOUR));
+    growing_format(remarks,
+                   "blur: below a quarter of a pixel in %" PRIu64 " of %" PRIu64
+                   " tiles of 16 x 8 pixels, each "
+                   "with one pupil%s\n",
+                   tiles[SPARE_SHARP], all, or_kept(question, SKIP_BLUR));
+    growing_format(remarks,
+                   "uniform: %" PRIu64 " of %" PRIu64
+                   " tiles see the same light everywhere: no rays%s\n",
+                   tiles[SPARE_EVEN], all, or_kept(question, SKIP_UNIFORM));
+    growing_format(remarks, "exposures: %zu of one picture%s\n", exposures,
+                   or_kept(question, SKIP_EXPOSURES));
+}

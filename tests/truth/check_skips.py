@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""tests/truth/check_skips.py - what lenscalc render does without: check_skips.py BUILD_DIR
+
+Each picture is taken with a skip, and by --no-skip without it; both are compared with many more
+rays without any. The skip must have been used, may change neither the light of the whole nor that
+of its parts by more than noise, and may leave about as much noise as all rays do.
+"""
+# SPDX-License-Identifier: MIT
+
+import math
+import os
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from harness import Checks, Program
+
+# skip: what --explain says where it was used, scene
+CASES = {
+    "uniform": [(r"uniform: [1-9]", "chart:edge --lens double-gauss-50 -s 1m --size 96x64"),
+                (r"uniform: [1-9]", "chart:points --lens double-gauss-50 -s 1m --size 96x64 "
+                                    "--blades 7 --samples 16 --field-width 200mm"),
+                (r"uniform: [1-9]", "white.pfm --depth-map far.pfm --lens cs348b-dgauss-50 -s 1m "
+                                    "--size 48x32 --acceptance 2")],
+    "blur": [(r"blur: .* in [1-9]", "chart:star --lens double-gauss-50 -s 1m -N 16 --size 64x48"),
+             (r"blur: .* in [1-9]", "grey.pfm --depth-map far.pfm --lens double-gauss-50 -s 1m -N 32 "
+                                    "--size 64x48"),
+             (r"blur: .* in [1-9]", "chart:wedge --lens wide-35 -s 1m -N 16 --size 64x48 --band 20")],
+    "pupil": [(r"pupil: .*: 9", "chart:checker --lens double-gauss-50 -s 1m --size 48x32")],
+    "colour": [(r"colour: all", "chart:checker --lens double-gauss-50 -s 1m --size 48x32 "
+                                "--model thick")],
+}
+
+
+def write_pfm(path, rows):
+    with open(path, "wb") as file:
+        file.write(f"Pf\n{len(rows[0])} {len(rows)}\n-1.0\n".encode())
+        for row in reversed(rows):
+            file.write(struct.pack(f"<{len(row)}f", *row))
+
+
+class Fixture:
+    def __init__(self, build, checks, folder):
+        self.program, self.checks, self.folder = Program(build), checks, folder
+
+    def take(self, words):
+        """All numbers of a picture, and what was said."""
+        out = os.path.join(self.folder, "out.pfm")
+        result = subprocess.run(self.program.command + ["render", *words.split(), "-t", "0.01",
+                                                        "--explain", "-o", out], text=True,
+                                cwd=self.folder, capture_output=True,
+                                env=self.program.environment())
+        if not self.checks.check(result.returncode == 0, f"{words}: {result.stderr}"):
+            return None, ""
+        with open(out, "rb") as file:
+            _, size, _, data = file.read().split(b"\n", 3)
+        width, height = map(int, size.split())
+        return struct.unpack(f"<{3 * width * height}f", data), result.stderr
+
+
+def rms(a, b):
+    return math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)) / len(a))
+
+
+def check(fixture, skip, said, words):
+    best, _ = fixture.take(re.sub(r"--samples \d+", "", words) +
+                           " --no-skip blur,uniform --samples 256 --seed 7")
+    with_it, text = fixture.take(words)
+    without, none = fixture.take(words + f" --no-skip {skip}")
+    if best is None or with_it is None or without is None:
+        return
+    name = f"{skip}: {words}"
+    fixture.checks.check(re.search(said, text) is not None, f"{name}: not used: {text}")
+    fixture.checks.check("as --no-skip asks" in none, f"{name}: not said to be kept: {none}")
+    white, noise = max(best), rms(without, best)
+    fixture.checks.check(rms(with_it, best) <= 1.3 * noise + 1e-3 * white,
+                         f"{name}: noise {rms(with_it, best):.3g} with it, {noise:.3g} without")
+    for part in range(8):
+        begin, end = part * len(best) // 8, (part + 1) * len(best) // 8
+        mean = sum(best[begin:end]) / (end - begin)
+        off = abs(sum(with_it[begin:end]) / (end - begin) - mean)
+        # the noise of so many numbers, and of the table of light
+        limit = 4 * noise / math.sqrt(end - begin) + 1e-3 * mean
+        fixture.checks.check(off <= limit, f"{name}: part {part} is off by {off:.3g} of {mean:.3g}")
+    if skip == "colour":
+        fixture.checks.check(with_it == without, f"{name}: another picture")
+
+
+def check_exposures(fixture):
+    """A sweep of exposures, shot once or each by itself: the same files."""
+    pictures = []
+    for more in "", " --no-skip exposures":
+        fixture.take("chart:star --lens double-gauss-50 -s 1m --size 24x16")
+        result = subprocess.run(
+            fixture.program.command +
+            ["render", "chart:star", "--lens", "double-gauss-50", "-s", "1m", "--size", "24x16",
+             "-t", "0.01,0.02", *more.split(), "-o", "sweep.pfm"], cwd=fixture.folder, text=True,
+            capture_output=True, env=fixture.program.environment())
+        fixture.checks.check(result.returncode == 0, f"exposures{more}: {result.stderr}")
+        for i in 1, 2:
+            with open(os.path.join(fixture.folder, f"sweep-{i}.pfm"), "rb") as file:
+                pictures.append(file.read())
+    fixture.checks.check(pictures[:2] == pictures[2:], "exposures: other pictures")
+
+
+def main():
+    checks = Checks()
+    with tempfile.TemporaryDirectory(prefix="lenscalc-skips-") as folder:
+        write_pfm(os.path.join(folder, "white.pfm"), [[1.0] * 90 for _ in range(60)])
+        write_pfm(os.path.join(folder, "grey.pfm"),
+                  [[0.5 + 0.4 * math.sin(x / 5) * math.cos(y / 7) for x in range(90)]
+                   for y in range(60)])
+        write_pfm(os.path.join(folder, "far.pfm"),
+                  [[1.07 + 0.002 * (x // 30) for x in range(90)] for _ in range(60)])
+        fixture = Fixture(sys.argv[1], checks, folder)
+        for skip, cases in CASES.items():
+            for said, words in cases:
+                check(fixture, skip, said, words)
+        check_exposures(fixture)
+    return checks.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
