@@ -240,12 +240,15 @@ static void look_between(const struct building *building, double column, double 
     const size_t node = nodes->of[0], wavelengths = building->search.lens->count;
     const struct outline *near = lit_before(building, node);
     const double height = height_of(building, column, row);
+    const size_t turn = 4 * node + nodes->count + (column > floor(column));
     struct outline_point lit[OUTLINE_SCATTER];
     struct outline here = {.is_empty = true};
     for (size_t w = 0; w < wavelengths && here.is_empty && near != NULL; w++) {
         here = outline_at(building, column, height);
         here.each = 2;
-        find_next(building, w, near, row - floor(row), &here);
+        /* with columns the wavelengths take turns */
+        find_next(building, building->is_round ? w : (turn + w) % wavelengths, near,
+                  row - floor(row), &here);
     }
     if (near == NULL) {
         return;
@@ -254,10 +257,11 @@ static void look_between(const struct building *building, double column, double 
         outline_foresee(near, NULL, 0, &here);
     }
     film_fit(building->region, nodes, &here);
-    if (building->is_round && node % 4 > 0 && 4 * node < 3 * (size_t)building->region->rows) {
+    const size_t rows = (size_t)building->region->rows;
+    const bool is_near_end = 4 * (node % rows) >= 3 * rows;
+    if (!is_near_end && (building->is_round ? node % 4 > 0 : nodes->count < 4)) {
         return;
     }
-    const size_t turn = 4 * node + nodes->count + (column > floor(column));
     const size_t count = outline_scatter(&building->search, turn % wavelengths, &here, turn, lit);
     film_fit_points(building->region, nodes, &here, lit, count);
 }
