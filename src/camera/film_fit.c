@@ -5,6 +5,7 @@
 #include "base/constants.h"
 
 #include <math.h>
+#include <string.h>
 
 static const double grown = 1.003, shrunk = 0.985;
 
@@ -234,9 +235,9 @@ static double radius_of(const struct film_region *region, size_t node, size_t k)
                  region->outer[1][i] - region->centre[1][node]);
 }
 
-struct film_radii film_fit_radii(const struct film_region *region, struct arena *arena)
+struct film_radii film_fit_radii(const struct film_region *region, size_t nodes,
+                                 struct arena *arena)
 {
-    const size_t nodes = film_region_nodes(region);
     double *radii = ARENA_ARRAY(arena, nodes * FILM_CORNERS, double);
     for (size_t i = 0; i < nodes * FILM_CORNERS; i++) {
         radii[i] = radius_of(region, i / FILM_CORNERS, i % FILM_CORNERS);
@@ -254,6 +255,26 @@ void film_fit_follow(const struct film_region *region, const struct film_radii *
             by = old > 0 ? fmax(by, radius_of(region, node, k) / old) : by;
         }
         stretch(&fit, row, k, by);
+    }
+}
+
+void film_fit_unite(const struct film_region *region, size_t node, size_t other)
+{
+    const struct fit outer = {.corners = region->outer, .centres = region->centre};
+    for (size_t k = 0; k < FILM_CORNERS; k++) {
+        const double here = radius_of(region, node, k);
+        stretch(&outer, node, k, here > 0 ? fmax(1, radius_of(region, other, k) / here) : 1);
+    }
+}
+
+void film_fit_copy(const struct film_region *region, size_t from, size_t to)
+{
+    for (int k = 0; k < 2; k++) {
+        region->centre[k][to] = region->centre[k][from];
+        memcpy(region->outer[k] + to * FILM_CORNERS, region->outer[k] + from * FILM_CORNERS,
+               FILM_CORNERS * sizeof(double));
+        memcpy(region->inner[k] + to * FILM_CORNERS, region->inner[k] + from * FILM_CORNERS,
+               FILM_CORNERS * sizeof(double));
     }
 }
 

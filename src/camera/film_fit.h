@@ -37,15 +37,22 @@ void film_fit_points(const struct film_region *region, const struct film_nodes *
                      const struct outline *outline, const struct outline_point *points,
                      size_t count);
 
-/* How far out the corners of all rows are, from their centres. */
+/* How far out the corners of rows are, from their centres. */
 struct film_radii {
     const double *of; /* FILM_CORNERS a row */
 };
 
-struct film_radii film_fit_radii(const struct film_region *region, struct arena *arena);
+struct film_radii film_fit_radii(const struct film_region *region, size_t nodes,
+                                 struct arena *arena);
 
 /* Stretch a row's polygon by as much as those of its neighbours have grown since then. */
 void film_fit_follow(const struct film_region *region, const struct film_radii *before, size_t row);
+
+/* Make one row hold what another does that began as it did. */
+void film_fit_unite(const struct film_region *region, size_t node, size_t other);
+
+/* A row as another one is. */
+void film_fit_copy(const struct film_region *region, size_t from, size_t to);
 
 /* All polygons larger by 0.3 %, holes smaller by 1.5 %; halves are made whole. */
 void film_fit_finish(const struct film_region *region, bool is_half);

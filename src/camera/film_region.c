@@ -20,9 +20,17 @@ struct building {
     double *ends;
     struct outline *nodes; /* of the wavelength that is followed, at every row of every column */
     bool is_round;
+    size_t columns; /* that are looked at: the others repeat them */
 };
 
 /* -------- places of the film -------- */
+
+/* Rows of the columns that are looked at, and of the first again. */
+static size_t nodes_of(const struct building *building)
+{
+    const struct film_region *region = building->region;
+    return (size_t)region->rows * (building->columns + (region->is_grid ? 1 : 0));
+}
 
 /* Outwards in a column; halves lie between two. */
 static void direct(const struct building *building, double column, double way[2])
@@ -156,7 +164,7 @@ static void find_ends(const struct building *building)
     double *ends = building->ends;
     const double pole = hypot(region->pole[0], region->pole[1]);
     const double farthest = building->search.lens->reach + pole;
-    const size_t columns = region->is_grid ? FILM_COLUMNS : 1;
+    const size_t columns = building->columns;
     for (size_t c = 0; c < columns; c++) {
         ends[c] = find_end(building, (double)c, farthest);
     }
@@ -170,7 +178,10 @@ static void find_ends(const struct building *building)
             ends[c] = fmin(farthest, ends[c] * by);
             ends[c + 1] = fmin(farthest, ends[c + 1] * by);
         }
-        ends[0] = ends[columns] = fmax(ends[0], ends[columns]);
+        ends[0] = fmax(ends[0], ends[columns]);
+        for (size_t c = columns; c <= FILM_COLUMNS; c++) {
+            ends[c] = ends[c - columns];
+        }
     }
     for (size_t c = 0; c < columns; c++) {
         region->largest = fmax(region->largest, fmin(ends[c] + pole, building->search.lens->reach));
@@ -270,8 +281,8 @@ static void look_between(const struct building *building, double column, double 
 static void look_at_all(const struct building *building)
 {
     const struct film_region *region = building->region;
-    const size_t rows = (size_t)region->rows, columns = region->is_grid ? FILM_COLUMNS : 1;
-    for (size_t c = 0; c < columns; c++) {
+    const size_t rows = (size_t)region->rows;
+    for (size_t c = 0; c < building->columns; c++) {
         for (size_t i = 0; i < rows; i++) {
             const size_t here = c * rows + i, beside = here + rows;
             const double column = (double)c, row = (double)i;
@@ -300,7 +311,7 @@ static bool is_asked(const struct building *building, size_t row)
 /* Another wavelength, at the rows themselves, each from its outline at the first. */
 static void accompany(const struct building *building, size_t wavelength, bool *has_hole)
 {
-    const size_t nodes = film_region_nodes(building->region);
+    const size_t nodes = nodes_of(building);
     for (size_t i = 0; i < nodes; i++) {
         if (!is_asked(building, i)) {
             continue;
@@ -326,7 +337,8 @@ static void accompany_all(const struct building *building)
 {
     struct film_region *region = building->region;
     const size_t rows = (size_t)region->rows;
-    const struct film_radii before = film_fit_radii(region, building->search.arena);
+    const struct film_radii before =
+        film_fit_radii(region, nodes_of(building), building->search.arena);
     bool has_hole = region->has_hole;
     for (size_t w = 1; w < building->search.lens->count; w++) {
         accompany(building, w, &has_hole);
@@ -359,7 +371,7 @@ static void allocate(const struct film_lens *lens, struct arena *arena, struct b
 /* Of all outlines that are asked each has one. */
 static bool have_holes(const struct building *building)
 {
-    const size_t nodes = film_region_nodes(building->region);
+    const size_t nodes = nodes_of(building);
     bool has = true;
     for (size_t i = 0; i < nodes; i++) {
         has = has && (building->nodes[i].has_hole || !building->nodes[i].asks_hole);
@@ -371,7 +383,7 @@ static bool have_holes(const struct building *building)
 static void start_all(const struct building *building)
 {
     struct film_region *region = building->region;
-    const size_t nodes = film_region_nodes(region), rows = (size_t)region->rows;
+    const size_t nodes = nodes_of(building), rows = (size_t)region->rows;
     for (size_t i = 0; i < nodes; i++) {
         const size_t row = i % rows, low = i - row % HOLE_ROWS;
         const size_t high = row - row % HOLE_ROWS + HOLE_ROWS < rows ? low + HOLE_ROWS : low;
@@ -403,8 +415,8 @@ static void find_slope(const struct building *building)
 {
     struct film_region *region = building->region;
     if (region->is_grid && region->turns) {
-        for (size_t c = 0; c < FILM_COLUMNS; c++) {
-            region->slope[1] += slope_of(building, c, false) / FILM_COLUMNS;
+        for (size_t c = 0; c < building->columns; c++) {
+            region->slope[1] += slope_of(building, c, false) / (double)building->columns;
         }
     } else if (region->is_grid) {
         region->slope[0] = slope_of(building, 0, true);
@@ -435,20 +447,48 @@ static void pack_all(struct arena *arena, struct film_region *region)
 static void build(struct building *building)
 {
     struct film_region *region = building->region;
-    const size_t columns = region->is_grid ? FILM_COLUMNS : 1, rows = (size_t)region->rows;
+    const size_t columns = building->columns, rows = (size_t)region->rows;
     for (size_t c = 0; c < columns; c++) {
         follow(building, c);
     }
     for (size_t i = 0; i < rows && region->is_grid; i++) {
-        building->nodes[FILM_COLUMNS * rows + i] = building->nodes[i];
+        building->nodes[columns * rows + i] = building->nodes[i];
     }
     region->has_hole = have_holes(building);
     find_slope(building);
     start_all(building);
-    for (size_t i = 0; i < film_region_nodes(region); i++) {
+    for (size_t i = 0; i < nodes_of(building); i++) {
         film_fit(region, &(struct film_nodes){{i}, 1}, &building->nodes[i]);
     }
     look_at_all(building);
+}
+
+/* The columns that repeat others: the first of those, and the one after the last, hold both. */
+static void repeat(const struct building *building)
+{
+    struct film_region *region = building->region;
+    const size_t rows = (size_t)region->rows, looked = building->columns * rows;
+    if (building->columns == FILM_COLUMNS || !region->is_grid) {
+        return;
+    }
+    for (size_t i = 0; i < rows; i++) {
+        film_fit_unite(region, i, looked + i);
+    }
+    for (size_t i = looked; i < film_region_nodes(region); i++) {
+        film_fit_copy(region, i - looked, i);
+    }
+}
+
+/* Is the lens the same when it is turned by half a turn? Told only of those of cylinders. */
+static bool is_symmetric(const struct lens *lens)
+{
+    bool is_same = true;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        is_same = is_same && surface->decentre == NULL && surface->coordinate_break == NULL &&
+                  surface->aperture_count == 0;
+    }
+    return is_same;
 }
 
 bool film_region_open(const struct film_lens *lens, struct arena *arena, struct film_region *region,
@@ -469,9 +509,13 @@ bool film_region_open(const struct film_lens *lens, struct arena *arena, struct 
         return true;
     }
     choose_turning(&building);
+    const bool repeats = region->turns && region->pole[0] == 0 && region->pole[1] == 0 &&
+                         is_symmetric(lens->systems[0]->lens);
+    building.columns = is_round ? 1 : repeats ? FILM_COLUMNS / 2 : FILM_COLUMNS;
     find_ends(&building);
     build(&building);
     accompany_all(&building);
+    repeat(&building);
     if (region->has_hole) {
         const struct outline *pole = &building.nodes[0];
         const size_t side = outline_sectors(pole) / (is_round ? 2 : 4);
