@@ -40,8 +40,10 @@ static void add_wavelet(const struct psf_wavelet *wavelet, const struct psf_row 
         const double more = aside + x * (x + 2 * w.bx);
         const double r = sqrt(radius2 + more);
         double c, s;
-        turns_of(w.turns - w.waves * (more / (w.radius + r)), &c, &s);
-        const double amplitude = w.amplitude * (w.radius / r);
+        /* one quotient for both: of the way, and of the amplitude */
+        const double sum = w.radius + r, over = 1 / (r * sum);
+        turns_of(w.turns - w.waves * (more * r * over), &c, &s);
+        const double amplitude = w.amplitude * (w.radius * sum * over);
         re[i] += amplitude * c;
         im[i] += amplitude * s;
     }

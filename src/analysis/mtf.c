@@ -141,8 +141,9 @@ bool mtf_find(const struct mtf_source *source, double frequency, struct arena *a
         return false;
     }
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-        mtf->contrast[k] = hypot(sums.re[k], sums.im[k]) / sums.light;
-        mtf->limit[k] = waves.perfect[k] / waves.light;
+        /* the light and the overlap are two integrals, whose rounding differs */
+        mtf->contrast[k] = fmin(hypot(sums.re[k], sums.im[k]) / sums.light, 1);
+        mtf->limit[k] = fmin(waves.perfect[k] / waves.light, 1);
         /* of nothing, and of what symmetry makes real */
         const bool is_real = fabs(sums.im[k]) < 1e-9 * sums.light;
         mtf->phase[k] = !(mtf->contrast[k] > 1e-9) ? (double)NAN

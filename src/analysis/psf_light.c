@@ -12,9 +12,9 @@
 #include <math.h>
 
 enum {
-    LEAST = 20, /* points of Gauss along a line, and lines */
-    A_TURN = 5, /* more for each turn of the phase */
-    PANEL = 48, /* so many at once */
+    LEAST = 14,  /* points of Gauss along a line, and lines */
+    A_TURN = 4,  /* more for each turn of the phase */
+    PANEL = 128, /* so many at once */
     POINTS_MOST = 2400,
     CELLS = 128, /* across the pupil, of a transform */
     ROWS = 8,    /* lines through a cell, which say what of it is clear */
