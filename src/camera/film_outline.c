@@ -314,8 +314,11 @@ static void look_at_patch(const struct view *view, struct patch *patch)
     margins_look(&view->margins, (const double(*)[2])patch->points, ALL);
 }
 
-/* A smaller one about the rays that pass, or about that which fails by least; how many pass?
- * SIZE_MAX: none does, nor will. */
+/*
+ * A smaller one about the rays that pass, or about that which fails by least.
+ *
+ * Result    how many pass; SIZE_MAX: none does, nor will
+ */
 static size_t narrow(const struct view *view, bool is_half, struct patch *patch)
 {
     const double *excess = view->margins.excess;

@@ -68,15 +68,15 @@ static inline struct outline_point film_region_reduced(const struct film_region 
  *
  * Result    regions that contain the clear pupils of all wavelengths; nothing else is promised of
  *           them: rays are traced to know which pass
- * Formula   the edge in 256 directions from a centre (128 where there are columns), each found from
- *           that of the distance before (camera/film_outline.h); polygons are stretched until they
- *           contain these edges, at their own place and half way to the next ones
- *           (camera/film_fit.h)
+ * Formula   the edge in 128 directions from a centre, each found from that of the distance before
+ *           (camera/film_outline.h); polygons are stretched until they contain these edges, at
+ *           their own place and half way to the next ones (camera/film_fit.h), and rays that are
+ *           scattered there and pass. How far light arrives is found by steps from what is lit
  * Errors    ERROR_DOMAIN: the film lies in the last vertex
- * Limits    as trace/star.h: only what is connected with the middle of the pupil. Of lenses that
- *           are not round only light of what is lit around the pole, as far as it is so without a
- *           gap on the way from there. Beside what was looked at 1e-4 of the irradiance on the axis
- *           may be missed, in lensdb's lenses
+ * Limits    only what is connected with the middle of the pupil, seen from places that are lit
+ *           without a gap on the way from the pole. Beside what was looked at 1e-4 of the
+ *           irradiance on the axis may be missed, in lensdb's lenses; 6e-3 where a pupil folds
+ *           within the last tenth of an image circle
  */
 bool film_region_open(const struct film_lens *lens, struct arena *arena, struct film_region *region,
                       struct error *error);
