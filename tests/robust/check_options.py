@@ -65,7 +65,7 @@ ASKED = {
                    "field\n5\n10\n"),
     "report": ("double-gauss -N 5.6", None, None),
     "fit": ("double-gauss -N 5.6 --distortion 0", ("N", "4,8", "w", "486,587"), "N\n4\n8\n"),
-    "merge": ("", None, None),
+    "merge": ("one.part", None, None),
     "list": ("formats", None, None),
     "glass": ("N-BK7 -w 500 --thickness 10mm", ("w", "486,587", "thickness", "5,10"),
               "w\n486\n587\n"),
@@ -244,7 +244,7 @@ def try_force(asked):
 
 def try_output(asked):
     ending = {"draw": "out.svg", "convert": "out.lens", "fit": "out.lens",
-              "render": "out.png", "report": "out.html"}.get(asked.command, "out")
+              "render": "out.png", "merge": "out.png", "report": "out.html"}.get(asked.command, "out")
     saves = {"distortion": "double-gauss --fit poly3 -o out.xml".split()}
     if asked.command in saves:
         return asked.run(question=saves[asked.command]).returncode == 0
@@ -325,6 +325,8 @@ def check_command(checks, program, command, options):
     own, used = shown_options(program, command)
     with tempfile.TemporaryDirectory(prefix="lenscalc-options-") as folder:
         make_folder(folder)
+        if command == "merge":
+            program.run("render", *ASKED["render"][0].split(), "-o", "one.part", cwd=folder)
         asked = Asked(program, command, folder)
         checks.check(asked.plain.returncode == 0, f"{command} {ASKED[command][0]}: status "
                      f"{asked.plain.returncode}: {asked.plain.stderr.decode()[:200]}")
