@@ -121,6 +121,7 @@ edge --resume -o lost.pfm
 edge --seed 1 --part 2/2 --resume -o second.part
 edge --part 1/2 --resume -o second.part
 edge --part 1/2 -o lost.part --rays lost.csv
+edge --part 1/2 -o lost.part --explain
 lenscalc convert double-gauss-50 | lenscalc render chart:edge --lens - -s 1m --part 1/2 -o lost.part
 lenscalc convert double-gauss-50 -o own.lens && lenscalc render chart:edge --lens own.lens -s 1m --size 40x20 --samples 1 -o own.part
 echo >> own.lens && lenscalc merge own.part -o lost.pfm 2>&1 | sed 's/input .*/input .../'

@@ -39,9 +39,10 @@ bool render_check_part(const struct artifact_job *job, struct error *error)
                fail(error, ERROR_USAGE, "{--%s} needs {--output} with a name that ends in .part",
                     option);
     }
-    return !asking_given(job->asking, "rays") ||
-           fail(error, ERROR_USAGE,
-                "rays are not divided: {--rays} with a .part makes all of them");
+    const bool rays = asking_given(job->asking, "rays");
+    return (!rays && !asking_given(job->asking, "explain")) ||
+           fail(error, ERROR_USAGE, "{--%s} is not of parts: {--output} FILE.part makes one",
+                rays ? "rays" : "explain");
 }
 
 /* What a result depends on besides words and files: glasses, formats, films. */
