@@ -23,7 +23,7 @@ const struct word skips[] = {
 struct pupil_rays {
     size_t count;
     struct relief_ray from[RAYS_BLOCK];
-    double weight[RAYS_BLOCK]; /* 1 on the average */
+    double weight[RAYS_BLOCK]; /* before they are evened out */
 };
 
 struct spare_room {
@@ -268,6 +268,21 @@ static void fill(const struct spare *spare, const struct spare_tile *tile, struc
 
 enum { NODES_ACROSS = 16, NODES_DOWN = RAYS_BLOCK / NODES_ACROSS };
 
+/* Each as often as its weight wants, so that all count the same. */
+static void even_out(struct pupil_rays *pupil, double all)
+{
+    const struct pupil_rays from = *pupil;
+    double sum = 0;
+    size_t taken = 0;
+    for (size_t i = 0; i < from.count; i++) {
+        sum += from.weight[i];
+        while (taken < from.count && ((double)taken + 0.5) * all < sum * (double)from.count) {
+            pupil->from[taken++] = from.from[i];
+        }
+    }
+    pupil->count = taken;
+}
+
 /* Rays of a tile's middle, all over the pupil: how far they are from that of its middle. */
 static bool trace_pupil(const struct spare *spare, const struct film_plan *plan, size_t wavelength,
                         struct spare_room *room)
@@ -294,9 +309,7 @@ static bool trace_pupil(const struct spare *spare, const struct film_plan *plan,
             all += room->samples.weight[i];
         }
     }
-    for (size_t i = 0; i < pupil->count; i++) {
-        pupil->weight[i] *= (double)pupil->count / all;
-    }
+    even_out(pupil, all);
     return pupil->count > 0 && room->rays.blocks->lost[0] == 0;
 }
 
@@ -392,7 +405,7 @@ static void look_through_net(const struct spare *spare, const struct spare_tile 
             const struct card_light light = look(spare, &ray, &sight);
             room->sights[sight]++;
             for (size_t k = pass->begin; k < pass->end; k++) {
-                sums[pixel][k] += weight[pixel] * pupil->weight[of_pupil] * (double)light.of[k];
+                sums[pixel][k] += weight[pixel] * (double)light.of[k];
             }
         }
     }
