@@ -12,6 +12,9 @@ enum { SLOPES = 33 };
 /* Of what the waves resolve, a pixel's side; of the spread of rays, half the image. */
 static const double fine = 0.25, roomy = 1.1;
 
+/* What rounding leaves of a symmetry, pixels. */
+static const double noise = 1e-8;
+
 /* How far rays go from the reference at most: the slope of W over a grid within the pupil, mm. */
 static double find_spread(const struct exit_pupil *pupil, struct arena *arena)
 {
@@ -69,6 +72,19 @@ static double top_of(const double y[3], double *at)
     return y[1] + *at * slope + *at * *at * bend / 2;
 }
 
+/* Pixels from the top to half its height, at most so many steps away; NaN: not within them. */
+static double half_way(const struct psf *psf, size_t top, size_t steps, size_t step)
+{
+    for (size_t i = 0; i < steps; i++) {
+        const double here = psf->values[top + i * step];
+        const double next = psf->values[top + (i + 1) * step];
+        if (next < psf->peak / 2) {
+            return (double)i + (here - psf->peak / 2) / (here - next);
+        }
+    }
+    return NAN;
+}
+
 static void find_peak(struct psf *psf)
 {
     const size_t size = psf->size;
@@ -84,22 +100,12 @@ static void find_peak(struct psf *psf)
             const double y[3] = {psf->values[top - step], psf->values[top],
                                  psf->values[top + step]};
             psf->peak += top_of(y, &off) - y[1];
+            off = fabs(off) > noise ? off : 0;
         }
         psf->peak_at[k] = ((double)place + off - (double)(size / 2)) * psf->pitch;
-        /* from there both ways to half the height */
-        double ends[2] = {NAN, NAN};
-        for (int side = 0; side < 2; side++) {
-            const size_t last = side == 0 ? place : size - 1 - place;
-            for (size_t i = 0; i < last && isnan(ends[side]); i++) {
-                const size_t at = side == 0 ? top - i * step : top + i * step;
-                const double here = psf->values[at];
-                const double next = psf->values[side == 0 ? at - step : at + step];
-                if (next < psf->peak / 2) {
-                    ends[side] = (double)i + (here - psf->peak / 2) / (here - next);
-                }
-            }
-        }
-        psf->width[k] = (ends[0] + ends[1]) * psf->pitch;
+        psf->width[k] =
+            (half_way(psf, top, place, 0 - step) + half_way(psf, top, size - 1 - place, step)) *
+            psf->pitch;
     }
 }
 
@@ -142,13 +148,20 @@ static void measure(struct psf *psf, double total, struct arena *arena)
 {
     const size_t size = psf->size;
     double sum = 0, mean[2] = {0, 0};
+    double paired = 0;
     for (size_t i = 0; i < size * size; i++) {
         sum += psf->values[i];
+        /* of an even number the first have no counterpart on the other side */
+        if (size % 2 == 0 && (i % size == 0 || i / size == 0)) {
+            continue;
+        }
+        paired += psf->values[i];
         mean[0] += psf->values[i] * ((double)(i % size) - (double)(size / 2));
         mean[1] += psf->values[i] * ((double)(i / size) - (double)(size / 2));
     }
     for (int k = 0; k < 2; k++) {
-        psf->centroid[k] = mean[k] / sum * psf->pitch;
+        const double pixels = mean[k] / paired;
+        psf->centroid[k] = fabs(pixels) > noise ? pixels * psf->pitch : 0;
     }
     psf->inside = sum / total;
     psf->radius80 = psf->inside > 0.8 ? radius_of(psf, 0.8 * total, arena) : (double)NAN;

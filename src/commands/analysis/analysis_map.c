@@ -32,22 +32,28 @@ static bool write_numbers(const struct raster_map *map, struct arena *arena, str
     return pfm_write(&image, arena, file, error);
 }
 
-bool analysis_map_write(const struct artifact_job *job, const struct rasters *rasters,
-                        struct output *sink, struct error *error)
+bool map_page_write(const struct map_page *page, struct output *sink, struct error *error)
 {
-    struct arena *arena = job->run->arena;
+    const struct rasters *rasters = &page->rasters;
+    struct arena *arena = page->job->run->arena;
     struct text file;
     if (rasters->count != 1) {
         return fail(error, ERROR_USAGE,
                     "{--map} has room for one map, and this makes %zu: name one {--field}",
                     rasters->count);
     }
-    if (!(job->type == &pfm_type ? write_numbers(&rasters->maps[0], arena, &file, error)
-                                 : raster_png(rasters, 0, arena, &file, error))) {
+    if (!(page->job->type == &pfm_type ? write_numbers(&rasters->maps[0], arena, &file, error)
+                                       : raster_png(rasters, 0, arena, &file, error))) {
         return false;
     }
     output_text(sink, file.start, file.length);
     return true;
+}
+
+bool map_page_draw(const struct map_page *page, struct output *sink, struct error *error)
+{
+    struct svg svg = {.arena = page->job->run->arena};
+    return rasters_draw(&page->rasters, &svg, error) && drawing_write(page->job, &svg, sink, error);
 }
 
 const char *analysis_map_title(const struct analysis_case *one, size_t field, struct arena *arena)
@@ -58,17 +64,56 @@ const char *analysis_map_title(const struct analysis_case *one, size_t field, st
     return words != NULL ? arena_printf(arena, "%s, %s", place, words) : place;
 }
 
-const char *analysis_map_heads(const char *what, const char *const *lenses, struct raster_map *maps,
-                               size_t count, struct arena *arena)
+bool map_page_add(struct map_page *page, const struct analysis_case *one,
+                  const struct raster_map *map, struct error *error)
 {
+    if (page->rasters.count == RASTER_MAPS_MOST) {
+        return fail(error, ERROR_USAGE, "a page has room for %d maps, not for more",
+                    RASTER_MAPS_MOST);
+    }
+    page->lenses[page->rasters.count] = one->setup->lens->title;
+    page->maps[page->rasters.count++] = *map;
+    return true;
+}
+
+bool map_page_skip(const struct analysis_point *point, void *context)
+{
+    (void)point;
+    (void)context;
+    return true;
+}
+
+/* The title; several lenses stand below their maps. */
+static void set_heads(struct map_page *page, const char *what)
+{
+    struct arena *arena = page->job->run->arena;
     bool one = true;
-    for (size_t i = 1; i < count; i++) {
-        one = one && strcmp(lenses[i], lenses[0]) == 0;
+    for (size_t i = 1; i < page->rasters.count; i++) {
+        one = one && strcmp(page->lenses[i], page->lenses[0]) == 0;
     }
-    for (size_t i = 0; i < count && !one; i++) {
-        maps[i].note = maps[i].note == NULL
-                           ? lenses[i]
-                           : arena_printf(arena, "%s; %s", lenses[i], maps[i].note);
+    page->rasters.title = one ? arena_printf(arena, "%s of %s", what, page->lenses[0]) : what;
+    for (size_t i = 0; i < page->rasters.count && !one; i++) {
+        const char *note = page->maps[i].note;
+        page->maps[i].note = arena_printf(arena, "%s; %s", page->lenses[i], note);
+        page->rasters.subtitle = NULL; /* that of one of them */
     }
-    return one && count > 0 ? arena_printf(arena, "%s of %s", what, lenses[0]) : what;
+}
+
+bool map_page_collect(struct map_page *page, const struct artifact_job *job,
+                      const struct analysis_policy *policy, const struct analysis_answers *answers,
+                      const char *what, struct error *error)
+{
+    page->job = job;
+    page->rasters.maps = page->maps;
+    for (size_t i = 0; i < job->count; i++) {
+        page->input = job->inputs[i];
+        if (!analysis_each_field(page->input, policy, job->run, answers, page, error)) {
+            return false;
+        }
+    }
+    if (page->rasters.count == 0) {
+        return fail(error, ERROR_DOMAIN, "there is nothing to draw");
+    }
+    set_heads(page, what);
+    return true;
 }
