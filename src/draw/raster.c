@@ -243,9 +243,9 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
     svg_begin(svg, width, TOP + DOWN * (double)rows - 30 + BOTTOM, rasters->title);
     const struct svg_label title = {
         .x = 24, .y = 32, .size = 16, .width = 0.93 * (width - 48), .bold = true};
-    svg_text(svg, &title, rasters->title);
+    svg_text(svg, &title, rasters->title != NULL ? rasters->title : "");
     const struct svg_label subtitle = {.x = 24, .y = 54, .size = 12, .width = width - 48};
-    svg_text(svg, &subtitle, rasters->subtitle);
+    svg_text(svg, &subtitle, rasters->subtitle != NULL ? rasters->subtitle : "");
     for (size_t i = 0; i < rasters->count; i++) {
         if (!draw_map(&page, i, error)) {
             return false;

@@ -76,6 +76,12 @@ bool map_page_add(struct map_page *page, const struct analysis_case *one,
     return true;
 }
 
+void map_page_subtitle(struct map_page *page, const char *words)
+{
+    const char *before = page->rasters.subtitle;
+    page->rasters.subtitle = before == NULL || strcmp(before, words) == 0 ? words : "";
+}
+
 bool map_page_skip(const struct analysis_point *point, void *context)
 {
     (void)point;
@@ -95,7 +101,7 @@ static void set_heads(struct map_page *page, const char *what)
     for (size_t i = 0; i < page->rasters.count && !one; i++) {
         const char *note = page->maps[i].note;
         page->maps[i].note = arena_printf(arena, "%s; %s", page->lenses[i], note);
-        page->rasters.subtitle = NULL; /* that of one of them */
+        page->rasters.subtitle = "";
     }
 }
 

@@ -35,6 +35,9 @@ bool map_page_collect(struct map_page *page, const struct artifact_job *job,
 bool map_page_add(struct map_page *page, const struct analysis_case *one,
                   const struct raster_map *map, struct error *error);
 
+/* What stands below the title, if it is the same for all maps. */
+void map_page_subtitle(struct map_page *page, const char *words);
+
 /* For struct analysis_answers: a field without a map. */
 bool map_page_skip(const struct analysis_point *point, void *context);
 

@@ -20,11 +20,12 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
         .size = psf.size,
         .values = psf.values,
         .half = 1000 * psf.pitch * (double)psf.size / 2};
-    page->rasters.subtitle = arena_printf(
-        arena, "focus %s; %s", one->setup->focus,
-        one->spectrum != NULL
-            ? one->spectrum
-            : arena_printf(arena, "%.6g nm", 1000 * one->setup->wavelengths[0].wavelength));
+    map_page_subtitle(
+        page, arena_printf(arena, "focus %s; %s", one->setup->focus,
+                           one->spectrum != NULL
+                               ? one->spectrum
+                               : arena_printf(arena, "%.6g nm",
+                                              1000 * one->setup->wavelengths[0].wavelength)));
     return map_page_add(page, one, &map, error);
 }
 

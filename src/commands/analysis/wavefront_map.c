@@ -45,10 +45,10 @@ static bool add(const struct analysis_case *one, size_t field, void *context, st
                                    .size = size,
                                    .values = values,
                                    .half = 1};
-    page->rasters.subtitle =
-        arena_printf(arena, "against %s; %s",
-                     wave_reference_words(one, (enum wave_about)input->reference, arena),
-                     analysis_case_words(one, true, arena));
+    map_page_subtitle(
+        page, arena_printf(arena, "against %s; %s",
+                           wave_reference_words(one, (enum wave_about)input->reference, arena),
+                           analysis_case_words(one, true, arena)));
     return map_page_add(page, one, &map, error);
 }
 
