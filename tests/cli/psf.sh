@@ -14,6 +14,7 @@ lenscalc psf double-gauss -N 8 --field 0 -w d --method fft --pitch 20um
 lenscalc psf double-gauss --field 14 -w d --method fft --pitch 0.05um --no-clip --size 16
 lenscalc psf double-gauss --field 14 -w d --pitch 900um --size 2048
 lenscalc psf double-gauss --log
+lenscalc psf double-gauss -N 8 --field 0 --size 16 --log --map map.pfm
 lenscalc psf double-gauss --size 4
 lenscalc psf double-gauss -N 8 --size 16 --columns field --map map.pfm
 lenscalc psf double-gauss -N 8 --field 0 --size 16 --columns field --map map.pfm && head -c 9 map.pfm && wc -c < map.pfm

@@ -3,6 +3,8 @@
 #include "commands/analysis/analysis_map.h"
 #include "commands/analysis/psf_input.h"
 
+#include <string.h>
+
 static const struct word methods[] = {
     [PSF_PLANE] = {"plane", "plane waves, between the edges of the pupil"},
     [PSF_FFT] = {"fft", "the same on a grid, by a fast Fourier transform"},
@@ -142,12 +144,20 @@ static bool makes_many(const void *data)
     return analysis_makes_many(&((const struct psf_input *)data)->question, &psf_policy);
 }
 
+static bool check_map(const struct artifact_job *job, struct error *error)
+{
+    const struct psf_input *input = job->inputs[0];
+    const bool numbers = job->type != NULL && strcmp(job->type->ending, ".pfm") == 0;
+    return !(numbers && input->log) || asking_given(job->asking, "plot") ||
+           fail(error, ERROR_USAGE, "{--log} is of colours, and .pfm has numbers");
+}
+
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the images, by field and through focus"),
      .scope = ARTIFACT_OF_SWEEP, .make = psf_page},
     {ARTIFACT_OPTION("map", map_types,
                      "write the image of one field: colours, or numbers, 1 = a perfect peak"),
-     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .make = psf_file},
+     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .check = check_map, .make = psf_file},
 };
 
 static const struct explanation explanations[] = {
