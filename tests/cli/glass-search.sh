@@ -34,3 +34,5 @@ texts = {e.text for e in tree.parse("near.svg").getroot().iter() if e.tag.endswi
 numbers = [text for text in texts if re.fullmatch(r"[\d.]+", text)]
 print({"wanted", "E-BK7"} <= texts, max(map(len, numbers)) <= 6)
 END
+lenscalc glass --nd 1.5..1.52 --count 3
+lenscalc glass --nd 1.5..1.52 --vd 60..70 --count 3 --csv

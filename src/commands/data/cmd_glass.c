@@ -53,8 +53,8 @@ static const struct option options[] = {
     {OPTION(struct input, like), .name = "like", .value = "NAME", .flags = OPTION_CURRENT,
      .help = "the nearest equivalents of this glass in g F e d C, nearest first"},
     {OPTION(struct input, count), .name = "count", .dimension = &dimension_number, .lowest = 1,
-     .highest = 1000, .fallback = "10", .value = "NUMBER", .wants = "like|nd|vd",
-     .help = "number of nearest glasses, with --like or a single --nd or --vd"},
+     .highest = 1000, .value = "NUMBER", .wants = "like|nd|vd",
+     .help = "number of nearest glasses, with --like or a single --nd or --vd (10)"},
     {OPTION(struct input, label), .name = "label", .value = "NAMES", .wants = "abbe",
      .help = "glasses to emphasise in the Abbe diagram, separated by commas"},
 };
@@ -306,6 +306,9 @@ static bool show_found(const struct glass_match *match, void *context)
     return run_emit(question->run, &row);
 }
 
+/* So many nearest glasses are shown where nothing else is said. */
+enum { NEAREST = 10 };
+
 static struct glass_wishes wishes_of(const struct input *input)
 {
     return (struct glass_wishes){.nd = input->nd,
@@ -314,7 +317,7 @@ static struct glass_wishes wishes_of(const struct input *input)
                                  .catalog = input->catalog,
                                  .status = input->status,
                                  .like = input->like.record,
-                                 .count = (size_t)input->count,
+                                 .count = input->count > 0 ? (size_t)input->count : NEAREST,
                                  .complete = !isnan(input->thickness)};
 }
 
@@ -358,6 +361,12 @@ static bool run(const void *data, struct run *run, struct error *error)
         fail(error, ERROR_USAGE, "{--like} and a single {--%s} both say what is nearest",
              !isnan(input->nd.near) ? "nd" : "vd");
         return error_hint(error, "with {--like} give LOW..HIGH");
+    }
+    if (input->count > 0 && input->like.record == NULL && isnan(input->nd.near) &&
+        isnan(input->Vd.near)) {
+        return fail(error, ERROR_USAGE,
+                    "{--count} is of the nearest glasses: it needs {--like}, or a single {--nd} or "
+                    "{--vd}");
     }
     const struct glass_wishes wishes = wishes_of(input);
     return glass_search(&wishes, run->db, run->arena, show_found, &question, error);
