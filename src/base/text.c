@@ -228,6 +228,17 @@ size_t text_utf8_length(const char *start, size_t room)
     return forms[form].length;
 }
 
+size_t text_xml_length(const char *start, size_t room)
+{
+    const unsigned char *byte = (const unsigned char *)start;
+    if (room > 0 && byte[0] < 0x20) {
+        return byte[0] == '\t' || byte[0] == '\n';
+    }
+    const size_t length = text_utf8_length(start, room);
+    const bool reserved = length == 3 && byte[0] == 0xef && byte[1] == 0xbf && byte[2] > 0xbd;
+    return reserved ? 0 : length;
+}
+
 /* Marks and embeddings that turn the direction of writing, and separators of lines (Unicode 9). */
 static bool turns(const unsigned char *at, size_t length)
 {

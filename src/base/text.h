@@ -76,6 +76,9 @@ int text_distance(struct text a, struct text b, int limit);
 /* Length of the UTF-8 sequence that begins here, 0 if it is none (RFC 3629). */
 size_t text_utf8_length(const char *start, size_t room);
 
+/* The same of a character that XML can hold (XML 1.0, production 2), else 0. */
+size_t text_xml_length(const char *start, size_t room);
+
 /*
  * Length of what begins here and must not reach a terminal as it is, 0 if it may: a control
  * character (ASCII's; U+0080 to U+009F of ISO 6429, also as a stray byte) or one that turns the

@@ -59,22 +59,10 @@ static void put_colour(struct svg *svg, const char *name, const char *value)
     put(svg, "\"");
 }
 
-/* Bytes of the character at `at` if XML can hold it, else 0 (RFC 3629; XML 1.0, production 2). */
-static size_t character_length(const char *at, size_t room)
-{
-    const unsigned char *byte = (const unsigned char *)at;
-    if (byte[0] < 0x20) {
-        return byte[0] == '\t' || byte[0] == '\n';
-    }
-    size_t length = text_utf8_length(at, room);
-    bool reserved = length == 3 && byte[0] == 0xef && byte[1] == 0xbf && byte[2] > 0xbd;
-    return reserved ? 0 : length;
-}
-
 static void put_escaped(struct svg *svg, const char *text, size_t length)
 {
     for (const char *at = text; at < text + length;) {
-        size_t bytes = character_length(at, (size_t)(text + length - at));
+        size_t bytes = text_xml_length(at, (size_t)(text + length - at));
         switch (*at) {
         case '&':
             put(svg, "&amp;");

@@ -203,7 +203,8 @@ void output_character(struct output *output, char c)
 
 void output_escaped(struct output *output, struct text text)
 {
-    for (size_t i = 0; i < text.length; i++) {
+    for (size_t i = 0; i < text.length;) {
+        const size_t bytes = text_xml_length(text.start + i, text.length - i);
         switch (text.start[i]) {
         case '&':
             output_string(output, "&amp;");
@@ -215,8 +216,9 @@ void output_escaped(struct output *output, struct text text)
             output_string(output, "&gt;");
             break;
         default:
-            output_character(output, text.start[i]);
+            output_text(output, bytes > 0 ? text.start + i : "?", bytes > 0 ? bytes : 1);
         }
+        i += bytes > 0 ? bytes : 1;
     }
 }
 

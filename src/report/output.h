@@ -58,7 +58,7 @@ void output_text(struct output *output, const char *start, size_t length);
 void output_string(struct output *output, const char *string);
 void output_character(struct output *output, char c);
 
-/* A text as HTML and XML have it: & < and > escaped. */
+/* A text as HTML and XML have it: & < and > escaped; what XML cannot hold is shown as '?'. */
 void output_escaped(struct output *output, struct text text);
 
 /*
