@@ -6,6 +6,11 @@ lenscalc report canon-nfd-70-210 --position tele | grep -c figcaption
 lenscalc convert double-gauss | lenscalc report - | grep -c '<p>'
 printf 'object inf\nsurface 50 3 1.5168/64.2 -\nsurface -50 0 air -\n' > bare.lens
 lenscalc report bare.lens | grep '<p>'
+# commands that a shell reads back, texts that XML holds
+printf 'lens  a \377 url(#x) <b>\nobject inf\nsurface 50 3 1.5168/64.2 -\nsurface -50 0 air -\n' > "it's \$(x).lens"
+lenscalc report "it's \$(x).lens" -N 2.8 -o odd.svg
+grep -e '<title>a' -e 'lenscalc lens' odd.svg | sort -u
+rm odd.svg it*.lens
 # refused
 lenscalc report
 lenscalc report double-gauss -o page.pdf

@@ -1,5 +1,6 @@
 /* commands/analysis/cmd_report.c - lenscalc report: all about a lens on one page. */
 /* SPDX-License-Identifier: MIT */
+#include "base/number.h"
 #include "cli/driver.h"
 #include "commands/analysis/report_page.h"
 #include "commands/lens/lens_options.h"
@@ -58,14 +59,22 @@ struct writer {
 /* What a lens is called that was read from there. */
 static const char from_pipe[] = "standard input";
 
-/* A word as a shell reads it. */
+/* A word as a shell reads it: between quotes of one stroke, which stand as '\'' themselves. */
 static const char *quoted(const char *word, struct arena *arena)
 {
     static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
                                 "-_./:,=+@%";
-    return word[strspn(word, plain)] == '\0' && word[0] != '\0' ? word
-           : strchr(word, '\'') == NULL                         ? arena_printf(arena, "'%s'", word)
-                                        : arena_printf(arena, "\"%s\"", word);
+    const char *line = "'";
+    if (word[0] != '\0' && word[strspn(word, plain)] == '\0') {
+        return word;
+    }
+    for (const char *rest = word; *rest != '\0'; rest += strcspn(rest, "'")) {
+        for (; *rest == '\''; rest++) {
+            line = arena_printf(arena, "%s'\\''", line);
+        }
+        line = arena_printf(arena, "%s%.*s", line, (int)strcspn(rest, "'"), rest);
+    }
+    return arena_printf(arena, "%s'", line);
 }
 
 static const char *command_line(const struct section *part, char *const *words, size_t count,
@@ -84,6 +93,12 @@ static char *word(const char *text, struct arena *arena)
     return arena_string(arena, text, strlen(text));
 }
 
+static char *number_word(double number, struct arena *arena)
+{
+    char text[NUMBER_LENGTH];
+    return arena_string(arena, text, (size_t)(number_write_shortest(text, number) - text));
+}
+
 /* Ask one of the commands, and keep what it says or why it cannot. */
 static void add_part(struct writer *writer, const struct section *part, const char *position)
 {
@@ -96,7 +111,7 @@ static void add_part(struct writer *writer, const struct section *part, const ch
     words[count++] = word(question->lens.name, arena);
     if (!isnan(question->fnumber) && (part->takes & TAKES_FNUMBER) != 0) {
         words[count++] = word("-N", arena);
-        words[count++] = word(arena_printf(arena, "%.17g", question->fnumber), arena);
+        words[count++] = number_word(question->fnumber, arena);
     }
     if (position != NULL && (part->takes & TAKES_POSITION) != 0) {
         words[count++] = word("--position", arena);

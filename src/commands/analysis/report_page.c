@@ -28,14 +28,16 @@ static struct text element_of(struct text svg)
     return (struct text){svg.start + at, svg.length - at};
 }
 
-/* The names inside a drawing are its own: each has the number of the part before it. */
+/* The names in the tags of a drawing are its own: each has the number of the part before it. */
 static void write_names(struct text svg, size_t part, struct output *output)
 {
     static const char *const before[] = {"id=\"", "url(#", "href=\"#"};
     size_t from = 0, at = 0;
+    bool is_tag = false;
     while (at < svg.length) {
         size_t step = 1;
-        for (size_t k = 0; k < sizeof before / sizeof before[0]; k++) {
+        is_tag = svg.start[at] == '<' || (is_tag && svg.start[at] != '>');
+        for (size_t k = 0; is_tag && k < sizeof before / sizeof before[0]; k++) {
             if (goes_on(svg, at, before[k])) {
                 step = strlen(before[k]);
                 output_text(output, svg.start + from, at + step - from);
