@@ -99,7 +99,8 @@ static bool open_disc(struct bundle_source *source, struct error *error)
     double radius = source->question->setup->first.entrance_diameter / 2, place[2];
     if (!(radius > 0 && isfinite(radius))) {
         return fail(error, ERROR_DOMAIN,
-                    "the lens has neither a stop with a diameter nor an aperture: give {aperture}");
+                    "the lens has neither a stop with a diameter nor an aperture: its "
+                    "{f-number} must be given");
     }
     source->pupil = (struct stop_beam){.system = source->system,
                                        .beam = &source->beam,

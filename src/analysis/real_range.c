@@ -157,10 +157,13 @@ static bool find_objects(struct equation *equation, double distance, double step
     }
     range->near = 1 / near;
     range->far = far > 0 ? 1 / far : INFINITY;
-    return !isnan(near) ? look(equation, near, &blur, &range->film_near) &&
-                              (!(far > 0) || look(equation, far, &blur, &range->film_far))
-                        : !equation->has_failed && fail(equation->error, ERROR_DOMAIN,
-                                                        "the near limit lies inside the lens");
+    if (isnan(near) || isnan(far)) {
+        return !equation->has_failed &&
+               fail(equation->error, ERROR_DOMAIN, "the %s",
+                    isnan(near) ? "near limit lies inside the lens" : "far limit is not found");
+    }
+    return look(equation, near, &blur, &range->film_near) &&
+           (!(far > 0) || look(equation, far, &blur, &range->film_far));
 }
 
 bool real_range_find(const struct real_focus *focus, double front, double distance, double c,

@@ -70,7 +70,8 @@ static bool open_tracing(struct tracing *tracing, struct ray_data *ray_data, str
     tracing->radius = tracing->has_stop ? first->stop_radius : first->entrance_diameter / 2;
     if (!(fabs(tracing->radius) > 0 && isfinite(tracing->radius))) {
         return fail(error, ERROR_DOMAIN,
-                    "the lens has neither a stop with a diameter nor an aperture: give {aperture}");
+                    "the lens has neither a stop with a diameter nor an aperture: its "
+                    "{f-number} must be given");
     }
     for (size_t i = 0; i < setup->field_count; i++) {
         if (setup->object.is_infinite && !(fabs(field_of(setup, i)) < 1.57)) {

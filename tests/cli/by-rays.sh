@@ -36,3 +36,11 @@ lenscalc exposure --lens $lens -t 1/60 --fresnel
 lenscalc fov --lens $lens -s 1m --exact --gap last
 lenscalc fov --lens $lens -m 1:2 --gap last
 lenscalc fov --lens $lens -s 1m --gap d99
+# a lens that states no aperture has no focus shift; one without a stop no pupils of its own
+printf 'object inf\nsurface 50 3 1.5168/64.2 -\nstop - 5 air -\nsurface -50 0 air -\n' > open.lens
+printf 'object inf\nsurface 50 3 1.5168/64.2 -\nsurface -50 0 air -\n' > bare.lens
+lenscalc focus --lens open.lens -s 2m -N 8 --exact --digits 6 --csv --columns image_mm,focus_shift_mm
+lenscalc fov --lens open.lens -s 2m --exact
+lenscalc exposure --lens open.lens --ev 12 --exact
+lenscalc dof --lens bare.lens -N 16 -s 2m --exact
+lenscalc dof --lens bare.lens -N 16 -s 2m --exact -P 1 --digits 6 --csv --columns near_m,far_m,least_blur_um

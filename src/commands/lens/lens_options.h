@@ -63,7 +63,7 @@ extern const struct word section_words[];
 #define LENS_FNUMBER_OPTION(S, member)                                                             \
     {                                                                                              \
         OPTION(S, member.fnumber),                                                                 \
-            .name = "aperture", .letter = 'N', .column = "fnumber",                                \
+            .name = "aperture", .quantity = "f-number", .letter = 'N', .column = "fnumber",        \
             .dimension = &dimension_fnumber, .lowest = 0, .highest = INFINITY,                     \
             .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "NUMBER",                  \
             .help = "f-number in place of the lens's own aperture"                                 \

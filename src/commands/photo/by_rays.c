@@ -67,7 +67,8 @@ static bool check(const struct photo_lens_question *question, const struct photo
     if (lens->lens == NULL) {
         return fail(error, ERROR_USAGE, "{--exact} traces rays: it needs {--lens}");
     }
-    return !(question->pupil > 0) ||
+    /* of a lens without a stop it says what nothing else can */
+    return !(question->pupil > 0) || isnan(lens->first->pupil_magnification) ||
            fail(error, ERROR_USAGE,
                 "{--exact} goes by the lens's own pupils: it excludes {--pupil}");
 }

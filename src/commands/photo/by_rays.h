@@ -68,7 +68,8 @@ struct by_rays_question {
  * Make the lens ready for rays.
  *
  * Given     row  receives rule and spectrum
- * Errors    ERROR_USAGE: no lens, {--pupil}, an unknown criterion; as real_focus_open
+ * Errors    ERROR_USAGE: no lens, {--pupil} of a lens that has pupils, an unknown criterion; as
+ *           real_focus_open
  */
 bool by_rays_open(const struct by_rays_question *all, struct run *run, struct real_focus *focus,
                   struct by_rays_row *row, struct error *error);

@@ -146,7 +146,9 @@ static const struct column columns[] = {
      .help = "distance of the subject from the centre of perspective"},
     {LENGTH(shift, "mm"), .name = "focus_shift", .with = "exact", .flags = COLUMN_EXTRA,
      .label = "focus shift",
-     .help = "of the sharpest image from where the lens has it wide open, + away from the lens"},
+     .help =
+         "of the sharpest image from where the lens has it wide open, + away from the lens; null "
+         "where the lens states no aperture"},
     BY_RAYS_COLUMNS(struct row, rays),
     PHOTO_LENS_HIATUS_COLUMN(struct row, real.hiatus),
     COLUMN_PUPIL(struct row, pupil),
@@ -276,13 +278,18 @@ static bool find_by_rays(const struct input *input, const struct photo_lens *len
         return false;
     }
     if (!by_rays_image(&focus, lens, c->s, &c->v, &row->rays.blur, error) ||
-        !by_rays_image(&focus, lens, INFINITY, &infinity, &ignored, error) ||
-        !by_rays_open(&opened, run, &open, &row->rays, error) ||
-        !by_rays_image(&open, lens, c->s, &wide_image, &ignored, error)) {
+        !by_rays_image(&focus, lens, INFINITY, &infinity, &ignored, error)) {
         return false;
     }
     c->T = c->s + c->v + lens->measuring.hiatus;
     c->extension = c->v - infinity;
+    if (isnan(lens->first->entrance_diameter)) {
+        return true; /* how wide it opens is not known: neither is the shift */
+    }
+    if (!by_rays_open(&opened, run, &open, &row->rays, error) ||
+        !by_rays_image(&open, lens, c->s, &wide_image, &ignored, error)) {
+        return false;
+    }
     /* where both are one lens, by rounding alone */
     const double noise = 1e-14 * (fabs(c->v) + lens->first->length);
     row->shift = fabs(c->v - wide_image) < noise ? 0 : c->v - wide_image;
