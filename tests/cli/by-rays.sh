@@ -44,3 +44,7 @@ lenscalc fov --lens open.lens -s 2m --exact
 lenscalc exposure --lens open.lens --ev 12 --exact
 lenscalc dof --lens bare.lens -N 16 -s 2m --exact
 lenscalc dof --lens bare.lens -N 16 -s 2m --exact -P 1 --digits 6 --csv --columns near_m,far_m,least_blur_um
+# the distance from the sensor is that of the subject, not of infinity
+lenscalc fov --lens $lens -s 2m --from sensor --exact --digits 6 --csv --columns distance_sensor_m,breathing_percent
+# wider than the lens is
+lenscalc dof --lens $lens -N 1 -s 2m -c 0.2 --exact --columns near_m,far_m

@@ -257,7 +257,7 @@ static bool place_film(const struct input *input, const struct photo_lens *lens,
     }
     const struct by_rays_question question = {&input->rays, &input->lens, lens, *distance, 0};
     return by_rays_open(&question, run, &focus, row, error) &&
-           (input->lens.from != FROM_SENSOR || isinf(input->distance) ||
+           (input->lens.from != FROM_SENSOR || isinf(*distance) ||
             by_rays_distance(&focus, lens, *distance, input->distance, distance, error)) &&
            by_rays_image(&focus, lens, *distance, image, &row->blur, error);
 }
