@@ -1,4 +1,4 @@
-/* camera/film_outline.c - edges of pupils in direction cosines of the film's side. */
+/* camera/film_outline.c - edges of pupils in directions of the film's side. */
 /* SPDX-License-Identifier: MIT */
 #include "camera/film_outline.h"
 
@@ -14,6 +14,7 @@ static const double roughly = 1e-4, around = 2, farthest = 100;
 /* One point of the film at one wavelength, looked at from there. */
 struct view {
     const struct film_lens *lens;
+    double tangent;
     struct film_place place;
     struct beam beam;
     struct stop_beam disc;
@@ -27,9 +28,10 @@ struct view {
 static void to_beam(const struct view *view, struct outline_point way, double at[2])
 {
     const struct film_place *place = &view->place;
-    const double film = view->lens->film, over2 = way.x * way.x + way.y * way.y;
+    const double film = view->lens->film, size2 = way.x * way.x + way.y * way.y;
     /* a guess may lie beyond all directions */
-    const double far = fabs(film) / sqrt(fmax(1 - over2, 1e-12));
+    const double left2 = 1 + view->tangent * size2 - size2;
+    const double far = fabs(film) / sqrt(fmax(left2, 1e-12));
     const double x = way.x * place->up[1] + way.y * place->up[0];
     const double y = way.y * place->up[1] - way.x * place->up[0];
     beam_place(&view->beam, (double[3]){place->x + far * x, place->y + far * y, 0}, at);
@@ -52,8 +54,10 @@ static struct outline_point from_disc(const struct view *view, const double uv[2
     double at[2];
     stop_beam_place(&view->disc, uv[0], uv[1], at);
     const struct ray ray = beam_ray(&view->beam, at[0], at[1]);
-    return (struct outline_point){ray.cosine[0] * up[1] - ray.cosine[1] * up[0],
-                                  ray.cosine[0] * up[0] + ray.cosine[1] * up[1]};
+    const double x = ray.cosine[0] * up[1] - ray.cosine[1] * up[0];
+    const double y = ray.cosine[0] * up[0] + ray.cosine[1] * up[1];
+    const double left2 = fmax(1 - view->tangent * (x * x + y * y), 1e-12);
+    return (struct outline_point){x / sqrt(left2), y / sqrt(left2)};
 }
 
 /* Look with a disc of so many half widths about a middle. */
@@ -65,6 +69,7 @@ static void open_view(const struct outline_search *search, size_t wavelength,
     const struct outline_point centre = about->centre, size = about->size;
     double right[2], up[2];
     view->lens = lens;
+    view->tangent = search->tangent;
     view->place = about->place;
     view->beam = beam_to_pupil((double[3]){about->place.x, about->place.y, lens->film},
                                lens->first->exit_pupil, system->index_first);

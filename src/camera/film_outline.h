@@ -36,9 +36,9 @@ struct film_place {
 };
 
 /*
- * An edge in direction cosines, whose y is along what is upwards: seen from the centre, in
- * directions from upwards over +x, to downwards where the other half is its mirror image, else
- * round to the first again.
+ * An edge in directions as a region has them, cosines or tangents, whose y is along what is
+ * upwards: seen from the centre, in directions from upwards over +x, to downwards where the other
+ * half is its mirror image, else round to the first again.
  */
 struct outline {
     struct film_place place;
@@ -55,6 +55,7 @@ struct outline {
 struct outline_search {
     const struct film_lens *lens;
     struct arena *arena;
+    double tangent; /* 1: directions are tangents, 0: cosines */
 };
 
 /* Pieces of the ring that an outline sees. */

@@ -2,65 +2,26 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/film_region.h"
 
+#include "camera/film_ends.h"
 #include "camera/film_fit.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 /* Holes change little from one row to the next: so many rows apart. */
-enum { HOLE_ROWS = 4, STRIDES = 8 };
-
-/* Where light ends is found to a share of the film. */
-static const double finest = 1e-4;
-
-/* One lens, its region as far as it is known, and the edges at its rows. */
-struct building {
-    struct outline_search search;
-    struct film_region *region;
-    double *ends;
-    struct outline *nodes; /* of the wavelength that is followed, at every row of every column */
-    bool is_round;
-    size_t columns; /* that are looked at: the others repeat them */
-};
+enum { HOLE_ROWS = 4 };
 
 /* -------- places of the film -------- */
 
 /* Rows of the columns that are looked at, and of the first again. */
-static size_t nodes_of(const struct building *building)
+static size_t nodes_of(const struct film_building *building)
 {
     const struct film_region *region = building->region;
     return (size_t)region->rows * (building->columns + (region->is_grid ? 1 : 0));
 }
 
-/* Outwards in a column; halves lie between two. */
-static void direct(const struct building *building, double column, double way[2])
-{
-    static const double axes[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
-    const double turn = building->is_round ? 1 : 4 * column / FILM_COLUMNS;
-    const int quarter = (int)fmin(turn, 3);
-    const double f = turn - quarter;
-    const double x = (1 - f) * axes[quarter][0] + f * axes[quarter + 1][0];
-    const double y = (1 - f) * axes[quarter][1] + f * axes[quarter + 1][1];
-    way[0] = x / hypot(x, y);
-    way[1] = y / hypot(x, y);
-}
-
-/* An outline of a place that is so far from the pole; nothing of it is known. */
-static struct outline outline_at(const struct building *building, double column, double height)
-{
-    struct outline outline = {.is_half = building->is_round, .each = 1};
-    struct film_place *place = &outline.place;
-    double way[2];
-    direct(building, column, way);
-    place->x = building->region->pole[0] + height * way[0];
-    place->y = building->region->pole[1] + height * way[1];
-    place->up[0] = building->region->turns ? way[0] : 0;
-    place->up[1] = building->region->turns ? way[1] : 1;
-    return outline;
-}
-
 /* How far from the pole a row is, or what lies between two. */
-static double height_of(const struct building *building, double column, double row)
+static double height_of(const struct film_building *building, double column, double row)
 {
     const size_t low = (size_t)column;
     const double *ends = building->ends, f = column - (double)low;
@@ -69,68 +30,15 @@ static double height_of(const struct building *building, double column, double r
     return end * (1 - rest * rest);
 }
 
-/* -------- where light ends -------- */
-
-/* What is known of a lit place. */
-struct seen {
-    double height;
-    struct outline_point centre, size;
-};
-
-/* Is a place lit, by what two others before it are like? Then it is the last of them. */
-static bool step_to(const struct building *building, size_t wavelength, double column,
-                    double height, struct seen seen[2])
-{
-    struct outline here = outline_at(building, column, height);
-    const double before = seen[1].height - seen[0].height;
-    const double share = before > 0 ? (height - seen[1].height) / before : 0;
-    here.centre.x = seen[1].centre.x + share * (seen[1].centre.x - seen[0].centre.x);
-    here.centre.y = seen[1].centre.y + share * (seen[1].centre.y - seen[0].centre.y);
-    here.size = seen[1].size;
-    if (!outline_is_lit(&building->search, wavelength, &here)) {
-        return false;
-    }
-    seen[0] = seen[1];
-    seen[1] = (struct seen){height, here.centre, here.size};
-    return true;
-}
-
-/* The same at any wavelength; one of them answers for long steps. */
-static bool step_at_any(const struct building *building, double column, double stride,
-                        double farthest, struct seen seen[2])
-{
-    const double height = fmin(seen[1].height + stride, farthest);
-    const size_t all = stride * STRIDES < farthest ? building->search.lens->count : 1;
-    bool is_lit = false;
-    for (size_t w = 0; w < all && !is_lit; w++) {
-        is_lit = step_to(building, w, column, height, seen);
-    }
-    return is_lit;
-}
-
-/* How far light arrives in a column, at most as far as is asked. */
-static double find_end(const struct building *building, double column, double farthest)
-{
-    struct outline pole = outline_at(building, column, 0);
-    if (!outline_discover(&building->search, 0, &pole)) {
-        return 0;
-    }
-    struct seen seen[2] = {{0, pole.centre, pole.size}, {0, pole.centre, pole.size}};
-    double stride = farthest / STRIDES;
-    /* what a long step does not find may be lit all the same */
-    while (stride > finest * farthest && seen[1].height < farthest) {
-        stride *= step_at_any(building, column, stride, farthest, seen) ? 1.25 : 0.5;
-    }
-    return fmin(seen[1].height + stride, farthest);
-}
+/* -------- the pole -------- */
 
 /* A lit point of the film, the middle of it if it is one: the pole. */
-static bool find_pole(const struct building *building)
+static bool find_pole(const struct film_building *building)
 {
     enum { SIDE = 7 };
     const double reach = building->search.lens->reach;
     double *pole = building->region->pole;
-    struct outline outline = outline_at(building, 0, 0);
+    struct outline outline = film_outline_at(building, 0, 0);
     bool is_lit = outline_discover(&building->search, 0, &outline);
     for (int ring = 1; ring <= SIDE / 2 && !is_lit && !building->is_round; ring++) {
         for (int i = 0; i < SIDE * SIDE && !is_lit; i++) {
@@ -138,7 +46,7 @@ static bool find_pole(const struct building *building)
             if ((abs(x) > abs(y) ? abs(x) : abs(y)) == ring) {
                 pole[0] = reach * 2 * x / SIDE;
                 pole[1] = reach * 2 * y / SIDE;
-                outline = outline_at(building, 0, 0);
+                outline = film_outline_at(building, 0, 0);
                 is_lit = outline_discover(&building->search, 0, &outline);
             }
         }
@@ -150,48 +58,17 @@ static bool find_pole(const struct building *building)
  * Cat's eyes turn with the place on the film, but a polygon in the stop does not: if there are
  * corners in the middle, they stay where they are.
  */
-static void choose_turning(const struct building *building)
+static void choose_turning(const struct film_building *building)
 {
-    struct outline pole = outline_at(building, 0, 0);
+    struct outline pole = film_outline_at(building, 0, 0);
     outline_find(&building->search, 0, NULL, &pole);
     building->region->turns = building->is_round || film_fit_is_smooth(&pole);
-}
-
-/* Every column ends where, or beyond where, light does, and so does what lies between them. */
-static void find_ends(const struct building *building)
-{
-    struct film_region *region = building->region;
-    double *ends = building->ends;
-    const double pole = hypot(region->pole[0], region->pole[1]);
-    const double farthest = building->search.lens->reach + pole;
-    const size_t columns = building->columns;
-    for (size_t c = 0; c < columns; c++) {
-        ends[c] = find_end(building, (double)c, farthest);
-    }
-    if (region->is_grid) {
-        ends[columns] = ends[0];
-        for (size_t c = 0; c < columns; c++) {
-            const double middle = (ends[c] + ends[c + 1]) / 2;
-            const double end =
-                middle < farthest ? find_end(building, (double)c + 0.5, farthest) : middle;
-            const double by = middle > 0 ? fmax(1, 1.001 * end / middle) : 1;
-            ends[c] = fmin(farthest, ends[c] * by);
-            ends[c + 1] = fmin(farthest, ends[c + 1] * by);
-        }
-        ends[0] = fmax(ends[0], ends[columns]);
-        for (size_t c = columns; c <= FILM_COLUMNS; c++) {
-            ends[c] = ends[c - columns];
-        }
-    }
-    for (size_t c = 0; c < columns; c++) {
-        region->largest = fmax(region->largest, fmin(ends[c] + pole, building->search.lens->reach));
-    }
 }
 
 /* -------- edges -------- */
 
 /* The last lit node of a column up to one; null: none is. */
-static const struct outline *lit_before(const struct building *building, size_t node)
+static const struct outline *lit_before(const struct film_building *building, size_t node)
 {
     const size_t rows = (size_t)building->region->rows;
     const struct outline *all = building->nodes;
@@ -215,37 +92,75 @@ static void move_by_slope(const struct film_region *region, const struct outline
     here->centre = (struct outline_point){from.x - to.x, from.y - to.y};
 }
 
-/* An outline that goes on from a node, by a share of a row. */
-static void find_next(const struct building *building, size_t wavelength,
+/* An outline that goes on from a node, by a share of a row; the first goes towards the next. */
+static void find_next(const struct film_building *building, size_t wavelength,
                       const struct outline *near, double share, struct outline *here)
 {
     const size_t rows = (size_t)building->region->rows;
     if (near != NULL) {
         const bool is_first = (size_t)(near - building->nodes) % rows == 0;
-        outline_foresee(near, is_first || near[-1].is_empty ? NULL : near - 1, share, here);
+        const struct outline *other = is_first ? near + 1 : near - 1;
+        outline_foresee(near, other->is_empty ? NULL : other, is_first ? -share : share, here);
         move_by_slope(building->region, near, here);
     }
     outline_find(&building->search, wavelength, near, here);
 }
 
+/*
+ * The outline of a column's second row, where the pupil may be far from where the pole sees it: in
+ * shorter steps, if a long one finds nothing.
+ */
+static void leave_pole(const struct film_building *building, double column,
+                       const struct outline *pole, struct outline *here)
+{
+    enum { HALVES = 10 };
+    struct outline seen[2] = {*pole, *pole};
+    const double height = height_of(building, column, 1);
+    double from = 0, before = 0, stride = height;
+    for (int halves = 0; from < height && halves < HALVES;) {
+        const double to = fmin(from + stride, height);
+        struct outline next = film_outline_at(building, column, to);
+        next.asks_hole = here->asks_hole;
+        next.each = here->each;
+        outline_foresee(&seen[1], &seen[0], from > 0 ? (to - from) / (from - before) : 0, &next);
+        outline_find(&building->search, 0, &seen[1], &next);
+        if (next.is_empty) {
+            stride /= 2;
+            halves++;
+        } else {
+            seen[0] = seen[1];
+            seen[1] = next;
+            before = from;
+            from = to;
+            stride *= 2;
+        }
+    }
+    *here = seen[1];
+    here->is_empty = from < height;
+}
+
 /* The outlines of a column, each from those before it. */
-static void follow(const struct building *building, size_t column)
+static void follow(const struct film_building *building, size_t column)
 {
     const size_t rows = (size_t)building->region->rows;
     for (size_t i = 0; i < rows; i++) {
         const size_t node = column * rows + i;
         struct outline *here = &building->nodes[node];
         const struct outline *near = i > 0 ? lit_before(building, node - 1) : NULL;
-        *here =
-            outline_at(building, (double)column, height_of(building, (double)column, (double)i));
+        *here = film_outline_at(building, (double)column,
+                                height_of(building, (double)column, (double)i));
         here->asks_hole = i % HOLE_ROWS == 0;
         here->each = building->is_round ? 2 : 1;
-        find_next(building, 0, near, 1, here);
+        if (i == 1 && near != NULL) {
+            leave_pole(building, (double)column, near, here);
+        } else {
+            find_next(building, 0, near, 1, here);
+        }
     }
 }
 
 /* Look from a place between nodes, and make them contain what is seen there. */
-static void look_between(const struct building *building, double column, double row,
+static void look_between(const struct film_building *building, double column, double row,
                          const struct film_nodes *nodes)
 {
     const size_t node = nodes->of[0], wavelengths = building->search.lens->count;
@@ -255,7 +170,7 @@ static void look_between(const struct building *building, double column, double 
     struct outline_point lit[OUTLINE_SCATTER];
     struct outline here = {.is_empty = true};
     for (size_t w = 0; w < wavelengths && here.is_empty && near != NULL; w++) {
-        here = outline_at(building, column, height);
+        here = film_outline_at(building, column, height);
         here.each = 2;
         /* with columns the wavelengths take turns */
         find_next(building, building->is_round ? w : (turn + w) % wavelengths, near,
@@ -278,7 +193,7 @@ static void look_between(const struct building *building, double column, double 
 }
 
 /* Between all rows and columns that are neighbours. */
-static void look_at_all(const struct building *building)
+static void look_at_all(const struct film_building *building)
 {
     const struct film_region *region = building->region;
     const size_t rows = (size_t)region->rows;
@@ -302,14 +217,14 @@ static void look_at_all(const struct building *building)
 }
 
 /* What wavelengths add is smooth: of a round lens every other row tells it, but near the end. */
-static bool is_asked(const struct building *building, size_t row)
+static bool is_asked(const struct film_building *building, size_t row)
 {
     const size_t rows = (size_t)building->region->rows;
     return !building->is_round || row % 2 == 0 || 2 * row >= rows;
 }
 
 /* Another wavelength, at the rows themselves, each from its outline at the first. */
-static void accompany(const struct building *building, size_t wavelength, bool *has_hole)
+static void accompany(const struct film_building *building, size_t wavelength, bool *has_hole)
 {
     const size_t nodes = nodes_of(building);
     for (size_t i = 0; i < nodes; i++) {
@@ -333,7 +248,7 @@ static void accompany(const struct building *building, size_t wavelength, bool *
 }
 
 /* All other wavelengths; rows that are not asked are stretched as their neighbours are. */
-static void accompany_all(const struct building *building)
+static void accompany_all(const struct film_building *building)
 {
     struct film_region *region = building->region;
     const size_t rows = (size_t)region->rows;
@@ -353,7 +268,8 @@ static void accompany_all(const struct building *building)
 
 /* -------- the region -------- */
 
-static void allocate(const struct film_lens *lens, struct arena *arena, struct building *building)
+static void allocate(const struct film_lens *lens, struct arena *arena,
+                     struct film_building *building)
 {
     struct film_region *region = building->region;
     const size_t nodes = film_region_nodes(region);
@@ -365,11 +281,11 @@ static void allocate(const struct film_lens *lens, struct arena *arena, struct b
     building->ends = ARENA_ARRAY(arena, FILM_COLUMNS + 1, double);
     building->nodes = ARENA_ARRAY(arena, nodes, struct outline);
     region->ends = building->ends;
-    building->search = (struct outline_search){lens, arena};
+    building->search = (struct outline_search){lens, arena, region->tangent};
 }
 
 /* Of all outlines that are asked each has one. */
-static bool have_holes(const struct building *building)
+static bool have_holes(const struct film_building *building)
 {
     const size_t nodes = nodes_of(building);
     bool has = true;
@@ -379,8 +295,19 @@ static bool have_holes(const struct building *building)
     return has;
 }
 
+/* How far a node lies from one to another, as seen from the pole. */
+static double share_of(const struct film_building *building, const struct outline *node,
+                       const struct outline *from, const struct outline *to)
+{
+    const double *pole = building->region->pole;
+    const double here = hypot(node->place.x - pole[0], node->place.y - pole[1]);
+    const double low = hypot(from->place.x - pole[0], from->place.y - pole[1]);
+    const double high = hypot(to->place.x - pole[0], to->place.y - pole[1]);
+    return high > low ? (here - low) / (high - low) : 0;
+}
+
 /* Corners on the edges. */
-static void start_all(const struct building *building)
+static void start_all(const struct film_building *building)
 {
     struct film_region *region = building->region;
     const size_t nodes = nodes_of(building), rows = (size_t)region->rows;
@@ -389,14 +316,14 @@ static void start_all(const struct building *building)
         const size_t high = row - row % HOLE_ROWS + HOLE_ROWS < rows ? low + HOLE_ROWS : low;
         film_fit_start(region, &building->nodes[i], row, i);
         if (region->has_hole) {
-            film_fit_start_hole(region, &building->nodes[low], &building->nodes[high],
-                                (double)(row % HOLE_ROWS) / HOLE_ROWS, i);
+            const struct outline *a = &building->nodes[low], *b = &building->nodes[high];
+            film_fit_start_hole(region, a, b, share_of(building, &building->nodes[i], a, b), i);
         }
     }
 }
 
 /* By how much the middle of the pupil moves in a column, per mm: x, or y. */
-static double slope_of(const struct building *building, size_t column, bool of_x)
+static double slope_of(const struct film_building *building, size_t column, bool of_x)
 {
     const size_t rows = (size_t)building->region->rows;
     const struct outline *pole = &building->nodes[column * rows];
@@ -411,7 +338,7 @@ static double slope_of(const struct building *building, size_t column, bool of_x
     return way / height_of(building, (double)column, (double)((size_t)(far - pole)));
 }
 
-static void find_slope(const struct building *building)
+static void find_slope(const struct film_building *building)
 {
     struct film_region *region = building->region;
     if (region->is_grid && region->turns) {
@@ -444,7 +371,7 @@ static void pack_all(struct arena *arena, struct film_region *region)
     region->per_mm = 1 / region->ends[0];
 }
 
-static void build(struct building *building)
+static void build(struct film_building *building)
 {
     struct film_region *region = building->region;
     const size_t columns = building->columns, rows = (size_t)region->rows;
@@ -464,7 +391,7 @@ static void build(struct building *building)
 }
 
 /* The columns that repeat others: the first of those, and the one after the last, hold both. */
-static void repeat(const struct building *building)
+static void repeat(const struct film_building *building)
 {
     struct film_region *region = building->region;
     const size_t rows = (size_t)region->rows, looked = building->columns * rows;
@@ -495,7 +422,7 @@ bool film_region_open(const struct film_lens *lens, struct arena *arena, struct 
                       struct error *error)
 {
     const bool is_round = lens_is_round(lens->systems[0]->lens);
-    struct building building = {.region = region, .is_round = is_round};
+    struct film_building building = {.region = region, .is_round = is_round};
     if (!(fabs(lens->film) > 0 && isfinite(lens->film))) {
         return fail(error, ERROR_DOMAIN, "the film lies %s",
                     lens->film == 0 ? "in the last vertex" : "at infinity");
@@ -512,7 +439,9 @@ bool film_region_open(const struct film_lens *lens, struct arena *arena, struct 
     const bool repeats = region->turns && region->pole[0] == 0 && region->pole[1] == 0 &&
                          is_symmetric(lens->systems[0]->lens);
     building.columns = is_round ? 1 : repeats ? FILM_COLUMNS / 2 : FILM_COLUMNS;
-    find_ends(&building);
+    if (!film_ends_find(&building, error)) {
+        return false;
+    }
     build(&building);
     accompany_all(&building);
     repeat(&building);

@@ -14,7 +14,7 @@
 enum { FILM_RADII = 65, FILM_GRID_RADII = 17, FILM_COLUMNS = 16, FILM_CORNERS = FILM_SECTORS + 1 };
 
 /*
- * Regions of direction cosines, one for each of some distances from a point of the film, its pole:
+ * Regions of directions, one for each of some distances from a point of the film, its pole:
  * h = end (1 - (1 - t)^2), t in equal steps: closer to each other where light ends and pupils
  * shrink. Each is a ring of FILM_SECTORS pieces between two polygons, with outwards from the pole
  * as upwards; the first corner lies upwards, the next ones towards what is +x then, the last is the
@@ -24,12 +24,17 @@ enum { FILM_RADII = 65, FILM_GRID_RADII = 17, FILM_COLUMNS = 16, FILM_CORNERS = 
  * from the pole: (1 - f, f) from +x to +y, f in equal steps, and so on; they are interpolated too.
  * What stands there is less by slope times the place, which is what directions change about evenly
  * with.
+ *
+ * Directions are cosines L, M, whose areas are projected solid angles. Where light comes from
+ * beyond 70 degrees pupils are slivers of these, bent along the circle on which all end: there
+ * places in a plane stand for directions, L/N and M/N, of which areas times N^4 are the same.
  */
 struct film_region {
     double film;        /* behind the last vertex, mm */
     double index;       /* n of the image space */
     double largest;     /* distance from the axis up to which light arrives, mm; 0: none does */
     double pole[2];     /* mm; of a round lens on the axis */
+    double tangent;     /* 1: x and y that follow are tangents; 0: cosines */
     bool is_grid;       /* has columns */
     bool turns;         /* outwards from the pole is upwards; else y is, everywhere */
     bool has_hole;      /* something dark in the middle: a mirror */
@@ -72,7 +77,8 @@ static inline struct outline_point film_region_reduced(const struct film_region 
  *           (camera/film_outline.h); polygons are stretched until they contain these edges, at
  *           their own place and half way to the next ones (camera/film_fit.h), and rays that are
  *           scattered there and pass. How far light arrives is found by steps from what is lit
- * Errors    ERROR_DOMAIN: the film lies in the last vertex
+ * Errors    ERROR_DOMAIN: the film lies in the last vertex; light comes from more than 89 degrees
+ *           off its normal, or 86 where the lens is not round
  * Limits    only what is connected with the middle of the pupil, seen from places that are lit
  *           without a gap on the way from the pole. Beside what was looked at 1e-4 of the
  *           irradiance on the axis may be missed, in lensdb's lenses; 6e-3 where a pupil folds

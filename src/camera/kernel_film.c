@@ -156,12 +156,15 @@ INLINE void start(const struct film_region *region, bool is_grid, bool has_hole,
         way.x += region->slope[0] * (x * up_y - y * up_x);
         way.y += region->slope[1] * (x * up_x + y * up_y);
     }
+    double over2 = 1 / (1 + region->tangent * (way.x * way.x + way.y * way.y));
+    way.x *= sqrt(over2);
+    way.y *= sqrt(over2);
     double left = 1 - (way.x * way.x + way.y * way.y), n = region->index;
     double back = region->film > 0 ? -n : n;
     started->p[i] = n * (way.x * up_y + way.y * up_x);
     started->q[i] = n * (way.y * up_y - way.x * up_x);
     started->r[i] = back * sqrt(left > 0 ? left : 0);
-    started->weight[i] = reading->lit[i] * way.area;
+    started->weight[i] = reading->lit[i] * way.area * over2 * over2;
 }
 
 INLINE void store(struct film_samples *samples, double film, const struct started *started,

@@ -199,6 +199,67 @@ static void test_polygons(void)
     }
 }
 
+/* A film close behind its stop, which sees it up to 89 degrees off the normal. */
+static void test_steep(void)
+{
+    static const double angles[] = {60, 76, 80, 83, 86, 88, 88.9};
+    static const struct {
+        const char *text;
+        double hole, end; /* mm; degrees that the corner of the film is at */
+    } stops[] = {
+        {"", 0, 80},
+        {"", 0, 82.1},
+        {"", 0, 88.95},
+        {"block circle 1\n", 0.2, 82.1},
+        {"block circle 1\n", 0.2, 88.95},
+    };
+    for (size_t k = 0; k < sizeof stops / sizeof stops[0]; k++) {
+        struct opened opened;
+        char text[256];
+        const double reach = 2.5 * tan(stops[k].end * PI / 180);
+        snprintf(text, sizeof text,
+                 "lens disc\nwavelength d\nobject inf\naperture stop\nstop - 0 air 2.5\n%s",
+                 stops[k].text);
+        if (!read_lens(&opened, text) || !open_region(&opened, 2.5, reach)) {
+            return;
+        }
+        for (size_t i = 0; i < sizeof angles / sizeof angles[0] && angles[i] < stops[k].end; i++) {
+            const double tan_t = tan(angles[i] * PI / 180), h = 2.5 * tan_t;
+            double share;
+            CHECK_RELATIVE(irradiance(&opened, 0, 0.6 * h, -0.8 * h, &share),
+                           ring(stops[k].hole, tan_t), 2e-4, "irradiance at grazing incidence");
+            CHECK(share > 0.95);
+        }
+        arena_free(&opened.arena);
+    }
+}
+
+/* The same behind a rectangle; what goes farther is refused. */
+static void test_steep_rectangle(void)
+{
+    static const double corners[4][2] = {{-1.2, -0.8}, {1.2, -0.8}, {1.2, 0.8}, {-1.2, 0.8}};
+    static const double angles[] = {60, 76, 82, 85};
+    static const char text[] = "lens stop\nwavelength d\nobject inf\naperture stop\n"
+                               "stop - 0 air 6\npass rectangle 2.4 1.6\n";
+    struct opened opened;
+    if (!read_lens(&opened, text) || !open_region(&opened, 2.5, 2.5 * tan(85.5 * PI / 180))) {
+        return;
+    }
+    for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++) {
+        const double h = 2.5 * tan(angles[i] * PI / 180), x = 0.6 * h, y = -0.8 * h;
+        double share;
+        CHECK_RELATIVE(irradiance(&opened, 0, x, y, &share), polygon(corners, 4, 2.5, x, y), 2e-4,
+                       "irradiance of a rectangle at grazing incidence");
+        CHECK(share > 0.95);
+    }
+    struct error error;
+    const struct film_lens lens = {opened.systems, 1, &opened.setup.first, 2.5, 150};
+    CHECK(!film_region_open(&lens, &opened.arena, &opened.region, &error));
+    CHECK_TEXT(error.message, "light reaches the film 89.05 degrees off its normal, looked at up "
+                              "to 86 degrees for a lens that is not round");
+    arena_free(&opened.arena);
+}
+
 /* A lens beside the axis, as a whole: the same light as of the round one, about another point. */
 static void test_decentred(void)
 {
@@ -441,6 +502,8 @@ int main(void)
 {
     test_closed_forms();
     test_polygons();
+    test_steep();
+    test_steep_rectangle();
     test_decentred();
     test_lenses();
     test_cylinders();

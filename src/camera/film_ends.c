@@ -1,0 +1,153 @@
+/* camera/film_ends.c - steps from what is lit, to where nothing is. */
+/* SPDX-License-Identifier: MIT */
+#include "camera/film_ends.h"
+
+#include "base/constants.h"
+
+#include <math.h>
+
+enum { STRIDES = 8 };
+
+/* Where light ends is found to a share of the film. */
+static const double finest = 1e-4;
+
+/* From 70 degrees on directions are tangents: the sine of it. */
+static const double steep = 0.94;
+
+/* What is looked at up to which angle from the film's normal, of round lenses and others. */
+static const double farthest_round = 89, farthest_other = 86;
+
+/* Outwards in a column; halves lie between two. */
+static void direct(const struct film_building *building, double column, double way[2])
+{
+    static const double axes[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+    const double turn = building->is_round ? 1 : 4 * column / FILM_COLUMNS;
+    const int quarter = (int)fmin(turn, 3);
+    const double f = turn - quarter;
+    const double x = (1 - f) * axes[quarter][0] + f * axes[quarter + 1][0];
+    const double y = (1 - f) * axes[quarter][1] + f * axes[quarter + 1][1];
+    way[0] = x / hypot(x, y);
+    way[1] = y / hypot(x, y);
+}
+
+struct outline film_outline_at(const struct film_building *building, double column, double height)
+{
+    struct outline outline = {.is_half = building->is_round, .each = 1};
+    struct film_place *place = &outline.place;
+    double way[2];
+    direct(building, column, way);
+    place->x = building->region->pole[0] + height * way[0];
+    place->y = building->region->pole[1] + height * way[1];
+    place->up[0] = building->region->turns ? way[0] : 0;
+    place->up[1] = building->region->turns ? way[1] : 1;
+    return outline;
+}
+
+/* What is known of a lit place. */
+struct seen {
+    double height;
+    struct outline_point centre, size;
+};
+
+/* Is a place lit, by what two others before it are like? Then it is the last of them. */
+static bool step_to(const struct film_building *building, size_t wavelength, double column,
+                    double height, struct seen seen[2])
+{
+    struct outline here = film_outline_at(building, column, height);
+    const double before = seen[1].height - seen[0].height;
+    const double share = before > 0 ? (height - seen[1].height) / before : 0;
+    here.centre.x = seen[1].centre.x + share * (seen[1].centre.x - seen[0].centre.x);
+    here.centre.y = seen[1].centre.y + share * (seen[1].centre.y - seen[0].centre.y);
+    here.size = seen[1].size;
+    if (!outline_is_lit(&building->search, wavelength, &here)) {
+        return false;
+    }
+    seen[0] = seen[1];
+    seen[1] = (struct seen){height, here.centre, here.size};
+    return true;
+}
+
+/* The same at any wavelength; one of them answers for long steps. */
+static bool step_at_any(const struct film_building *building, double column, double stride,
+                        double farthest, struct seen seen[2])
+{
+    const double height = fmin(seen[1].height + stride, farthest);
+    const size_t all = stride * STRIDES < farthest ? building->search.lens->count : 1;
+    bool is_lit = false;
+    for (size_t w = 0; w < all && !is_lit; w++) {
+        is_lit = step_to(building, w, column, height, seen);
+    }
+    return is_lit;
+}
+
+/* How far light arrives in a column, at most as far as is asked. */
+static double find_end(struct film_building *building, double column, double farthest)
+{
+    struct outline pole = film_outline_at(building, column, 0);
+    if (!outline_discover(&building->search, 0, &pole)) {
+        return 0;
+    }
+    struct seen seen[2] = {{0, pole.centre, pole.size}, {0, pole.centre, pole.size}};
+    double stride = farthest / STRIDES;
+    /* what a long step does not find may be lit all the same */
+    while (stride > finest * farthest && seen[1].height < farthest) {
+        stride *= step_at_any(building, column, stride, farthest, seen) ? 1.25 : 0.5;
+    }
+    const struct outline_point way = seen[1].centre;
+    const double size2 = way.x * way.x + way.y * way.y;
+    const double sine = sqrt(size2 / (1 + building->region->tangent * size2));
+    building->steepest = fmax(building->steepest, sine);
+    return fmin(seen[1].height + stride, farthest);
+}
+
+static void find_ends(struct film_building *building)
+{
+    struct film_region *region = building->region;
+    double *ends = building->ends;
+    const double pole = hypot(region->pole[0], region->pole[1]);
+    const double farthest = building->search.lens->reach + pole;
+    const size_t columns = building->columns;
+    for (size_t c = 0; c < columns; c++) {
+        ends[c] = find_end(building, (double)c, farthest);
+    }
+    if (region->is_grid) {
+        ends[columns] = ends[0];
+        for (size_t c = 0; c < columns; c++) {
+            const double middle = (ends[c] + ends[c + 1]) / 2;
+            const double end =
+                middle < farthest ? find_end(building, (double)c + 0.5, farthest) : middle;
+            const double by = middle > 0 ? fmax(1, 1.001 * end / middle) : 1;
+            ends[c] = fmin(farthest, ends[c] * by);
+            ends[c + 1] = fmin(farthest, ends[c + 1] * by);
+        }
+        ends[0] = fmax(ends[0], ends[columns]);
+        for (size_t c = columns; c <= FILM_COLUMNS; c++) {
+            ends[c] = ends[c - columns];
+        }
+    }
+    for (size_t c = 0; c < columns; c++) {
+        region->largest = fmax(region->largest, fmin(ends[c] + pole, building->search.lens->reach));
+    }
+}
+
+/* Films so close behind a lens, or so wide, that pupils are slivers between the rows. */
+static bool check_steepness(const struct film_building *building, struct error *error)
+{
+    const double angle = asin(fmin(building->steepest, 1)) * 180 / PI;
+    const double most = building->is_round ? farthest_round : farthest_other;
+    return angle <= most ? true
+                         : fail(error, ERROR_DOMAIN,
+                                "light reaches the film %.4g degrees off its normal, looked at up "
+                                "to %g degrees for a lens that is %sround",
+                                angle, most, building->is_round ? "" : "not ");
+}
+
+bool film_ends_find(struct film_building *building, struct error *error)
+{
+    find_ends(building);
+    if (building->steepest > steep) {
+        building->search.tangent = building->region->tangent = 1;
+        find_ends(building);
+    }
+    return check_steepness(building, error);
+}
