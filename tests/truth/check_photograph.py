@@ -53,6 +53,24 @@ def check_white(checks, program, folder):
         checks.check(abs(mean - MEAN) < 1e-4, f"mean E/L is {mean}, expected {MEAN}")
 
 
+def check_small(checks, program, folder):
+    """A pupil far smaller than its way over the film from one row to the next: E/L = pi/4 N^2."""
+    write_pfm(os.path.join(folder, "white.pfm"), [[1.0, 1.0], [1.0, 1.0]])
+    for number in 128, 1000:
+        rows = take(program, checks, folder, "white.pfm", "--lens", DOUBLE_GAUSS, "-s", "10m",
+                    "-N", str(number), "-t", "1", "-w", "d", "--field-width", "60m", "--focus",
+                    "36.105905", "--size", "91x61", "--samples", "16")
+        if rows is not None:
+            expected, found = 1000 * math.pi / 4 / number ** 2, rows[30][45][1]
+            checks.check(abs(found - expected) < 0.01 * expected,
+                         f"{found} lx s at f/{number}, expected {expected}")
+            # 16 mm from the axis .0715 of .1925 is left wide open, and more of small pupils
+            checks.check(min(row[5][1] for row in rows) > 0.5 * expected, f"f/{number} is dark")
+    result = program.run("render", "--lens", DOUBLE_GAUSS, "-N", "20000", "-w", "d", "--samples",
+                         "1024", "--rays", "small.csv", cwd=folder)
+    checks.check(b"of the rays arrive" in result.stderr, f"f/20000: {result.stderr}")
+
+
 def check_place(checks, program, folder):
     """One pixel of 100 x 100 on a card 2 m wide, 10 m from the front principal plane, at f/22."""
     card = [[0.0] * 100 for _ in range(100)]
@@ -122,6 +140,7 @@ def main():
     program, checks = Program(sys.argv[1]), Checks()
     with tempfile.TemporaryDirectory(prefix="lenscalc-photograph-") as folder:
         check_white(checks, program, folder)
+        check_small(checks, program, folder)
         check_place(checks, program, folder)
         check_error(checks, program, folder)
         check_threads(checks, program, folder)

@@ -119,8 +119,14 @@ void render_say_model(const struct render_input *input, const struct analysis_ca
 bool render_open(const struct render_input *input, const struct spectrum_value *channels,
                  struct run *run, analysis_visit *visit, void *context, struct error *error);
 
-/* What is doubtful: of the lens; that the corners of the film stay dark. */
-void render_doubts(const struct analysis_case *one, double largest, double corner,
+/* How far from the axis light arrives and the film reaches, mm; of the rays, how many. */
+struct render_arrival {
+    double largest, corner;
+    double share; /* NAN: more are sent than may arrive */
+};
+
+/* What is doubtful: of the lens; dark corners of the film; rays that get lost elsewhere. */
+void render_doubts(const struct analysis_case *one, const struct render_arrival *arrival,
                    struct growing *remarks);
 
 /* The film, and the iris before it. */

@@ -30,17 +30,22 @@ double render_object(const struct analysis_case *one)
     return one->question->object;
 }
 
-void render_doubts(const struct analysis_case *one, double largest, double corner,
+void render_doubts(const struct analysis_case *one, const struct render_arrival *arrival,
                    struct growing *remarks)
 {
     if (one->warning != NULL) {
         growing_format(remarks, "warning: %s\n", one->warning);
     }
-    if (largest < corner) {
+    if (arrival->largest < arrival->corner) {
         growing_format(remarks,
                        "warning: light arrives up to %.4g mm from the axis; the corners of the "
                        "film, at %.4g mm, stay dark\n",
-                       largest, corner);
+                       arrival->largest, arrival->corner);
+    } else if (arrival->share < 0.5) {
+        growing_format(remarks,
+                       "warning: %.2g %% of the rays arrive: the pupil is too small to be "
+                       "followed over the film, and some of the light may be missing\n",
+                       100 * arrival->share);
     }
 }
 

@@ -64,13 +64,19 @@ static struct text doubts_of(const struct analysis_case *one, const struct artif
 {
     const struct render_input *input = job->inputs[0];
     struct growing doubts = {.arena = job->run->arena};
+    const bool all_of_pupil = (question->kept & 1U << SKIP_PUPIL) == 0;
+    const struct render_arrival arrival = {photograph->largest, photograph->corner,
+                                           all_of_pupil
+                                               ? (double)photograph->counts[PHOTOGRAPH_PASSED] /
+                                                     (double)photograph->counts[PHOTOGRAPH_TRACED]
+                                               : NAN};
     render_say_autofocus(input, render_object(one), &doubts);
     render_say_samples(input, photograph, &doubts);
     render_say_light(input, &doubts);
     render_say_scene(photograph, one->setup, &doubts);
     render_say_depths(input, photograph, &doubts);
     render_say_model(input, one, &doubts);
-    render_doubts(one, photograph->largest, photograph->corner, &doubts);
+    render_doubts(one, &arrival, &doubts);
     if (job->run->explain) {
         render_explain(question, photograph, job->count, &doubts);
     }

@@ -4,6 +4,7 @@
 #include "camera/lens_rays.h"
 #include "commands/camera/render.h"
 
+#include <inttypes.h>
 #include <string.h>
 
 /* What is written of a ray, in this order. */
@@ -122,7 +123,17 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
     }
     struct growing remarks = {.arena = job->run->arena};
     render_say_model(input, one, &remarks);
-    render_doubts(one, result.largest, result.corner, &remarks);
+    const double share = (double)result.arrived / (double)question.samples;
+    const struct render_arrival arrival = {result.largest, result.corner,
+                                           input->acceptance == NULL ? share : NAN};
+    render_doubts(one, &arrival, &remarks);
+    if (job->run->explain) {
+        growing_format(&remarks,
+                       "E/L = integral over pupil directions w of cos(theta) dw, averaged over the "
+                       "film: the sum of the weights; [Kolb95] (1)\n"
+                       "%.4g %% of %" PRIu64 " rays arrived\n",
+                       100 * share, question.samples);
+    }
     rays_job->sink->remarks = growing_done(&remarks);
     return true;
 }
