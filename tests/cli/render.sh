@@ -16,6 +16,11 @@ lenscalc render --lens double-gauss --rays rays.png
 lenscalc render --lens double-gauss --rays rays.csv -w d --spectrum photopic
 lenscalc render --lens nikkor-z-14-24 --position all --rays rays.csv
 lenscalc render --lens double-gauss -N 2,4 --rays rays.csv
+lenscalc render --lens double-gauss --rays rays.csv --from sensor
+lenscalc render --lens double-gauss --rays rays.csv --full-well 0
+# pixels that take little light lose none of the pupil; what is explained of rays
+lenscalc render --lens double-gauss-50 --rays rays.csv --samples 64 --acceptance 100
+lenscalc render --lens double-gauss-50 --rays rays.csv --samples 64 --explain 2>&1 | sed 's/^[0-9.]* %/P %/'
 # behind cylinders; an independent quadrature has 0.2077 in the middle of the film
 lenscalc render --lens schneider-anamorphic-31 --rays - -w d --sensor 0.001x0.001mm | awk -F, 'NR > 1 { sum += $10 } END { printf "%.4f\n", sum }'
 lenscalc render --lens phone-6p --rays lost.csv

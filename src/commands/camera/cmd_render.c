@@ -5,10 +5,10 @@
 #include "commands/photo/photo_lens.h"
 #include "file/image_file.h"
 
-#define RENDER_ELECTRONS(member)                                                                   \
+#define RENDER_ELECTRONS(member, more)                                                             \
     OPTION(struct render_input, member), .dimension = &dimension_number, .lowest = 0,              \
-                                         .highest = INFINITY, .flags = OPTION_NO_INFINITY,         \
-                                         .value = "NUMBER"
+                                         .highest = INFINITY,                                      \
+                                         .flags = OPTION_NO_INFINITY | (more), .value = "NUMBER"
 
 #define RENDER_SHARE(member)                                                                       \
     OPTION(struct render_input, member), .dimension = &dimension_number, .lowest = 0,              \
@@ -103,18 +103,20 @@ static const struct option options[] = {
     {OPTION(struct render_input, noise), .name = "noise", .help = "noise of the photons"},
     {ANALYSIS_LENGTH(struct render_input, pitch), .name = "pitch", .lowest = 1e-4, .highest = 100,
      .help = "of the sensor's pixels, for their noise; default that of the picture's"},
-    {RENDER_ELECTRONS(read_noise), .name = "read-noise",
+    {RENDER_ELECTRONS(read_noise, 0), .name = "read-noise",
      .help = "noise of reading a pixel, standard deviation in electrons"},
-    {RENDER_ELECTRONS(full_well), .name = "full-well", .help = "electrons that a pixel holds"},
-    {RENDER_ELECTRONS(dark_current), .name = "dark-current",
+    {RENDER_ELECTRONS(full_well, OPTION_ABOVE_LOWEST), .name = "full-well",
+     .help = "electrons that a pixel holds"},
+    {RENDER_ELECTRONS(dark_current, 0), .name = "dark-current",
      .help = "electrons a second in the dark"},
     {RENDER_SHARE(fill), .name = "fill", .help = "share of a pixel that takes light (1)"},
     {RENDER_SHARE(efficiency), .name = "efficiency", .help = "electrons of a photon (0.5)"},
     {OPTION(struct render_input, response), .name = "response", .value = "NAME|FILE",
      .flags = OPTION_FILE,
      .help = "what its channels see: rgb, mono, xyz, or a table of efficiencies by wavelength"},
-    {RENDER_ELECTRONS(gain), .name = "gain", .help = "numbers of an electron, in place of --iso"},
-    {RENDER_ELECTRONS(black), .name = "black", .help = "number of no electrons (0)"},
+    {RENDER_ELECTRONS(gain, OPTION_ABOVE_LOWEST), .name = "gain",
+     .help = "numbers of an electron, in place of --iso"},
+    {RENDER_ELECTRONS(black, 0), .name = "black", .help = "number of no electrons (0)"},
     {OPTION(struct render_input, adc), .name = "adc", .lowest = 8, .highest = 16, .value = "BITS",
      .help = "bits of the sensor's numbers (14)"},
     {OPTION(struct render_input, acceptance), .name = "acceptance", .value = "POWER|FILE",
@@ -151,6 +153,9 @@ static bool check_lens(const struct artifact_job *job, struct error *error)
     if (input->question.lens.lens == NULL) {
         fail(error, ERROR_USAGE, "no lens is given");
         return error_hint(error, "{--lens} NAME, see 'lenscalc list lenses'");
+    }
+    if (asking_given(job->asking, "from") && !asking_given(job->asking, "distance")) {
+        return fail(error, ERROR_USAGE, "{--from} needs {--distance}");
     }
     return !lens_positions_several(input->question.lens.lens, input->question.position) ||
            fail(error, ERROR_USAGE, "a film sees one position: {--position} NAME");

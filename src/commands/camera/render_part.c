@@ -263,9 +263,14 @@ void render_part_write(struct render_part *part, struct photograph *photograph, 
     struct run *run = part->job->run;
     const struct part_head *head = &part->head;
     write_file(part, photograph, sink);
-    sink->remarks = text_of(arena_printf(
-        run->arena, "part %ld/%ld: tiles %" PRIu64 " to %" PRIu64 " of %zu\n", head->part.number,
-        head->part.count, part->own.begin + 1, part->own.end, part->tiles));
+    const bool has_none = part->own.end == part->own.begin;
+    sink->remarks =
+        text_of(has_none ? arena_printf(run->arena, "part %ld/%ld: none of %zu tiles\n",
+                                        head->part.number, head->part.count, part->tiles)
+                         : arena_printf(run->arena,
+                                        "part %ld/%ld: tiles %" PRIu64 " to %" PRIu64 " of %zu\n",
+                                        head->part.number, head->part.count, part->own.begin + 1,
+                                        part->own.end, part->tiles));
     if (photograph->is_incomplete) {
         fail(&run->shortfall, ERROR_DOMAIN,
              "interrupted: %s is incomplete, %" PRIu64 " of %" PRIu64
