@@ -9,6 +9,7 @@
 #include "trace/dispatch.h"
 
 #include <math.h>
+#include <string.h>
 
 enum {
     ORDER_FIRST = 8,
@@ -17,7 +18,7 @@ enum {
 };
 
 /* So well the polynomials are to name rays, in half boxes; rims lie so far within. */
-static const double fine = 1e-7, within = 1 - 1e-12;
+static const double fine = 1e-7, fine_waves = 3e-6, within = 1 - 1e-12;
 
 /* A ray on the reference sphere. */
 struct meeting {
@@ -64,28 +65,43 @@ static void chebyshev(double x, size_t order, double *values, double *slopes)
     }
 }
 
-static kernel_exit_map *kernel(void)
+static kernel_exit_map *map_kernel(void)
 {
     return processor_has_avx512() ? kernel_exit_map_avx512
            : processor_has_avx2() ? kernel_exit_map_avx2
                                   : kernel_exit_map_sse2;
 }
 
+static kernel_exit_map *form_kernel(void)
+{
+    return processor_has_avx512() ? kernel_exit_form_avx512
+           : processor_has_avx2() ? kernel_exit_form_avx2
+                                  : kernel_exit_form_sse2;
+}
+
+/* Some points to the box of the polynomials, the first again where lanes are left. */
+static void put_lanes(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                      struct exit_map_lanes *lanes)
+{
+    const double *middle = pupil->middle, *half = pupil->half;
+    for (size_t i = 0; i < EXIT_MAP_LANES; i++) {
+        const size_t from = i < count ? i : 0;
+        lanes->x[i] = (at[from][0] - middle[0]) / half[0];
+        lanes->y[i] = (at[from][1] - middle[1]) / half[1];
+    }
+}
+
 /* Points of the beam's u and v, and what areas of a and b are there. */
 static void way_back(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                      double (*places)[2], double *areas)
 {
-    kernel_exit_map *find = kernel();
+    kernel_exit_map *find = map_kernel();
     const struct exit_map map = {pupil->order, pupil->map[0], pupil->map[1]};
-    const double *middle = pupil->middle, *half = pupil->half;
+    const double *half = pupil->half;
     struct exit_map_lanes lanes;
     for (size_t done = 0; done < count; done += EXIT_MAP_LANES) {
         const size_t left = count - done, here = left < EXIT_MAP_LANES ? left : EXIT_MAP_LANES;
-        for (size_t i = 0; i < EXIT_MAP_LANES; i++) {
-            const size_t from = done + (i < here ? i : 0);
-            lanes.x[i] = (at[from][0] - middle[0]) / half[0];
-            lanes.y[i] = (at[from][1] - middle[1]) / half[1];
-        }
+        put_lanes(pupil, at + done, here, &lanes);
         find(&map, &lanes);
         for (size_t i = 0; i < here; i++) {
             places[done + i][0] = lanes.first[i];
@@ -95,11 +111,26 @@ static void way_back(const struct exit_pupil *pupil, const double (*at)[2], size
     }
 }
 
+void exit_pupil_form(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                     double *waves, double *amplitudes)
+{
+    kernel_exit_map *find = form_kernel();
+    const struct exit_map map = {pupil->order, pupil->form[0], pupil->form[1]};
+    struct exit_map_lanes lanes;
+    for (size_t done = 0; done < count; done += EXIT_MAP_LANES) {
+        const size_t left = count - done, here = left < EXIT_MAP_LANES ? left : EXIT_MAP_LANES;
+        put_lanes(pupil, at + done, here, &lanes);
+        find(&map, &lanes);
+        memcpy(waves + done, lanes.first, here * sizeof *waves);
+        memcpy(amplitudes + done, lanes.second, here * sizeof *amplitudes);
+    }
+}
+
 /* -------- opening -------- */
 
-/* Points of u and v and where their rays go. */
+/* Points of u and v, where their rays go, and their W, wavelengths. */
 struct pairs {
-    double (*from)[2], (*to)[2];
+    double (*from)[2], (*to)[2], *waves;
     size_t count;
 };
 
@@ -108,7 +139,8 @@ static struct pairs trace_pairs(const struct exit_pupil *pupil, const double (*f
 {
     const struct wave_light *light = pupil->light;
     struct pairs pairs = {arena_array(arena, count, sizeof *pairs.from),
-                          arena_array(arena, count, sizeof *pairs.to), 0};
+                          arena_array(arena, count, sizeof *pairs.to),
+                          ARENA_ARRAY(arena, count, double), 0};
     const struct rays rays = rays_new(arena, count);
     margins_start(&light->source.region->margins, from, &rays);
     rays_trace(light->open, &rays, NULL);
@@ -120,7 +152,7 @@ static struct pairs trace_pairs(const struct exit_pupil *pupil, const double (*f
                 pairs.from[pairs.count][k] = from[i][k];
                 pairs.to[pairs.count][k] = meeting.at[k];
             }
-            pairs.count++;
+            pairs.waves[pairs.count++] = (pupil->zero - meeting.path) * pupil->waves;
         }
     }
     return pairs;
@@ -177,6 +209,35 @@ static void set_box(struct exit_pupil *pupil, const struct pairs *rim)
     }
 }
 
+/* W and the amplitude of one order. */
+static void fit_form(struct exit_pupil *pupil, const struct pairs *all,
+                     const struct linear_factors *factors, const double *areas, struct arena *arena)
+{
+    const struct stop_beam *beam = &pupil->light->source.pupil;
+    double *amplitudes = ARENA_ARRAY(arena, all->count, double), mean = 0;
+    double *waves = ARENA_ARRAY(arena, all->count, double);
+    double *others = ARENA_ARRAY(arena, all->count, double);
+    for (size_t row = 0; row < all->count; row++) {
+        const double *from = all->from[row];
+        amplitudes[row] = sqrt(areas[row] * stop_beam_density(beam, from[0], from[1]));
+        mean += amplitudes[row] / (double)all->count;
+        waves[row] = all->waves[row];
+        others[row] = amplitudes[row];
+    }
+    linear_solve(factors, waves, pupil->form[0]);
+    linear_solve(factors, others, pupil->form[1]);
+    exit_pupil_form(pupil, (const double(*)[2])all->to, all->count, waves, others);
+    pupil->off_waves = pupil->off_amplitude = 0;
+    for (size_t row = 0; row < all->count; row++) {
+        const double off[2] = {waves[row] - all->waves[row],
+                               others[row] / mean - amplitudes[row] / mean};
+        pupil->off_waves += off[0] * off[0] / (double)all->count;
+        pupil->off_amplitude += off[1] * off[1] / (double)all->count;
+    }
+    pupil->off_waves = sqrt(pupil->off_waves);
+    pupil->off_amplitude = sqrt(pupil->off_amplitude);
+}
+
 /* The polynomials of one order; the worst that they are off. */
 static double fit(struct exit_pupil *pupil, const struct pairs *all, size_t order,
                   struct arena *arena)
@@ -210,6 +271,7 @@ static double fit(struct exit_pupil *pupil, const struct pairs *all, size_t orde
             worst = fmax(worst, fabs(places[row][k] - all->from[row][k]) / extent[k]);
         }
     }
+    fit_form(pupil, all, &factors, b, arena);
     return worst;
 }
 
@@ -224,7 +286,8 @@ static void find_map(struct exit_pupil *pupil, const struct pairs *rim,
     }
     struct pairs all = trace_pairs(pupil, (const double(*)[2])from, count, arena);
     struct pairs both = {arena_array(arena, all.count + rim->count, sizeof *both.from),
-                         arena_array(arena, all.count + rim->count, sizeof *both.to), 0};
+                         arena_array(arena, all.count + rim->count, sizeof *both.to),
+                         ARENA_ARRAY(arena, all.count + rim->count, double), 0};
     for (size_t i = 0; i < all.count + rim->count; i += i < all.count ? 1 : 4, both.count++) {
         const struct pairs *of = i < all.count ? &all : rim;
         const size_t at = i < all.count ? i : i - all.count;
@@ -232,12 +295,15 @@ static void find_map(struct exit_pupil *pupil, const struct pairs *rim,
             both.from[both.count][k] = of->from[at][k];
             both.to[both.count][k] = of->to[at][k];
         }
+        both.waves[both.count] = of->waves[at];
     }
     for (int k = 0; k < 2; k++) {
         pupil->map[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
+        pupil->form[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
     }
     pupil->off = INFINITY;
-    for (size_t order = ORDER_FIRST; order <= ORDER_MOST && pupil->off > fine; order += 3) {
+    for (size_t order = ORDER_FIRST;
+         order <= ORDER_MOST && (pupil->off > fine || pupil->off_waves > fine_waves); order += 3) {
         pupil->off = fit(pupil, &both, order, arena);
     }
 }

@@ -26,9 +26,11 @@ struct exit_pupil {
     double rim[EXIT_PUPIL_RIM][2]; /* once around */
     size_t rim_count;
     double off; /* what the map leaves between a point and where its ray goes, in half boxes */
-    /* internal: u and v of the beam as polynomials */
+    /* what polynomials of W and the amplitude leave: wavelengths, and of the mean amplitude */
+    double off_waves, off_amplitude;
+    /* internal: as polynomials u and v of the beam, and W and the amplitude */
     size_t order;
-    double *map[2];
+    double *map[2], *form[2];
     bool is_blocked; /* something may stand within */
 };
 
@@ -45,7 +47,7 @@ struct exit_pupils {
  *
  * Given     bundle  its wavelength, pattern and weight are not used
  * Formula   u and v of the beam as polynomials in a and b of a degree up to 14, by least squares
- *           over a quadrature and the rim
+ *           over a quadrature and the rim; W and the amplitude alike
  * Errors    as wave_open and wave_reference_find; ERROR_DOMAIN: nothing is clear; no reference
  *           sphere; an image infinitely far away
  */
@@ -72,6 +74,10 @@ void exit_pupil_look(const struct exit_pupil *pupil, const double (*at)[2], size
  */
 void exit_pupil_values(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                        double *waves, double *amplitudes);
+
+/* The same from polynomials, at once, as well as off_waves and off_amplitude say. */
+void exit_pupil_form(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                     double *waves, double *amplitudes);
 
 /* From where to where it reaches in a direction of unit length. */
 void exit_pupil_range(const struct exit_pupil *pupil, const double along[2], double range[2]);

@@ -9,16 +9,36 @@
 #include <math.h>
 
 enum { LOOKS = 48, ROUNDS = 44, PARTS = EXIT_SPANS * EXIT_SPANS, BREAKS = 16 };
-enum { FIRST = 10, REFINED = 9, LEAST = 4 };
+enum {
+    RULE_STEP = 4,
+    PANEL = RULE_STEP * OVERLAP_RULES,
+    REFINED = 9,
+    LOOK_ALONG = 8,
+    LOOK_ACROSS = 8
+};
 
-/* Points of an integral. */
+/* Points for each turn of the phase: Gauss's converge from pi/2 on. */
+static const double a_turn = 1.75;
+
+/* So many times the points of one round the next has. */
+static const double finer = 1.25;
+
+/* An integral at work. */
 struct summing {
     const struct exit_pupil *pupil;
     const struct exit_lines *lines;
+    struct overlap_rules *rules;
     double shift;
-    size_t across, along; /* points of a whole piece, and of one part of a line */
+    double least, times; /* points without a turn of the phase; times what is thought enough */
+    bool by_form;        /* from polynomials */
     struct arena *arena;
     struct overlap *sum;
+};
+
+/* Gauss's points, of many in equal panels. */
+struct rule {
+    const double *x, *w;
+    size_t each, panels;
 };
 
 /* What is clear of a line at both places; a number of which edges end it. */
@@ -83,99 +103,196 @@ static size_t find_breaks(const struct exit_piece *piece, double shift, double *
     return count;
 }
 
-/* Add up points, at both places. */
-static void add_points(const struct summing *summing, const double (*at)[2], const double *weights,
-                       size_t count)
+static struct rule rule_of(struct overlap_rules *rules, double wanted)
+{
+    const size_t panels = (size_t)ceil(wanted / PANEL);
+    const size_t slot = (size_t)ceil(wanted / (double)(panels * RULE_STEP)) - 1;
+    if (!rules->is_ready[slot]) {
+        gauss_rule(RULE_STEP * (slot + 1), rules->x[slot], rules->w[slot]);
+        rules->is_ready[slot] = true;
+    }
+    return (struct rule){rules->x[slot], rules->w[slot], RULE_STEP * (slot + 1), panels};
+}
+
+static double rule_at(const struct rule *rule, size_t i)
+{
+    return ((double)(i / rule->each) + rule->x[i % rule->each]) / (double)rule->panels;
+}
+
+static double rule_weight(const struct rule *rule, size_t i)
+{
+    return rule->w[i % rule->each] / (double)rule->panels;
+}
+
+/* Points of lines whose parts are alike: line by line, part by part. */
+struct points {
+    size_t lines, parts, along, count;
+    double (*at)[2], *weights; /* at: between both places */
+    double *phases, *products; /* W1 - W2, A1 A2 */
+};
+
+static void find_values(const struct summing *summing, struct points *points)
 {
     struct arena *arena = summing->arena;
-    double(*first)[2] = arena_array(arena, count, sizeof *first);
-    double(*second)[2] = arena_array(arena, count, sizeof *second);
+    const size_t count = points->count;
+    double(*at)[2] = arena_array(arena, count, sizeof *at);
     double *waves[2], *amplitudes[2];
-    for (size_t i = 0; i < count; i++) {
-        for (int k = 0; k < 2; k++) {
-            const double half = summing->shift / 2 * summing->lines->along[k];
-            first[i][k] = at[i][k] - half;
-            second[i][k] = at[i][k] + half;
-        }
-    }
     for (int k = 0; k < 2; k++) {
+        const double half = (k == 0 ? -1 : 1) * summing->shift / 2;
         waves[k] = ARENA_ARRAY(arena, count, double);
         amplitudes[k] = ARENA_ARRAY(arena, count, double);
-        exit_pupil_values(summing->pupil, (const double(*)[2])(k == 0 ? first : second), count,
-                          waves[k], amplitudes[k]);
+        for (size_t i = 0; i < count; i++) {
+            at[i][0] = points->at[i][0] + half * summing->lines->along[0];
+            at[i][1] = points->at[i][1] + half * summing->lines->along[1];
+        }
+        (summing->by_form ? exit_pupil_form : exit_pupil_values)(
+            summing->pupil, (const double(*)[2])at, count, waves[k], amplitudes[k]);
     }
     for (size_t i = 0; i < count; i++) {
-        const double w = weights[i] * amplitudes[0][i] * amplitudes[1][i];
-        double c, s;
-        turns_of(waves[0][i] - waves[1][i], &c, &s);
-        summing->sum->re += w * c;
-        summing->sum->im += w * s;
-        summing->sum->perfect += w;
+        waves[0][i] -= waves[1][i];
+        amplitudes[0][i] *= amplitudes[1][i];
+    }
+    points->phases = waves[0];
+    points->products = amplitudes[0];
+}
+
+/* Points of a piece between two angles. */
+static struct points put_points(const struct summing *summing, const struct exit_piece *piece,
+                                const double range[2], const struct rule *across,
+                                const struct rule *along)
+{
+    const struct exit_lines *lines = summing->lines;
+    struct points points = {across->each * across->panels, 0, along->each * along->panels,
+                            .count = 0};
+    struct parts parts;
+    double slope;
+    find_parts(piece, summing->shift, (range[0] + range[1]) / 2, &slope, &parts);
+    points.parts = parts.count;
+    const size_t room = points.lines * points.parts * points.along;
+    points.at = arena_array(summing->arena, room, sizeof *points.at);
+    points.weights = ARENA_ARRAY(summing->arena, room, double);
+    for (size_t i = 0; i < points.lines; i++) {
+        const double angle = range[0] + (range[1] - range[0]) * rule_at(across, i);
+        const double weight = (range[1] - range[0]) * rule_weight(across, i);
+        const double t = find_parts(piece, summing->shift, angle, &slope, &parts);
+        for (size_t p = 0; p < points.parts; p++) {
+            /* rounding at an end of the range may lose a part, which is empty there */
+            const double low = p < parts.count ? parts.low[p] : 0;
+            const double length = p < parts.count ? parts.high[p] - low : 0;
+            for (size_t j = 0; j < points.along; j++) {
+                const double s = low + length * rule_at(along, j);
+                for (int k = 0; k < 2; k++) {
+                    points.at[points.count][k] = s * lines->along[k] + t * lines->across[k];
+                }
+                points.weights[points.count++] = weight * slope * length * rule_weight(along, j);
+            }
+        }
+    }
+    find_values(summing, &points);
+    return points;
+}
+
+/* The most turns of the phase along a part of a line, and across the lines. */
+static void find_turns(const struct points *points, double *along, double *across)
+{
+    const size_t row = points->parts * points->along;
+    *along = *across = 0;
+    for (size_t i = 0; i < points->count; i += points->along) {
+        double turns = 0;
+        for (size_t j = i + 1; j < i + points->along; j++) {
+            turns += fabs(points->phases[j] - points->phases[j - 1]);
+        }
+        *along = fmax(*along, turns);
+    }
+    for (size_t j = 0; j < row; j++) {
+        double turns = 0;
+        for (size_t i = j + row; i < points->count; i += row) {
+            turns += fabs(points->phases[i] - points->phases[i - row]);
+        }
+        *across = fmax(*across, turns);
     }
 }
 
 /* Lines between two angles, whose parts are alike. */
-static void add_lines(const struct summing *summing, const struct exit_piece *piece, double low,
-                      double high)
+static void add_lines(const struct summing *summing, const struct exit_piece *piece,
+                      const double range[2])
 {
     const struct arena_mark mark = arena_mark(summing->arena);
-    struct arena *arena = summing->arena;
-    const struct exit_lines *lines = summing->lines;
-    const size_t along = summing->along;
-    const size_t across = LEAST + (size_t)((double)summing->across * (high - low) / PI);
-    double *x = ARENA_ARRAY(arena, across, double), *w = ARENA_ARRAY(arena, across, double);
-    double *y = ARENA_ARRAY(arena, along, double), *v = ARENA_ARRAY(arena, along, double);
-    const size_t most = across * along * PARTS;
-    double(*at)[2] = arena_array(arena, most, sizeof *at);
-    double *weights = ARENA_ARRAY(arena, most, double);
-    size_t count = 0;
-    gauss_rule(across, x, w);
-    gauss_rule(along, y, v);
-    for (size_t i = 0; i < across; i++) {
-        struct parts parts;
-        double slope;
-        const double angle = low + (high - low) * x[i];
-        const double t = find_parts(piece, summing->shift, angle, &slope, &parts);
-        for (size_t j = 0; j < parts.count * along; j++) {
-            const double begin = parts.low[j / along], length = parts.high[j / along] - begin;
-            const double s = begin + length * y[j % along];
-            for (int k = 0; k < 2; k++) {
-                at[count][k] = s * lines->along[k] + t * lines->across[k];
-            }
-            weights[count++] = (high - low) * w[i] * slope * length * v[j % along];
-        }
+    const struct rule look_across = rule_of(summing->rules, LOOK_ACROSS);
+    const struct rule look_along = rule_of(summing->rules, LOOK_ALONG);
+    const struct points looks = put_points(summing, piece, range, &look_across, &look_along);
+    double turns_along, turns_across;
+    find_turns(&looks, &turns_along, &turns_across);
+    const double share = (range[1] - range[0]) / PI, least = summing->least;
+    const struct rule across =
+        rule_of(summing->rules, summing->times * (least * (1 + share) / 2 + a_turn * turns_across));
+    const struct rule along =
+        rule_of(summing->rules, summing->times * (least + a_turn * turns_along));
+    const struct points points = put_points(summing, piece, range, &across, &along);
+    for (size_t i = 0; i < points.count; i++) {
+        const double weight = points.weights[i] * points.products[i];
+        double c, s;
+        turns_of(points.phases[i], &c, &s);
+        summing->sum->re += weight * c;
+        summing->sum->im += weight * s;
+        summing->sum->perfect += weight;
     }
-    add_points(summing, (const double(*)[2])at, weights, count);
-    arena_reset(arena, mark);
+    arena_reset(summing->arena, mark);
 }
 
-static struct overlap sum_up(const struct exit_pupil *pupil, const struct exit_lines *lines,
-                             double shift, size_t points, struct arena *arena)
+static struct overlap sum_up(const struct summing *summing)
 {
     struct overlap sum = {.re = 0};
-    const struct summing summing = {pupil, lines, shift, points, points, arena, &sum};
-    for (size_t i = 0; i < lines->count; i++) {
+    struct summing here = *summing;
+    here.sum = &sum;
+    for (size_t i = 0; i < summing->lines->count; i++) {
         double breaks[BREAKS];
-        const size_t count = find_breaks(&lines->pieces[i], shift, breaks);
+        const struct exit_piece *piece = &summing->lines->pieces[i];
+        const size_t count = find_breaks(piece, summing->shift, breaks);
         for (size_t k = 0; k < count; k++) {
-            add_lines(&summing, &lines->pieces[i], breaks[k], breaks[k + 1]);
+            if (kind_at(piece, summing->shift, (breaks[k] + breaks[k + 1]) / 2) > 0) {
+                add_lines(&here, piece, breaks + k);
+            }
         }
     }
     return sum;
 }
 
-struct overlap overlap_find(const struct exit_pupil *pupil, const struct exit_lines *lines,
-                            double shift, double error, struct arena *arena)
+struct overlap_rules *overlap_rules_new(struct arena *arena)
 {
-    struct overlap before, here = sum_up(pupil, lines, shift, FIRST, arena);
-    size_t points = FIRST;
+    struct overlap_rules *rules = ARENA_NEW(arena, struct overlap_rules);
+    for (size_t i = 0; i < OVERLAP_RULES; i++) {
+        rules->x[i] = ARENA_ARRAY(arena, RULE_STEP * (i + 1), double);
+        rules->w[i] = ARENA_ARRAY(arena, RULE_STEP * (i + 1), double);
+        rules->is_ready[i] = false;
+    }
+    return rules;
+}
+
+struct overlap overlap_find(const struct exit_pupil *pupil, const struct exit_lines *lines,
+                            struct overlap_rules *rules, double shift, double error,
+                            struct arena *arena)
+{
+    /* of the mean of exp(2 pi i (W1 - W2)) A1 A2 */
+    const double off = 4 * PI * pupil->off_waves + 2 * pupil->off_amplitude;
+    struct summing summing = {.pupil = pupil,
+                              .lines = lines,
+                              .rules = rules,
+                              .shift = shift,
+                              .least = 3 - 1.5 * log10(error),
+                              .times = 1,
+                              .by_form = off <= error / 2,
+                              .arena = arena};
+    const double left = summing.by_form ? error - off : error;
+    struct overlap before, here = sum_up(&summing);
     for (int i = 0; i < REFINED && !here.has_converged; i++) {
         before = here;
-        points = points * 8 / 5;
-        here = sum_up(pupil, lines, shift, points, arena);
+        summing.times *= finer;
+        here = sum_up(&summing);
         here.error =
             hypot(here.re - before.re, here.im - before.im) + fabs(here.perfect - before.perfect);
-        here.has_converged = here.error <= error * pupil->energy;
+        here.has_converged = here.error <= left * pupil->energy;
     }
+    here.error += summing.by_form ? off * pupil->energy : 0;
     return here;
 }

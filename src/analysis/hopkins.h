@@ -6,6 +6,17 @@
 #include "analysis/exit_lines.h"
 
 #include <stdbool.h>
+#include <stddef.h>
+
+enum { OVERLAP_RULES = 32 };
+
+/* Gauss's points on 0..1, found when they are first wanted: of 4, 8, 12 ... */
+struct overlap_rules {
+    double *x[OVERLAP_RULES], *w[OVERLAP_RULES];
+    bool is_ready[OVERLAP_RULES];
+};
+
+struct overlap_rules *overlap_rules_new(struct arena *arena);
 
 /* Integrals over the overlap: with the wave front, complex, and with a perfect one. */
 struct overlap {
@@ -22,11 +33,13 @@ struct overlap {
  * Formula   integral of A1 A2 exp(2 pi i (W1 - W2)) over what is clear at both, 1 at half the shift
  *           against the lines, 2 along them: so that its angle is that of the Fourier transform of
  *           the light over the image, which counts from the reference. Gauss's points along clear
- *           parts of lines and across them, between places where the parts change, ever more until
- *           the error is met
+ *           parts of lines and across them, between places where the parts change, as many as W
+ *           turns the phase, ever more until the error is met; W and amplitude from polynomials
+ *           where these leave less than half the error, which is counted in, else of traced rays
  * Source    [Hopkins55]; tested against the closed form of a round pupil, and Fourier transforms
  */
 struct overlap overlap_find(const struct exit_pupil *pupil, const struct exit_lines *lines,
-                            double shift, double error, struct arena *arena);
+                            struct overlap_rules *rules, double shift, double error,
+                            struct arena *arena);
 
 #endif

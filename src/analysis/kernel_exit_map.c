@@ -59,3 +59,37 @@ void NAMED(kernel_exit_map, KERNEL)(const struct exit_map *map, struct exit_map_
         lanes->area[l] = fabs(ux[l] * vy[l] - vx[l] * uy[l]);
     }
 }
+
+void NAMED(kernel_exit_form, KERNEL)(const struct exit_map *map, struct exit_map_lanes *lanes)
+{
+    double x[ROOM][LANES], y[ROOM][LANES], u[LANES] = {0}, v[LANES] = {0};
+    const size_t order = map->order;
+    for (size_t l = 0; l < LANES; l++) {
+        x[0][l] = 1, x[1][l] = lanes->x[l];
+        y[0][l] = 1, y[1][l] = lanes->y[l];
+    }
+    for (size_t k = 2; k <= order; k++) {
+        for (size_t l = 0; l < LANES; l++) {
+            x[k][l] = 2 * x[1][l] * x[k - 1][l] - x[k - 2][l];
+            y[k][l] = 2 * y[1][l] * y[k - 1][l] - y[k - 2][l];
+        }
+    }
+    for (size_t i = 0, term = 0; i <= order; i++) {
+        double a[LANES] = {0}, b[LANES] = {0};
+        for (size_t j = 0; i + j <= order; j++, term++) {
+            const double c = map->first[term], d = map->second[term];
+            for (size_t l = 0; l < LANES; l++) {
+                a[l] += c * y[j][l];
+                b[l] += d * y[j][l];
+            }
+        }
+        for (size_t l = 0; l < LANES; l++) {
+            u[l] += x[i][l] * a[l];
+            v[l] += x[i][l] * b[l];
+        }
+    }
+    for (size_t l = 0; l < LANES; l++) {
+        lanes->first[l] = u[l];
+        lanes->second[l] = v[l];
+    }
+}

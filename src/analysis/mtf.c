@@ -22,6 +22,7 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
         return false;
     }
     const size_t count = source->pupils.lights.count;
+    source->rules = overlap_rules_new(arena);
     source->lines = ARENA_ARRAY(arena, count * MTF_DIRECTIONS, struct exit_lines);
     wave_section(question->bundle.field, source->along[MTF_TANGENTIAL]);
     source->along[MTF_SAGITTAL][0] = source->along[MTF_TANGENTIAL][1];
@@ -49,7 +50,7 @@ static void add_waves(const struct mtf_source *source, size_t g, double frequenc
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
         const struct exit_lines *lines = &source->lines[g * MTF_DIRECTIONS + k];
         const struct overlap sum =
-            overlap_find(pupil, lines, shift, source->question->error, arena);
+            overlap_find(pupil, lines, source->rules, shift, source->question->error, arena);
         sums->re[k] += weight * sum.re;
         sums->im[k] += weight * sum.im;
         sums->perfect[k] += weight * sum.perfect;

@@ -20,7 +20,8 @@ enum { MTF_TANGENTIAL, MTF_SAGITTAL, MTF_DIRECTIONS };
 struct mtf_source {
     const struct mtf_question *question;
     struct exit_pupils pupils;
-    struct exit_lines *lines;        /* [wavelength][direction] */
+    struct exit_lines *lines; /* [wavelength][direction] */
+    struct overlap_rules *rules;
     double along[MTF_DIRECTIONS][2]; /* in the image plane, of unit length */
     double cutoff[MTF_DIRECTIONS];   /* 1/mm: no wavelength has contrast beyond it */
 };

@@ -3,6 +3,7 @@
 #include "base/linear.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 /* Length of what is below and at row `first` of a column, without overflow. */
 static double column_length(const struct linear_factors *all, size_t column, size_t first)
@@ -40,15 +41,35 @@ static void scale_columns(struct linear_factors *all)
     }
 }
 
+/* Lengths of columns from k on, of what is below and at row k; row by row, as memory has them. */
+static void column_lengths(const struct linear_factors *all, size_t k)
+{
+    const size_t n = all->columns;
+    double *lengths = all->spare;
+    for (size_t j = k; j < n; j++) {
+        lengths[j] = 0;
+    }
+    for (size_t i = k; i < all->rows; i++) {
+        const double *row = all->a + i * n;
+        for (size_t j = k; j < n; j++) {
+            lengths[j] += row[j] * row[j];
+        }
+    }
+    for (size_t j = k; j < n; j++) {
+        const bool plain = lengths[j] > 1e-200 && lengths[j] < 1e200;
+        lengths[j] = plain ? sqrt(lengths[j]) : column_length(all, j, k);
+    }
+}
+
 /* Bring the column of which most is left to place k; returns that rest. */
 static double pivot(struct linear_factors *all, size_t k)
 {
     size_t n = all->columns, best = k;
     double longest = -1;
+    column_lengths(all, k);
     for (size_t j = k; j < n; j++) {
-        double length = column_length(all, j, k);
-        if (length > longest) {
-            longest = length;
+        if (all->spare[j] > longest) {
+            longest = all->spare[j];
             best = j;
         }
     }
@@ -63,24 +84,48 @@ static double pivot(struct linear_factors *all, size_t k)
     return longest;
 }
 
-/* v^T x over the rows from k on, where v is reflection k: its head apart, its tail below R. */
-static double reflect_product(const struct linear_factors *all, size_t k, const double *x,
-                              size_t stride)
+/*
+ * x -= v (v^T x) / v0, where v is reflection k, its head apart, its tail below R, scaled so that
+ * |v|^2 = 2 v0
+ */
+static void reflect(const struct linear_factors *all, size_t k, double *x)
 {
-    double sum = all->reflector[k] * x[k * stride];
+    double product = all->reflector[k] * x[k];
     for (size_t i = k + 1; i < all->rows; i++) {
-        sum += all->a[i * all->columns + k] * x[i * stride];
+        product += all->a[i * all->columns + k] * x[i];
     }
-    return sum;
+    const double factor = product / all->reflector[k];
+    x[k] -= factor * all->reflector[k];
+    for (size_t i = k + 1; i < all->rows; i++) {
+        x[i] -= factor * all->a[i * all->columns + k];
+    }
 }
 
-/* x -= v (v^T x) / v0, with v scaled so that |v|^2 = 2 v0 */
-static void reflect(const struct linear_factors *all, size_t k, double *x, size_t stride)
+/* The same of all columns behind k, row by row. */
+static void reflect_rows(struct linear_factors *all, size_t k)
 {
-    double factor = reflect_product(all, k, x, stride) / all->reflector[k];
-    x[k * stride] -= factor * all->reflector[k];
+    const size_t n = all->columns;
+    const double head = all->reflector[k];
+    double *factors = all->spare, *first = all->a + k * n;
+    for (size_t j = k + 1; j < n; j++) {
+        factors[j] = head * first[j];
+    }
     for (size_t i = k + 1; i < all->rows; i++) {
-        x[i * stride] -= factor * all->a[i * all->columns + k];
+        const double *row = all->a + i * n, tail = row[k];
+        for (size_t j = k + 1; j < n; j++) {
+            factors[j] += tail * row[j];
+        }
+    }
+    for (size_t j = k + 1; j < n; j++) {
+        factors[j] /= head;
+        first[j] -= factors[j] * head;
+    }
+    for (size_t i = k + 1; i < all->rows; i++) {
+        double *row = all->a + i * n;
+        const double tail = row[k];
+        for (size_t j = k + 1; j < n; j++) {
+            row[j] -= factors[j] * tail;
+        }
     }
 }
 
@@ -95,9 +140,7 @@ static void eliminate(struct linear_factors *all, size_t k, double length)
     }
     all->reflector[k] = all->a[k * n + k] + 1;
     all->a[k * n + k] = r;
-    for (size_t j = k + 1; j < n; j++) {
-        reflect(all, k, all->a + j, n);
-    }
+    reflect_rows(all, k);
 }
 
 struct linear_factors linear_factor(double *a, size_t rows, size_t columns, double tolerance,
@@ -107,6 +150,7 @@ struct linear_factors linear_factor(double *a, size_t rows, size_t columns, doub
     all.reflector = ARENA_ARRAY(arena, columns, double);
     all.scale = ARENA_ARRAY(arena, columns, double);
     all.order = ARENA_ARRAY(arena, columns, size_t);
+    all.spare = ARENA_ARRAY(arena, columns, double);
     scale_columns(&all);
     for (size_t k = 0; k < columns && k < rows; k++) {
         double length = pivot(&all, k);
@@ -122,7 +166,7 @@ struct linear_factors linear_factor(double *a, size_t rows, size_t columns, doub
 void linear_reflect(const struct linear_factors *factors, double *b)
 {
     for (size_t k = 0; k < factors->rank; k++) {
-        reflect(factors, k, b, 1);
+        reflect(factors, k, b);
     }
 }
 

@@ -15,6 +15,7 @@ struct linear_factors {
     double *scale;     /* of each column of A: it was divided by it */
     size_t *order;     /* column of A that is the k-th of A P; those from `rank` on depend on the
                           others */
+    double *spare;     /* internal: a number a column */
 };
 
 /*

@@ -59,7 +59,8 @@ static struct overlap contrast(struct fixture *fixture, double x, double y, doub
     double range[2];
     exit_pupil_range(&fixture->pupil, along, range);
     const double shift = share * (range[1] - range[0]);
-    struct overlap sum = overlap_find(&fixture->pupil, &lines, shift, 1e-7, &fixture->arena);
+    struct overlap sum = overlap_find(&fixture->pupil, &lines, overlap_rules_new(&fixture->arena),
+                                      shift, 1e-7, &fixture->arena);
     sum.re /= fixture->pupil.energy;
     sum.im /= fixture->pupil.energy;
     sum.perfect /= fixture->pupil.energy;
