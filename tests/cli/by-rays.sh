@@ -48,3 +48,7 @@ lenscalc dof --lens bare.lens -N 16 -s 2m --exact -P 1 --digits 6 --csv --column
 lenscalc fov --lens $lens -s 2m --from sensor --exact --digits 6 --csv --columns distance_sensor_m,breathing_percent
 # wider than the lens is
 lenscalc dof --lens $lens -N 1 -s 2m -c 0.2 --exact --columns near_m,far_m
+# a T-stop is that of one f-number
+lenscalc exposure --lens $lens -t 1/60 --ev 12 --iso 100 --exact
+lenscalc exposure --lens $lens -t 1/60 -N 8 --equivalent --exact
+lenscalc exposure --lens $lens -t 1/60 -N 8 --exact --fresnel --columns t_stop

@@ -177,6 +177,12 @@ static const struct column columns[] = {
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED | COLUMN_ECHO, .with = "lens",
      .symbol = "P", .depends = "pupil lens position section wavelength",
      .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
+    {NUMBER(traced), .name = "t_stop_by", .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED,
+     .with = "exact", .depends = "exact fresnel", .label = "T-stop by",
+     .help = "what the T-stop by rays counts"},
+    {NUMBER(spectrum), .name = "spectrum", .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED,
+     .with = "exact", .depends = "lens wavelength", .label = "wavelengths",
+     .help = "of the rays, each with its weight"},
     {NUMBER(speed), .name = "speed", ASSUMED, .depends = "iso film", .label = "speed",
      .help = "what was taken where no ISO is given"},
     {NUMBER(scene), .name = "scene", ASSUMED, .depends = "scene", .label = "scene",
@@ -201,7 +207,7 @@ static const struct column columns[] = {
  * which count too, whatever the rays make of these.
  */
 static bool light_by_rays(const struct photo_lens *lens, struct run *run,
-                          struct exposure_input *own, struct error *error)
+                          struct exposure_input *own, struct by_rays_row *row, struct error *error)
 {
     const double m = own->magnification, near = isnan(m) ? 0 : m;
     const double distance = near > 0 ? lens->f * (1 + 1 / near) : INFINITY;
@@ -209,13 +215,22 @@ static bool light_by_rays(const struct photo_lens *lens, struct run *run,
     struct real_focus focus;
     struct real_point point;
     struct real_light light;
-    struct by_rays_row row;
+    if (isnan(lens->N)) {
+        return fail(
+            error, ERROR_USAGE,
+            "{--exact} finds the T-stop of an f-number: give {--aperture}, and leave one of "
+            "{--time}, {--iso} and the light to be found");
+    }
+    if (own->equivalent) {
+        return fail(error, ERROR_USAGE,
+                    "{--exact} finds the T-stop of one f-number: it excludes {--equivalent}");
+    }
     if (!isnan(own->t_stop) || !isnan(own->transmittance)) {
         return fail(error, ERROR_USAGE, "{--exact} finds the T-stop: it excludes {--%s}",
                     !isnan(own->t_stop) ? "t-stop" : "transmittance");
     }
     const struct by_rays_question question = {&own->rays, &own->lens, lens, distance, 0};
-    if (!by_rays_open(&question, run, &focus, &row, error) ||
+    if (!by_rays_open(&question, run, &focus, row, error) ||
         !real_focus_point(&focus, object, &point, error)) {
         return false;
     }
@@ -230,10 +245,11 @@ static bool light_by_rays(const struct photo_lens *lens, struct run *run,
 
 /* What of the light the lens lets pass: by its rays, or as its source states it. */
 static bool take_lens_light(const struct photo_lens *lens, struct run *run,
-                            struct exposure_input *own, struct error *error)
+                            struct exposure_input *own, struct by_rays_row *row,
+                            struct error *error)
 {
     if (own->rays.exact) {
-        return light_by_rays(lens, run, own, error);
+        return light_by_rays(lens, run, own, row, error);
     }
     if (isnan(own->t_stop) && isnan(own->transmittance) && !isnan(lens->t_ratio)) {
         own->transmittance = 1 / (lens->t_ratio * lens->t_ratio);
@@ -246,9 +262,10 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
 {
     struct exposure_input own = *(const struct exposure_input *)data;
     const struct exposure_input *input = &own;
+    struct by_rays_row rays = by_rays_none;
     struct exposure_row row;
     own.given.N = lens->N;
-    if (!take_lens_light(lens, run, &own, error)) {
+    if (!take_lens_light(lens, run, &own, &rays, error)) {
         return false;
     }
     own.lens.pupil = lens->P;
@@ -262,6 +279,10 @@ static bool answer(const void *data, const struct photo_lens *lens, struct run *
     }
     row.real = *lens->real;
     row.pupil = lens->P;
+    row.spectrum = rays.spectrum;
+    row.traced = !input->rays.exact ? NULL
+                 : input->fresnel   ? "rays of the lens, its faces uncoated"
+                                    : "rays of the lens, without loss in glass and faces";
     if (!isnan(row.time_to_set)) {
         char words[SPOKEN_LENGTH];
         spoken_time(words, row.time_to_set, 3);
@@ -327,7 +348,9 @@ static const struct explanation explanations[] = {
      "as the film's source gives it: Tm^p, points joined in log-log, or Tm + a Tm^1.62",
      "one emulsion and developer; sources differ by 0.6 stop"},
     {"shutter_angle", "a = 360 {rate} {t}", "definition of the rotating shutter", NULL},
-    {"t_stop", "T = {N}/sqrt(tau)", "[IsoAperture08]", NULL},
+    {"t_stop !t_stop_by", "T = {N}/sqrt(tau)", "[IsoAperture08]", NULL},
+    {"t_stop t_stop_by", "T = (N/Nw) sqrt(pi/(4 tau E/L))",
+     "[IsoAperture08], exact rays; E/L in sr, tau of the faces, Nw = N (1 + m/P)", NULL},
     {"transmittance", "tau = ({N}/{T})^2", "[IsoAperture08]", NULL},
     {"filtered", "K3 = 10^6/(10^6/{K1} + {M})", "[Priest33]; M in mired",
      "light near that of a black body"},

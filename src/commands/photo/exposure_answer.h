@@ -45,7 +45,8 @@ struct exposure_row {
     double q, focal_plane, glass, off_axis, vignetting;
     double K, C;
     struct photo_real real;
-    double pupil; /* of a real lens */
+    double pupil;                  /* of a real lens */
+    const char *traced, *spectrum; /* by which rays the T-stop is; null: by none */
     const char *speed, *filter, *film, *film_source, *scene, *scene_source;
     struct lamp_row lamps; /* filled in by the command */
 };
